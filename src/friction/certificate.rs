@@ -12,7 +12,7 @@ use super::facets::Facets;
 use super::problem::{FrictionProblem, part};
 use super::tolerances::PROOF_ROUNDING;
 use crate::lcp::{self, Lcp};
-use crate::numerics::{ExactSum, mapped, rounding_of, times_power_of_two};
+use crate::numerics::{ExactSum, mapped, rounding_of, times_power_of_two, vector_of};
 use crate::prelude::*;
 use core::cmp::Ordering;
 use core::f64::consts::PI;
@@ -72,8 +72,8 @@ impl<const C: usize> FrictionProblem<C> {
                 }
             }
         }
-        let q = DVector::from_fn(n, |i, _| part::<C>(&self.q, i)[0]);
-        let single = (0..n).map(|i| DVector::from_fn(n, |k, _| if k == i { 1.0 } else { 0.0 }));
+        let q = vector_of(n, &|i| part::<C>(&self.q, i)[0]);
+        let single = (0..n).map(|i| vector_of(n, &|k| if k == i { 1.0 } else { 0.0 }));
         single.chain(Lcp::contradictions(&normals, &q, settings)).find(|y| self.proves_infeasible(y))
     }
 }

@@ -10,6 +10,7 @@ use super::central_path::{Smoothed, scales};
 use super::equations::{Equations, Patience, descend};
 use super::problem::{FrictionProblem, part};
 use super::tolerances::ON_CENTRAL_PATH;
+use crate::numerics::vector_of;
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
@@ -122,7 +123,7 @@ impl<const C: usize> Path<'_, C> {
         let size = x.len() - 1;
         let energy =
             (0..self.problem.len()).map(|i| x.rows(C * i, C).norm_squared() / self.rho[i]).sum::<f64>();
-        DVector::from_fn(size + 1, |k, _| if k == size { 1.0 } else { 1.0 / (self.rho[k / C] * energy) })
+        vector_of(size + 1, &|k| if k == size { 1.0 } else { 1.0 / (self.rho[k / C] * energy) })
     }
 
     /// The unit tangent of the path in the direction of the previous one.

@@ -3,6 +3,7 @@
 use super::error::Error;
 use super::problem::{FrictionProblem, PlanarContacts, SpatialContacts};
 use super::siconos_matrix::{Tokens, matrix};
+use crate::numerics::matrix_of;
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
@@ -104,7 +105,7 @@ fn moved_by(
     let inverse = masses.diagonal().map(|mass| 1.0 / mass);
     let count = |m: &DMatrix<f64>| m.iter().filter(|x| **x != 0.0).count();
     if count(&masses) == inverse.len() && inverse.iter().all(|x| x.is_finite()) {
-        let moved = DMatrix::from_fn(h.nrows(), h.ncols(), |i, j| inverse[i] * h[(i, j)]);
+        let moved = matrix_of(h.nrows(), h.ncols(), &|i, j| inverse[i] * h[(i, j)]);
         return Some((moved, f.component_mul(&inverse)));
     }
     let factors = masses.lu();

@@ -9,6 +9,7 @@ use super::outcome::{Outcome, Ray, Unsolved};
 use super::path::LemkePath;
 use super::problem::Lcp;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
+use crate::numerics::vector_of;
 use nalgebra::DVector;
 
 /// The outcome of a path on which the entering variable grows without bound at the end. It is a Farkas proof if the ray is one, otherwise the ray,
@@ -28,7 +29,7 @@ pub(super) fn ray(lcp: &Lcp, path: &LemkePath, entering: LemkeVariable) -> Optio
             _ => {}
         }
     }
-    let in_units_of = |factors: &[f64]| DVector::from_fn(lcp.len(), |i, _| rates[i] * factors[i]);
+    let in_units_of = |factors: &[f64]| vector_of(lcp.len(), &|i| rates[i] * factors[i]);
     let mut direction = in_units_of(&path.scaling.column);
     // A Farkas vector weighs rows, so it is read in the units of rows.
     let y = in_units_of(&path.scaling.row);

@@ -7,7 +7,7 @@ use super::problem::Lcp;
 use super::tolerances::MOST_PAIRED_ROWS;
 #[cfg(not(feature = "std"))]
 use crate::numerics::FloatFunctions;
-use crate::numerics::increasing;
+use crate::numerics::{increasing, vector_of};
 use nalgebra::DVector;
 
 /// The numbers of binary digits to which entries are rounded, the fewest first.
@@ -18,7 +18,7 @@ impl Lcp {
     pub(super) fn few_rows(&self) -> Option<DVector<f64>> {
         let n = self.len();
         if let Some(row) = (0..n).find(|row| self.is_hopeless(*row, 1.0, 0..n)) {
-            return Some(DVector::from_fn(n, |i, _| if i == row { 1.0 } else { 0.0 }));
+            return Some(vector_of(n, &|i| if i == row { 1.0 } else { 0.0 }));
         }
         if n > MOST_PAIRED_ROWS {
             return None;
@@ -53,7 +53,7 @@ impl Lcp {
             (_, most) => 0.5 * most,
         };
         let of = |(y_i, y_k): (f64, f64)| {
-            DVector::from_fn(n, |row, _| {
+            vector_of(n, &|row| {
                 if row == i {
                     y_i
                 } else if row == k {

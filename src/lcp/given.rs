@@ -2,6 +2,7 @@
 
 use super::error::LcpError;
 use super::problem::Lcp;
+use crate::numerics::matrix_of;
 use crate::prelude::*;
 use core::fmt;
 use core::str::FromStr;
@@ -26,7 +27,7 @@ impl Lcp {
         if let Some(row) = rows.iter().position(|row| row.as_ref().len() != n) {
             return Err(LcpError::RowLength { row, given: rows[row].as_ref().len(), needed: n });
         }
-        Self::new(DMatrix::from_fn(n, n, |i, j| rows[i].as_ref()[j]), DVector::from_column_slice(q))
+        Self::new(matrix_of(n, n, &|i, j| rows[i].as_ref()[j]), DVector::from_column_slice(q))
     }
 
     /// The problem with the entries (row, column, value) of a sparse M, counted from 0, and q. Places without an entry are zero;

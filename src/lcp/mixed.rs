@@ -11,6 +11,7 @@ use super::reduction::Reduction;
 use super::residuals::{Residuals, ignores_q};
 use super::settings::Settings;
 use super::solution;
+use crate::numerics::{matrix_of, vector_of};
 use crate::prelude::*;
 use core::fmt;
 use nalgebra::{DMatrix, DVector};
@@ -157,11 +158,11 @@ impl MixedLcp {
             i if i < 2 * m => (i - m, -1.0),
             i => (i - m, 1.0),
         };
-        let matrix = DMatrix::from_fn(size, size, |i, j| {
+        let matrix = matrix_of(size, size, &|i, j| {
             let ((i, a), (j, b)) = (place(i), place(j));
             a * b * self.whole.m[(i, j)]
         });
-        let vector = DVector::from_fn(size, |i, _| place(i).1 * self.whole.q[place(i).0]);
+        let vector = vector_of(size, &|i| place(i).1 * self.whole.q[place(i).0]);
         Lcp { m: matrix, q: vector }
     }
 
@@ -222,7 +223,7 @@ impl MixedLcp {
     /// The certificate of this problem that follows from one of the split problem: the two entries of each equality are subtracted.
     fn joined(&self, of_split: &Certificate) -> Unsolved {
         let (y, m) = (&of_split.y, self.free);
-        let y = DVector::from_fn(self.whole.len(), |i, _| if i < m { y[i] - y[m + i] } else { y[m + i] });
+        let y = vector_of(self.whole.len(), &|i| if i < m { y[i] - y[m + i] } else { y[m + i] });
         let certificate = |y| Certificate { y, pivots: of_split.pivots };
         let exact = cleaned(&y).find(|y| self.proves_infeasible(y));
         match exact {
@@ -269,7 +270,7 @@ impl MixedLcp {
         Ok(MixedSolution {
             u: DVector::from_column_slice(&point.z[..m]),
             z: DVector::from_column_slice(&point.z[m..]),
-            w: DVector::from_fn(self.len(), |i, _| slack(i)),
+            w: vector_of(self.len(), &|i| slack(i)),
             basis,
             residuals,
             undetermined: reduction.undetermined.clone(),

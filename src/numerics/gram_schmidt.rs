@@ -2,6 +2,7 @@
 //!
 //! All functions are inlined with the number of columns d, so that loops of one object have a length that the compiler knows.
 
+use crate::numerics::Each;
 use core::ops::Range;
 
 use super::coordinates::{Square, Vector, WHOLE};
@@ -24,7 +25,7 @@ pub(super) fn factorise(
     // Lengths of the columns, of the rounding in them, and of their remaining parts.
     let [mut full, mut noise, mut left, mut parts] = core::array::from_fn(|_| Vector::all_zero(size));
     let [full, noise, left, parts] =
-        [&mut full, &mut noise, &mut left, &mut parts].map(|list| &mut list.as_mut_slice()[..d]);
+        [&mut full, &mut noise, &mut left, &mut parts].each(|list| &mut list.as_mut_slice()[..d]);
     lengths_and_noise(d, q, full, noise);
     left.copy_from_slice(full);
     let mut rank = 0;

@@ -37,6 +37,7 @@
 //! | `vector_dispatch` | loops on the widest vectors of the processor |
 //! | `pseudo_random` | numbers without structure, the same on every machine |
 //! | `square_root` | the square root of std under a name of its own |
+//! | `each` | short arrays and vectors made element by element |
 //! | `mapped` | lists, sums and extremes made of other lists or of numbers |
 //! | `cleared_for` | lists that are refilled in their own memory |
 //! | `memory` | memory that is kept from question to question |
@@ -52,6 +53,7 @@ mod coordinates;
 mod cores;
 mod dormand_prince;
 mod double_double;
+mod each;
 mod event_queue;
 mod exact_sum;
 mod factors;
@@ -94,6 +96,7 @@ pub(crate) use coordinates::{Indices, Map, ScaledMap, Size, Square, Vector, WHOL
 pub(crate) use cores::{each_taken, in_order};
 pub(crate) use dormand_prince::{Stepped, explicit_step};
 pub(crate) use double_double::{DoubleDouble, rounding_of};
+pub(crate) use each::{Each, by_axis};
 pub(crate) use event_queue::EventQueue;
 pub(crate) use exact_sum::{ExactSum, times_power_of_two};
 pub(crate) use factors::Factors;
@@ -103,7 +106,8 @@ pub(crate) use largest_ball::largest_ball;
 pub(crate) use least_distance::least_distance;
 pub(crate) use linearly_implicit::implicit_step;
 pub(crate) use mapped::{
-    chosen, dot, indexed, largest, least, mapped, moved, numbered, paired, picked, summed, tried,
+    chosen, dot, indexed, largest, least, mapped, matrix_of, moved, numbered, paired, picked, summed, tried,
+    vector_of,
 };
 pub(crate) use memory::Memory;
 pub(crate) use narrow_order::{narrow_order, widest};

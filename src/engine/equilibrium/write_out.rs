@@ -9,7 +9,7 @@ use super::too_far::Standing;
 use crate::contact::{LocalLaw, Mode, State, ZERO_SLACK};
 use crate::forms::{LeftOut, Why};
 use crate::grasp::{Contact, Coordinates, Engine, Hold, Stiffness, Twist, Wrench};
-use crate::numerics::{Vector, mapped};
+use crate::numerics::{Vector, by_axis, mapped};
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Effort, Found, FoundBy};
@@ -189,7 +189,7 @@ impl SolvedContact<'_> {
         }
         let (body_surface, finger_surface) = match contact.stiffness {
             Stiffness::BodyAndFinger { body, finger } => {
-                let give = |k: &SVector<f64, 3>| SVector::<f64, 3>::from_fn(|a, _| force[a] / k[a]);
+                let give = |k: &SVector<f64, 3>| by_axis(|a| force[a] / k[a]);
                 (Some(frame * (body_core + give(&body))), Some(frame * (commanded - give(&finger))))
             }
             Stiffness::Series(_) => (None, None),

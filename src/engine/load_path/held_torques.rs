@@ -6,7 +6,7 @@ use alloc::sync::Arc;
 use super::leg::{Leg, LegGoal, LegLoad};
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::Engine;
-use crate::numerics::Vector;
+use crate::numerics::{Each, Vector};
 use crate::prelude::*;
 
 impl<const C: usize> Leg<C> {
@@ -96,7 +96,7 @@ impl HeldTorques {
     /// The load of these torques less those of the hand, in inside coordinates, at the beginning and at the end of the leg.
     pub(super) fn inside(&self, grasp: &Engine) -> Option<[Vector; 2]> {
         let (torques, linkage) = self.0.as_ref().zip(grasp.linkage())?;
-        Some([0, 1].map(|end| {
+        Some([0, 1].each(|end| {
             let mut inside = Vector::all_zero(grasp.size());
             for (j, torque) in torques[end].iter().enumerate() {
                 let k = grasp.space().of_the_object() + j;

@@ -1,5 +1,6 @@
 //! Stiffness T at a point of a path, and factors of T with a border: as a full matrix, or for many coordinates as a band in a suitable order.
 
+use crate::numerics::Each;
 use alloc::sync::Arc;
 use core::ops::Range;
 
@@ -133,7 +134,7 @@ impl PathStiffness {
         let square = match self {
             Self::Whole(square) => square,
             Self::Narrow { order, band } => {
-                let [column, row] = [cover, gradient].map(|v| order.in_order(v));
+                let [column, row] = [cover, gradient].each(|v| order.in_order(v));
                 if let Some(bordered) = BorderedBand::new(band.clone(), column, row, corner) {
                     return Some(PathFactors::Narrow { order, bordered: Box::new(bordered) });
                 }

@@ -11,7 +11,7 @@ use super::trajectory::Trajectory;
 use super::turn::inside;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::{Vector, largest, mapped, paired};
+use crate::numerics::{Each, Vector, largest, mapped, paired};
 use crate::prelude::*;
 
 /// A load program in progress.
@@ -168,7 +168,7 @@ impl Program {
     pub(super) fn inside_course(&self, grasp: &Engine) -> Trajectory<Vector> {
         match &self.course {
             Trajectory::Straight { from, .. } => {
-                let [mut from, mut to] = [from, &self.goal].map(|load| grasp.load_unchecked(load));
+                let [mut from, mut to] = [from, &self.goal].each(|load| grasp.load_unchecked(load));
                 for [first, last] in self.beside(grasp).into_iter().flatten() {
                     (from, to) = (from + first, to + last);
                 }

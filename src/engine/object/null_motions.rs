@@ -7,12 +7,11 @@
 //! B z ≠ 0, Tᵀz = 0    nothing responds to z: offsets and loads that work on z have no solution
 //! ```
 
-use nalgebra::DMatrix;
 
 use super::band_piece::{BandPiece, Side};
 use super::tolerances::NO_WORK;
 use crate::numerics::tolerances::LINEARLY_DEPENDENT;
-use crate::numerics::{BandFactors, Size, Vector, dot, orthonormalise_against};
+use crate::numerics::{BandFactors, Size, Vector, dot, matrix_of, orthonormalise_against};
 use crate::prelude::*;
 
 /// Motions in which T is singular.
@@ -114,8 +113,7 @@ fn apart(
         found.push((v, stretches));
     }
     let count = found.len();
-    let axes =
-        DMatrix::from_fn(count, count, |i, j| dot(&found[i].1, &found[j].1)).symmetric_eigen().eigenvectors;
+    let axes = matrix_of(count, count, &|i, j| dot(&found[i].1, &found[j].1)).symmetric_eigen().eigenvectors;
     let mut apart = Apart { unfelt: Vec::new(), felt: Vec::new() };
     for axis in axes.column_iter() {
         let mut v = Vector::zeros();

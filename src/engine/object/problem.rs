@@ -6,7 +6,7 @@
 //!
 //! At rest the offsets a_i are commanded displacements and the laws are whole; in rates both describe what happens next.
 
-use crate::numerics::{Size, Vector, indexed};
+use crate::numerics::{Size, Vector, by_axis, indexed};
 use alloc::sync::Arc;
 
 use nalgebra::SVector;
@@ -240,7 +240,7 @@ impl<'g> Problem<'g> {
         twist: &PreciseTwist,
     ) -> SVector<f64, 3> {
         let site = &self.sites[contact];
-        SVector::from_fn(|a, _| {
+        by_axis(|a| {
             if a == 0 {
                 return 0.0;
             }

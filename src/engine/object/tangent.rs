@@ -8,7 +8,7 @@
 //! equilibrium, not from displacements. After a step R is its own rounding, so that a few steps balance
 //! to the last digits where T is regular; where T is singular, see [`super::Piece`].
 
-use crate::numerics::{Square, Vector};
+use crate::numerics::{Each, Square, Vector};
 use core::ops::Range;
 
 use nalgebra::SMatrix;
@@ -94,7 +94,7 @@ pub(crate) fn tangent_stiffness(sites: &[Site], springs: impl Fn(usize) -> Sprin
 
 /// Adds `G_i C_i G_iᵀ` of one contact to T.
 fn add_tangent(t: &mut Square, site: &Site, springs: &SpringTangent) {
-    let pushed: [Vector; 3] = core::array::from_fn(|a| &site.map * springs.column(a).into_owned());
+    let pushed: [Vector; 3] = [0, 1, 2].each(|a| &site.map * springs.column(a).into_owned());
     // A contact of one finger does not feel the joints of the others, and a drive feels only its own joint.
     for columns in site.support.ranges() {
         for j in columns {

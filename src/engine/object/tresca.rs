@@ -19,7 +19,7 @@ use super::limited::{Limited, LimitedAnswer};
 use super::problem::Problem;
 use crate::contact::{Mode, State};
 use crate::numerics::tolerances::SUFFICIENT_DECREASE;
-use crate::numerics::{PositiveBand, Vector, dot, mapped, moved, narrow_order, paired, widest};
+use crate::numerics::{PositiveBand, Vector, by_axis, dot, mapped, moved, narrow_order, paired, widest};
 use crate::prelude::*;
 
 /// All contacts with given limits of friction, in a narrow order of coordinates.
@@ -77,7 +77,7 @@ impl GivenLimits {
         let band = PositiveBand::zeros(count, widest(&numbers, &couplings));
         let (mut felt, mut first) = (Vec::new(), vec![0]);
         for (site, ranges) in problem.sites.iter().zip(couplings) {
-            let entry = |k: usize| (numbers[k], SVector::from_fn(|a, _| site.map[(k, a)]));
+            let entry = |k: usize| (numbers[k], by_axis(|a| site.map[(k, a)]));
             felt.extend(ranges.into_iter().flatten().map(entry));
             first.push(felt.len());
         }

@@ -18,7 +18,7 @@ use nalgebra::{SMatrix, SVector};
 use super::wrench_cone::{Generator, straight_generators};
 use crate::contact::{tangential, tangential_norm};
 use crate::numerics::tolerances::SUFFICIENT_DECREASE;
-use crate::numerics::{PositiveBand, Vector, dot, mapped, narrow_order, paired, unit, widest};
+use crate::numerics::{PositiveBand, Vector, by_axis, dot, mapped, narrow_order, paired, unit, widest};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -137,8 +137,7 @@ impl PushedBack {
                 continue;
             }
             let size = site.map.column(0).norm();
-            let entry =
-                |(k, number): &(usize, usize)| (*number, SVector::from_fn(|a, _| site.map[(*k, a)] / size));
+            let entry = |(k, number): &(usize, usize)| (*number, by_axis(|a| site.map[(*k, a)] / size));
             let cone = Some(local.cone().limit(1.0));
             contacts.push(Pushing { felt: mapped(&felt(contact), &entry), cone, told: SVector::zeros() });
         }

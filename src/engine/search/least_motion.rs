@@ -4,13 +4,13 @@
 //! conditions `c + g·z >= 0`. The place q₀ closes the gaps of contacts that touched before anything moved, in the sense of least squares.
 //! From q₀ the place of least |z| is unique. It depends neither on the rung that found the states nor on the frame.
 
-use nalgebra::{DMatrix, DVector, SVector};
+use nalgebra::SVector;
 
 use super::answer::Found;
 use super::candidate::for_each_condition;
 use crate::contact::ZERO_SLACK;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Vector, chosen, least_distance, mapped};
+use crate::numerics::{Vector, chosen, least_distance, mapped, matrix_of, vector_of};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -62,8 +62,8 @@ fn to_what_touches(problem: &Problem, found: &Found, base: &Vector) -> Vector {
         return Vector::zeros();
     }
     let (free, normal) = (&found.free_motions, |i: usize| problem.sites[i].map.column(0));
-    let rows = DMatrix::from_fn(open.len(), free.len(), |r, k| normal(open[r]).dot(&free[k]));
-    let gaps = DVector::from_fn(open.len(), |r, _| problem.stretch(open[r], base)[0]);
+    let rows = matrix_of(open.len(), free.len(), &|r, k| normal(open[r]).dot(&free[k]));
+    let gaps = vector_of(open.len(), &|r| problem.stretch(open[r], base)[0]);
     // Normals along free motions with a singular value below this count as dependent.
     let parts = rows.svd(true, true).solve(&gaps, 1e-9);
     parts.map_or_else(

@@ -20,7 +20,7 @@ use nalgebra::SVector;
 
 use crate::contact::HullRay;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{NearestPoint, Vector, mapped, numbered, summed};
+use crate::numerics::{NearestPoint, Vector, by_axis, mapped, numbered, summed};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::proofs::{ESCAPE, LEAST_WORK};
@@ -54,7 +54,7 @@ impl BalanceEquation {
         let size = 3 * problem.len();
         let roots: Vec<_> = mapped(problem.sites, &|site| site.springs.root());
         let energy = |(root, force): (&SVector<f64, 3>, &SVector<f64, 3>)| {
-            SVector::<f64, 3>::from_fn(|a, _| if root[a] > 0.0 { force[a] / root[a] } else { 0.0 })
+            by_axis::<3>(|a| if root[a] > 0.0 { force[a] / root[a] } else { 0.0 })
         };
         let mut target: Vec<f64> = Vec::with_capacity(size);
         for pair in roots.iter().zip(&state.forces) {
@@ -201,7 +201,7 @@ impl BalanceEquation {
             |list: &[f64], contact: usize| SVector::<f64, 3>::from_column_slice(&list[3 * contact..][..3]);
         let seen = self.roots.iter().enumerate().map(|(contact, root)| {
             let on_force = part(&projected, contact);
-            SVector::from_fn(|a, _| if root[a] > 0.0 { on_force[a] / root[a] } else { 0.0 })
+            by_axis(|a| if root[a] > 0.0 { on_force[a] / root[a] } else { 0.0 })
         });
         let motion = trial.solve_roughly(&seen.collect::<Vec<_>>(), &Vector::zeros()).twist;
         let on_stretch = |contact| part(y, contact) - part(&projected, contact);

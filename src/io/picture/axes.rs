@@ -1,5 +1,6 @@
 //! The map from metres in a plane to pixels, and the axes beside it.
 
+use crate::numerics::Each;
 use nalgebra::Vector2;
 use plotters::style::colors::BLACK;
 
@@ -48,12 +49,12 @@ impl EqualScales {
         let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);
         for axis in 0..2 {
             let ends =
-                [-1.0, 1.0].map(|side| (self.middle[axis] + side * half[axis] - point[axis]) / along[axis]);
+                [-1.0, 1.0].each(|side| (self.middle[axis] + side * half[axis] - point[axis]) / along[axis]);
             if along[axis] != 0.0 {
                 (from, to) = (from.max(ends[0].min(ends[1])), to.min(ends[0].max(ends[1])));
             }
         }
-        [from, to].map(|way| self.place(point + along * way))
+        [from, to].each(|way| self.place(point + along * way))
     }
 
     pub(super) fn draw(&self, paper: &mut Sheet) {
@@ -64,7 +65,7 @@ impl EqualScales {
         // About eleven numbers fit along an axis.
         let step = round_up(wide / self.scale / 11.0);
         for (axis, size) in [(0, wide), (1, high)] {
-            let [low, up] = [-0.5, 0.5].map(|side| (self.middle[axis] + side * size / self.scale) / step);
+            let [low, up] = [-0.5, 0.5].each(|side| (self.middle[axis] + side * size / self.scale) / step);
             let first = whole_above(low);
             // The limit of twenty numbers guards against rounding of the bounds.
             let numbers = (0..20).map(|k| first + f64::from(k)).take_while(|k| *k <= whole_below(up));

@@ -1,5 +1,6 @@
 //! The strokes of a chart: series, marks and labels.
 
+use crate::numerics::Each;
 use plotters::element::{DashedPathElement, DynElement, EmptyElement, IntoDynElement};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -109,7 +110,7 @@ fn faint(color: RGBColor) -> ShapeStyle {
 /// An arrow in the middle of each piece of a line that is long enough.
 fn draw_arrows(chart: &mut Canvas, line: &[(f64, f64)], color: RGBColor) -> Plotted {
     for ends in line.windows(2) {
-        let [a, b] = [ends[0], ends[1]].map(|end| chart.plotting_area().map_coordinate(&end));
+        let [a, b] = [ends[0], ends[1]].each(|end| chart.plotting_area().map_coordinate(&end));
         let (x, y) = (f64::from(b.0 - a.0), f64::from(b.1 - a.1));
         let size = x.hypot(y);
         // A shorter piece of a line has no room for an arrow.

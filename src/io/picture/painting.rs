@@ -6,7 +6,7 @@ use nalgebra::{Vector2, Vector3};
 use plotters::style::{Color, RGBAColor, RGBColor, colors::WHITE};
 
 use super::sheet::{Place, Sheet};
-use crate::numerics::{increasing, mapped};
+use crate::numerics::{Each, increasing, mapped};
 
 /// Depth in pixels by which a dot lies in front of the lines that end at it; a tenth of it separates the head of an arrow from its line. It is
 /// invisible, and far above the rounding of places on paper.
@@ -134,7 +134,7 @@ impl Painting {
     fn head(&mut self, tip: EyePoint, along: Vector2<f64>, ink: RGBColor, width: f64) {
         let base = tip.xy() - along;
         let across = Vector2::new(-along.y, along.x).normalize() * (ARROW_HEAD.1 * width);
-        let corners = [tip.xy(), base + across, base - across].map(|corner| (corner.x, corner.y));
+        let corners = [tip.xy(), base + across, base - across].each(|corner| (corner.x, corner.y));
         self.area(corners, ink.to_rgba(), tip.z + 0.1 * IN_FRONT);
     }
 
@@ -169,7 +169,7 @@ impl Painting {
                 Shape::Area { .. } => {}
                 Shape::Dot { at, radius, .. } => {
                     let around = [(0.0, 0.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)];
-                    inked.extend(around.map(|(x, y)| ((at.0 + radius * x, at.1 + radius * y), 40.0)));
+                    inked.extend(around.each(|(x, y)| ((at.0 + radius * x, at.1 + radius * y), 40.0)));
                 }
             }
         }

@@ -1,5 +1,6 @@
 //! The arrows of a planar load: a force on its line of action, or a force in the middle of the object with a moment.
 
+use crate::numerics::Each;
 use nalgebra::Vector2;
 use plotters::style::colors::BLACK;
 
@@ -74,7 +75,7 @@ impl<'l> LoadOnPaper<'l> {
         let PlanarLoad { at, force, moment } = *self.load;
         let acts = force != Vector2::zeros();
         if acts {
-            painting.arrow([self.from, self.tip].map(flat), BLACK, 3.0, 1);
+            painting.arrow([self.from, self.tip].each(flat), BLACK, 3.0, 1);
         }
         if moment == 0.0 && acts {
             // The force is scaled first, because the square of a tiny force may be zero.

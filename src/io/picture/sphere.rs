@@ -1,5 +1,6 @@
 //! A map of a value for every direction in space, with equal areas.
 
+use crate::numerics::Each;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use std::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
 
@@ -269,7 +270,7 @@ fn way(direction: [f64; 3], label: &str) -> Result<[f64; 3], PictureError> {
     if !(size > 0.0 && size.is_finite()) {
         return Err(PictureError(format!("the direction of \"{label}\" has no length")));
     }
-    Ok(direction.map(|part| part / size))
+    Ok(direction.each(|part| part / size))
 }
 
 /// Draws a mark on the disc of its hemisphere; on both discs if the direction is perpendicular to z.
@@ -289,7 +290,7 @@ fn draw_mark(paper: &mut Sheet, [x, y, z]: [f64; 3], label: &str, dot: bool) {
         } else {
             for (ink, width) in [(WHITE, 4.0), (BLACK, 1.8)] {
                 for slope in [1.0, -1.0] {
-                    let ends = [-5.0, 5.0].map(|d| (place.0 + d, place.1 + slope * d));
+                    let ends = [-5.0, 5.0].each(|d| (place.0 + d, place.1 + slope * d));
                     paper.line(ends, ink, width);
                 }
             }

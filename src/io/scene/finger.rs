@@ -9,7 +9,7 @@ use super::matrix::Rows;
 use super::written_contact::LinkedContact;
 use crate::error::Error;
 use crate::grasp::{self, Joint, Space};
-use crate::numerics::moved;
+use crate::numerics::{matrix_of, moved};
 use crate::serial::AsGiven;
 use crate::serial::object;
 
@@ -138,7 +138,7 @@ impl FingerSetup<3> {
 
 /// Velocities of a point of a link for each joint, `v + ω × r`, from those of the contact and, below them, angular velocities.
 fn moved_at(twists: &DMatrix<f64>, arm: &SVector<f64, 3>) -> DMatrix<f64> {
-    DMatrix::from_fn(3, twists.ncols(), |a, j| {
+    matrix_of(3, twists.ncols(), &|a, j| {
         let (b, c) = ((a + 1) % 3, (a + 2) % 3);
         twists[(a, j)] + twists[(3 + b, j)] * arm[c] - twists[(3 + c, j)] * arm[b]
     })

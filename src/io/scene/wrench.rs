@@ -4,13 +4,12 @@
 //! in space. Parts that are left out are zero. `"at": [0.1, 0]` lets the force act at a point other than the origin; its moment is added.
 //! For a grasp by a hand, `"joints": [0.1, 0, …]` are the components of its joints; a shorter list belongs to the first joints.
 
-use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
 use super::carried::{WrittenMass, WrittenTurning};
 use crate::grasp::{Face, Space, Twist, Wrench};
-use crate::numerics::Vector;
+use crate::numerics::{Vector, by_axis};
 use crate::serial::object;
 use crate::serial::{Computed, Few, Given, Number, space_of_text};
 
@@ -103,8 +102,7 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
             if at.is_some() {
                 let at = part(at.as_ref(), axes, "at")?;
                 let force = |a: usize| if a < axes { wrench[a] } else { 0.0 };
-                let through =
-                    Space::Spatial.wrench_of(&at.into(), &SVector::<f64, 3>::from_fn(|a, _| force(a)));
+                let through = Space::Spatial.wrench_of(&at.into(), &by_axis(|a| force(a)));
                 // The rotation in the plane is about z, the last axis of space.
                 let object = space.of_the_object();
                 for k in axes..object {

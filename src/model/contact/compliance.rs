@@ -8,7 +8,7 @@
 
 use nalgebra::SVector;
 
-use crate::numerics::DoubleDouble;
+use crate::numerics::{DoubleDouble, by_axis};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
@@ -24,7 +24,7 @@ pub(crate) struct Compliance {
 impl Compliance {
     /// Springs along the first `axes` axes, of stiffnesses that are positive there.
     pub(crate) fn new(series: &SVector<f64, 3>, axes: usize) -> Self {
-        Self { k: SVector::from_fn(|a, _| if a < axes { series[a] } else { 0.0 }), axes }
+        Self { k: by_axis(|a| if a < axes { series[a] } else { 0.0 }), axes }
     }
 
     /// Number of axes with a spring.
@@ -58,7 +58,7 @@ impl Compliance {
 
     /// `K⁻¹F`, zero along axes without a spring.
     pub(crate) fn give(&self, force: &SVector<f64, 3>) -> SVector<f64, 3> {
-        SVector::from_fn(|a, _| if a < self.axes { force[a] / self.k[a] } else { 0.0 })
+        by_axis(|a| if a < self.axes { force[a] / self.k[a] } else { 0.0 })
     }
 
     /// Part of `K⁻¹F` along an axis with a spring.
@@ -130,7 +130,7 @@ impl Compliance {
     /// The diagonal of `S = (K_t⁻¹ + λ)⁻¹`, zero along the normal: tangential springs in series with a slip of λ per force.
     #[inline(always)]
     pub(crate) fn softened(&self, lambda: f64) -> SVector<f64, 3> {
-        SVector::from_fn(|a, _| if a == 0 { 0.0 } else { self.k[a] * self.softening(a, lambda) })
+        by_axis(|a| if a == 0 { 0.0 } else { self.k[a] * self.softening(a, lambda) })
     }
 
     /// `1 / (1 + λ k)` along a tangential axis.

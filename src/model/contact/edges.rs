@@ -10,7 +10,7 @@ use super::law::LocalLaw;
 use super::state::State;
 use super::tangential::tangential;
 use super::tolerances::ZERO_SLACK;
-use crate::numerics::{Harmonic, Turning, moved, numbered, unit};
+use crate::numerics::{Each, Harmonic, Turning, moved, numbered, unit};
 use crate::prelude::*;
 
 /// Conditions on the force of a contact that keeps sticking, or on the gap of one that stays open.
@@ -107,7 +107,7 @@ impl Edges {
                 // μ c_n = c₁ cos φ + c₂ sin φ.
                 let (towards, aside) = (c[2].atan2(c[1]), (around.constant.dot(c) / c[1].hypot(c[2])).acos());
                 // The angle is NaN where the sign never changes.
-                let both = [towards - aside, towards + aside].map(|x| x.rem_euclid(TAU));
+                let both = [towards - aside, towards + aside].each(|x| x.rem_euclid(TAU));
                 turns.extend(both.iter().filter(|x| x.is_finite()));
             }
             turns.sort_by(f64::total_cmp);

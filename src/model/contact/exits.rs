@@ -1,5 +1,6 @@
 //! The distance along a straight line of forces at which a contact leaves its state.
 
+use crate::numerics::Each;
 use nalgebra::SVector;
 
 use super::law::LocalLaw;
@@ -113,7 +114,7 @@ impl LocalLaw<'_> {
             line.linear(line.force[0], line.rate[0], 1.0, SVector::zeros()).into_iter().for_each(&mut visit);
         }
         for h in facets {
-            let [margin, rate] = [&line.force, &line.rate].map(|f| cone.facet_margin(f, h));
+            let [margin, rate] = [&line.force, &line.rate].each(|f| cone.facet_margin(f, h));
             line.linear(margin, rate, cone.facet_weight(h), *h).into_iter().for_each(&mut visit);
         }
     }

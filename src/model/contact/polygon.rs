@@ -10,7 +10,7 @@ use nalgebra::SVector;
 
 use super::tangential::cross;
 use crate::error::Error;
-use crate::numerics::{Once, Space, mapped, numbered};
+use crate::numerics::{Each, Once, Space, mapped, numbered};
 use crate::prelude::*;
 
 /// Position of the polygon of m facets relative to the circle of radius one, the section of the round cone at `μ F_n = 1`.
@@ -172,7 +172,7 @@ fn direction(angle: f64) -> [f64; 2] {
     let (sin, cos) = angle.sin_cos();
     // A cosine of 6e-17 instead of 0 would blur the ties of symmetric grasps.
     // A sine or cosine below this is rounding of zero at a right angle.
-    [cos, sin].map(|x| if x.abs() < 1e-15 { 0.0 } else { x })
+    [cos, sin].each(|x| if x.abs() < 1e-15 { 0.0 } else { x })
 }
 
 fn in_the_tangent_plane(components: &[f64]) -> SVector<f64, 3> {

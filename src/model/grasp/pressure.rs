@@ -1,6 +1,6 @@
 //! Pressure over a soft fingertip, and the few distances from its centre at which points represent it.
 
-use crate::numerics::Space;
+use crate::numerics::{Each, Space};
 use crate::prelude::*;
 
 /// Pressure over a disc of radius R, or over a line of half-width R in the plane, at the distance r
@@ -55,7 +55,7 @@ impl Pressure {
         let mut layers = Vec::with_capacity(2 * bands);
         for j in 0..bands {
             let (a, b) = (edge(j), edge(j + 1));
-            let [m0, m1, m2] = [0, 1, 2].map(|k| moment(k, a, b) / total);
+            let [m0, m1, m2] = [0, 1, 2].each(|k| moment(k, a, b) / total);
             let x = (b * m1 - m2) / (b * m0 - m1);
             let inner = (b * m0 - m1) / (b - x);
             layers.push(Layer { distance: x, share: inner });

@@ -15,7 +15,7 @@ use crate::grasp::{
 };
 use crate::hold::{Extent, Verdict};
 use crate::load_path::Ramp;
-use crate::numerics::{Once, Space, mapped, numbered};
+use crate::numerics::{Each, Once, Space, mapped, numbered};
 use crate::prelude::*;
 
 /// An object held by elastic fingers: a checked list of contacts, and the joints behind them if a [`Hand`] holds it.
@@ -115,7 +115,7 @@ impl<const C: usize> Grasp<C> {
             Arc::new(Door {
                 contacts: engine.contacts().iter().cloned().map(outside).collect(),
                 frames: numbered(engine.len(), &|contact| frame_outside(engine.frame(contact))),
-                links: mapped(engine.links(), &|link| link.map(outside)),
+                links: mapped(engine.links(), &|link| link.each(outside)),
                 joint_centres: engine.joint_centres().iter().copied().map(outside).collect(),
             })
         })

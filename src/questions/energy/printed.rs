@@ -7,7 +7,7 @@ use super::program_rows::ProgramRows;
 use crate::contact::{LocalLaw, PolygonCone};
 use crate::error::{Error, Field, LARGEST};
 use crate::grasp::{Contact, Engine, Space, Stiffness, Twist, Wrench, of_axes};
-use crate::numerics::Vector;
+use crate::numerics::{Each, Vector};
 use crate::prelude::*;
 
 /// The meaning of an equality row of the printed program.
@@ -272,7 +272,8 @@ impl Written {
         [body, finger]: &[SVector<f64, 3>; 2],
     ) {
         for axis in 0..axes {
-            let [c, d, e] = [BODY_CORE, BODY_SURFACE, FINGER_SURFACE].map(|u| column(axes, contact, u, axis));
+            let [c, d, e] =
+                [BODY_CORE, BODY_SURFACE, FINGER_SURFACE].each(|u| column(axes, contact, u, axis));
             let (k_b, k_f) = (body[axis], finger[axis]);
             (self.h[(c, c)], self.h[(d, d)], self.h[(e, e)]) = (k_b, k_b, k_f);
             (self.h[(c, d)], self.h[(d, c)]) = (-k_b, -k_b);
@@ -293,7 +294,7 @@ impl Written {
         [body, _]: &[SVector<f64, 3>; 2],
     ) {
         let [c, d, e] =
-            [BODY_CORE, BODY_SURFACE, FINGER_SURFACE].map(|u| move |axis| column(axes, i, u, axis));
+            [BODY_CORE, BODY_SURFACE, FINGER_SURFACE].each(|u| move |axis| column(axes, i, u, axis));
         let apart = |axis| [(d(axis), 1.0), (e(axis), -1.0)];
         for axis in 1..local.springs.axes() {
             self.equalities.push_terms(Equality::Sticking { contact: i, axis }, apart(axis), 0.0);

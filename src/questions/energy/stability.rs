@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, SVector, SymmetricEigen};
 use crate::equilibrium::{ContactState, Equilibrium};
 use crate::grasp::{Engine, Motion, Space};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Size, Square, Vector, mapped};
+use crate::numerics::{Size, Square, Vector, mapped, matrix_of};
 use crate::prelude::*;
 
 /// The second derivative of the potential energy at an equilibrium.
@@ -170,7 +170,7 @@ impl Engine {
         let told = self.space().of_the_object() + self.linkage().map_or(0, |linkage| linkage.joints.len());
         Stability {
             elastic: condensed(&elastic, told),
-            geometric: DMatrix::from_fn(told, told, |i, j| geometric[(i, j)]),
+            geometric: matrix_of(told, told, &|i, j| geometric[(i, j)]),
             least_curvature: least,
             most_curvature: most,
             softest: self.motion_outside(&motion),
@@ -182,7 +182,7 @@ impl Engine {
 /// The Schur complement of the stiffness on the first coordinates: all others take the values at which no force acts on them.
 fn condensed(stiffness: &Square, told: usize) -> DMatrix<f64> {
     let part = |rows: Range<usize>, columns: Range<usize>| {
-        DMatrix::from_fn(rows.len(), columns.len(), |i, j| stiffness[(rows.start + i, columns.start + j)])
+        matrix_of(rows.len(), columns.len(), &|i, j| stiffness[(rows.start + i, columns.start + j)])
     };
     let (own, count) = (part(0..told, 0..told), stiffness.size().count());
     if told == count {
@@ -224,7 +224,7 @@ fn turning_arm(space: Space, size: Size, arm: &SVector<f64, 3>, force: &SVector<
 /// Least and largest eigenvalue of a symmetric matrix, and a unit eigenvector of the least.
 fn extremes(matrix: &Square) -> (f64, f64, Vector) {
     let count = matrix.size().count();
-    let dynamic = DMatrix::from_fn(count, count, |i, j| 0.5 * (matrix[(i, j)] + matrix[(j, i)]));
+    let dynamic = matrix_of(count, count, &|i, j| 0.5 * (matrix[(i, j)] + matrix[(j, i)]));
     let eigen = SymmetricEigen::new(dynamic);
     let at = eigen.eigenvalues.imin();
     let vector = Vector::from_fn(matrix.size(), |k| eigen.eigenvectors[(k, at)]);

@@ -13,7 +13,7 @@ use super::model::{Linear, Model};
 use super::spread::told;
 use super::tolerances::INDISTINCT;
 use crate::error::Error;
-use crate::numerics::two_sided;
+use crate::numerics::{Each, two_sided};
 use crate::prelude::*;
 
 /// Most pairs of unknowns that change places from one fit: all pairs of five.
@@ -180,7 +180,7 @@ fn pairs(model: &Model<'_>, fit: &Fitted) -> Result<Vec<(usize, usize)>, Error> 
     };
     let is_open = rank(linear) < fit.logs.len();
     for (i, j) in pairs_of(model) {
-        let on = |row: usize| [i, j].map(|k| depends(&linear.jacobian, row, k));
+        let on = |row: usize| [i, j].each(|k| depends(&linear.jacobian, row, k));
         let mut rows = 0..model.asked.slips.len();
         let on_one = rows.clone().any(|row| on(row)[0] != on(row)[1]);
         let is_ambiguous = on_one && (is_open || !rows.any(|row| on(row) == [true; 2]));

@@ -1,6 +1,7 @@
 //! Combinations of unknowns that slips do not determine.
 
 use super::tolerances::NO_COMPONENT;
+use crate::numerics::Each;
 use nalgebra::DMatrix;
 
 use crate::prelude::*;
@@ -97,7 +98,7 @@ fn said(names: &[String], powers: &[f64], law: Law) -> String {
         Law::Powers if are_alike => {}
         _ => return format!("{apart} what they do together"),
     }
-    let [more, less] = [1.0, -1.0].map(|sign| {
+    let [more, less] = [1.0, -1.0].each(|sign| {
         let those = names.iter().zip(powers).filter(|(_, power)| sign * **power > 0.0);
         those.map(|(name, _)| name.clone()).collect::<Vec<_>>()
     });

@@ -18,7 +18,7 @@ use super::tolerances::INDISTINCT;
 use super::unknown::{UnknownKind, carried_by};
 use crate::grasp::{Space, Twist, Wrench};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{largest, mapped, summed};
+use crate::numerics::{largest, mapped, matrix_of, summed};
 use crate::prelude::*;
 
 /// The motion at gross slip. Moments are divided by one length, and rotations multiplied by it.
@@ -252,7 +252,7 @@ impl Equations {
 fn spaces(directions: &[DVector<f64>], size: usize) -> (DMatrix<f64>, DMatrix<f64>) {
     // Rows of zeros, so that the decomposition contains a basis of the whole space.
     let rows = directions.len().max(size);
-    let matrix = DMatrix::from_fn(rows, size, |i, j| directions.get(i).map_or(0.0, |row| row[j]));
+    let matrix = matrix_of(rows, size, &|i, j| directions.get(i).map_or(0.0, |row| row[j]));
     let svd = matrix.svd(false, true);
     let all = svd.v_t.map_or_else(|| DMatrix::identity(size, size), |v| v.transpose());
     let most = svd.singular_values.max();

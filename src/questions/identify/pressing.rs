@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 use super::model::SlipToPredict;
 use super::tolerances::INDISTINCT;
 use crate::grasp::{Contact, Hold, Space, Wrench};
-use crate::numerics::{Vector, largest};
+use crate::numerics::{Vector, largest, vector_of};
 use crate::prelude::*;
 
 /// A contact that presses while the object leaves.
@@ -82,5 +82,5 @@ pub(super) fn pressing(seen: &SlipToPredict<'_>, forces: &[SVector<f64, 3>], len
 /// Components with moments or rotations multiplied by a factor.
 pub(super) fn at_length(space: Space, coordinates: &Vector, factor: f64) -> DVector<f64> {
     let scaled = |k: usize, x: f64| if k < space.axes() { x } else { x * factor };
-    DVector::from_fn(space.of_the_object(), |k, _| scaled(k, coordinates[k]))
+    vector_of(space.of_the_object(), &|k| scaled(k, coordinates[k]))
 }

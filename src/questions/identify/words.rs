@@ -5,7 +5,7 @@ use core::fmt;
 use super::answer::{Ending, Estimate, Identified};
 use super::assignments::is_alike;
 use super::unknown::UnknownKind;
-use crate::numerics::mapped;
+use crate::numerics::{Each, mapped};
 use crate::prelude::*;
 use crate::words::{Words, listed};
 
@@ -140,7 +140,7 @@ impl Estimate {
         let (Some(error), Some([low, high])) = (self.standard_error, self.interval) else {
             return format!("{}{unit}{behind}", words.number(self.value));
         };
-        let [value, error, low, high] = [self.value, error, low, high].map(|x| to_error(x, error, words));
+        let [value, error, low, high] = [self.value, error, low, high].each(|x| to_error(x, error, words));
         format!("{value}{unit} ± {error}{unit}{behind} (95 %: {low}{unit} to {high}{unit})")
     }
 }

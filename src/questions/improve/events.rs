@@ -9,7 +9,7 @@ use super::goal::ImproveGoal;
 use super::loaded::Loaded;
 use crate::contact::{Edges, Line, LocalLaw, tangential};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{mapped, numbered, unit};
+use crate::numerics::{mapped, numbered, unit, vector_of};
 use crate::prelude::*;
 
 /// One condition of one contact, the same at places that may differ.
@@ -131,7 +131,7 @@ impl Pressed<'_> {
     /// Events under a force of any direction, whose components along the axes are the columns of `influence`.
     fn under_any_force(&self, influence: &[SVector<f64, 3>]) -> Vec<SlipEvent> {
         let felt = |row: &SVector<f64, 3>, by: &dyn Fn(usize) -> SVector<f64, 3>| {
-            DVector::from_fn(influence.len(), |k, _| row.dot(&by(k)))
+            vector_of(influence.len(), &|k| row.dot(&by(k)))
         };
         let known = |k: usize| influence[k];
         // The worst direction reduces the margin by the norm of its gradient.

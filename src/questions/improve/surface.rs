@@ -1,5 +1,6 @@
 //! Curves and surfaces that contacts may move along.
 
+use crate::numerics::Each;
 use nalgebra::SVector;
 
 use super::spline::Spline;
@@ -96,7 +97,7 @@ impl Surface<3> {
     /// A plane rectangle: a corner and the two sides from there, at a right angle, m.
     #[must_use]
     pub fn rectangle(corner: impl Into<[f64; 3]>, sides: [[f64; 3]; 2]) -> Self {
-        Self(Shape::Rectangle { corner: corner.into().into(), sides: sides.map(SVector::from) })
+        Self(Shape::Rectangle { corner: corner.into().into(), sides: sides.each(SVector::from) })
     }
 
     /// A cylinder over its whole circumference, between the ends of its axis, m.
@@ -115,7 +116,7 @@ impl Surface<3> {
     /// next where that increases the value.
     #[must_use]
     pub fn triangles(corners: impl IntoIterator<Item = [[f64; 3]; 3]>) -> Self {
-        Self(Shape::Triangles(corners.into_iter().map(|corners| corners.map(SVector::from)).collect()))
+        Self(Shape::Triangles(corners.into_iter().map(|corners| corners.each(SVector::from)).collect()))
     }
 }
 
@@ -247,7 +248,7 @@ impl Shape {
                 (wrong(spline.points()), ("least distance of points of its spline", least))
             }
             Shape::Rectangle { corner, sides } => {
-                let [a, b] = sides.map(|side| side.norm());
+                let [a, b] = sides.each(|side| side.norm());
                 let skew = sides[0].dot(&sides[1]) / (a * b);
                 if skew.abs() > NEGLIGIBLE {
                     return refused("cosine between the sides of its rectangle", skew, "0, a right angle");

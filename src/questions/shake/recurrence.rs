@@ -5,6 +5,7 @@
 //! converge to
 //! `(e_{n+m+1} - Σ c_j e_{n+j+1}) / (1 - Σ c_j)` (minimal polynomial extrapolation).
 
+use crate::numerics::matrix_of;
 use nalgebra::{DMatrix, DVector};
 
 use super::cycle::Scale;
@@ -72,7 +73,7 @@ impl<'p> Recurrence<'p> {
     pub(super) fn after(&self, cycles: usize) -> (CycleState, DVector<f64>) {
         let modes = self.coefficients.len();
         // The companion matrix of the recurrence: in each cycle, changes move up by one, and the last row gives the new one.
-        let next = DMatrix::from_fn(modes, modes, |i, j| {
+        let next = matrix_of(modes, modes, &|i, j| {
             if i + 1 == modes { self.coefficients[j] } else { f64::from(u8::from(j == i + 1)) }
         });
         let (power, sum) = power_and_sum(&next, cycles);

@@ -7,7 +7,7 @@ use super::margin::{Effect, LOOKED_AT, effect};
 use crate::equilibrium::{Cone, StickingResponse};
 use crate::error::Error;
 use crate::grasp::{Space, Wrench};
-use crate::numerics::{Size, Vector, largest, numbered};
+use crate::numerics::{Each, Size, Vector, largest, numbered};
 use crate::object::PieceState;
 use crate::prelude::*;
 
@@ -64,7 +64,7 @@ pub(super) fn courses(
         }
         for (source, Course { known, off }) in courses.iter_mut().enumerate() {
             let change = |k: usize, i: usize| seen[k][source][i] - known[i];
-            off.push(numbered(known.len(), &|i| effect([0, 1, 2, 3].map(|k| change(k, i)))));
+            off.push(numbered(known.len(), &|i| effect([0, 1, 2, 3].each(|k| change(k, i)))));
         }
     }
     Ok(courses)

@@ -6,7 +6,7 @@ use nalgebra::{Matrix2, Vector2};
 use plotters::style::{Color, RGBColor};
 
 use crate::grasp::{inside, outside};
-use crate::numerics::{mapped, moved, tried};
+use crate::numerics::{Each, mapped, moved, tried};
 use crate::picture::actuators::Actuators;
 use crate::picture::axes::{EqualScales, bounds};
 use crate::picture::contact_look::{cone_size, ink, slope, word};
@@ -203,7 +203,7 @@ impl<'a> Picture<'a> {
     fn paint_object(&self, axes: &EqualScales, painting: &mut Painting) {
         let place = |point: &Vector2<f64>| axes.place(*point);
         for bone in self.of.grasp.links() {
-            painting.line(bone.map(|end| flat(axes.place(end))), GREY, 3.0);
+            painting.line(bone.each(|end| flat(axes.place(end))), GREY, 3.0);
         }
         for (_, at) in &self.actuators.joints {
             if let Some(at) = at {
@@ -221,7 +221,7 @@ impl<'a> Picture<'a> {
             painting.area(outline.iter().map(place), GREY.mix(0.12), -3.0);
             for (k, corner) in outline.iter().enumerate() {
                 let next = &outline[(k + 1) % outline.len()];
-                painting.line([corner, next].map(|end| flat(place(end))), GREY, 1.0);
+                painting.line([corner, next].each(|end| flat(place(end))), GREY, 1.0);
             }
         }
     }
@@ -231,7 +231,7 @@ impl<'a> Picture<'a> {
         if let Some(link) = &tip.link {
             link.paint(axes, painting);
         } else if self.of.grasp.contacts()[tip.of.contacts.start].against.is_none() {
-            painting.area(self.finger(tip).map(place), RGBColor(176, 176, 176).to_rgba(), -2.0);
+            painting.area(self.finger(tip).each(place), RGBColor(176, 176, 176).to_rgba(), -2.0);
         }
         let Some(does) = &tip.does else {
             painting.dot(flat(place(tip.middle)), 4.0, GREY, true);
@@ -239,15 +239,15 @@ impl<'a> Picture<'a> {
         };
         let Resultant { at, force, word: what, .. } = *does;
         if let Some(cone) = self.cone(tip, does) {
-            painting.area(cone.map(place), ink(what).mix(0.16), -1.0);
+            painting.area(cone.each(place), ink(what).mix(0.16), -1.0);
             for edge in [cone[1], cone[2]] {
-                painting.line([cone[0], edge].map(|end| flat(place(end))), ink(what), 1.0);
+                painting.line([cone[0], edge].each(|end| flat(place(end))), ink(what), 1.0);
             }
         }
-        painting.arrow([at, at + force * self.scale].map(|end| flat(place(end))), ink(what), 3.0, 1);
+        painting.arrow([at, at + force * self.scale].each(|end| flat(place(end))), ink(what), 3.0, 1);
         if self.of.grasp.contacts()[tip.of.contacts.start].against.is_some() {
             // The body on the other side feels the opposite force.
-            painting.arrow([at, at - force * self.scale].map(|end| flat(place(end))), ink(what), 1.5, 1);
+            painting.arrow([at, at - force * self.scale].each(|end| flat(place(end))), ink(what), 1.5, 1);
         }
         for i in tip.of.contacts.clone().filter(|_| tip.of.is_soft()) {
             let point = self.of.grasp.contacts()[i].point;

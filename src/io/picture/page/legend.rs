@@ -4,7 +4,7 @@ use plotters::style::{Color, RGBColor, colors::BLACK};
 
 use super::drawing::{Drawing, LoadArrow};
 use super::frame::Frame;
-use crate::numerics::mapped;
+use crate::numerics::{Each, mapped};
 use crate::picture::contact_look::{STATES, ink, word};
 use crate::picture::fingertip::{ContactGroup, Resultant};
 use crate::picture::layout::{LEGEND, SPATIAL};
@@ -187,7 +187,7 @@ fn draw_sample(paper: &mut Sheet, sample: &Sample, y: f64) {
                 drawn.area([from, rim[0], rim[1]], ink.mix(0.24), -1.0);
             }
             if !open {
-                drawn.arrow([from, ends[1]].map(flat), ink, 3.0, 1);
+                drawn.arrow([from, ends[1]].each(flat), ink, 3.0, 1);
             }
             drawn.dot(flat(from), SPATIAL.contact, ink, open);
         }
@@ -195,7 +195,7 @@ fn draw_sample(paper: &mut Sheet, sample: &Sample, y: f64) {
             drawn.dot(flat((LEGEND.left + LEGEND.sample / 2.0, y)), SPATIAL.soft_point, ink, open);
         }
         Sample::Arrow { ink, width, heads, long } => {
-            drawn.arrow([(LEGEND.left, y), (LEGEND.left + long, y)].map(flat), ink, width, heads);
+            drawn.arrow([(LEGEND.left, y), (LEGEND.left + long, y)].each(flat), ink, width, heads);
         }
         Sample::Dashes { ink } => paper.dashes(&ends, ink, 1.5),
     }

@@ -7,7 +7,7 @@ use plotters::style::{Color, RGBColor, colors::BLACK};
 
 use super::eye::Eye;
 use super::mark::{Mark, MarkShape};
-use crate::numerics::{increasing, mapped, moved, summed};
+use crate::numerics::{Each, increasing, mapped, moved, summed};
 use crate::picture::layout::MARKS;
 use crate::picture::painting::{EyePoint, Painting};
 use crate::picture::palette::{CONTOUR, FACE};
@@ -166,7 +166,7 @@ fn dashed(corners: &[Vector3<f64>], on: f64, off: f64) -> Vec<[EyePoint; 2]> {
         while dash < stop {
             let (from, to) = (dash.max(start), (dash + on).min(stop));
             if from < to {
-                dashes.push([from, to].map(|at| ends[0].lerp(&ends[1], (at - start) / size)));
+                dashes.push([from, to].each(|at| ends[0].lerp(&ends[1], (at - start) / size)));
             }
             dash += on + off;
         }

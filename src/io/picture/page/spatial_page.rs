@@ -2,7 +2,7 @@
 
 use super::frame::{Frame, change_last};
 use crate::grasp::Motion;
-use crate::numerics::mapped;
+use crate::numerics::{Each, mapped};
 use crate::picture::actuators::Actuators;
 use crate::spatial::{Equilibrium, Grasp, Outcome, Wrench};
 
@@ -77,7 +77,7 @@ impl SpatialPage {
             grasp: grasp.clone(),
             title: title.into(),
             outlines: Vec::new(),
-            fixtures: mapped(grasp.links(), &|bone| bone.map(<[f64; 3]>::from).to_vec()),
+            fixtures: mapped(grasp.links(), &|bone| bone.each(<[f64; 3]>::from).to_vec()),
             frames: Vec::new(),
             actuators: Actuators::of(grasp),
         }

@@ -10,7 +10,7 @@ use super::mark::{Mark, MarkLayer, MarkShape};
 use super::marks::{marks_of_the_answer, marks_of_the_grasp};
 use super::paint::{load_ends, painting};
 use super::spatial_page::SpatialPage;
-use crate::numerics::mapped;
+use crate::numerics::{Each, mapped};
 use crate::picture::error::PictureError;
 use crate::picture::labels::Labels;
 use crate::picture::layout::{LEGEND, MARKS, STILL};
@@ -117,7 +117,7 @@ impl SpatialPage {
 
 /// The coordinate axes, in a corner without other marks.
 fn draw_axes(paper: &mut Sheet, eye: &Eye, (x, y): Place) {
-    let axes = [0, 1, 2].map(|axis| eye.along(axis));
+    let axes = [0, 1, 2].each(|axis| eye.along(axis));
     let mut named: Vec<Vector2<f64>> = Vec::new();
     for (axis, name) in axes.iter().zip(["x", "y", "z"]) {
         let end = axis * 32.0;

@@ -9,6 +9,7 @@
 //!
 //! Only half of the least eigenvalue goes to the pads. With all of it V would lose rank, and rounding would decide where.
 
+use crate::numerics::matrix_of;
 use nalgebra::{DMatrix, DVector};
 
 use super::positive::{NotPositive, checked, least_eigenvalue, squares};
@@ -26,7 +27,7 @@ pub(super) fn split(
         return Err(NotPositive::Eigenvalue(least_eigenvalue(compliance)));
     }
     let root = whole.map(f64::sqrt);
-    let scaled = DMatrix::from_fn(size, size, |i, j| compliance[(i, j)] / (root[i] * root[j]));
+    let scaled = matrix_of(size, size, &|i, j| compliance[(i, j)] / (root[i] * root[j]));
     let least = least_eigenvalue(&scaled);
     // Least eigenvalue of a compliance, scaled to unit diagonal, below which it is singular up to rounding: the contacts would be rigid along
     // some direction.
