@@ -19,6 +19,7 @@
 //! | `harmonic` | numbers, vectors and wrenches that turn with an angle |
 //! | `trigonometric` | first sign change of a trigonometric polynomial |
 //! | `on_a_circle` | the angles at which a number is smaller than a vector, while both turn |
+//! | `singular` | singular values and eigenvalues by rotations of columns |
 //! | `least_distance` | the shortest vector that meets linear inequalities |
 //! | `nearest_point` | the nearest point of a polyhedral cone |
 //! | `band` | LU of a band matrix |
@@ -76,6 +77,7 @@ mod partial_pivoting;
 mod positive_band;
 mod pseudo_random;
 mod ray_shooting;
+mod singular;
 mod space;
 mod square_root;
 mod student_t;
@@ -121,6 +123,7 @@ pub(crate) use partial_pivoting::PartialPivoting;
 pub(crate) use positive_band::PositiveBand;
 pub(crate) use pseudo_random::{Draw, generic};
 pub(crate) use ray_shooting::{RayExit, shoot};
+pub(crate) use singular::{Singular, symmetric_eigen};
 pub(crate) use space::Space;
 pub(crate) use square_root::square_root;
 #[cfg(feature = "std")]

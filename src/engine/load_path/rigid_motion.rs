@@ -10,7 +10,6 @@
 //! as if its mass were one in inside coordinates: that of points at the root mean square distance of contacts. Links, and contacts that neither open
 //! nor slide, allow only motions across them.
 
-
 use super::tolerances::NO_RIGID_MOTION;
 use crate::contact::Law;
 use crate::friction::FrictionProblem;

@@ -7,11 +7,10 @@
 //! B z ≠ 0, Tᵀz = 0    nothing responds to z: offsets and loads that work on z have no solution
 //! ```
 
-
 use super::band_piece::{BandPiece, Side};
 use super::tolerances::NO_WORK;
 use crate::numerics::tolerances::LINEARLY_DEPENDENT;
-use crate::numerics::{BandFactors, Size, Vector, dot, matrix_of, orthonormalise_against};
+use crate::numerics::{BandFactors, Singular, Size, Vector, dot, matrix_of, orthonormalise_against};
 use crate::prelude::*;
 
 /// Motions in which T is singular.
@@ -113,7 +112,7 @@ fn apart(
         found.push((v, stretches));
     }
     let count = found.len();
-    let axes = matrix_of(count, count, &|i, j| dot(&found[i].1, &found[j].1)).symmetric_eigen().eigenvectors;
+    let axes = Singular::new(&matrix_of(count, count, &|i, j| dot(&found[i].1, &found[j].1))).right;
     let mut apart = Apart { unfelt: Vec::new(), felt: Vec::new() };
     for axis in axes.column_iter() {
         let mut v = Vector::zeros();

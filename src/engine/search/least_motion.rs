@@ -10,7 +10,7 @@ use super::answer::Found;
 use super::candidate::for_each_condition;
 use crate::contact::ZERO_SLACK;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Vector, chosen, least_distance, mapped, matrix_of, vector_of};
+use crate::numerics::{Singular, Vector, chosen, least_distance, mapped, matrix_of, vector_of};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -65,9 +65,9 @@ fn to_what_touches(problem: &Problem, found: &Found, base: &Vector) -> Vector {
     let rows = matrix_of(open.len(), free.len(), &|r, k| normal(open[r]).dot(&free[k]));
     let gaps = vector_of(open.len(), &|r| problem.stretch(open[r], base)[0]);
     // Normals along free motions with a singular value below this count as dependent.
-    let parts = rows.svd(true, true).solve(&gaps, 1e-9);
-    parts.map_or_else(
-        |_| Vector::zeros(),
-        |parts| free.iter().zip(parts.iter()).fold(Vector::zeros(), |sum, (v, part)| sum + v * *part),
-    )
+    let mut motion = Vector::zeros();
+    for (v, part) in free.iter().zip(&Singular::new(&rows).solve(&gaps, 1e-9)) {
+        motion += v * *part;
+    }
+    motion
 }

@@ -28,7 +28,7 @@ use super::energy_rows::{ForceCondition, axis_springs, by_pivots, dense, rows, v
 use crate::Settings;
 use crate::lcp::{Basis, Outcome};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Vector, mapped, numbered};
+use crate::numerics::{Singular, Vector, mapped, numbered};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
@@ -210,13 +210,14 @@ impl<'g> EnergyProgram<'g> {
                 column[place] = row.normal[0];
             }
         }
-        let (q, r) = columns.qr().unpack();
+        let parts = Singular::new(&columns);
+        if !parts.values.iter().all(|value| *value > 0.0) {
+            return None;
+        }
         let mut travelled = Vector::zeros();
         // The second pass removes the rounding that the first left in the rows.
         for _ in 0..2 {
-            let y = r.tr_solve_upper_triangular(&-values(rows.iter().copied(), forces))?;
-            let lambda = r.solve_upper_triangular(&y)?;
-            let change = &q * y;
+            let (change, lambda) = parts.of_transpose(&-values(rows.iter().copied(), forces));
             let moved = Vector::from_fn(size, |k| change[k]);
             travelled -= &moved;
             for (i, force) in forces.iter_mut().enumerate() {

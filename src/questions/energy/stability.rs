@@ -2,12 +2,12 @@
 
 use core::ops::Range;
 
-use nalgebra::{DMatrix, SVector, SymmetricEigen};
+use nalgebra::{DMatrix, SVector};
 
 use crate::equilibrium::{ContactState, Equilibrium};
 use crate::grasp::{Engine, Motion, Space};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Size, Square, Vector, mapped, matrix_of};
+use crate::numerics::{Size, Square, Vector, mapped, matrix_of, symmetric_eigen};
 use crate::prelude::*;
 
 /// The second derivative of the potential energy at an equilibrium.
@@ -225,8 +225,7 @@ fn turning_arm(space: Space, size: Size, arm: &SVector<f64, 3>, force: &SVector<
 fn extremes(matrix: &Square) -> (f64, f64, Vector) {
     let count = matrix.size().count();
     let dynamic = matrix_of(count, count, &|i, j| 0.5 * (matrix[(i, j)] + matrix[(j, i)]));
-    let eigen = SymmetricEigen::new(dynamic);
-    let at = eigen.eigenvalues.imin();
-    let vector = Vector::from_fn(matrix.size(), |k| eigen.eigenvectors[(k, at)]);
-    (eigen.eigenvalues[at], eigen.eigenvalues.max(), vector)
+    let (values, vectors) = symmetric_eigen(&dynamic);
+    let vector = Vector::from_fn(matrix.size(), |k| vectors[(k, count - 1)]);
+    (values[count - 1], values[0], vector)
 }

@@ -7,7 +7,7 @@ use super::robust::Huber;
 use super::tolerances::{CONVERGED_GAIN, CONVERGED_STEP, INDISTINCT};
 use super::unknown::UnknownKind;
 use crate::error::Error;
-use crate::numerics::{mapped, matrix_of, vector_of};
+use crate::numerics::{Singular, mapped, matrix_of, vector_of};
 use crate::prelude::*;
 
 /// The end of a search.
@@ -232,14 +232,11 @@ pub(super) fn singular(
     weights: &[f64],
 ) -> (Vec<f64>, DMatrix<f64>, Vec<f64>) {
     let columns = jacobian.ncols();
-    // Rows of zeros if there are fewer slips than unknowns, so that the decomposition has a vector for every unknown.
-    let rows = jacobian.nrows().max(columns);
+    let rows = jacobian.nrows();
     let weighted = |i: usize, x: f64| if i < weights.len() { weights[i] * x } else { 0.0 };
-    let matrix = matrix_of(rows, columns, &|i, j| weighted(i, jacobian.get((i, j)).copied().unwrap_or(0.0)));
+    let matrix = matrix_of(rows, columns, &|i, j| weighted(i, jacobian[(i, j)]));
     let right = vector_of(rows, &|i| weighted(i, residuals.get(i).copied().unwrap_or(0.0)));
-    let svd = matrix.svd(true, true);
-    let along =
-        svd.u.as_ref().map_or_else(|| vec![0.0; columns], |u| u.tr_mul(&right).iter().copied().collect());
-    let directions = svd.v_t.as_ref().map_or_else(|| DMatrix::identity(columns, columns), DMatrix::transpose);
-    (svd.singular_values.iter().copied().collect(), directions, along)
+    let parts = Singular::new(&matrix);
+    let along = parts.along(&right);
+    (parts.values, parts.right, along)
 }

@@ -11,10 +11,10 @@
 //! of an unknown, c in this basis, is `Σ (c'w_g)²`. For independent rows, `c'w_g` would have the covariances
 //! `Ω_gh = δ_gh a_g'Q_g a_g - (Q_g a_g)'(Q_h a_h)`, `a_g = (1 - Q_g)^(-1/2) c`. The degrees of freedom are Satterthwaite's, `(tr Ω)² / tr Ω²`.
 
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use nalgebra::{DMatrix, DVector};
 
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{mapped, paired, summed};
+use crate::numerics::{mapped, paired, summed, symmetric_eigen};
 use crate::prelude::*;
 
 /// Information and influence of each group.
@@ -91,13 +91,13 @@ impl Grouped {
 
 /// (1 - Q)^(-1/2), zero along directions that Q determines alone.
 fn inverse_root_of_rest(tells: &DMatrix<f64>) -> DMatrix<f64> {
-    let parts = SymmetricEigen::new(tells.clone());
-    let root = |part: f64| {
+    let (values, vectors) = symmetric_eigen(tells);
+    let root = |part: &f64| {
         let rest = 1.0 - part;
         if rest > NEGLIGIBLE { rest.sqrt().recip() } else { 0.0 }
     };
-    let roots = DMatrix::from_diagonal(&parts.eigenvalues.map(root));
-    &parts.eigenvectors * roots * parts.eigenvectors.transpose()
+    let roots = DMatrix::from_diagonal(&DVector::from_vec(mapped(&values, &root)));
+    &vectors * roots * vectors.transpose()
 }
 
 #[cfg(test)]
@@ -141,7 +141,7 @@ mod tests {
         for group in 0..3 {
             let own: Vec<usize> = (0..9).filter(|k| groups[*k] == group).collect();
             let block = rest.select_rows(&own).select_columns(&own);
-            let eigen = SymmetricEigen::new(block);
+            let eigen = nalgebra::SymmetricEigen::new(block);
             let roots = DMatrix::from_diagonal(&eigen.eigenvalues.map(|x| x.sqrt().recip()));
             let root = &eigen.eigenvectors * roots * eigen.eigenvectors.transpose();
             let along = root * directions.select_rows(&own) * &unknown;

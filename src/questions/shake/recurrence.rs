@@ -5,7 +5,7 @@
 //! converge to
 //! `(e_{n+m+1} - Σ c_j e_{n+j+1}) / (1 - Σ c_j)` (minimal polynomial extrapolation).
 
-use crate::numerics::matrix_of;
+use crate::numerics::{Singular, matrix_of};
 use nalgebra::{DMatrix, DVector};
 
 use super::cycle::Scale;
@@ -31,9 +31,8 @@ impl<'p> Recurrence<'p> {
             let places = &places[n - modes - 2..];
             let changes: Vec<_> = numbers[n - modes - 2..].windows(2).map(|two| &two[1] - &two[0]).collect();
             let (last, others) = changes.split_last()?;
-            let decomposed = DMatrix::from_columns(others).svd(true, true);
-            let rank = SOLVED_ROUNDING * decomposed.singular_values.max();
-            let coefficients = decomposed.solve(last, rank).ok()?;
+            let decomposed = Singular::new(&DMatrix::from_columns(others));
+            let coefficients = decomposed.solve(last, SOLVED_ROUNDING * decomposed.values[0]);
             let told = others.iter().zip(coefficients.iter());
             let left = told.fold(last.clone(), |left, (change, weight)| left - change * *weight);
             let coefficients = coefficients.iter().copied().collect();

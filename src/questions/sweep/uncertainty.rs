@@ -1,7 +1,6 @@
 //! Grasps with uncertain data, and samples of these data, the same for the same
 //! seed.
 
-
 use super::caught::each_answered;
 use super::off::{ContactErrors, factor};
 use crate::equilibrium::Settings;
