@@ -1,13 +1,11 @@
 //! The map from metres in a plane to pixels, and the axes beside it.
 
-use crate::numerics::Each;
-use nalgebra::Vector2;
-use plotters::style::colors::BLACK;
-
-use super::palette::GREY;
+use super::palette::{BLACK, GREY};
 use super::round_numbers::{in_steps, round_up, whole_above, whole_below};
 use super::sheet::{Place, Sheet};
 use super::window::Window;
+use crate::numerics::Each;
+use nalgebra::Vector2;
 
 /// A map with the same scale in both directions.
 pub(super) struct EqualScales {
@@ -60,7 +58,7 @@ impl EqualScales {
     pub(super) fn draw(&self, paper: &mut Sheet) {
         let Window { left, top, wide, high } = self.window;
         let (right, bottom) = (left + wide, top + high);
-        paper.line([(left, top), (left, bottom), (right, bottom)], BLACK, 1.0);
+        paper.line(&[(left, top), (left, bottom), (right, bottom)], BLACK, 1.0);
         let letters = 14.0;
         // About eleven numbers fit along an axis.
         let step = round_up(wide / self.scale / 11.0);
@@ -74,10 +72,10 @@ impl EqualScales {
                     .place(self.middle.map_with_location(|row, _, at| if row == axis { number } else { at }));
                 let words = in_steps(number, step);
                 if axis == 0 {
-                    paper.line([(x, bottom), (x, bottom + 5.0)], BLACK, 1.0);
+                    paper.line(&[(x, bottom), (x, bottom + 5.0)], BLACK, 1.0);
                     paper.text((x, bottom + 15.0), &words, letters, 0.5, BLACK);
                 } else {
-                    paper.line([(left, y), (left - 5.0, y)], BLACK, 1.0);
+                    paper.line(&[(left, y), (left - 5.0, y)], BLACK, 1.0);
                     paper.text((left - 9.0, y), &words, letters, 1.0, BLACK);
                 }
             }

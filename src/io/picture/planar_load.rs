@@ -1,18 +1,16 @@
 //! The arrows of a planar load: a force on its line of action, or a force in the middle of the object with a moment.
 
-use crate::numerics::Each;
-use nalgebra::Vector2;
-use plotters::style::colors::BLACK;
-
 use super::axes::EqualScales;
 use super::labels::Labels;
 use super::layout::MARKS;
 use super::painting::{Painting, flat};
-use super::palette::GREY;
+use super::palette::{BLACK, GREY};
 use super::sheet::{Place, Sheet};
 use super::words::short;
+use crate::numerics::Each;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::planar::Wrench;
+use nalgebra::Vector2;
 
 /// A load prepared for drawing: force in N, moment in N m, place in m.
 pub(super) struct PlanarLoad {

@@ -2,11 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use plotters::style::{Color, colors::BLACK};
-
 use super::error::PictureError;
 use super::layout::POLAR;
-use super::palette::{GREY, PALETTE};
+use super::palette::{BLACK, GREY, PALETTE};
 use super::polar_curve::draw_curve;
 use super::polar_plane::{at, turn, width_of};
 use super::round_numbers::{in_steps, round_up, whole_above};
@@ -106,7 +104,7 @@ impl Polar {
             }
             for (angle, radius) in self.marks.iter().flat_map(|(points, _)| points) {
                 let end = at(*angle, POLAR.radius * (radius / rim).min(1.0));
-                paper.line([POLAR.middle, end], BLACK, 1.0);
+                paper.line(&[POLAR.middle, end], BLACK, 1.0);
                 paper.circle(end, 4.5, BLACK, None);
             }
             self.draw_rays(paper);
@@ -124,7 +122,7 @@ impl Polar {
             let angle = f64::from(k) * PI / 6.0;
             let strong = k % 3 == 0;
             let ink = GREY.mix(if strong { 0.6 } else { 0.3 });
-            paper.line([POLAR.middle, at(angle, POLAR.radius)], ink, 0.7);
+            paper.line(&[POLAR.middle, at(angle, POLAR.radius)], ink, 0.7);
             let axis = match k {
                 0 => "0°, +x",
                 3 => "90°, +y",
@@ -146,7 +144,7 @@ impl Polar {
         for (k, (angle, label)) in self.rays.iter().enumerate() {
             let (tip, side) = (at(*angle, POLAR.radius + 26.0), 0.022);
             let tail = [at(angle - side, POLAR.radius + 13.0), at(angle + side, POLAR.radius + 13.0)];
-            paper.area([tip, tail[0], tail[1]], BLACK);
+            paper.area(&[tip, tail[0], tail[1]], BLACK);
             // Letters of directions that are too close are written one outside the other.
             let before = self.rays[..k].iter().filter(|(other, _)| meet(*other, *angle)).count();
             let words = if lettered { letter(k) } else { label.clone() };
@@ -196,12 +194,12 @@ impl Polar {
                 Stroke::Circles => paper.circle((POLAR.legend + POLAR.sample / 2.0, y), 4.0, ink, Some(1.5)),
                 Stroke::Dots => paper.circle((POLAR.legend + POLAR.sample / 2.0, y), 2.0, ink, None),
                 Stroke::Dashed => paper.dashes(&ends, ink, 2.0),
-                _ => paper.line(ends, ink, width_of(k)),
+                _ => paper.line(&ends, ink, width_of(k)),
             }
             y = legend_text(paper, y, name);
         }
         for (_, label) in &self.marks {
-            paper.line([(POLAR.legend, y), (POLAR.legend + POLAR.sample / 2.0, y)], BLACK, 1.0);
+            paper.line(&[(POLAR.legend, y), (POLAR.legend + POLAR.sample / 2.0, y)], BLACK, 1.0);
             paper.circle((POLAR.legend + POLAR.sample / 2.0, y), 4.5, BLACK, None);
             y = legend_text(paper, y, label);
         }

@@ -4,12 +4,10 @@ use crate::numerics::Each;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use std::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
 
-use plotters::style::{Color, colors::BLACK, colors::WHITE};
-
 use super::bands::Bands;
 use super::error::PictureError;
 use super::layout::SPHERE;
-use super::palette::{GREY, VERMILION};
+use super::palette::{BLACK, GREY, VERMILION, WHITE};
 use super::regions::{Corner, outlines};
 use super::sheet::{Place, Sheet, sheet};
 use super::sphere_grid::SphereGrid;
@@ -165,7 +163,7 @@ impl SphereMap {
             let (sin, cos) = (f64::from(k) * TAU / 12.0).sin_cos();
             let end =
                 |part: f64| (middle.0 + part * SPHERE.radius * cos, middle.1 - part * SPHERE.radius * sin);
-            paper.line([end(0.0), end(1.0)], BLACK.mix(0.18), 0.6);
+            paper.line(&[end(0.0), end(1.0)], BLACK.mix(0.18), 0.6);
         }
         paper.circle(middle, SPHERE.radius, BLACK, Some(1.2));
         for (k, name) in ["+x", "+y", "−x", "−y"].into_iter().enumerate() {
@@ -242,7 +240,7 @@ impl SphereMap {
         for (k, level) in bands.levels.iter().enumerate() {
             let (low, top) = (bottom - each * k as f64, bottom - each * (k + 1) as f64);
             if k < bands.count() {
-                paper.area([(left, low), (right, low), (right, top), (left, top)], bands.color(k));
+                paper.area(&[(left, low), (right, low), (right, top), (left, top)], bands.color(k));
             }
             paper.text((left - 4.0, low), &bands.label(*level), 11.0, 1.0, BLACK);
         }
@@ -255,8 +253,8 @@ impl SphereMap {
         for (color, words, _) in present.into_iter().filter(|(_, _, there)| *there) {
             let y = SPHERE.foot - 24.0;
             let corners = [(x, y - 6.0), (x + 16.0, y - 6.0), (x + 16.0, y + 6.0), (x, y + 6.0)];
-            paper.area(corners, color);
-            paper.line(corners.into_iter().chain([corners[0]]), GREY, 0.7);
+            paper.area(&corners, color);
+            paper.line(&[&corners[..], &corners[..1]].concat(), GREY, 0.7);
             paper.text((x + 22.0, y), words, 13.0, 0.0, BLACK);
             x += 60.0 + 7.0 * words.chars().count() as f64;
         }
@@ -291,7 +289,7 @@ fn draw_mark(paper: &mut Sheet, [x, y, z]: [f64; 3], label: &str, dot: bool) {
             for (ink, width) in [(WHITE, 4.0), (BLACK, 1.8)] {
                 for slope in [1.0, -1.0] {
                     let ends = [-5.0, 5.0].each(|d| (place.0 + d, place.1 + slope * d));
-                    paper.line(ends, ink, width);
+                    paper.line(&ends, ink, width);
                 }
             }
         }

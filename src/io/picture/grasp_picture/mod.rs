@@ -2,9 +2,6 @@
 
 mod names;
 
-use nalgebra::{Matrix2, Vector2};
-use plotters::style::{Color, RGBColor};
-
 use crate::grasp::{inside, outside};
 use crate::numerics::{Each, mapped, moved, tried};
 use crate::picture::actuators::Actuators;
@@ -15,7 +12,7 @@ use crate::picture::fingertip::{ContactGroup, Resultant, fingertips};
 use crate::picture::force_scale::metres_per_newton;
 use crate::picture::layout::PLANAR;
 use crate::picture::painting::{Painting, flat};
-use crate::picture::palette::{GREY, VERMILION};
+use crate::picture::palette::{GREY, Rgb, VERMILION};
 use crate::picture::planar_link::PlanarLink;
 use crate::picture::planar_load::{LoadOnPaper, PlanarLoad};
 use crate::picture::planar_picture::PlanarPicture;
@@ -23,6 +20,7 @@ use crate::picture::sheet::{Place, sheet};
 use crate::picture::way_out::MovedOutlines;
 use crate::picture::window::Window;
 use crate::picture::words::{caution, lines};
+use nalgebra::{Matrix2, Vector2};
 
 /// Layout of a picture, pixels.
 struct Paper {
@@ -218,7 +216,7 @@ impl<'a> Picture<'a> {
             }
         }
         for outline in self.of.outlines.iter().filter(|outline| outline.len() > 2) {
-            painting.area(outline.iter().map(place), GREY.mix(0.12), -3.0);
+            painting.area(outline.iter().map(place).collect(), GREY.mix(0.12), -3.0);
             for (k, corner) in outline.iter().enumerate() {
                 let next = &outline[(k + 1) % outline.len()];
                 painting.line([corner, next].each(|end| flat(place(end))), GREY, 1.0);
@@ -231,7 +229,11 @@ impl<'a> Picture<'a> {
         if let Some(link) = &tip.link {
             link.paint(axes, painting);
         } else if self.of.grasp.contacts()[tip.of.contacts.start].against.is_none() {
-            painting.area(self.finger(tip).each(place), RGBColor(176, 176, 176).to_rgba(), -2.0);
+            painting.area(
+                mapped(&self.finger(tip), &|corner| place(*corner)),
+                Rgb(176, 176, 176).into(),
+                -2.0,
+            );
         }
         let Some(does) = &tip.does else {
             painting.dot(flat(place(tip.middle)), 4.0, GREY, true);
@@ -239,7 +241,7 @@ impl<'a> Picture<'a> {
         };
         let Resultant { at, force, word: what, .. } = *does;
         if let Some(cone) = self.cone(tip, does) {
-            painting.area(cone.each(place), ink(what).mix(0.16), -1.0);
+            painting.area(mapped(&cone, &|corner| place(*corner)), ink(what).mix(0.16), -1.0);
             for edge in [cone[1], cone[2]] {
                 painting.line([cone[0], edge].each(|end| flat(place(end))), ink(what), 1.0);
             }

@@ -1,8 +1,5 @@
 //! The marks of a spatial picture, in the coordinates of the grasp: those of the grasp alone, and those of each answer.
 
-use nalgebra::{Matrix3, Vector3};
-use plotters::style::RGBColor;
-
 use super::drawing::{Drawing, goes};
 use super::frame::Frame;
 use super::leaving::MovedLines;
@@ -12,9 +9,10 @@ use crate::numerics::{Each, mapped};
 use crate::picture::contact_look::{cone_size, ink, slope, word};
 use crate::picture::fingertip::{ContactGroup, Resultant};
 use crate::picture::layout::{MARKS, SPATIAL};
-use crate::picture::palette::{BROWN, FIXTURE, GREY, PINK, SKY, VERMILION};
+use crate::picture::palette::{BROWN, FIXTURE, GREY, PINK, Rgb, SKY, VERMILION};
 use crate::picture::words::short;
 use crate::spatial::{Contact, ContactState, Equilibrium, Wrench};
+use nalgebra::{Matrix3, Vector3};
 
 /// The marks of the grasp, whatever the answer: the object, what is at rest, fingers and their names.
 pub(super) fn marks_of_the_grasp(drawing: &Drawing) -> Vec<Mark> {
@@ -139,7 +137,7 @@ fn dots(contacts: &[Contact], state: &Equilibrium, tip: &ContactGroup) -> Vec<Ma
 }
 
 /// The rim of a soft fingertip, around its points as seen along its normal.
-fn rim(contacts: &[Contact], frame: &Matrix3<f64>, tip: &ContactGroup, ink: RGBColor) -> Option<Mark> {
+fn rim(contacts: &[Contact], frame: &Matrix3<f64>, tip: &ContactGroup, ink: Rgb) -> Option<Mark> {
     if !tip.is_soft() || tip.link.is_some() {
         return None;
     }
@@ -204,6 +202,6 @@ fn closed(mut corners: Vec<Vector3<f64>>) -> Option<Vec<Vector3<f64>>> {
     Some(corners)
 }
 
-fn line(corners: Vec<Vector3<f64>>, ink: RGBColor, dashes: Option<(f64, f64)>) -> MarkShape {
+fn line(corners: Vec<Vector3<f64>>, ink: Rgb, dashes: Option<(f64, f64)>) -> MarkShape {
     MarkShape::Line { corners, ink, width: 1.0, dashes }
 }

@@ -2,15 +2,13 @@
 
 use std::f64::consts::TAU;
 
-use nalgebra::Vector3;
-use plotters::style::{Color, RGBColor, colors::BLACK};
-
 use super::eye::Eye;
 use super::mark::{Mark, MarkShape};
 use crate::numerics::{Each, increasing, mapped, moved, summed};
 use crate::picture::layout::MARKS;
 use crate::picture::painting::{EyePoint, Painting};
-use crate::picture::palette::{CONTOUR, FACE};
+use crate::picture::palette::{BLACK, CONTOUR, FACE, Rgb};
+use nalgebra::Vector3;
 
 /// The painting of these marks, without names.
 pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
@@ -62,7 +60,7 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
                 let corners = hull(corners.collect());
                 // Bodies are behind everything. Only the half of the contour outside all bodies remains visible.
                 painting.contour(corners.clone(), CONTOUR, 2.4, f64::NEG_INFINITY);
-                painting.area(corners, FACE.to_rgba(), f64::MIN);
+                painting.area(corners, FACE.into(), f64::MIN);
             }
             MarkShape::Name { .. } => {}
         }
@@ -82,7 +80,7 @@ pub(super) fn load_ends(eye: &Eye, from: &Vector3<f64>, along: &Vector3<f64>) ->
 }
 
 /// The grey of an edge of the object as a function of its depth.
-fn shades(eye: &Eye, marks: &[Mark]) -> impl Fn(f64) -> RGBColor + use<> {
+fn shades(eye: &Eye, marks: &[Mark]) -> impl Fn(f64) -> Rgb + use<> {
     let edges = marks.iter().filter(|mark| matches!(mark.shape, MarkShape::Edge { .. }));
     let depths = edges.flat_map(Mark::points).map(|point| eye.see(&point).z);
     let (far, near) = depths.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), z| (l.min(z), h.max(z)));
@@ -91,13 +89,13 @@ fn shades(eye: &Eye, marks: &[Mark]) -> impl Fn(f64) -> RGBColor + use<> {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a part of a byte")]
         // Edges near the eye are darker.
         let grey = (200.0 + (90.0 - 200.0) * part.clamp(0.0, 1.0)).round() as u8;
-        RGBColor(grey, grey, grey)
+        Rgb(grey, grey, grey)
     }
 }
 
 /// Paints a cone as two faces, the side towards the eye and the side away from it, so that the force is drawn between them. Smaller faces would show
 /// seams.
-fn cone(painting: &mut Painting, apex: &EyePoint, rim: &[EyePoint], ink: RGBColor) {
+fn cone(painting: &mut Painting, apex: &EyePoint, rim: &[EyePoint], ink: Rgb) {
     let sides = rim.len();
     let next = |k: usize| (k + 1) % sides;
     let clockwise = |k: usize| {
@@ -106,7 +104,7 @@ fn cone(painting: &mut Painting, apex: &EyePoint, rim: &[EyePoint], ink: RGBColo
     };
     let ends: Vec<usize> = (0..sides).filter(|k| clockwise(*k) != clockwise(next(*k))).map(next).collect();
     let mut face = |corners: Vec<EyePoint>, depth: f64| {
-        painting.area(corners.iter().map(|corner| (corner.x, corner.y)), ink.mix(0.12), depth);
+        painting.area(corners.iter().map(|corner| (corner.x, corner.y)).collect(), ink.mix(0.12), depth);
     };
     let depth = |part: &[EyePoint]| {
         let mean = summed(part, &|corner| corner.z) / part.len() as f64;
