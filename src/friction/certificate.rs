@@ -12,7 +12,7 @@ use super::facets::Facets;
 use super::problem::{FrictionProblem, part};
 use super::tolerances::PROOF_ROUNDING;
 use crate::lcp::{self, Lcp};
-use crate::numerics::{ExactSum, mapped, rounding_of, times_power_of_two, vector_of};
+use crate::numerics::{ExactSum, IntoList, mapped, rounding_of, times_power_of_two, vector_of};
 use crate::prelude::*;
 use core::cmp::Ordering;
 use core::f64::consts::PI;
@@ -34,7 +34,7 @@ impl<const C: usize> FrictionProblem<C> {
         if weighed(self.q.as_slice()).sign() != Ordering::Less {
             return false;
         }
-        let columns: Vec<&[f64]> = self.w.as_slice().chunks_exact(C * n).collect();
+        let columns: Vec<&[f64]> = self.w.as_slice().chunks_exact(C * n).list();
         columns.chunks_exact(C).zip(&self.mu).all(|(columns, mu)| {
             if C == 2 {
                 return [1.0, -1.0].into_iter().all(|side| {

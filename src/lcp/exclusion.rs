@@ -15,7 +15,7 @@ use super::linear_program::{self, MARGINS};
 use super::problem::Lcp;
 use super::scaling::Scaling;
 use super::settings::Settings;
-use crate::numerics::{chosen, increasing, mapped, matrix_of, vector_of};
+use crate::numerics::{IntoList, chosen, increasing, mapped, matrix_of, vector_of};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
@@ -61,7 +61,7 @@ impl Judge<'_> {
         let row = |i: usize| vector_of(size, &|j| self.m[(i, alpha[j])]);
         let w = |i: usize| self.q[i] + row(i).dot(&z);
         let outside = (0..n).filter(|i| !alpha.contains(i)).map(|i| (w(i), Broken::Slack(i)));
-        let mut broken: Vec<_> = (0..size).map(|j| (z[j], Broken::Domain(j))).chain(outside).collect();
+        let mut broken: Vec<_> = (0..size).map(|j| (z[j], Broken::Domain(j))).chain(outside).list();
         broken.retain(|(value, _)| *value < 0.0);
         let values: Vec<f64> = mapped(&broken, &|(value, _)| *value);
         let reach = z.iter().map(|z| z.abs()).sum::<f64>();

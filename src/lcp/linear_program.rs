@@ -9,8 +9,7 @@ use super::problem::Lcp;
 use super::quadratic_program::quadratic_program;
 use super::scaling::Scaling;
 use super::settings::Settings;
-use crate::numerics::{matrix_of, vector_of};
-use crate::prelude::*;
+use crate::numerics::{IntoList, matrix_of, vector_of};
 use nalgebra::{DMatrix, DVector};
 
 /// A proof that the constraints contradict each other: one row of them, or the dual solution of the linear program.
@@ -56,7 +55,7 @@ impl Lcp {
         b: &'a DVector<f64>,
         settings: &'a Settings,
     ) -> impl Iterator<Item = DVector<f64>> + 'a {
-        contradictions(a, b, &MARGINS, settings).flat_map(|y| cleaned(&y).collect::<Vec<_>>())
+        contradictions(a, b, &MARGINS, settings).flat_map(|y| cleaned(&y).list())
     }
 }
 

@@ -11,7 +11,7 @@ use super::reduction::Reduction;
 use super::residuals::{Residuals, ignores_q};
 use super::settings::Settings;
 use super::solution;
-use crate::numerics::{matrix_of, vector_of};
+use crate::numerics::{IntoList, matrix_of, vector_of};
 use crate::prelude::*;
 use core::fmt;
 use nalgebra::{DMatrix, DVector};
@@ -197,7 +197,7 @@ impl MixedLcp {
                 let basis = Basis::from_indices(n, (0..n).filter(|i| solution.basis.contains(2 * m + i)));
                 let z = solution.z.as_slice();
                 let free = (0..m).map(|i| z[i] - z[m + i]);
-                let point = free.chain(z[2 * m..].iter().copied()).collect();
+                let point = free.chain(z[2 * m..].iter().copied()).list();
                 match self.conclude(point, basis, &reduction, solution.pivots, &settings) {
                     Ok(solution) => Outcome::Solved(solution),
                     Err(cause) => Outcome::Breakdown { pivots: solution.pivots, cause },
@@ -245,7 +245,7 @@ impl MixedLcp {
         let m = self.free;
         let (mut residuals, mut point) = self.evaluate(point);
         let determined = (0..m).filter(|i| !reduction.undetermined.contains(i));
-        let indices: Vec<usize> = determined.chain(basis.iter().map(|i| m + i)).collect();
+        let indices: Vec<usize> = determined.chain(basis.iter().map(|i| m + i)).list();
         if reduction.dependent.is_empty()
             && let Some(values) = principal::solve(&self.whole, &indices)
         {
@@ -286,7 +286,7 @@ impl MixedLcp {
         if u.len() != self.free || z.len() != self.len() {
             return Residuals::UNUSABLE;
         }
-        self.evaluate(u.iter().chain(z).copied().collect()).0
+        self.evaluate(u.iter().chain(z).copied().list()).0
     }
 
     fn evaluate(&self, point: Vec<f64>) -> (Residuals, LcpPoint) {

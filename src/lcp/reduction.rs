@@ -4,7 +4,7 @@ use super::problem::Lcp;
 use super::scaling::Scaling;
 use super::solution::Solution;
 use super::tolerances::{DEPENDENT_EQUALITY, FREE_PIVOT};
-use crate::numerics::{Each, matrix_of, vector_of};
+use crate::numerics::{Each, IntoList, matrix_of, vector_of};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
@@ -47,12 +47,12 @@ impl Reduction {
             tableau,
             constant,
             row_of_free: vec![None; free],
-            row_of_pair: (free..size).collect(),
-            column_of_pair: (free..size).collect(),
+            row_of_pair: (free..size).list(),
+            column_of_pair: (free..size).list(),
             scaling,
         };
-        let mut rows: Vec<usize> = (0..free).collect();
-        let mut columns: Vec<usize> = (0..free).collect();
+        let mut rows: Vec<usize> = (0..free).list();
+        let mut columns: Vec<usize> = (0..free).list();
         while !columns.is_empty()
             && (out.pivot_direct(&mut rows, &mut columns) || out.pivot_pair(&mut rows, &mut columns))
         {

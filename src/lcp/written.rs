@@ -9,7 +9,7 @@
 use super::basis::Basis;
 use super::mixed::MixedLcp;
 use super::problem::Lcp;
-use crate::numerics::{Each, matrix_of};
+use crate::numerics::{Each, IntoList, matrix_of};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 use serde::de::Error;
@@ -22,7 +22,7 @@ struct Rows(Vec<Vec<f64>>);
 
 impl Rows {
     fn of(matrix: &DMatrix<f64>) -> Self {
-        Self(matrix.row_iter().map(|row| row.iter().copied().collect()).collect())
+        Self(matrix.row_iter().map(|row| row.iter().copied().list()).list())
     }
 
     /// The matrix; `what` names it in messages.

@@ -39,6 +39,7 @@
 //! | `pseudo_random` | numbers without structure, the same on every machine |
 //! | `square_root` | the square root of std under a name of its own |
 //! | `each` | short arrays and vectors made element by element |
+//! | `into_list` | the list of the elements of an iterator |
 //! | `mapped` | lists, sums and extremes made of other lists or of numbers |
 //! | `cleared_for` | lists that are refilled in their own memory |
 //! | `memory` | memory that is kept from question to question |
@@ -61,6 +62,7 @@ mod factors;
 mod gram_schmidt;
 mod harmonic;
 mod increasing;
+mod into_list;
 mod largest_ball;
 mod least_distance;
 mod linearly_implicit;
@@ -104,6 +106,7 @@ pub(crate) use exact_sum::{ExactSum, times_power_of_two};
 pub(crate) use factors::Factors;
 pub(crate) use harmonic::Harmonic;
 pub(crate) use increasing::increasing;
+pub(crate) use into_list::IntoList;
 pub(crate) use largest_ball::largest_ball;
 pub(crate) use least_distance::least_distance;
 pub(crate) use linearly_implicit::implicit_step;

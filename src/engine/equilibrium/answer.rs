@@ -1,5 +1,6 @@
 //! The answer as physics.
 
+use crate::numerics::IntoList;
 use nalgebra::SVector;
 
 use super::accuracy::Accuracy;
@@ -161,7 +162,7 @@ impl Equilibrium<3> {
             .iter()
             .map(|contact| contact.force)
             .chain(self.local.drive_forces.iter().copied())
-            .collect()
+            .list()
     }
 }
 

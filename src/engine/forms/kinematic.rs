@@ -13,7 +13,7 @@ use nalgebra::SVector;
 use super::rows::{Form, Row};
 use crate::contact::{LocalLaw, Mode, State, tangential};
 use crate::lcp::{Basis, Lcp};
-use crate::numerics::{mapped, matrix_of, numbered, vector_of};
+use crate::numerics::{IntoList, mapped, matrix_of, numbered, vector_of};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
@@ -162,5 +162,5 @@ pub(crate) fn kinematic_states(problem: &Problem, form: &Form, basis: &Basis) ->
             local.slipping_state(&slipping[contact])
         }
     };
-    problem.locals().enumerate().map(state).collect()
+    problem.locals().enumerate().map(state).list()
 }

@@ -20,7 +20,7 @@ use super::trajectory::Trajectory;
 use super::watch::is_vanishing;
 use crate::contact::{State, Tangent, tangential, tangential_norm};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Each, Size, Stepped, Vector, explicit_step, implicit_step, mapped, summed};
+use crate::numerics::{Each, IntoList, Size, Stepped, Vector, explicit_step, implicit_step, mapped, summed};
 use crate::object::{PieceState, largest_force};
 use crate::prelude::*;
 
@@ -185,7 +185,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         };
         let twist = &self.here.twist + self.moved(&y);
         let factor = self.from + y[load];
-        let mut frictions: Vec<_> = self.frictions(&y).collect();
+        let mut frictions: Vec<_> = self.frictions(&y).list();
         let tangents = self.arc.tangents(frictions.iter().copied());
         let way = self.arc.direction(&tangents, factor, &self.onward())?;
         let stays = |factor: f64| (factor - goal.factor).abs() <= goal.near;

@@ -6,7 +6,7 @@ use alloc::sync::Arc;
 use super::leg::{Leg, LegGoal, LegLoad};
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::Engine;
-use crate::numerics::{Each, Vector};
+use crate::numerics::{Each, IntoList, Vector};
 use crate::prelude::*;
 
 impl<const C: usize> Leg<C> {
@@ -45,13 +45,13 @@ impl<const C: usize> Leg<C> {
     /// This leg with torques that hold joints changed by these amounts meanwhile, see [`Self::torques_by`].
     #[must_use]
     pub fn and_torques_by(self, change: impl IntoIterator<Item = f64>) -> Self {
-        Self { torques: LegGoal::By(change.into_iter().collect()), ..self }
+        Self { torques: LegGoal::By(change.into_iter().list()), ..self }
     }
 
     /// This leg with these torques that hold joints at its end, see [`Self::torques_by`].
     #[must_use]
     pub fn and_torques_to(self, torques: impl IntoIterator<Item = f64>) -> Self {
-        Self { torques: LegGoal::To(torques.into_iter().collect()), ..self }
+        Self { torques: LegGoal::To(torques.into_iter().list()), ..self }
     }
 
     /// Refuses torques that are not one for each joint, that are not finite or too large, or that change while the load turns.
@@ -115,7 +115,7 @@ impl HeldTorques {
     pub(super) fn put_on<'g>(&self, grasp: Cow<'g, Engine>, fraction: f64) -> Cow<'g, Engine> {
         let Some(torques) = &self.0 else { return grasp };
         let [from, to] = &**torques;
-        let now: Vec<f64> = from.iter().zip(to).map(|(from, to)| from + (to - from) * fraction).collect();
+        let now: Vec<f64> = from.iter().zip(to).map(|(from, to)| from + (to - from) * fraction).list();
         Cow::Owned(grasp.with_held_torques(&now))
     }
 }

@@ -20,7 +20,7 @@ use nalgebra::SVector;
 use super::arc::{Arc, Direction};
 use super::path_stiffness::{PathFactors, PathStiffness};
 use crate::contact::{Tangent, tangential_norm};
-use crate::numerics::{Each, Vector};
+use crate::numerics::{Each, IntoList, Vector};
 use crate::prelude::*;
 
 /// A sliding contact at the start of a step.
@@ -86,7 +86,7 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
             let map = &arc.sites()[contact].map;
             Turning { contact, tangent, size, across, change, push: map * change, felt, pull: map * felt }
         };
-        let contacts = arc.sliding.iter().zip(frictions).zip(tangents).map(turning).collect();
+        let contacts = arc.sliding.iter().zip(frictions).zip(tangents).map(turning).list();
         Self { arc, contacts, stiffness, load, way }
     }
 

@@ -9,7 +9,7 @@ use super::turning_state::TurningState;
 use crate::contact::{ActiveSet, Exit, GapLine, Law, Line, State};
 use crate::equilibrium::{AnswerFor, NoEquilibrium, Proof};
 use crate::grasp::Engine;
-use crate::numerics::{Each, Vector, cleared_for, mapped, paired};
+use crate::numerics::{Each, IntoList, Vector, cleared_for, mapped, paired};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
@@ -270,7 +270,7 @@ impl<'g> Segment<'g> {
     /// The law of the rates of every contact, from its active set and state.
     pub(super) fn laws_of_rates(&self, stands: &[ActiveSet], states: &[State]) -> Vec<Law> {
         let locals = self.problem.locals().zip(stands).zip(states);
-        locals.map(|((local, stand), state)| local.law_of_rates(stand, state)).collect()
+        locals.map(|((local, stand), state)| local.law_of_rates(stand, state)).list()
     }
 
     /// The smallest step to an edge, an apex, a closed gap or a reversal of slip, with all contacts that reach one there. For a load that turns,
@@ -280,7 +280,7 @@ impl<'g> Segment<'g> {
             return turned.first_exits(&self.problem, states, rest);
         }
         let ways = states.iter().enumerate().map(|(i, state)| (i, self.ways_out(i, state, here)));
-        FirstExits { standing: first_standing(ways.collect()), touches: Vec::new() }
+        FirstExits { standing: first_standing(ways.list()), touches: Vec::new() }
     }
 
     /// The problem in rates of this segment at a factor, with these laws.

@@ -1,5 +1,6 @@
 //! The walk along a ramp or a turn while nothing slides: from closing contact to closing contact, up to the first that leaves.
 
+use crate::numerics::IntoList;
 use nalgebra::SVector;
 
 use super::first_exits::PathState;
@@ -124,7 +125,7 @@ impl StickingPath<'_> {
             }
             Some(_) => None,
         };
-        let leaving: Vec<_> = standing.filter_map(leaves).collect();
+        let leaving: Vec<_> = standing.filter_map(leaves).list();
         let sites = mapped(&leaving, &|leaving| leaving.contact.index);
         let forces = mapped(&here.lines, &|line| line.force);
         let found = Found {

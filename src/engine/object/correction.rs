@@ -16,7 +16,7 @@ use super::precise::{PreciseBalance, PreciseTwist};
 use super::problem::Problem;
 use super::tolerances::{MOST_CORRECTIONS, NEARLY_CORRECTED};
 use crate::contact::{LocalLaw, Mode, Spring, State};
-use crate::numerics::{DoubleDouble, Each, Vector, by_axis, mapped, without};
+use crate::numerics::{DoubleDouble, Each, IntoList, Vector, by_axis, mapped, without};
 use crate::prelude::*;
 
 /// The difference between a solution and given forces and twist.
@@ -73,7 +73,7 @@ impl Piece {
             })
         };
         let way = without(twist.less(from), self.free_motions());
-        Correction { forces: forces.iter().zip(at).map(missing).collect(), twist: way, doubt }
+        Correction { forces: forces.iter().zip(at).map(missing).list(), twist: way, doubt }
     }
 
     /// Puts sliding contacts on their cones, writes e, spring by spring, and returns ρ.

@@ -10,7 +10,9 @@
 use super::band_piece::{BandPiece, Side};
 use super::tolerances::NO_WORK;
 use crate::numerics::tolerances::LINEARLY_DEPENDENT;
-use crate::numerics::{BandFactors, Singular, Size, Vector, dot, matrix_of, orthonormalise_against};
+use crate::numerics::{
+    BandFactors, IntoList, Singular, Size, Vector, dot, matrix_of, orthonormalise_against,
+};
 use crate::prelude::*;
 
 /// Motions in which T is singular.
@@ -45,7 +47,7 @@ impl NullMotions {
         let mut found =
             Self { free: of_right.unfelt, unbalanced: of_left.unfelt, unanswered: of_left.felt, ..nothing };
         for (mut v, _) in of_right.felt {
-            let known: Vec<_> = found.free.iter().chain(&found.neutral).cloned().collect();
+            let known: Vec<_> = found.free.iter().chain(&found.neutral).cloned().list();
             orthonormalise_against(&mut v, &known);
             found.neutral.push(v);
         }

@@ -6,7 +6,7 @@
 //!
 //! At rest the offsets a_i are commanded displacements and the laws are whole; in rates both describe what happens next.
 
-use crate::numerics::{Size, Vector, by_axis, indexed};
+use crate::numerics::{IntoList, Size, Vector, by_axis, indexed};
 use alloc::sync::Arc;
 
 use nalgebra::SVector;
@@ -164,7 +164,7 @@ impl<'g> Problem<'g> {
 
     /// Which contacts slide with less friction than at rest; empty without such friction.
     pub(crate) fn weaker(&self) -> Vec<bool> {
-        self.cones.iter().zip(self.sites).map(|(cone, site)| *cone != site.friction).collect()
+        self.cones.iter().zip(self.sites).map(|(cone, site)| *cone != site.friction).list()
     }
 
     /// One contact with its law.

@@ -19,7 +19,9 @@ use super::limited::{Limited, LimitedAnswer};
 use super::problem::Problem;
 use crate::contact::{Mode, State};
 use crate::numerics::tolerances::SUFFICIENT_DECREASE;
-use crate::numerics::{PositiveBand, Vector, by_axis, dot, mapped, moved, narrow_order, paired, widest};
+use crate::numerics::{
+    IntoList, PositiveBand, Vector, by_axis, dot, mapped, moved, narrow_order, paired, widest,
+};
 use crate::prelude::*;
 
 /// All contacts with given limits of friction, in a narrow order of coordinates.
@@ -175,7 +177,7 @@ impl GivenLimits {
     }
 
     fn limits_of(&self, answers: &[LimitedAnswer]) -> Vec<f64> {
-        self.contacts.iter().zip(answers).map(|(contact, answer)| contact.limit(answer.force[0])).collect()
+        self.contacts.iter().zip(answers).map(|(contact, answer)| contact.limit(answer.force[0])).list()
     }
 
     /// Newton's method from a motion to the least energy with the given limits.

@@ -18,7 +18,9 @@ use nalgebra::{SMatrix, SVector};
 use super::wrench_cone::{Generator, straight_generators};
 use crate::contact::{tangential, tangential_norm};
 use crate::numerics::tolerances::SUFFICIENT_DECREASE;
-use crate::numerics::{PositiveBand, Vector, by_axis, dot, mapped, narrow_order, paired, unit, widest};
+use crate::numerics::{
+    IntoList, PositiveBand, Vector, by_axis, dot, mapped, narrow_order, paired, unit, widest,
+};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -131,7 +133,7 @@ impl PushedBack {
             let along = |(k, number): &(usize, usize)| (*number, unit::<3>(0) * wrench[*k]);
             Pushing { felt: mapped(&felt(contact), &along), cone: None, told: SVector::zeros() }
         };
-        let mut contacts: Vec<_> = straight_generators(problem)?.into_iter().map(ray).collect();
+        let mut contacts: Vec<_> = straight_generators(problem)?.into_iter().map(ray).list();
         for (contact, (local, site)) in problem.locals().zip(problem.sites).enumerate() {
             if !local.is_round() {
                 continue;
@@ -185,7 +187,7 @@ impl PushedBack {
 
     /// `W + Σ G f - v`.
     fn missing(&self, v: &[f64]) -> Vec<f64> {
-        let mut sum: Vec<f64> = self.load.iter().zip(v).map(|(w, v)| w - v).collect();
+        let mut sum: Vec<f64> = self.load.iter().zip(v).map(|(w, v)| w - v).list();
         for contact in &self.contacts {
             let asked = contact.told - contact.moved(v) * self.stiffness;
             let force = contact.nearest(&asked).0;

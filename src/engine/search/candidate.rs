@@ -7,7 +7,7 @@ use nalgebra::{Matrix, SVector};
 use super::answer::Found;
 use crate::contact::{MOST_SLACK, SpringState, State, ZERO_SLACK};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Vector, chosen, least_distance};
+use crate::numerics::{IntoList, Vector, chosen, least_distance};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
@@ -69,7 +69,7 @@ pub(super) fn admit(
         // The piece has a family of solutions. The one of least norm is not admissible, but another one may be.
         let free = free_motions.iter().map(|v| (v.clone(), vec![SVector::zeros(); problem.len()]));
         let neutral = neutral_motions.iter().map(|v| (v.clone(), piece.forces_along(problem, v)));
-        let motions: Vec<_> = free.chain(neutral).collect();
+        let motions: Vec<_> = free.chain(neutral).list();
         let (values, sizes) = slacks(problem, &states, &at);
         if let Some(tau) = least_admissible_shift(problem, &states, &values, &sizes, &motions) {
             let there = shifted.insert(at.clone());
@@ -178,7 +178,7 @@ fn least_admissible_shift(
     motions: &[(Vector, Vec<SVector<f64, 3>>)],
 ) -> Option<Vec<f64>> {
     let mut rows: Vec<_> =
-        values.iter().zip(sizes).map(|(value, size)| (value / size, vec![0.0; motions.len()])).collect();
+        values.iter().zip(sizes).map(|(value, size)| (value / size, vec![0.0; motions.len()])).list();
     let at_rest = vec![SVector::zeros(); problem.len()];
     for (k, (motion, along)) in motions.iter().enumerate() {
         let forces = along.iter().map(Matrix::norm);

@@ -10,7 +10,7 @@ use super::answer::Found;
 use super::candidate::for_each_condition;
 use crate::contact::ZERO_SLACK;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Singular, Vector, chosen, least_distance, mapped, matrix_of, vector_of};
+use crate::numerics::{IntoList, Singular, Vector, chosen, least_distance, mapped, matrix_of, vector_of};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -40,7 +40,7 @@ pub(super) fn at_the_least_motion(problem: &Problem, mut found: Found) -> Found 
         let changes = changes.iter().map(|list| list[i]);
         // A condition whose rate along a unit motion is below this part of its size does not depend on that motion.
         if changes.clone().any(|(change, size)| change.abs() > SOLVED_ROUNDING * size) {
-            rows.push((*value, changes.map(|(change, _)| change).collect()));
+            rows.push((*value, changes.map(|(change, _)| change).list()));
         }
     }
     if let Some(parts) = least_distance(rows) {

@@ -3,6 +3,7 @@
 //! A contact that breaks a condition enters the pivoting set; all others keep their states. The states found may make others break a condition: these
 //! join, until no contact does. Where many contacts leave the trial, Tresca friction gives nearer states; again few contacts break a condition.
 
+use crate::numerics::IntoList;
 use alloc::sync::Arc;
 
 use super::candidate::breaking;
@@ -101,7 +102,7 @@ fn pivoted(
         let is_among = |i: &usize| among.binary_search(i).is_ok();
         (0..states.len()).filter(|i| !is_among(i)).for_each(|i| states[i] = base.states[i]);
         let at = Piece::new(problem, &states).solve(problem.sites, &problem.offsets, problem.load()).ok()?;
-        let joins: Vec<_> = breaking(problem, &states, &at).into_iter().filter(|i| !is_among(i)).collect();
+        let joins: Vec<_> = breaking(problem, &states, &at).into_iter().filter(|i| !is_among(i)).list();
         if joins.is_empty() {
             return Some(states);
         }

@@ -20,7 +20,7 @@ use nalgebra::SVector;
 
 use crate::contact::HullRay;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{NearestPoint, Vector, by_axis, mapped, numbered, summed};
+use crate::numerics::{IntoList, NearestPoint, Vector, by_axis, mapped, numbered, summed};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::proofs::{ESCAPE, LEAST_WORK};
@@ -203,10 +203,10 @@ impl BalanceEquation {
             let on_force = part(&projected, contact);
             by_axis(|a| if root[a] > 0.0 { on_force[a] / root[a] } else { 0.0 })
         });
-        let motion = trial.solve_roughly(&seen.collect::<Vec<_>>(), &Vector::zeros()).twist;
+        let motion = trial.solve_roughly(&seen.list(), &Vector::zeros()).twist;
         let on_stretch = |contact| part(y, contact) - part(&projected, contact);
         let forces = self.roots.iter().enumerate().map(|(i, root)| on_stretch(i).component_mul(root));
-        (motion, forces.collect())
+        (motion, forces.list())
     }
 
     /// The length of a difference of forces of a contact in energy units, as a part of the trial state.

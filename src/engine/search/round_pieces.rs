@@ -10,7 +10,7 @@ use super::answer::Found;
 use super::candidate::{admit, admit_regular};
 use crate::contact::{LocalLaw, Mode, Slide, State, tangential, tangential_norm};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Vector, by_axis};
+use crate::numerics::{IntoList, Vector, by_axis};
 use crate::object::{Piece, PieceState, PreciseTwist, Problem, newton_on_cones};
 use crate::prelude::*;
 
@@ -54,7 +54,7 @@ impl RoundPieces {
             // At the apex of its cone a polygon's contact may be open although its law keeps it closed.
             if state.is_open() && local.excludes(state) { Mode::Sticking } else { *state }
         };
-        let states = problem.locals().zip(states.iter().zip(&near.forces)).map(state).collect();
+        let states = problem.locals().zip(states.iter().zip(&near.forces)).map(state).list();
         Self {
             states,
             forces: near.forces.clone(),

@@ -2,6 +2,7 @@
 
 use super::palette::Rgb;
 use super::round_numbers::{in_steps, round_up, whole_above, whole_below};
+use crate::numerics::IntoList;
 
 /// Levels of a map with one colour between each two: round numbers, evenly spaced. Where the largest value is several times the smallest, they are
 /// spaced in ratios.
@@ -47,7 +48,7 @@ impl Bands {
         let first = whole_below(low / step);
         let count = (whole_above(high / step) - first).clamp(1.0, 2.0 * MOST_BANDS);
         let levels = (0..=100).map(f64::from).take_while(|k| *k <= count).map(|k| (first + k) * step);
-        Self { levels: levels.collect(), step: Some(step) }
+        Self { levels: levels.list(), step: Some(step) }
     }
 
     fn in_ratios(low: f64, high: f64) -> Self {

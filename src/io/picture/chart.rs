@@ -10,6 +10,7 @@ use super::legend_corner::{emptiest_corner, legend_width, most_letters};
 use super::palette::{BLACK, GREY, PALETTE};
 use super::series::{ChartSeries, Stroke};
 use super::sheet::{Place, Sheet, plaque_size, sheet};
+use crate::numerics::IntoList;
 
 /// A chart of one or more series: add to it, then call [`Chart::to_svg`]. Points, labels and marks that are not finite are omitted; a line is
 /// interrupted at such a point.
@@ -139,7 +140,7 @@ impl Chart {
         let is_finite = |(x, y): &(f64, f64)| x.is_finite() && y.is_finite();
         chart.labels.retain(|(point, _)| is_finite(point));
         let corners = chart.series.iter().flat_map(ChartSeries::corners);
-        let finite: Vec<(f64, f64)> = corners.filter(is_finite).collect();
+        let finite: Vec<(f64, f64)> = corners.filter(is_finite).list();
         if finite.is_empty() {
             return Err(PictureError("no finite point".into()));
         }

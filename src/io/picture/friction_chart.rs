@@ -11,7 +11,7 @@ use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium};
 use crate::error::Error;
 use crate::grasp::{Contact, Hold, Wrench};
 use crate::load_path::{Change, Event, Leg, LoadPath, PathEnd};
-use crate::numerics::{largest, mapped, moved};
+use crate::numerics::{IntoList, largest, mapped, moved};
 use crate::words::opens;
 
 /// Most curves in a chart: each colour is used for a line and for a dashed line. Further curves are only named.
@@ -43,7 +43,7 @@ impl<const C: usize> Drawn<'_, C> {
             (tip, ChartSeries { name: tip.name.clone(), points: curve(tip), stroke: Stroke::Line })
         });
         let mut chart = Chart::new(title, self.axis, "friction used, |F_t| / (μ F_n)");
-        let Shared { drawn, left_out } = shared(named.collect(), self.grasp.contacts());
+        let Shared { drawn, left_out } = shared(named.list(), self.grasp.contacts());
         for (k, series) in drawn.iter().enumerate() {
             let is_hidden = drawn[..k].iter().any(|earlier| coincide(earlier, series));
             let stroke = if is_hidden || k >= PALETTE.len() { Stroke::Dashed } else { Stroke::Line };
@@ -70,7 +70,7 @@ impl<const C: usize> Drawn<'_, C> {
             let turns = self.legs.get(leg).is_some_and(Leg::turns);
             // Little happens between events on straight legs. Events are added.
             let count = if turns { 180 } else { (48 / (last + 1)).max(16) };
-            let mut fractions: Vec<f64> = (0..=count).map(|k| to * k as f64 / count as f64).collect();
+            let mut fractions: Vec<f64> = (0..=count).map(|k| to * k as f64 / count as f64).list();
             fractions.extend(events.iter().filter(|event| event.leg == leg).map(|event| event.fraction));
             fractions.sort_by(f64::total_cmp);
             fractions.into_iter().map(move |fraction| (leg, fraction))
@@ -89,7 +89,7 @@ impl<const C: usize> Drawn<'_, C> {
             let (leg, part) = path.place();
             ((self.place)(leg, part), state)
         });
-        on_the_way.chain(at_the_end).collect()
+        on_the_way.chain(at_the_end).list()
     }
 
     pub(super) fn marks(
@@ -108,7 +108,7 @@ impl<const C: usize> Drawn<'_, C> {
                 let edge = |tip: &&ContactGroup| {
                     loss.contacts.iter().any(|contact| tip.contacts.contains(&contact.index))
                 };
-                let names: Vec<_> = tips.iter().filter(edge).map(|tip| tip.name.as_str()).collect();
+                let names: Vec<_> = tips.iter().filter(edge).map(|tip| tip.name.as_str()).list();
                 let names = some(&names, 2, CHART.mark_letters);
                 let who = if left.is_none() { format!(": {names} on the edge") } else { String::new() };
                 Some((to, format!("lost{who}")))
@@ -121,7 +121,7 @@ impl<const C: usize> Drawn<'_, C> {
             (Some((at, left)), Some((to, end))) if to - at < 0.15 * to => {
                 vec![(at, format!("{left}, {end}"))]
             }
-            (left, end) => left.into_iter().chain(end).collect(),
+            (left, end) => left.into_iter().chain(end).list(),
         }
     }
 }
@@ -166,7 +166,7 @@ fn shared<const C: usize>(curves: Vec<(&ContactGroup, ChartSeries)>, contacts: &
         curves.into_iter().partition(|(_, series)| most(series).is_finite());
     for why in ["no friction", "glued", "friction without limit", "never touches"] {
         let those = none.iter().filter(|(tip, _)| no_curve(&contacts[tip.contacts.start]) == why);
-        let names: Vec<_> = those.map(|(tip, _)| tip.name.as_str()).collect();
+        let names: Vec<_> = those.map(|(tip, _)| tip.name.as_str()).list();
         if !names.is_empty() {
             left_out.push(format!("{} ({why})", some(&names, CHART.listed_names, CHART.listed_letters)));
         }

@@ -4,7 +4,7 @@ use super::palette::{Ink, Rgb, WHITE};
 use std::f64::consts::{FRAC_PI_4, PI};
 
 use super::sheet::{Place, Sheet};
-use crate::numerics::{Each, increasing, mapped};
+use crate::numerics::{Each, IntoList, increasing, mapped};
 use nalgebra::{Vector2, Vector3};
 
 /// Depth in pixels by which a dot lies in front of the lines that end at it; a tenth of it separates the head of an arrow from its line. It is
@@ -123,7 +123,7 @@ impl Painting {
         let neck = last - 0.7 * head / radius;
         let pieces = 48_u32;
         let part = |k: u32| FRAC_PI_4 + (neck - FRAC_PI_4) * f64::from(k) / f64::from(pieces);
-        let places = (0..=pieces).map(|k| at(part(k))).collect();
+        let places = (0..=pieces).map(|k| at(part(k))).list();
         self.strokes.push((0.0, Shape::Line { places, ink, width }));
         let (tip, base) = (flat(at(last)), flat(at(last - head / radius)));
         self.head(tip, (tip - base).xy(), ink, width);

@@ -1,5 +1,6 @@
 //! The content of a picture of a planar grasp.
 
+use crate::numerics::IntoList;
 use nalgebra::Vector2;
 
 use super::error::PictureError;
@@ -72,7 +73,7 @@ impl<'a> PlanarPicture<'a> {
     #[must_use]
     pub fn outlines<'o>(mut self, outlines: impl IntoIterator<Item = Outline<'o>>) -> Self {
         let points = |corners: Outline| mapped(corners, &|corner| Vector2::from(*corner));
-        self.outlines = outlines.into_iter().map(points).collect();
+        self.outlines = outlines.into_iter().map(points).list();
         self
     }
 

@@ -1,5 +1,6 @@
 //! Curves around a point: a number for every direction in the plane.
 
+use crate::numerics::IntoList;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::error::PictureError;
@@ -161,7 +162,7 @@ impl Polar {
 
     /// Writes the radii of the rings along the spoke with the fewest points of curves nearby.
     fn draw_numbers(&self, paper: &mut Sheet, rim: f64, step: f64) {
-        let numbered: Vec<f64> = rings(rim, step).chain([rim]).collect();
+        let numbered: Vec<f64> = rings(rim, step).chain([rim]).list();
         let mut drawn: Vec<(f64, f64)> = Vec::new();
         for curve in &self.curves {
             drawn.extend(&curve.points);

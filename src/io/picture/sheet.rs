@@ -1,5 +1,6 @@
 //! A sheet of paper in pixels: lines, areas, circles and texts are written as SVG in the order of drawing.
 
+use crate::numerics::IntoList;
 use std::fmt::{self, Display, Formatter, Write};
 
 use super::palette::{BLACK, FONT, Ink, Rgb, WHITE};
@@ -91,9 +92,7 @@ impl Sheet {
 
     /// A filled area bounded by closed lines of one orientation, with an optional line of another ink around it.
     pub(super) fn region(&mut self, loops: &[Vec<Pixel>], ink: impl Into<Ink>, around: Option<(Ink, f64)>) {
-        let closed = |line: &Vec<Pixel>| {
-            format!("M{}Z", line.iter().copied().map(written).collect::<Vec<_>>().join(" "))
-        };
+        let closed = |line: &Vec<Pixel>| format!("M{}Z", line.iter().copied().map(written).list().join(" "));
         let (ink, way) = (paint("fill", ink.into()), loops.iter().map(closed).collect::<String>());
         let around = around
             .map(|(ink, width)| format!("{} stroke-width=\"{}\"", paint("stroke", ink), fine(width)))

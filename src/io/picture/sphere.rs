@@ -1,6 +1,7 @@
 //! A map of a value for every direction in space, with equal areas.
 
 use crate::numerics::Each;
+use crate::numerics::IntoList;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use std::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
 
@@ -114,7 +115,7 @@ impl SphereMap {
                 marked.push((way(*direction, label)?, label, dot));
             }
         }
-        let notes: Vec<_> = self.notes.iter().flat_map(|note| lines(note, 114)).collect();
+        let notes: Vec<_> = self.notes.iter().flat_map(|note| lines(note, 114)).list();
         Ok(sheet((SPHERE.wide, 530.0 + 18.0 * notes.len() as f64), |paper| {
             paper.title(&self.title);
             for (side, middle) in SPHERE.discs.into_iter().enumerate() {
@@ -190,7 +191,7 @@ impl SphereMap {
                     continue;
                 }
                 let aside: Vec<usize> =
-                    if pole { (0..around).collect() } else { vec![k + around - 1, k, k + 1] };
+                    if pole { (0..around).list() } else { vec![k + around - 1, k, k + 1] };
                 let rows = ring.saturating_sub(1)..=(ring + 1).min(2 * rings);
                 let (mut sum, mut count) = (0.0, 0.0);
                 for row in rows {

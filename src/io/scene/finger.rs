@@ -9,7 +9,7 @@ use super::matrix::Rows;
 use super::written_contact::LinkedContact;
 use crate::error::Error;
 use crate::grasp::{self, Joint, Space};
-use crate::numerics::{matrix_of, moved};
+use crate::numerics::{IntoList, matrix_of, moved};
 use crate::serial::AsGiven;
 use crate::serial::object;
 
@@ -81,7 +81,7 @@ impl<const C: usize> FingerSetup<C> {
     pub fn new(joints: impl IntoIterator<Item = Joint<C>>) -> Self {
         Self {
             comment: None,
-            joints: joints.into_iter().collect(),
+            joints: joints.into_iter().list(),
             stiffness_matrix: None,
             compliance: None,
             contacts: Vec::new(),

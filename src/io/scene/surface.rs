@@ -5,7 +5,7 @@ use serde::ser::{Serialize, Serializer};
 
 use crate::grasp::{Face, Space};
 use crate::improve::{Shape, Surface};
-use crate::numerics::{Each, mapped};
+use crate::numerics::{Each, IntoList, mapped};
 use crate::serial::object;
 use crate::serial::{AsGiven, AxisRow, Given, space_of_text};
 
@@ -150,7 +150,7 @@ impl<const C: usize> WrittenSurface<C> {
                 over_deg: over.to_degrees(),
             },
             Shape::Spline(spline) => {
-                let given = spline.given().iter().copied().map(row).collect();
+                let given = spline.given().iter().copied().map(row).list();
                 if spline.is_closed() { Self::ClosedSpline(given) } else { Self::Spline(given) }
             }
             Shape::Rectangle { corner, sides } => {

@@ -3,6 +3,7 @@
 //! Inside its cone a contact sticks in every next step. On facets of the cone it may slide along these. At the apex and at a closed
 //! gap every state is possible, so the rates have the whole law again. The onset and the path use the same laws for the next step.
 
+use crate::numerics::IntoList;
 use nalgebra::SVector;
 
 use super::exits::{Exit, GapLine, Line};
@@ -84,7 +85,7 @@ impl LocalLaw<'_> {
             let no_margin = |h: &&SVector<f64, 3>| {
                 cone.facet_margin(&line.force, h) <= ZERO_SLACK * (line.force_size * cone.facet_weight(h))
             };
-            return ActiveSet { apex, facets: self.facets().iter().filter(no_margin).copied().collect() };
+            return ActiveSet { apex, facets: self.facets().iter().filter(no_margin).copied().list() };
         }
         let friction = tangential(&line.force);
         let size = line.force_size * cone.round_weight();
@@ -104,7 +105,7 @@ impl LocalLaw<'_> {
             return Some(State::sliding_along(&facets[0]));
         }
         let numbers = (0_u16..).zip(self.facets()).filter(|(_, h)| facets.contains(h)).map(|(j, _)| j);
-        Some(self.slipping_state(&numbers.collect::<Vec<_>>()))
+        Some(self.slipping_state(&numbers.list()))
     }
 
     /// Removes the facets, or the apex, from which the contact moves away.

@@ -1,6 +1,7 @@
 //! The distance along a straight line of forces at which a contact leaves its state.
 
 use crate::numerics::Each;
+use crate::numerics::IntoList;
 use nalgebra::SVector;
 
 use super::law::LocalLaw;
@@ -62,7 +63,7 @@ impl LocalLaw<'_> {
     /// All exits from a state: facets that a closed contact reaches and does not slide on, or the closing of a gap.
     pub(crate) fn ways_out(&self, state: &State, line: &Line, gap: &GapLine) -> Vec<Exit> {
         match state {
-            Mode::Open => gap.closing().into_iter().collect(),
+            Mode::Open => gap.closing().into_iter().list(),
             Mode::Sticking => self.exits(line),
             // The contact stays on the facets on which it slides.
             Mode::Facet(_) | Mode::Corner(_) | Mode::Round(_) => {

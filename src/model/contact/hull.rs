@@ -14,7 +14,7 @@
 //! A polygon around the arc replaces the directions p, so that the hull contains everything that the law allows and a little more.
 //! A contradiction with the hulls of all contacts thus contradicts the law.
 
-use crate::numerics::{Each, by_axis};
+use crate::numerics::{Each, IntoList, by_axis};
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI, TAU};
 
 use nalgebra::SVector;
@@ -114,7 +114,7 @@ impl Sector {
         let reach = 1.0 / half.cos();
         let corner = |k: u8| on_circle(self.from + f64::from(2 * k + 1) * half).each(|x| x * reach);
         let ends = [self.from, self.to].each(on_circle);
-        (0..pieces).map(corner).chain(ends).collect()
+        (0..pieces).map(corner).chain(ends).list()
     }
 
     /// Directions whose nonnegative combinations include every direction of the sector.

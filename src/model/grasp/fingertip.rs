@@ -12,7 +12,7 @@ use super::contact::Contact;
 use super::face::{Face, face_of_struct, inside, outside};
 use super::pressure::{Layer, Pressure};
 use crate::error::{Error, LARGEST};
-use crate::numerics::{Space, indexed, largest, moved};
+use crate::numerics::{IntoList, Space, indexed, largest, moved};
 use crate::prelude::*;
 
 /// A patch of point contacts that models one fingertip, with its stiffness and its friction in closed form.
@@ -174,7 +174,7 @@ impl SoftFingertip<3> {
             .iter()
             .enumerate()
             .flat_map(|(j, ring)| (0..points).map(move |i| place(rings.len() - 1 - j, ring, i)))
-            .collect();
+            .list();
         Ok(Self { radius, points })
     }
 

@@ -5,6 +5,7 @@ use super::engine::Engine;
 use super::whole_contact::WholeContacts;
 use super::wrench::Wrench;
 use crate::error::{Error, MODERATE, is_moderate};
+use crate::numerics::IntoList;
 use crate::numerics::mapped;
 use crate::prelude::*;
 use crate::words::{listed, printable};
@@ -57,7 +58,7 @@ impl Engine {
     pub(crate) fn loaded_bodies(&self) -> Vec<String> {
         let Some(bodies) = self.bodies() else { return Vec::new() };
         let loaded = bodies.names.iter().zip(&bodies.given).filter(|(_, load)| **load != Wrench::ZERO);
-        loaded.map(|(name, _)| name.to_string()).collect()
+        loaded.map(|(name, _)| name.to_string()).list()
     }
 
     /// The part of this name, and this grasp with the press of the part multiplied by `factor`: the load of a body without its weight; the command,

@@ -1,6 +1,6 @@
 //! Coordinates on which a site depends.
 
-use crate::numerics::{Map, Size};
+use crate::numerics::{IntoList, Map, Size};
 use core::ops::Range;
 
 use crate::numerics::Space;
@@ -22,7 +22,7 @@ impl Support {
         let size = map.size();
         let count = size.count();
         let is_felt = |k: &usize| map.row(*k).iter().chain(rest.row(*k).iter()).any(|x| *x != 0.0);
-        let mut felt: Vec<usize> = map.rows().chain(rest.rows()).filter(is_felt).collect();
+        let mut felt: Vec<usize> = map.rows().chain(rest.rows()).filter(is_felt).list();
         felt.sort_unstable();
         felt.dedup();
         let object = space.of_the_object().min(count);

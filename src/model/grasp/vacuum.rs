@@ -6,6 +6,7 @@ use super::site::Site;
 use super::whole_contact::{WholeContact, WholeContacts};
 use super::wrench::Wrench;
 use crate::error::ContactLabel;
+use crate::numerics::IntoList;
 use crate::numerics::Space;
 use crate::numerics::Vector;
 use crate::prelude::*;
@@ -74,7 +75,7 @@ impl Engine {
     /// Indices of the points that belong to these parts.
     pub(crate) fn points_of(&self, parts: &[WholeContact]) -> Vec<usize> {
         let whole = WholeContacts::of(self.contacts());
-        parts.iter().flat_map(|part| whole.ranges()[part.contact].clone()).collect()
+        parts.iter().flat_map(|part| whole.ranges()[part.contact].clone()).list()
     }
 
     /// A load of the caller's plus the pull of the vacuums.

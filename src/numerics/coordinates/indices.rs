@@ -1,6 +1,7 @@
 //! A number for each coordinate.
 
 use super::size::WHOLE;
+use crate::numerics::IntoList;
 use crate::prelude::*;
 
 /// A number for each coordinate, for example a permutation; in place for one object.
@@ -15,7 +16,7 @@ impl Indices {
         if count <= WHOLE {
             Self::Few(count, core::array::from_fn(|k| k))
         } else {
-            Self::More((0..count).collect())
+            Self::More((0..count).list())
         }
     }
 }

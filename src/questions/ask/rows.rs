@@ -1,5 +1,6 @@
 //! Rows of a batch: grasps with a load each, and what screening knows of them.
 
+use crate::numerics::IntoList;
 use core::ops::Range;
 
 use crate::grasp::{Contact, Hold, Wrench};
@@ -24,7 +25,7 @@ pub(crate) fn answers_of_rows<T: Send>(
     for first in (0..rows).step_by(CHUNK) {
         chunks.push(first..rows.min(first + CHUNK));
     }
-    map_in_order(&chunks, |chunk| answers(chunk.clone())).into_iter().flatten().collect()
+    map_in_order(&chunks, |chunk| answers(chunk.clone())).into_iter().flatten().list()
 }
 
 /// The first slip and the rotation under the whole load of each row that screening supports and `is_meant` accepts; `None` of all others.

@@ -11,7 +11,7 @@
 //! For a positive semidefinite H the two problems are equivalent. Lemke's method was made for the second (Lemke 1965) and cannot fail on it: it finds
 //! a minimum or a ray, and a ray means that there is no minimum.
 
-use crate::numerics::{matrix_of, vector_of};
+use crate::numerics::{IntoList, matrix_of, vector_of};
 use nalgebra::{DMatrix, DVector};
 
 use crate::lcp::{LcpError, MixedLcp, MixedSolution, Outcome, Residuals};
@@ -172,7 +172,7 @@ impl QuadraticProgram {
     /// point.
     fn refined(&self, solution: &MixedSolution) -> Option<(DVector<f64>, DVector<f64>)> {
         let (n, m) = (self.g.len(), self.c.len());
-        let binding: Vec<usize> = solution.basis.iter().collect();
+        let binding: Vec<usize> = solution.basis.iter().list();
         let size = n + m + binding.len();
         let mut matrix = DMatrix::zeros(size, size);
         matrix.view_mut((0, 0), (n, n)).copy_from(&self.h);

@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, SVector};
 use crate::equilibrium::{ContactState, Equilibrium};
 use crate::grasp::{Engine, Motion, Space};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Size, Square, Vector, mapped, matrix_of, symmetric_eigen};
+use crate::numerics::{IntoList, Size, Square, Vector, mapped, matrix_of, symmetric_eigen};
 use crate::prelude::*;
 
 /// The second derivative of the potential energy at an equilibrium.
@@ -80,7 +80,7 @@ impl Engine {
         let forces = equilibrium.contacts.iter().map(|c| c.force_world);
         let states: Vec<_> = mapped(&equilibrium.contacts, &|c| c.state);
         let drives = self.drives_that_hold(equilibrium);
-        self.stability_with(&arms.collect::<Vec<_>>(), &forces.collect::<Vec<_>>(), &states, drives)
+        self.stability_with(&arms.list(), &forces.list(), &states, drives)
     }
 
     /// Elastic stiffness of the drives of a hand, and whether one of them slips.

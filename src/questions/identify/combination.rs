@@ -2,6 +2,7 @@
 
 use super::tolerances::NO_COMPONENT;
 use crate::numerics::Each;
+use crate::numerics::IntoList;
 use nalgebra::DMatrix;
 
 use crate::prelude::*;
@@ -57,7 +58,7 @@ impl FreeCombination {
             // Far enough to distinguish a product from a sum.
             let along = direction.iter().map(|x| 0.3 * x / largest);
             let [powered, added]: [Vec<f64>; 2] =
-                [along.clone().map(f64::exp).collect(), along.map(|x| 1.0 + x).collect()];
+                [along.clone().map(f64::exp).list(), along.map(|x| 1.0 + x).list()];
             let changes = direction.iter().zip(values).map(|(x, value)| x * value);
             let is_even =
                 changes.clone().sum::<f64>().abs() <= NO_COMPONENT * changes.map(f64::abs).sum::<f64>();
@@ -100,7 +101,7 @@ fn said(names: &[String], powers: &[f64], law: Law) -> String {
     }
     let [more, less] = [1.0, -1.0].each(|sign| {
         let those = names.iter().zip(powers).filter(|(_, power)| sign * **power > 0.0);
-        those.map(|(name, _)| name.clone()).collect::<Vec<_>>()
+        those.map(|(name, _)| name.clone()).list()
     });
     match (&more[..], &less[..]) {
         ([_], [_]) => format!("{apart} their product"),

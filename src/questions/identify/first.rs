@@ -1,5 +1,6 @@
 //! Prediction of first slip, and its exact derivatives.
 
+use crate::numerics::IntoList;
 use core::f64::consts::TAU;
 
 use super::model::{NoSlip, Predicted, SlipToPredict};
@@ -49,7 +50,7 @@ fn exact(seen: &SlipToPredict<'_>, event: &OnsetEvent<3>) -> Option<Vec<f64>> {
         match kind {
             UnknownKind::Friction => vec![(Parameter::Friction { contact }, data.friction)],
             UnknownKind::Stiffness => {
-                (1..axes).map(|axis| (Parameter::Stiffness { contact, axis }, springs[axis])).collect()
+                (1..axes).map(|axis| (Parameter::Stiffness { contact, axis }, springs[axis])).list()
             }
             UnknownKind::Squeeze => numbered(axes, &|axis| (along(axis), data.command[axis])),
             UnknownKind::Carried => {

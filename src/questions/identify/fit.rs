@@ -7,7 +7,7 @@ use super::robust::Huber;
 use super::tolerances::{CONVERGED_GAIN, CONVERGED_STEP, INDISTINCT};
 use super::unknown::UnknownKind;
 use crate::error::Error;
-use crate::numerics::{Singular, mapped, matrix_of, vector_of};
+use crate::numerics::{IntoList, Singular, mapped, matrix_of, vector_of};
 use crate::prelude::*;
 
 /// The end of a search.
@@ -50,7 +50,7 @@ impl Model<'_> {
             self.huber().scale(&residuals[..slips.len()], degrees)
         });
         let of_slips = given.unwrap_or_else(|| vec![estimated.unwrap_or(1.0); slips.len()]);
-        let rows = of_slips.into_iter().chain(known.iter().map(|known| known.scatter)).collect();
+        let rows = of_slips.into_iter().chain(known.iter().map(|known| known.scatter)).list();
         Scatter { rows, estimated }
     }
 
@@ -155,7 +155,7 @@ pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, mut linear: Linear
             }
             // Predictions are extrapolated to one in the logarithm at most.
             step *= (1.0 / step.amax()).min(1.0);
-            let there: Vec<f64> = fit.logs.iter().zip(step.iter()).map(|(x, dx)| x + dx).collect();
+            let there: Vec<f64> = fit.logs.iter().zip(step.iter()).map(|(x, dx)| x + dx).list();
             match model.linear(&there)? {
                 Ok(linear) if model.loss(&linear.residuals, &fit.scatter) < loss => {
                     break Some((there, linear));
@@ -199,7 +199,7 @@ impl Steps {
     /// Steps from a point, with slips weighted by their scatter and residual.
     fn of(model: &Model<'_>, linear: &Linear, scatter: &Scatter) -> Self {
         let row = |(k, (r, sigma)): (usize, (&f64, &f64))| model.weight(k, r / sigma).sqrt() / sigma;
-        let weights: Vec<_> = linear.residuals.iter().zip(&scatter.rows).enumerate().map(row).collect();
+        let weights: Vec<_> = linear.residuals.iter().zip(&scatter.rows).enumerate().map(row).list();
         let (values, directions, along) = singular(&linear.jacobian, &linear.residuals, &weights);
         Self { values, directions, along }
     }

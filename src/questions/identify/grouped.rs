@@ -14,7 +14,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{mapped, paired, summed, symmetric_eigen};
+use crate::numerics::{IntoList, mapped, paired, summed, symmetric_eigen};
 use crate::prelude::*;
 
 /// Information and influence of each group.
@@ -54,7 +54,7 @@ impl Grouped {
                 members[place].push(slip);
             }
         }
-        let known: Vec<usize> = (groups.len()..rows.nrows()).collect();
+        let known: Vec<usize> = (groups.len()..rows.nrows()).list();
         let square = |those: &[usize]| {
             let own = rows.select_rows(those);
             own.tr_mul(&own)

@@ -12,7 +12,7 @@ use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::{WholeContacts, inside, outside};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Draw, in_order, increasing};
+use crate::numerics::{Draw, IntoList, in_order, increasing};
 use crate::prelude::*;
 use crate::squeeze::Loads;
 
@@ -65,7 +65,7 @@ impl Improve<3> {
         let climb = Climb { choice: &choice, loaded: &loaded, grasp: &grasp };
         let before = climb.before(&given)?;
         // The best of 24 random placings for each start become starts.
-        let numbers: Vec<u64> = (0..(self.starts() * 24) as u64).collect();
+        let numbers: Vec<u64> = (0..(self.starts() * 24) as u64).list();
         let drawn = in_order(&numbers, &|number| {
             // A stream apart from the random numbers of other questions.
             let drawn = choice.drawn(&given, &mut Draw::new([self.seed.unwrap_or(0), *number, 48]));

@@ -10,7 +10,7 @@ use crate::ask::Grasp;
 use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::{Contact, Hold, Space};
-use crate::numerics::{Draw, largest, numbered};
+use crate::numerics::{Draw, IntoList, largest, numbered};
 use crate::prelude::*;
 
 /// One variable of the search.
@@ -55,8 +55,7 @@ impl<'q> Choice<'q> {
     /// The variables of a question, and their values in the given grasp. A contact that does not lie on its surface is refused.
     pub(super) fn of(grasp: &'q Grasp<3>, question: &'q Improve<3>) -> Result<(Self, Placing), Error> {
         let given = grasp.contacts().to_vec();
-        let tangents: Vec<SVector<f64, 3>> =
-            grasp.frames().map(|frame| frame.column(1).into_owned()).collect();
+        let tangents: Vec<SVector<f64, 3>> = grasp.frames().map(|frame| frame.column(1).into_owned()).list();
         let length = grasp.engine.length();
         let (mut variables, mut spots, mut presses) = (Vec::new(), Vec::new(), Vec::new());
         for (contact, at) in given.iter().enumerate() {

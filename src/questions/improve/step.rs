@@ -10,7 +10,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::lcp::{Settings, quadratic_program};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{mapped, vector_of};
+use crate::numerics::{IntoList, mapped, vector_of};
 use crate::prelude::*;
 
 /// A program in numbers near one: factors relative to the present value, variables in their units.
@@ -101,7 +101,7 @@ impl StepProgram {
             return None;
         }
         // All other events stay above this value within the box.
-        let mut near: Vec<usize> = (0..ranges.len()).collect();
+        let mut near: Vec<usize> = (0..ranges.len()).list();
         near.retain(|k| self.factors[*k] + ranges[*k][0] < top);
         if near.is_empty() {
             near.push(0);

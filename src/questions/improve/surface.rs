@@ -1,6 +1,7 @@
 //! Curves and surfaces that contacts may move along.
 
 use crate::numerics::Each;
+use crate::numerics::IntoList;
 use nalgebra::SVector;
 
 use super::spline::Spline;
@@ -66,7 +67,7 @@ impl Surface<2> {
     /// Straight edges from point to point, m. A contact moves from one edge to the next where that increases the value.
     #[must_use]
     pub fn polyline(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
-        Self(Shape::polyline(&points.into_iter().map(in_space).collect::<Vec<_>>()))
+        Self(Shape::polyline(&points.into_iter().map(in_space).list()))
     }
 
     /// A circle: centre and radius, m.
@@ -84,7 +85,7 @@ impl Surface<2> {
     /// A cubic spline through points, m, with the distances of points as parameters; its curvature at the ends is zero unless it is closed.
     #[must_use]
     pub fn spline(points: impl IntoIterator<Item = [f64; 2]>, closed: bool) -> Self {
-        Self(Shape::spline(points.into_iter().map(in_space).collect(), closed))
+        Self(Shape::spline(points.into_iter().map(in_space).list(), closed))
     }
 }
 
@@ -116,7 +117,7 @@ impl Surface<3> {
     /// next where that increases the value.
     #[must_use]
     pub fn triangles(corners: impl IntoIterator<Item = [[f64; 3]; 3]>) -> Self {
-        Self(Shape::Triangles(corners.into_iter().map(|corners| corners.each(SVector::from)).collect()))
+        Self(Shape::Triangles(corners.into_iter().map(|corners| corners.each(SVector::from)).list()))
     }
 }
 
@@ -154,7 +155,7 @@ struct NoSurface {
 
 impl Shape {
     pub(crate) fn polyline(points: &[SVector<f64, 3>]) -> Self {
-        Self::Segments(points.windows(2).map(|ends| [ends[0], ends[1]]).collect())
+        Self::Segments(points.windows(2).map(|ends| [ends[0], ends[1]]).list())
     }
 
     pub(crate) fn spline(points: Vec<SVector<f64, 3>>, closed: bool) -> Self {

@@ -5,7 +5,7 @@
 //! converge to
 //! `(e_{n+m+1} - Σ c_j e_{n+j+1}) / (1 - Σ c_j)` (minimal polynomial extrapolation).
 
-use crate::numerics::{Singular, matrix_of};
+use crate::numerics::{IntoList, Singular, matrix_of};
 use nalgebra::{DMatrix, DVector};
 
 use super::cycle::Scale;
@@ -29,13 +29,13 @@ impl<'p> Recurrence<'p> {
         // With more modes, cycles are followed until some have died out.
         (1..=8.min(n.saturating_sub(2))).find_map(|modes| {
             let places = &places[n - modes - 2..];
-            let changes: Vec<_> = numbers[n - modes - 2..].windows(2).map(|two| &two[1] - &two[0]).collect();
+            let changes: Vec<_> = numbers[n - modes - 2..].windows(2).map(|two| &two[1] - &two[0]).list();
             let (last, others) = changes.split_last()?;
             let decomposed = Singular::new(&DMatrix::from_columns(others));
             let coefficients = decomposed.solve(last, SOLVED_ROUNDING * decomposed.values[0]);
             let told = others.iter().zip(coefficients.iter());
             let left = told.fold(last.clone(), |left, (change, weight)| left - change * *weight);
-            let coefficients = coefficients.iter().copied().collect();
+            let coefficients = coefficients.iter().copied().list();
             (left.amax() <= error).then_some(Self { places, changes, coefficients })
         })
     }

@@ -14,7 +14,7 @@ use crate::error::Error;
 use crate::grasp::{Engine, WholeContact, WholeContacts, Wrench};
 use crate::lcp::{self, quadratic_program};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{indexed, largest, mapped, matrix_of, vector_of};
+use crate::numerics::{IntoList, indexed, largest, mapped, matrix_of, vector_of};
 use crate::prelude::*;
 use crate::search::Settings;
 #[cfg(feature = "serde")]
@@ -102,12 +102,7 @@ impl Engine {
             let Ok(answer) = sticking.forces(&offsets, &nothing) else { return Ok(None) };
             slips.push(((i, axis), answer.of));
         }
-        let program = Program::new(
-            &sticking.edges,
-            &rest.of,
-            &under,
-            &slips.iter().map(|(_, f)| f).collect::<Vec<_>>(),
-        );
+        let program = Program::new(&sticking.edges, &rest.of, &under, &slips.iter().map(|(_, f)| f).list());
         let Some((factor, sizes, multipliers)) = program.solved() else { return Ok(None) };
         let mut told = none;
         for (((i, axis), _), size) in slips.iter().zip(&sizes) {
@@ -211,6 +206,6 @@ impl Program {
         }
         let factor = if z[0] >= farthest * (1.0 - NEGLIGIBLE) { f64::INFINITY } else { z[0] * self.units.0 };
         let sizes = indexed(&self.units.1, &|(k, unit)| size(k) * unit);
-        Some((factor, sizes, multipliers.iter().take(rows).copied().collect()))
+        Some((factor, sizes, multipliers.iter().take(rows).copied().list()))
     }
 }

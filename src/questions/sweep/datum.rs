@@ -1,5 +1,6 @@
 //! The data that are not known exactly, one by one.
 
+use crate::numerics::IntoList;
 use core::ops::Range;
 
 use super::off::{ContactErrors, factor};
@@ -43,12 +44,12 @@ impl UncertainDatum {
     pub(super) fn parameters(&self, of: &Engine) -> Vec<(Parameter, f64)> {
         match self {
             Self::OfContact(contact, errors) => {
-                points(of, *contact).flat_map(|point| errors.parameters(of, point)).collect()
+                points(of, *contact).flat_map(|point| errors.parameters(of, point)).list()
             }
             &Self::OfJoint(joint, sigma) => {
                 let drive = of.drives_of(joint).next();
                 let by = drive.map(|(_, drive)| sigma * drive.stiffness_of_owner());
-                by.map(|by| (Parameter::JointStiffness { joint }, by)).into_iter().collect()
+                by.map(|by| (Parameter::JointStiffness { joint }, by)).into_iter().list()
             }
         }
     }

@@ -10,7 +10,7 @@ use super::tolerances::PRECISE_FACTOR;
 use crate::contact::Edges;
 use crate::grasp::{Space, Wrench};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Each, dot, largest, normal_tail};
+use crate::numerics::{Each, IntoList, dot, largest, normal_tail};
 use crate::prelude::*;
 
 /// A grasp that sticks under its base load.
@@ -65,7 +65,7 @@ impl StuckGrasp {
         let alone = |(i, edges): (usize, &Edges)| {
             failure(edges, &sticking.spread(i, None, &mut memory), None, &mut margins)
         };
-        sticking.fails_at_base = sticking.edges.iter().enumerate().map(alone).collect();
+        sticking.fails_at_base = sticking.edges.iter().enumerate().map(alone).list();
         sticking
     }
 

@@ -7,7 +7,7 @@ use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::Engine;
 use crate::load_path::{Onset, Ramp};
-use crate::numerics::{Draw, Each, by_axis};
+use crate::numerics::{Draw, Each, IntoList, by_axis};
 use crate::prelude::*;
 
 /// Uncertainty of the data of a grasp and of its load. Each friction, stiffness and squeeze of each
@@ -152,7 +152,7 @@ impl Engine {
             }
             off.applied_to(contact)
         });
-        self.with_data(contacts.collect(), &|drive| factor(drawn(self.len() + drive).stiffness))
+        self.with_data(contacts.list(), &|drive| factor(drawn(self.len() + drive).stiffness))
     }
 
     /// [`Grasp::onset_of_samples`](crate::ask::Grasp::onset_of_samples).
@@ -163,7 +163,7 @@ impl Engine {
         samples: u64,
         settings: &Settings,
     ) -> Vec<Result<Onset<3>, Error>> {
-        let numbers: Vec<u64> = (0..samples).collect();
+        let numbers: Vec<u64> = (0..samples).list();
         each_answered(&numbers, &|number| {
             let sample = self.sample(uncertainty, *number)?;
             if uncertainty.load == 0.0 {

@@ -3,7 +3,7 @@
 mod names;
 
 use crate::grasp::{inside, outside};
-use crate::numerics::{Each, mapped, moved, tried};
+use crate::numerics::{Each, IntoList, mapped, moved, tried};
 use crate::picture::actuators::Actuators;
 use crate::picture::axes::{EqualScales, bounds};
 use crate::picture::contact_look::{cone_size, ink, slope, word};
@@ -68,7 +68,7 @@ pub(super) fn stills_of_a_page(of: &[PlanarPicture]) -> Result<Vec<String>, Pict
     for picture in &mut pictures {
         picture.scale = picture.scale.min(scale);
     }
-    let points: Vec<_> = pictures.iter().flat_map(Picture::points).collect();
+    let points: Vec<_> = pictures.iter().flat_map(Picture::points).list();
     tried(&pictures, &|picture| picture.draw_on(&OF_A_PAGE, &points))
 }
 
@@ -95,7 +95,7 @@ impl<'a> Picture<'a> {
         let load = state.map(|state| state.load).or(of.load);
         let load = load.map(|load| PlanarLoad::new(&load, low / 2.0 + high / 2.0, size((low, high))));
         let span = size(bounds([held, grasp.links().concat()].concat()));
-        let frames: Vec<_> = grasp.frames().copied().collect();
+        let frames: Vec<_> = grasp.frames().copied().list();
         let (grasp_inside, answer) = (inside(*grasp), state.map(inside));
         let does = |tip: &ContactGroup| {
             answer.as_ref().map(|answer| outside(tip.resultant(grasp_inside.contacts(), answer)))
@@ -115,7 +115,7 @@ impl<'a> Picture<'a> {
         let push = |(tip, does): (&Tip, &Resultant<2>)| {
             (tip.middle, tip.frame.column(0).into_owned(), does.normal_force)
         };
-        let pushes: Vec<_> = doing().map(push).collect();
+        let pushes: Vec<_> = doing().map(push).list();
         let scale = metres_per_newton(&pushes, size((low, high)), most);
         let way_out = of
             .leaving
@@ -133,7 +133,7 @@ impl<'a> Picture<'a> {
         let title = lines(self.of.title, 70);
         let caution = caution(self.of.state, self.of.says.iter().copied());
         let sentences = self.of.says.iter().copied().chain(caution.as_deref());
-        let says: Vec<_> = sentences.flat_map(|words| lines(words, paper.letters)).collect();
+        let says: Vec<_> = sentences.flat_map(|words| lines(words, paper.letters)).list();
         // Line heights of the title and of sentences.
         let line_heights = (24.0, 20.0);
         let more = line_heights.0 * title.len().saturating_sub(1) as f64 + line_heights.1 * says.len() as f64;
@@ -216,7 +216,7 @@ impl<'a> Picture<'a> {
             }
         }
         for outline in self.of.outlines.iter().filter(|outline| outline.len() > 2) {
-            painting.area(outline.iter().map(place).collect(), GREY.mix(0.12), -3.0);
+            painting.area(outline.iter().map(place).list(), GREY.mix(0.12), -3.0);
             for (k, corner) in outline.iter().enumerate() {
                 let next = &outline[(k + 1) % outline.len()];
                 painting.line([corner, next].each(|end| flat(place(end))), GREY, 1.0);

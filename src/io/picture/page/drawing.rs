@@ -1,5 +1,6 @@
 //! Common geometry of page and still: places in the coordinates of the grasp, and the scales that turn newtons into metres.
 
+use crate::numerics::IntoList;
 use nalgebra::{Vector3, Vector6};
 
 use super::frame::Frame;
@@ -154,7 +155,7 @@ impl<'p> Drawing<'p> {
     /// The largest scale, in metres per newton, that suits every one of these answers.
     fn force_scale<'s>(&self, states: impl Iterator<Item = &'s Equilibrium>, largest: f64) -> f64 {
         let grasp = &self.page.grasp;
-        let frames: Vec<_> = grasp.frames().collect();
+        let frames: Vec<_> = grasp.frames().list();
         let scale = |state: &Equilibrium| {
             let push = |tip: &ContactGroup| {
                 let pushed = tip.resultant(grasp.contacts(), state).normal_force;

@@ -2,7 +2,7 @@
 
 use super::drawing::{Drawing, LoadArrow};
 use super::frame::Frame;
-use crate::numerics::{Each, mapped};
+use crate::numerics::{Each, IntoList, mapped};
 use crate::picture::contact_look::{STATES, ink, word};
 use crate::picture::fingertip::{ContactGroup, Resultant};
 use crate::picture::layout::{LEGEND, SPATIAL};
@@ -170,7 +170,7 @@ fn of_object(drawing: &Drawing, frame: &Frame<3>) -> Vec<Entry> {
         ),
     ];
     let there = all.into_iter().filter(|(there, ..)| *there);
-    there.map(|(_, sample, words)| entry(sample, words)).collect()
+    there.map(|(_, sample, words)| entry(sample, words)).list()
 }
 
 fn draw_sample(paper: &mut Sheet, sample: &Sample, y: f64) {

@@ -5,7 +5,7 @@ use super::frame::Frame;
 use super::leaving::MovedLines;
 use super::mark::{Mark, MarkLayer, MarkShape};
 use super::paint::hull;
-use crate::numerics::{Each, mapped};
+use crate::numerics::{Each, IntoList, mapped};
 use crate::picture::contact_look::{cone_size, ink, slope, word};
 use crate::picture::fingertip::{ContactGroup, Resultant};
 use crate::picture::layout::{MARKS, SPATIAL};
@@ -25,7 +25,7 @@ pub(super) fn marks_of_the_grasp(drawing: &Drawing) -> Vec<Mark> {
     for outline in &page.outlines {
         marks.extend(closed(points(&outline.corners)).map(|corners| MarkShape::Edge { corners }.always()));
     }
-    let (contacts, frames): (_, Vec<_>) = (page.grasp.contacts(), page.grasp.frames().collect());
+    let (contacts, frames): (_, Vec<_>) = (page.grasp.contacts(), page.grasp.frames().list());
     let names = if drawing.tips.len() > MARKS.most_named { MarkLayer::Pointed } else { MarkLayer::Names };
     for (k, tip) in drawing.tips.iter().enumerate() {
         // The finger behind its contact, or a link.
@@ -53,7 +53,7 @@ pub(super) fn marks_of_the_answer(drawing: &Drawing, frame: Option<&Frame<3>>) -
             );
         }
     }
-    let (contacts, frames): (_, Vec<_>) = (page.grasp.contacts(), page.grasp.frames().collect());
+    let (contacts, frames): (_, Vec<_>) = (page.grasp.contacts(), page.grasp.frames().list());
     for (k, tip) in drawing.tips.iter().enumerate() {
         let first = tip.contacts.start;
         let ink = state.map_or(GREY, |state| ink(tip.resultant(contacts, state).word));
@@ -133,7 +133,7 @@ fn dots(contacts: &[Contact], state: &Equilibrium, tip: &ContactGroup) -> Vec<Ma
         let open = answer.state == ContactState::Separated;
         MarkShape::Dot { at: contacts[i].point(), radius, ink: ink(word(answer)), open }.always()
     };
-    tip.contacts.clone().filter(|i| tip.shows(word(&state.contacts[*i]))).map(dot).collect()
+    tip.contacts.clone().filter(|i| tip.shows(word(&state.contacts[*i]))).map(dot).list()
 }
 
 /// The rim of a soft fingertip, around its points as seen along its normal.
@@ -145,11 +145,11 @@ fn rim(contacts: &[Contact], frame: &Matrix3<f64>, tip: &ContactGroup, ink: Rgb)
         let across = frame.tr_mul(&contact.point());
         ((across[1], across[2]), contact.point())
     });
-    let places: Vec<_> = places.collect();
+    let places: Vec<_> = places.list();
     let corners = hull(mapped(&places, &|(place, _)| *place));
     let point =
         |corner: &(f64, f64)| places.iter().find(|(place, _)| place == corner).map(|(_, point)| *point);
-    let corners: Vec<_> = corners.iter().filter_map(point).collect();
+    let corners: Vec<_> = corners.iter().filter_map(point).list();
     (corners.len() > 2).then(|| MarkShape::Line { corners, ink, width: 1.5, dashes: None }.always())
 }
 

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::eye::Eye;
 use super::mark::{Mark, MarkShape};
-use crate::numerics::{Each, increasing, mapped, moved, summed};
+use crate::numerics::{Each, IntoList, increasing, mapped, moved, summed};
 use crate::picture::layout::MARKS;
 use crate::picture::painting::{EyePoint, Painting};
 use crate::picture::palette::{BLACK, CONTOUR, FACE, Rgb};
@@ -48,7 +48,7 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
                     let (sin, cos) = (TAU * f64::from(k % sides) / f64::from(sides)).sin_cos();
                     eye.see(&(middle + a * cos + b * sin))
                 });
-                let rim: Vec<_> = rim.collect();
+                let rim: Vec<_> = rim.list();
                 for ends in pairs(&rim) {
                     painting.line(ends, *ink, 1.0);
                 }
@@ -57,7 +57,7 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
             MarkShape::Dot { at, radius, ink, open } => painting.dot(eye.see(at), *radius, *ink, *open),
             MarkShape::Body { corners } => {
                 let corners = corners.iter().map(|corner| eye.see(corner)).map(|seen| (seen.x, seen.y));
-                let corners = hull(corners.collect());
+                let corners = hull(corners.list());
                 // Bodies are behind everything. Only the half of the contour outside all bodies remains visible.
                 painting.contour(corners.clone(), CONTOUR, 2.4, f64::NEG_INFINITY);
                 painting.area(corners, FACE.into(), f64::MIN);
@@ -102,9 +102,9 @@ fn cone(painting: &mut Painting, apex: &EyePoint, rim: &[EyePoint], ink: Rgb) {
         let (a, b) = (rim[k] - apex, rim[next(k)] - apex);
         a.x * b.y - a.y * b.x > 0.0
     };
-    let ends: Vec<usize> = (0..sides).filter(|k| clockwise(*k) != clockwise(next(*k))).map(next).collect();
+    let ends: Vec<usize> = (0..sides).filter(|k| clockwise(*k) != clockwise(next(*k))).map(next).list();
     let mut face = |corners: Vec<EyePoint>, depth: f64| {
-        painting.area(corners.iter().map(|corner| (corner.x, corner.y)).collect(), ink.mix(0.12), depth);
+        painting.area(corners.iter().map(|corner| (corner.x, corner.y)).list(), ink.mix(0.12), depth);
     };
     let depth = |part: &[EyePoint]| {
         let mean = summed(part, &|corner| corner.z) / part.len() as f64;
@@ -116,9 +116,9 @@ fn cone(painting: &mut Painting, apex: &EyePoint, rim: &[EyePoint], ink: Rgb) {
     for (k, first) in ends.iter().enumerate() {
         let last = ends[(k + 1) % ends.len()];
         let count = (last + sides - first) % sides;
-        let part: Vec<EyePoint> = (0..=count).map(|step| rim[(first + step) % sides]).collect();
+        let part: Vec<EyePoint> = (0..=count).map(|step| rim[(first + step) % sides]).list();
         let depth = depth(&part);
-        face(part.into_iter().chain([*apex]).collect(), depth);
+        face(part.into_iter().chain([*apex]).list(), depth);
     }
 }
 
@@ -134,7 +134,7 @@ pub(super) fn hull(mut places: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
         |[a, b]: [(f64, f64); 2], c: (f64, f64)| (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0) <= 0.0;
     let (there, back) = (places.iter().copied(), places.iter().rev().skip(1).copied());
     let mut first = 0;
-    for way in [there.collect::<Vec<_>>(), back.collect()] {
+    for way in [there.list(), back.list()] {
         for place in way {
             while corners.len() >= first + 2
                 && turns_back([corners[corners.len() - 2], corners[corners.len() - 1]], place)
@@ -149,7 +149,7 @@ pub(super) fn hull(mut places: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
 }
 
 fn pairs(corners: &[EyePoint]) -> Vec<[EyePoint; 2]> {
-    corners.windows(2).map(|ends| [ends[0], ends[1]]).collect()
+    corners.windows(2).map(|ends| [ends[0], ends[1]]).list()
 }
 
 /// Cuts a line into dashes that continue around its corners.

@@ -2,7 +2,7 @@
 
 use super::frame::{Frame, change_last};
 use crate::grasp::Motion;
-use crate::numerics::{Each, mapped};
+use crate::numerics::{Each, IntoList, mapped};
 use crate::picture::actuators::Actuators;
 use crate::spatial::{Equilibrium, Grasp, Outcome, Wrench};
 
@@ -99,14 +99,14 @@ impl SpatialPage {
         body: usize,
         corners: impl IntoIterator<Item = impl Into<[f64; 3]>>,
     ) -> Self {
-        self.outlines.push(MovingLine { body, corners: corners.into_iter().map(Into::into).collect() });
+        self.outlines.push(MovingLine { body, corners: corners.into_iter().map(Into::into).list() });
         self
     }
 
     /// Adds a closed line on something at rest, such as a fingertip or a table, corner by corner, m; otherwise as [`Self::outline`].
     #[must_use]
     pub fn fixture(mut self, corners: impl IntoIterator<Item = impl Into<[f64; 3]>>) -> Self {
-        self.fixtures.push(corners.into_iter().map(Into::into).collect());
+        self.fixtures.push(corners.into_iter().map(Into::into).list());
         self
     }
 

@@ -11,7 +11,7 @@ use super::positive::squares;
 use crate::error::{Error, LARGEST, is_moderate};
 use crate::grasp::bodies::{PlacedBodies, refuse_sides};
 use crate::grasp::engine::Engine;
-use crate::numerics::{Size, Vector, mapped};
+use crate::numerics::{IntoList, Size, Vector, mapped};
 use crate::prelude::*;
 use crate::words::printable;
 
@@ -28,7 +28,7 @@ impl Hand<3> {
         let most = Size::of(self.coordinates_in(space) + others * space.of_the_object());
         let used = self.joints();
         let Self { fingers, tendons } = self;
-        let joints: Vec<Joint<3>> = fingers.iter().flat_map(|finger| finger.joints.iter().cloned()).collect();
+        let joints: Vec<Joint<3>> = fingers.iter().flat_map(|finger| finger.joints.iter().cloned()).list();
         let mut assembly = Assembly {
             space,
             contacts: Vec::new(),
@@ -66,7 +66,7 @@ impl Hand<3> {
         }
         let pressed = assembly.pressed(&fingers)?;
         let commands = assembly.joints.iter().zip(pressed).map(|(joint, more)| joint.command + more);
-        let commands = commands.chain(tendons.iter().map(|tendon| tendon.pull)).collect();
+        let commands = commands.chain(tendons.iter().map(|tendon| tendon.pull)).list();
         assembly.grasp(named_tendons, commands, bodies)
     }
 }
@@ -130,7 +130,7 @@ impl Assembly {
             .or_else(|fault| refuse(fault, format!("finger {number}"), "stiffness matrix"))?;
         for column in columns {
             let arms: Vec<_> =
-                (0..count).map(|j| (first + j, column[j])).filter(|(_, arm)| *arm != 0.0).collect();
+                (0..count).map(|j| (first + j, column[j])).filter(|(_, arm)| *arm != 0.0).list();
             let (spring, unit) = self.over(&arms, 1.0);
             let drive = Drive {
                 owner: Owner::Nobody,
@@ -172,7 +172,7 @@ impl Assembly {
             let allowed = "one that saturates: a tendon that slips would have to push as well";
             return Self::fault(label, "limit", bound, allowed);
         }
-        let arms: Vec<_> = tendon.arms.iter().copied().enumerate().filter(|(_, arm)| *arm != 0.0).collect();
+        let arms: Vec<_> = tendon.arms.iter().copied().enumerate().filter(|(_, arm)| *arm != 0.0).list();
         if arms.is_empty() {
             return Self::fault(label, "arm over every joint", 0.0, "more than nothing over one of them");
         }

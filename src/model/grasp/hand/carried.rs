@@ -9,7 +9,7 @@ use super::finger::{ContactMover, Finger};
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::contact::Contact;
 use crate::grasp::of_axes;
-use crate::numerics::{numbered, vector_of};
+use crate::numerics::{IntoList, numbered, vector_of};
 use crate::prelude::*;
 
 impl Assembly {
@@ -71,7 +71,7 @@ impl Assembly {
         }
         let joints = &finger.joints[..link];
         let corners: Vec<_> =
-            joints.iter().filter_map(|joint| joint.motion.centre()).chain([contact.point]).collect();
+            joints.iter().filter_map(|joint| joint.motion.centre()).chain([contact.point]).list();
         self.bones.extend(corners.windows(2).map(|pair| [pair[0], pair[1]]));
         let mut columns = Columns::new();
         for (j, joint) in joints.iter().enumerate() {
