@@ -73,8 +73,13 @@ impl<const C: usize> FrictionProblem<C> {
             }
         }
         let q = vector_of(n, &|i| part::<C>(&self.q, i)[0]);
-        let single = (0..n).map(|i| vector_of(n, &|k| if k == i { 1.0 } else { 0.0 }));
-        single.chain(Lcp::contradictions(&normals, &q, settings)).find(|y| self.proves_infeasible(y))
+        for i in 0..n {
+            let single = vector_of(n, &|k| if k == i { 1.0 } else { 0.0 });
+            if self.proves_infeasible(&single) {
+                return Some(single);
+            }
+        }
+        Lcp::contradictions(&normals, &q, settings).find(|y| self.proves_infeasible(y))
     }
 }
 

@@ -7,7 +7,7 @@ use super::problem::Lcp;
 use super::tolerances::MOST_PAIRED_ROWS;
 #[cfg(not(feature = "std"))]
 use crate::numerics::FloatFunctions;
-use crate::numerics::{increasing, vector_of};
+use crate::numerics::{increasing, mapped, vector_of};
 use nalgebra::DVector;
 
 /// The numbers of binary digits to which entries are rounded, the fewest first.
@@ -24,9 +24,17 @@ impl Lcp {
             return None;
         }
         // At least one of the two rows has q < 0.
-        let negative = (0..n).filter(|i| self.q[*i] < 0.0);
-        let mut pairs = negative.flat_map(|i| (0..n).filter(move |k| *k != i).map(move |k| (i, k)));
-        pairs.find_map(|(i, k)| self.two_rows(i, k))
+        for i in 0..n {
+            for k in 0..n {
+                if self.q[i] < 0.0 && k != i {
+                    let found = self.two_rows(i, k);
+                    if found.is_some() {
+                        return found;
+                    }
+                }
+            }
+        }
+        None
     }
 
     /// A Farkas vector of the rows i and k: y_k / y_i lies between bounds, one from each column and from q.
@@ -63,9 +71,15 @@ impl Lcp {
                 }
             })
         };
-        let rounded = BINARY_DIGITS.into_iter().map(|digits| of((1.0, rounded(between, digits))));
-        let mut tried = rounded.chain([of((1.0, between)), of(least), of(most)]);
-        tried.find(|y| self.proves_infeasible(y))
+        let mut tried = mapped(&BINARY_DIGITS, &|digits| (1.0, rounded(between, *digits)));
+        tried.extend([(1.0, between), least, most]);
+        for entries in tried {
+            let y = of(entries);
+            if self.proves_infeasible(&y) {
+                return Some(y);
+            }
+        }
+        None
     }
 
     /// A simpler Farkas vector: without the entries that the proof does not need, and the others with as few digits as suffice.

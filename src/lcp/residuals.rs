@@ -126,7 +126,7 @@ pub(super) fn residuals_from(m: &DMatrix<f64>, q: &[f64], z: &[f64], w: &[f64], 
     if n == 0 {
         return out;
     }
-    if !(z.iter().chain(w).chain(terms).all(|x| x.is_finite())) {
+    if !([z, w, terms].iter().all(|list| list.iter().all(|x| x.is_finite()))) {
         return Residuals::UNUSABLE;
     }
     let rows = Rows { m, q, z, terms };

@@ -1,6 +1,6 @@
 //! The answer as physics.
 
-use crate::numerics::IntoList;
+use crate::numerics::mapped;
 use nalgebra::SVector;
 
 use super::accuracy::Accuracy;
@@ -158,11 +158,9 @@ impl<const C: usize> Equilibrium<C> {
 impl Equilibrium<3> {
     /// Forces of all sites: contacts, then the drives of a hand.
     pub(crate) fn site_forces(&self) -> Vec<SVector<f64, 3>> {
-        self.contacts
-            .iter()
-            .map(|contact| contact.force)
-            .chain(self.local.drive_forces.iter().copied())
-            .list()
+        let mut all = mapped(&self.contacts, &|contact| contact.force);
+        all.extend_from_slice(&self.local.drive_forces);
+        all
     }
 }
 

@@ -235,10 +235,14 @@ impl OrthogonalPiece {
 /// The smallest forces (least squares, contact frames) of the contacts that carry any which balance a load:
 /// `F = -G⁺W` over the axes that resist.
 pub(crate) fn least_forces(sites: &[Site], carries: &[bool], wrench: &Vector) -> Vec<SVector<f64, 3>> {
-    let axes: Vec<(usize, usize)> = (0..sites.len())
-        .filter(|&i| carries[i])
-        .flat_map(|i| (0..sites[i].springs.axes()).map(move |a| (i, a)))
-        .list();
+    let mut axes = Vec::new();
+    for (i, site) in sites.iter().enumerate() {
+        if carries[i] {
+            for a in 0..site.springs.axes() {
+                axes.push((i, a));
+            }
+        }
+    }
     let columns: Vec<Vector> = mapped(&axes, &|&(i, a)| sites[i].map.column(a));
     let shares = least_combination(size_of(sites), &columns, wrench);
     let mut forces = vec![SVector::<f64, 3>::zeros(); sites.len()];

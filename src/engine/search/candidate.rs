@@ -7,7 +7,7 @@ use nalgebra::{Matrix, SVector};
 use super::answer::Found;
 use crate::contact::{MOST_SLACK, SpringState, State, ZERO_SLACK};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{IntoList, Vector, chosen, least_distance};
+use crate::numerics::{IntoList, Vector, chosen, least_distance, mapped};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
@@ -67,9 +67,8 @@ pub(super) fn admit(
     // grasps: a slack that is exactly zero comes out as a few roundings of 1e-16.
     if exceeds(worst, ZERO_SLACK) && !(free_motions.is_empty() && neutral_motions.is_empty()) {
         // The piece has a family of solutions. The one of least norm is not admissible, but another one may be.
-        let free = free_motions.iter().map(|v| (v.clone(), vec![SVector::zeros(); problem.len()]));
-        let neutral = neutral_motions.iter().map(|v| (v.clone(), piece.forces_along(problem, v)));
-        let motions: Vec<_> = free.chain(neutral).list();
+        let mut motions = mapped(&free_motions, &|v| (v.clone(), vec![SVector::zeros(); problem.len()]));
+        motions.extend(mapped(&neutral_motions, &|v| (v.clone(), piece.forces_along(problem, v))));
         let (values, sizes) = slacks(problem, &states, &at);
         if let Some(tau) = least_admissible_shift(problem, &states, &values, &sizes, &motions) {
             let there = shifted.insert(at.clone());

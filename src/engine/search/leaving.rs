@@ -113,10 +113,16 @@ fn pivoted(
 
 /// The contacts that share a coordinate with one of `among`, these included, in order.
 fn beside(problem: &Problem, among: &[usize]) -> Vec<usize> {
-    let felt = |i: usize| problem.sites[i].support.ranges().into_iter().flatten();
     let mut is_near = vec![false; problem.size().count()];
-    among.iter().flat_map(|i| felt(*i)).for_each(|k| is_near[k] = true);
-    chosen(problem.len(), &|i| felt(*i).any(|k| is_near[k]))
+    for i in among {
+        for range in problem.sites[*i].support.ranges() {
+            is_near[range].fill(true);
+        }
+    }
+    let feels = |i: &usize| {
+        problem.sites[*i].support.ranges().iter().any(|range| is_near[range.clone()].contains(&true))
+    };
+    chosen(problem.len(), &feels)
 }
 
 /// The states, with further contacts sticking until no motion is loose. For each loose motion the contact with the largest displacement sticks,

@@ -69,9 +69,12 @@ impl BalanceEquation {
         }
         let seen: Vec<_> = numbered(problem.len(), &|contact| trial.seen(contact));
         let mut projector = Vec::with_capacity(size * size);
-        for column in seen.iter().flat_map(|seen| (0..3).map(|a| seen.column(a))) {
-            for rows in &seen {
-                projector.extend_from_slice(rows.tr_mul(&column).as_slice());
+        for columns in &seen {
+            for a in 0..3 {
+                let column = columns.column(a);
+                for rows in &seen {
+                    projector.extend_from_slice(rows.tr_mul(&column).as_slice());
+                }
             }
         }
         Some(Self { projector, target, unit, roots })

@@ -165,7 +165,7 @@ impl RoundPieces {
             let site = &problem.sites[contact];
             let precise =
                 |axis: usize| self.twist.stretch(site, axis, problem.offsets[contact][axis]).value();
-            let stretch = by_axis(|axis| precise(axis));
+            let stretch = by_axis(precise);
             // A state is left where its inequality fails by more than this part of its terms.
             let fails = 1e-14;
             let touches = closing && stretch[0] > fails * problem.span(contact, &twist);

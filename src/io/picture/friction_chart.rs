@@ -65,7 +65,13 @@ impl<const C: usize> Drawn<'_, C> {
     /// Positions on the axis, and the equilibria there.
     pub(super) fn states(&self, path: &LoadPath<C>, events: &[Event<C>]) -> Vec<(f64, Equilibrium<C>)> {
         let (last, end) = self.reach(path);
-        let on_leg = |leg: usize| {
+        // A jump at an event adds the state after it at the same position.
+        let after = |leg: usize, part: f64| {
+            let here = events.iter().find(|event| (event.leg, event.fraction) == (leg, part))?;
+            Some(here.jump.as_ref()?.state.clone())
+        };
+        let mut all = Vec::new();
+        for leg in 0..=last {
             let to = if leg == last { end } else { 1.0 };
             let turns = self.legs.get(leg).is_some_and(Leg::turns);
             // Little happens between events on straight legs. Events are added.
@@ -73,23 +79,15 @@ impl<const C: usize> Drawn<'_, C> {
             let mut fractions: Vec<f64> = (0..=count).map(|k| to * k as f64 / count as f64).list();
             fractions.extend(events.iter().filter(|event| event.leg == leg).map(|event| event.fraction));
             fractions.sort_by(f64::total_cmp);
-            fractions.into_iter().map(move |fraction| (leg, fraction))
-        };
-        let on_the_way = (0..=last).flat_map(on_leg);
-        // A jump at an event adds the state after it at the same position.
-        let after = |leg: usize, part: f64| {
-            let here = events.iter().find(|event| (event.leg, event.fraction) == (leg, part))?;
-            Some(here.jump.as_ref()?.state.clone())
-        };
-        let on_the_way = on_the_way.flat_map(|(leg, part)| {
-            let states = [path.state_at(leg, part), after(leg, part)];
-            states.into_iter().flatten().map(move |state| ((self.place)(leg, part), state))
-        });
-        let at_the_end = path.state().map(|state| {
-            let (leg, part) = path.place();
-            ((self.place)(leg, part), state)
-        });
-        on_the_way.chain(at_the_end).list()
+            for part in fractions {
+                for state in [path.state_at(leg, part), after(leg, part)] {
+                    all.extend(state.map(|state| ((self.place)(leg, part), state)));
+                }
+            }
+        }
+        let (leg, part) = path.place();
+        all.extend(path.state().map(|state| ((self.place)(leg, part), state)));
+        all
     }
 
     pub(super) fn marks(

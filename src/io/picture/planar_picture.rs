@@ -123,7 +123,7 @@ impl<'a> PlanarPicture<'a> {
                 "the equilibrium has {given} contacts, the grasp has {expected}"
             )));
         }
-        if !self.outlines.iter().flatten().flatten().all(|x| x.is_finite()) {
+        if !self.outlines.concat().iter().all(|corner| corner.iter().all(|x| x.is_finite())) {
             return Err(PictureError("a corner of the outline is not finite".into()));
         }
         Ok(())

@@ -1,6 +1,6 @@
 //! Curves around a point: a number for every direction in the plane.
 
-use crate::numerics::IntoList;
+use crate::numerics::{IntoList, largest, mapped};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::error::PictureError;
@@ -85,8 +85,8 @@ impl Polar {
     /// # Errors
     /// [`PictureError`] if there is no positive finite radius to draw, or the radius of the rim is not positive and finite.
     pub fn to_svg(&self) -> Result<String, PictureError> {
-        let radii = self.curves.iter().flat_map(|curve| &curve.points).map(|point| point.1);
-        let most = radii.filter(|r| r.is_finite()).fold(0.0, f64::max);
+        let finite = |(_, r): &(f64, f64)| if r.is_finite() { *r } else { 0.0 };
+        let most = largest(&self.curves, &|curve| largest(&curve.points, &finite));
         if most <= 0.0 {
             return Err(PictureError("no positive finite radius".into()));
         }
@@ -103,10 +103,12 @@ impl Polar {
             for (k, curve) in self.curves.iter().enumerate().rev() {
                 draw_curve(paper, rim, k, curve);
             }
-            for (angle, radius) in self.marks.iter().flat_map(|(points, _)| points) {
-                let end = at(*angle, POLAR.radius * (radius / rim).min(1.0));
-                paper.line(&[POLAR.middle, end], BLACK, 1.0);
-                paper.circle(end, 4.5, BLACK, None);
+            for (points, _) in &self.marks {
+                for (angle, radius) in points {
+                    let end = at(*angle, POLAR.radius * (radius / rim).min(1.0));
+                    paper.line(&[POLAR.middle, end], BLACK, 1.0);
+                    paper.circle(end, 4.5, BLACK, None);
+                }
             }
             self.draw_rays(paper);
             self.draw_numbers(paper, rim, step);
@@ -211,7 +213,7 @@ impl Polar {
             }
         }
         y += 8.0;
-        for note in self.notes.iter().flat_map(|note| lines(note, 30)) {
+        for note in mapped(&self.notes, &|note| lines(note, 30)).concat() {
             paper.text((POLAR.legend, y), &note, 13.0, 0.0, GREY);
             y += 18.0;
         }
@@ -234,9 +236,11 @@ fn letter(k: usize) -> String {
 /// Writes a text of the legend line by line and returns the height of the next entry.
 fn legend_text(paper: &mut Sheet, y: f64, words: &str) -> f64 {
     let mut at = y;
-    for line in words.lines().flat_map(|line| lines(line, 24)) {
-        paper.text((POLAR.legend + POLAR.sample + 8.0, at), &line, 14.0, 0.0, BLACK);
-        at += 18.0;
+    for line in words.lines() {
+        for line in lines(line, 24) {
+            paper.text((POLAR.legend + POLAR.sample + 8.0, at), &line, 14.0, 0.0, BLACK);
+            at += 18.0;
+        }
     }
     at + 6.0
 }

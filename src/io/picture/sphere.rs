@@ -1,8 +1,7 @@
 //! A map of a value for every direction in space, with equal areas.
 
-use crate::numerics::Each;
-use crate::numerics::IntoList;
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{Each, IntoList, mapped};
 use std::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
 
 use super::bands::Bands;
@@ -105,9 +104,12 @@ impl SphereMap {
     /// # Errors
     /// [`PictureError`] if a marked direction has no length or is not finite.
     pub fn to_svg(&self) -> Result<String, PictureError> {
-        let finite = || self.values.iter().copied().filter(|value| value.is_finite());
-        let (low, high) =
-            (finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max));
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        for value in &self.values {
+            if value.is_finite() {
+                (low, high) = (low.min(*value), high.max(*value));
+            }
+        }
         let bands = Bands::new(low, high);
         let mut marked = Vec::new();
         for (list, dot) in [(&self.rays, false), (&self.marks, true)] {
@@ -115,7 +117,7 @@ impl SphereMap {
                 marked.push((way(*direction, label)?, label, dot));
             }
         }
-        let notes: Vec<_> = self.notes.iter().flat_map(|note| lines(note, 114)).list();
+        let notes = mapped(&self.notes, &|note| lines(note, 114)).concat();
         Ok(sheet((SPHERE.wide, 530.0 + 18.0 * notes.len() as f64), |paper| {
             paper.title(&self.title);
             for (side, middle) in SPHERE.discs.into_iter().enumerate() {

@@ -102,7 +102,7 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
             if at.is_some() {
                 let at = part(at.as_ref(), axes, "at")?;
                 let force = |a: usize| if a < axes { wrench[a] } else { 0.0 };
-                let through = Space::Spatial.wrench_of(&at.into(), &by_axis(|a| force(a)));
+                let through = Space::Spatial.wrench_of(&at.into(), &by_axis(force));
                 // The rotation in the plane is about z, the last axis of space.
                 let object = space.of_the_object();
                 for k in axes..object {

@@ -111,8 +111,8 @@ impl Edges {
                 turns.extend(both.iter().filter(|x| x.is_finite()));
             }
             turns.sort_by(f64::total_cmp);
-            let ends = turns.iter().skip(1).chain([&TAU]);
-            turns.iter().zip(ends).map(|(from, to)| 0.5 * (from + to)).list()
+            turns.push(TAU);
+            turns.windows(2).map(|ends| 0.5 * (ends[0] + ends[1])).list()
         })
     }
 

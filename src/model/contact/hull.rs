@@ -114,7 +114,9 @@ impl Sector {
         let reach = 1.0 / half.cos();
         let corner = |k: u8| on_circle(self.from + f64::from(2 * k + 1) * half).each(|x| x * reach);
         let ends = [self.from, self.to].each(on_circle);
-        (0..pieces).map(corner).chain(ends).list()
+        let mut all = (0..pieces).map(corner).list();
+        all.extend(ends);
+        all
     }
 
     /// Directions whose nonnegative combinations include every direction of the sector.

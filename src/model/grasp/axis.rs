@@ -54,7 +54,7 @@ impl Rotation {
                 let cross = |a: usize| {
                     omega[(a + 1) % 3] * moves[(a + 2) % 3] - omega[(a + 2) % 3] * moves[(a + 1) % 3]
                 };
-                by_axis(|a| cross(a)) / omega.norm_squared()
+                by_axis(cross) / omega.norm_squared()
             }
         }
     }

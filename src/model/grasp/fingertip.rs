@@ -12,7 +12,7 @@ use super::contact::Contact;
 use super::face::{Face, face_of_struct, inside, outside};
 use super::pressure::{Layer, Pressure};
 use crate::error::{Error, LARGEST};
-use crate::numerics::{IntoList, Space, indexed, largest, moved};
+use crate::numerics::{Space, indexed, largest, moved};
 use crate::prelude::*;
 
 /// A patch of point contacts that models one fingertip, with its stiffness and its friction in closed form.
@@ -170,12 +170,13 @@ impl SoftFingertip<3> {
                 share: ring.share / points as f64,
             }
         };
-        let points = rings
-            .iter()
-            .enumerate()
-            .flat_map(|(j, ring)| (0..points).map(move |i| place(rings.len() - 1 - j, ring, i)))
-            .list();
-        Ok(Self { radius, points })
+        let mut all = Vec::new();
+        for (j, ring) in rings.iter().enumerate() {
+            for i in 0..points {
+                all.push(place(rings.len() - 1 - j, ring, i));
+            }
+        }
+        Ok(Self { radius, points: all })
     }
 
     /// Torsional stiffness about the normal at a contact with these springs, N m/rad: `Σ w_i (k_1

@@ -80,9 +80,13 @@ impl Grouped {
             let own = if g == h { made_up[g].dot(&told[g]) } else { 0.0 };
             own - told[g].dot(&told[h])
         };
-        let all = || (0..told.len()).flat_map(|g| (0..told.len()).map(move |h| (g, h)));
-        let expected = sure + (0..told.len()).map(|g| covariance(g, g)).sum::<f64>();
-        let squares: f64 = all().map(|(g, h)| covariance(g, h).powi(2)).sum();
+        let (mut expected, mut squares) = (sure, 0.0);
+        for g in 0..told.len() {
+            expected += covariance(g, g);
+            for h in 0..told.len() {
+                squares += covariance(g, h).powi(2);
+            }
+        }
         // An unknown has no error if a larger share of its variance is in directions of one group alone.
         let is_seen = expected >= (1.0 - 1e-2) * unknown.norm_squared();
         is_seen.then(|| GroupedError { variance, degrees: expected * expected / squares })

@@ -164,8 +164,9 @@ pub(super) fn events(
         if loaded.any.is_some() {
             all.extend(pressed.under_any_force(&by_loads));
         } else {
-            let each = by_loads.into_iter().enumerate();
-            all.extend(each.flat_map(|(load, rate)| pressed.under(load, rate)));
+            for (load, rate) in by_loads.into_iter().enumerate() {
+                all.extend(pressed.under(load, rate));
+            }
         }
     }
     (all, constraints)

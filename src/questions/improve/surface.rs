@@ -221,8 +221,7 @@ impl Shape {
     fn is_one(&self) -> Result<(), NoSurface> {
         let refused = |field, value, allowed| Err(NoSurface { field, value, allowed });
         let wrong = |points: &[SVector<f64, 3>]| {
-            let mut numbers = points.iter().flat_map(nalgebra::Matrix::as_slice);
-            numbers.find(|x| !is_moderate(**x)).copied()
+            points.iter().find_map(|point| point.iter().find(|x| !is_moderate(**x)).copied())
         };
         let size = "finite, above 0 and at most 1e50 m";
         let long = |length: f64| length > 0.0 && is_moderate(length);

@@ -67,7 +67,7 @@ impl Bounds<3> {
         }
         let Some(commands) = &self.commands else { return Ok(()) };
         grasp.check_commands(commands, "bounds of the commands", Field::Command)?;
-        match commands.iter().flat_map(|bounds| bounds.iter()).find(is_bad) {
+        match commands.iter().find_map(|bounds| bounds.iter().find(is_bad)) {
             Some(&value) => Err(Error::Argument { what: "bound of a command", value, allowed }),
             None => Ok(()),
         }

@@ -44,7 +44,11 @@ impl UncertainDatum {
     pub(super) fn parameters(&self, of: &Engine) -> Vec<(Parameter, f64)> {
         match self {
             Self::OfContact(contact, errors) => {
-                points(of, *contact).flat_map(|point| errors.parameters(of, point)).list()
+                let mut all = Vec::new();
+                for point in points(of, *contact) {
+                    all.extend(errors.parameters(of, point));
+                }
+                all
             }
             &Self::OfJoint(joint, sigma) => {
                 let drive = of.drives_of(joint).next();

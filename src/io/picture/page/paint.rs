@@ -81,9 +81,15 @@ pub(super) fn load_ends(eye: &Eye, from: &Vector3<f64>, along: &Vector3<f64>) ->
 
 /// The grey of an edge of the object as a function of its depth.
 fn shades(eye: &Eye, marks: &[Mark]) -> impl Fn(f64) -> Rgb + use<> {
-    let edges = marks.iter().filter(|mark| matches!(mark.shape, MarkShape::Edge { .. }));
-    let depths = edges.flat_map(Mark::points).map(|point| eye.see(&point).z);
-    let (far, near) = depths.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), z| (l.min(z), h.max(z)));
+    let (mut far, mut near) = (f64::INFINITY, f64::NEG_INFINITY);
+    for mark in marks {
+        if matches!(mark.shape, MarkShape::Edge { .. }) {
+            for point in mark.points() {
+                let depth = eye.see(&point).z;
+                (far, near) = (far.min(depth), near.max(depth));
+            }
+        }
+    }
     move |depth| {
         let part = if near > far { (depth - far) / (near - far) } else { 1.0 };
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a part of a byte")]
