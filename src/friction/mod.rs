@@ -68,10 +68,8 @@
 //!
 //! Every solution has been checked on the data given, each contact relative to its own force and terms, see [`Residuals`]. A vector that
 //! [`FrictionProblem::proves_infeasible`] checks proves that there is no solution.
-//!
-//! [`ReadProblem`] reads the files of Siconos; `python/examples/fclib_to_text.py` converts FCLIB's HDF5 to such files.
 
-// `problem` is checked input, `siconos` reads it; `law` measures how far forces miss Coulomb's law, `settled` makes a solution of forces. `solve`
+// `problem` is checked input; `law` measures how far forces miss Coulomb's law, `settled` makes a solution of forces. `solve`
 // chooses the methods, `islands` splits the problem. A few contacts: `facets` poses the complementarity problem, `polygons` and `newton` continue on
 // the round cone. Many: `approach` combines `sweeps` of `one_contact` after the other, the `central_path` (around its `folds`) and `alart_curnier`;
 // both of the last are `equations` in `blocks`, solved by `elimination`. `certificate` proves that there is no solution. `tolerances` holds what
@@ -96,8 +94,6 @@ mod problem;
 mod progress;
 mod settings;
 mod settled;
-mod siconos;
-mod siconos_matrix;
 mod solution;
 mod solve;
 mod sweeps;
@@ -109,5 +105,4 @@ pub use law::{ContactMode, Residuals};
 pub use problem::{FrictionProblem, PlanarContacts, SpatialContacts};
 pub use progress::SolveProgress;
 pub use settings::Settings;
-pub use siconos::ReadProblem;
 pub use solution::Solution;

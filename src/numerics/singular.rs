@@ -129,7 +129,7 @@ mod tests {
     fn factors_give_the_matrix_back() {
         for (rows, columns) in [(1, 1), (5, 3), (3, 5), (6, 6)] {
             let matrix = DMatrix::from_fn(rows, columns, |i, j| {
-                ((i * 7 + j * j) as f64).sin() * 10_f64.powi(-(j as i32))
+                ((i * 7 + j * j) as f64).sin() * 0.1_f64.powf(j as f64)
             });
             let found = Singular::new(&matrix);
             let back = &found.scaled_left * found.right.transpose();

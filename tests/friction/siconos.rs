@@ -1,7 +1,7 @@
 //! Problems in the three forms that files of Siconos have.
 
-use grasp_lcp::friction::{Error, ReadProblem};
 use nalgebra::{DMatrix, DVector};
+use support::siconos::{Error, ReadProblem};
 
 /// Two contacts in the plane whose W is not symmetric, so that rows and columns are told apart.
 fn expected() -> (DMatrix<f64>, DVector<f64>) {
