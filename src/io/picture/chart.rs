@@ -178,8 +178,8 @@ impl Chart {
 
     fn draw(&self, paper: &mut Sheet, (left, top): Place, window: [f64; 4]) {
         let (wide, high) = CHART.size;
-        // The title is written smaller where it would not fit, in letters half as wide as high.
-        let size = CHART.title.min(2.0 * wide / self.title.chars().count() as f64);
+        // The title is written smaller where it would not fit.
+        let size = CHART.title.min((wide - 36.0) / (0.6 * self.title.chars().count() as f64));
         paper.text((left + wide / 2.0, top + 26.0), &self.title, size, 0.5, BLACK);
         let below = draw_note(paper, (left, top + high), self.note.as_deref().unwrap_or_default());
         // Many names would hide the curves, so they are written beside the chart.
@@ -219,7 +219,7 @@ impl Chart {
         let (x, y) = canvas.place((if little { x1 } else { *from }, y0 + 0.04 * (y1 - y0)));
         let aside = 0.01 * canvas.wide;
         let (x, left) = if little { (x - aside, 1.0) } else { (x + aside, 0.0) };
-        paper.text((x, y), label, 15.0, left, GREY);
+        paper.text((x, y), label, CHART.label, left, GREY);
     }
 
     /// The names of the series, where they hide least.

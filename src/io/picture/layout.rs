@@ -108,11 +108,11 @@ pub(super) struct ChartLayout {
 
 pub(super) const CHART: ChartLayout = ChartLayout {
     size: (860.0, 540.0),
-    title: 23.0,
-    letters: 17.0,
-    label: 16.0,
-    plaque: 14.0,
-    note_line: 18.0,
+    title: 18.5,
+    letters: 14.0,
+    label: 13.0,
+    plaque: 11.5,
+    note_line: 17.0,
     most_inside: 6,
     longest_beside: 26,
     longest_inside: 70,
