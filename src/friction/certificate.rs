@@ -12,7 +12,7 @@ use super::facets::Facets;
 use super::problem::{FrictionProblem, part};
 use super::tolerances::PROOF_ROUNDING;
 use crate::lcp::{self, Lcp};
-use crate::numerics::{ExactSum, mapped, rounding_of, times_power_of_two};
+use crate::numerics::{ExactSum, IntoList, mapped, rounding_of, times_power_of_two, vector_of};
 use crate::prelude::*;
 use core::cmp::Ordering;
 use core::f64::consts::PI;
@@ -34,7 +34,7 @@ impl<const C: usize> FrictionProblem<C> {
         if weighed(self.q.as_slice()).sign() != Ordering::Less {
             return false;
         }
-        let columns: Vec<&[f64]> = self.w.as_slice().chunks_exact(C * n).collect();
+        let columns: Vec<&[f64]> = self.w.as_slice().chunks_exact(C * n).list();
         columns.chunks_exact(C).zip(&self.mu).all(|(columns, mu)| {
             if C == 2 {
                 return [1.0, -1.0].into_iter().all(|side| {
@@ -73,9 +73,14 @@ impl<const C: usize> FrictionProblem<C> {
                 }
             }
         }
-        let q = DVector::from_fn(n, |i, _| part::<C>(&self.q, i)[0]);
-        let single = (0..n).map(|i| DVector::from_fn(n, |k, _| if k == i { 1.0 } else { 0.0 }));
-        single.chain(Lcp::contradictions(&normals, &q, settings)).find(|y| self.proves_infeasible(y))
+        let q = vector_of(n, &|i| part::<C>(&self.q, i)[0]);
+        for i in 0..n {
+            let single = vector_of(n, &|k| if k == i { 1.0 } else { 0.0 });
+            if self.proves_infeasible(&single) {
+                return Some(single);
+            }
+        }
+        Lcp::contradictions(&normals, &q, settings).find(|y| self.proves_infeasible(y))
     }
 }
 

@@ -13,7 +13,7 @@
 use super::problem::FrictionProblem;
 use super::settings::MOST_CONE_FACETS;
 use crate::lcp::{Lcp, LcpError};
-use crate::numerics::{mapped, numbered};
+use crate::numerics::{mapped, numbered, vector_of};
 use crate::prelude::*;
 use core::f64::consts::TAU;
 use nalgebra::{DMatrix, DVector, SVector};
@@ -63,7 +63,7 @@ pub struct FacetedProblem<const C: usize> {
 impl<const C: usize> FacetedProblem<C> {
     /// The entries that belong to r_N or u_N, from a vector of the complementarity problem.
     pub(super) fn normals(&self, z: &DVector<f64>) -> DVector<f64> {
-        DVector::from_fn(self.facets.0.len(), |i, _| z[self.facets.width() * i])
+        vector_of(self.facets.0.len(), &|i| z[self.facets.width() * i])
     }
 
     /// The forces r (C n entries) of a solution z of the complementarity problem.

@@ -10,6 +10,8 @@ use super::central_path::{Smoothed, scales};
 use super::equations::{Equations, Patience, descend};
 use super::problem::{FrictionProblem, part};
 use super::tolerances::ON_CENTRAL_PATH;
+use crate::numerics::IntoList;
+use crate::numerics::vector_of;
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
@@ -81,7 +83,7 @@ impl<const C: usize> Path<'_, C> {
             x[C * i] = (tau * self.rho[i]).sqrt();
         }
         x[size] = tau.ln();
-        let order: Vec<usize> = (0..self.problem.len()).collect();
+        let order: Vec<usize> = (0..self.problem.len()).list();
         let far = Smoothed { problem: self.problem, blocks: self.blocks, rho: self.rho, tau };
         let enough = ON_CENTRAL_PATH * (self.problem.len() as f64 * tau).sqrt();
         let patience = Patience { steps: 200, enough, rounding: 0.0, shortest: 1e-6, leaps: 0 };
@@ -121,7 +123,7 @@ impl<const C: usize> Path<'_, C> {
         let size = x.len() - 1;
         let energy =
             (0..self.problem.len()).map(|i| x.rows(C * i, C).norm_squared() / self.rho[i]).sum::<f64>();
-        DVector::from_fn(size + 1, |k, _| if k == size { 1.0 } else { 1.0 / (self.rho[k / C] * energy) })
+        vector_of(size + 1, &|k| if k == size { 1.0 } else { 1.0 / (self.rho[k / C] * energy) })
     }
 
     /// The unit tangent of the path, oriented like the previous one.

@@ -7,9 +7,9 @@ use super::problem::FrictionProblem;
 use super::settings::Settings;
 use super::solution::Solution;
 use crate::lcp::{BreakdownCause, Certificate, Outcome};
-use crate::numerics::mapped;
+use crate::numerics::{mapped, matrix_of, vector_of};
 use crate::prelude::*;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
 /// The islands of a problem as sorted lists of contact indices, ordered by their first contact.
 pub(super) fn islands<const C: usize>(blocks: &Blocks<C>) -> Vec<Vec<usize>> {
@@ -50,8 +50,8 @@ impl<const C: usize> FrictionProblem<C> {
         let component = |k: usize| C * contacts[k / C] + k % C;
         let size = C * contacts.len();
         Self {
-            w: DMatrix::from_fn(size, size, |i, j| self.w[(component(i), component(j))]),
-            q: DVector::from_fn(size, |i, _| self.q[component(i)]),
+            w: matrix_of(size, size, &|i, j| self.w[(component(i), component(j))]),
+            q: vector_of(size, &|i| self.q[component(i)]),
             mu: mapped(contacts, &|i| self.mu[*i]),
         }
     }

@@ -1,6 +1,7 @@
 //! The solution of a frictional contact problem.
 
 use super::law::{ContactMode, Residuals};
+use crate::numerics::Each;
 use crate::prelude::*;
 use core::fmt;
 use nalgebra::DVector;
@@ -30,7 +31,7 @@ impl fmt::Display for Solution {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let count = |state| self.states.iter().filter(|s| **s == state).count();
         let [open, sticking, sliding] =
-            [ContactMode::Open, ContactMode::Sticking, ContactMode::Sliding].map(count);
+            [ContactMode::Open, ContactMode::Sticking, ContactMode::Sliding].each(count);
         write!(
             f,
             "{open} open, {sticking} sticking, {sliding} sliding, residuals up to {:.1e}",

@@ -10,6 +10,7 @@ use super::settings::{MOST_CONE_FACETS, Settings};
 use super::solution::Solution;
 use super::tolerances::MOST_ROWS_FACETS_FIRST;
 use crate::lcp::{BreakdownCause, Certificate, Outcome};
+use crate::numerics::IntoList;
 use crate::prelude::*;
 use core::ops::ControlFlow;
 use nalgebra::DVector;
@@ -69,7 +70,7 @@ impl<const C: usize> FrictionProblem<C> {
         if let [_, _, ..] = islands[..] {
             return self.solve_islands(&islands, settings, watch);
         }
-        let all: Vec<usize> = (0..self.len()).collect();
+        let all: Vec<usize> = (0..self.len()).list();
         self.solve_island(&blocks, settings, (&all, watch))
     }
 

@@ -8,6 +8,7 @@ use super::outcome::{Outcome, Ray, Unsolved};
 use super::path::LemkePath;
 use super::problem::Lcp;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
+use crate::numerics::vector_of;
 use nalgebra::DVector;
 
 /// The outcome of a path at whose end the entering variable grows without bound. If the ray is a Farkas vector the outcome is a proof. Otherwise
@@ -27,7 +28,7 @@ pub(super) fn ray(lcp: &Lcp, path: &LemkePath, entering: LemkeVariable) -> Optio
             _ => {}
         }
     }
-    let in_units_of = |factors: &[f64]| DVector::from_fn(lcp.len(), |i, _| rates[i] * factors[i]);
+    let in_units_of = |factors: &[f64]| vector_of(lcp.len(), &|i| rates[i] * factors[i]);
     let mut direction = in_units_of(&path.scaling.column);
     // A Farkas vector weights rows, so it is converted with the units of rows.
     let y = in_units_of(&path.scaling.row);

@@ -10,6 +10,7 @@ use super::residuals::{Residuals, ignores_q};
 use super::settings::Settings;
 use super::tolerances::{SOUND_RESIDUAL, ZERO_VALUE, residual_rounding};
 use super::workspace::Workspace;
+use crate::numerics::IntoList;
 use crate::prelude::*;
 
 impl Workspace {
@@ -171,8 +172,8 @@ impl Workspace {
 
     /// Replaces the point by that of a new factorisation of the basis, without or with its vanishing variables, if it is better.
     fn finish_by_factorisation(&mut self, lcp: &Lcp, best: &mut Residuals) {
-        let alpha: Vec<usize> = self.basis.iter().collect();
-        let support: Vec<usize> = alpha.iter().copied().filter(|i| !self.vanishing[*i]).collect();
+        let alpha: Vec<usize> = self.basis.iter().list();
+        let support: Vec<usize> = alpha.iter().copied().filter(|i| !self.vanishing[*i]).list();
         for indices in [&support, &alpha] {
             if best.within(SOUND_RESIDUAL) {
                 break;

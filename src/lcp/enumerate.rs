@@ -11,10 +11,10 @@ use super::settings::Settings;
 use super::solution::Solution;
 use super::tolerances::{MOST_ENUMERATED, ZERO_VALUE};
 use super::vertices;
-use crate::numerics::chosen;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
+use crate::numerics::{Each, chosen, matrix_of, vector_of};
 use crate::prelude::*;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
 /// The solutions found by trying all complementary bases; see [`Lcp::all_solutions`].
 #[derive(Debug, Clone, PartialEq)]
@@ -131,7 +131,7 @@ impl Search<'_> {
     fn without_noise(&self, alpha: &[usize], basic: &DVector<f64>) -> DVector<f64> {
         let size = |j: usize| basic[j].abs() / self.scaling.column[alpha[j]];
         let largest = (0..alpha.len()).map(size).fold(0.0, f64::max);
-        DVector::from_fn(alpha.len(), |j, _| if size(j) <= ZERO_VALUE * largest { 0.0 } else { basic[j] })
+        vector_of(alpha.len(), &|j| if size(j) <= ZERO_VALUE * largest { 0.0 } else { basic[j] })
     }
 
     /// The solution with these basic values; `None` if they do not solve the problem.
@@ -158,7 +158,7 @@ impl Search<'_> {
         }
         let basis = Basis::from_indices(lcp.len(), alpha.iter().copied());
         let degenerate = point.settle_slacks(&basis);
-        let [z, w] = [point.z, point.w].map(DVector::from_vec);
+        let [z, w] = [point.z, point.w].each(DVector::from_vec);
         Some(Solution { z, w, basis, residuals, pivots: 0, degenerate })
     }
 
@@ -170,10 +170,10 @@ impl Search<'_> {
         let n = lcp.len();
         let row = |i: usize| scaling.row[i] / scaling.row_unit[i];
         let column = |j: usize| scaling.column[j] * scaling.column_unit(j);
-        let m = DMatrix::from_fn(n, n, |i, j| row(i) * lcp.m[(i, j)] * column(j));
-        let q = DVector::from_fn(n, |i, _| row(i) * lcp.q[i]);
+        let m = matrix_of(n, n, &|i, j| row(i) * lcp.m[(i, j)] * column(j));
+        let q = vector_of(n, &|i| row(i) * lcp.q[i]);
         let program = linear_program::of_piece((&m, &q), alpha, 0.0, self.settings)?;
-        Some(DVector::from_fn(alpha.len(), |j, _| program.x[j] * column(alpha[j])))
+        Some(vector_of(alpha.len(), &|j| program.x[j] * column(alpha[j])))
     }
 }
 

@@ -16,7 +16,7 @@ use super::linear_program::{self, MARGINS};
 use super::problem::Lcp;
 use super::scaling::Scaling;
 use super::settings::Settings;
-use crate::numerics::{chosen, increasing, mapped};
+use crate::numerics::{IntoList, chosen, increasing, mapped, matrix_of, vector_of};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
@@ -55,14 +55,14 @@ impl Judge<'_> {
     /// Tries rows of the inverse of a regular block, for the three conditions that its point violates most.
     fn by_broken_conditions(&self, alpha: &[usize]) -> bool {
         let (n, size) = (self.q.len(), alpha.len());
-        let block = DMatrix::from_fn(size, size, |i, j| self.m[(alpha[i], alpha[j])]);
-        let rhs = DVector::from_fn(size, |i, _| -self.q[alpha[i]]);
+        let block = matrix_of(size, size, &|i, j| self.m[(alpha[i], alpha[j])]);
+        let rhs = vector_of(size, &|i| -self.q[alpha[i]]);
         let Some(z) = solved(&block, &rhs) else { return false };
         let transposed = block.transpose();
-        let row = |i: usize| DVector::from_fn(size, |j, _| self.m[(i, alpha[j])]);
+        let row = |i: usize| vector_of(size, &|j| self.m[(i, alpha[j])]);
         let w = |i: usize| self.q[i] + row(i).dot(&z);
         let outside = (0..n).filter(|i| !alpha.contains(i)).map(|i| (w(i), Broken::Slack(i)));
-        let mut broken: Vec<_> = (0..size).map(|j| (z[j], Broken::Domain(j))).chain(outside).collect();
+        let mut broken: Vec<_> = (0..size).map(|j| (z[j], Broken::Domain(j))).chain(outside).list();
         broken.retain(|(value, _)| *value < 0.0);
         let values: Vec<f64> = mapped(&broken, &|(value, _)| *value);
         let reach = z.iter().map(|z| z.abs()).sum::<f64>();
@@ -98,7 +98,7 @@ impl Judge<'_> {
 
     /// Whether a v for balanced rows excludes a basis, as computed or [`cleaned`].
     fn proves(&self, alpha: &[usize], v: &DVector<f64>) -> bool {
-        let y = DVector::from_fn(v.len(), |i, _| v[i] * self.scaling.row[i]);
+        let y = vector_of(v.len(), &|i| v[i] * self.scaling.row[i]);
         let basic = |i: usize| alpha.contains(&i);
         let domain = |j| if basic(j) { Domain::NotNegative } else { Domain::Zero };
         cleaned(&y).any(|y| self.lcp.contradicts(&y, basic, domain))

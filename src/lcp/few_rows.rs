@@ -7,7 +7,7 @@ use super::problem::Lcp;
 use super::tolerances::MOST_PAIRED_ROWS;
 #[cfg(not(feature = "std"))]
 use crate::numerics::FloatFunctions;
-use crate::numerics::increasing;
+use crate::numerics::{increasing, mapped, vector_of};
 use nalgebra::DVector;
 
 /// Numbers of binary digits to which entries are rounded, in the order in which they are tried.
@@ -18,15 +18,23 @@ impl Lcp {
     pub(super) fn few_rows(&self) -> Option<DVector<f64>> {
         let n = self.len();
         if let Some(row) = (0..n).find(|row| self.is_hopeless(*row, 1.0, 0..n)) {
-            return Some(DVector::from_fn(n, |i, _| if i == row { 1.0 } else { 0.0 }));
+            return Some(vector_of(n, &|i| if i == row { 1.0 } else { 0.0 }));
         }
         if n > MOST_PAIRED_ROWS {
             return None;
         }
         // At least one of the two rows has q < 0.
-        let negative = (0..n).filter(|i| self.q[*i] < 0.0);
-        let mut pairs = negative.flat_map(|i| (0..n).filter(move |k| *k != i).map(move |k| (i, k)));
-        pairs.find_map(|(i, k)| self.two_rows(i, k))
+        for i in 0..n {
+            for k in 0..n {
+                if self.q[i] < 0.0 && k != i {
+                    let found = self.two_rows(i, k);
+                    if found.is_some() {
+                        return found;
+                    }
+                }
+            }
+        }
+        None
     }
 
     /// A Farkas vector of the rows i and k. The ratio y_k / y_i must lie between bounds, one from each column and from q.
@@ -53,7 +61,7 @@ impl Lcp {
             (_, most) => 0.5 * most,
         };
         let of = |(y_i, y_k): (f64, f64)| {
-            DVector::from_fn(n, |row, _| {
+            vector_of(n, &|row| {
                 if row == i {
                     y_i
                 } else if row == k {
@@ -63,9 +71,15 @@ impl Lcp {
                 }
             })
         };
-        let rounded = BINARY_DIGITS.into_iter().map(|digits| of((1.0, rounded(between, digits))));
-        let mut tried = rounded.chain([of((1.0, between)), of(least), of(most)]);
-        tried.find(|y| self.proves_infeasible(y))
+        let mut tried = mapped(&BINARY_DIGITS, &|digits| (1.0, rounded(between, *digits)));
+        tried.extend([(1.0, between), least, most]);
+        for entries in tried {
+            let y = of(entries);
+            if self.proves_infeasible(&y) {
+                return Some(y);
+            }
+        }
+        None
     }
 
     /// A simpler Farkas vector: without entries that the proof does not need, the others with as few digits as suffice.

@@ -2,6 +2,7 @@
 
 use super::error::LcpError;
 use super::problem::Lcp;
+use crate::numerics::matrix_of;
 use crate::prelude::*;
 use core::fmt;
 use core::str::FromStr;
@@ -26,7 +27,7 @@ impl Lcp {
         if let Some(row) = rows.iter().position(|row| row.as_ref().len() != n) {
             return Err(LcpError::RowLength { row, given: rows[row].as_ref().len(), needed: n });
         }
-        Self::new(DMatrix::from_fn(n, n, |i, j| rows[i].as_ref()[j]), DVector::from_column_slice(q))
+        Self::new(matrix_of(n, n, &|i, j| rows[i].as_ref()[j]), DVector::from_column_slice(q))
     }
 
     /// The problem with the entries (row, column, value) of a sparse M, counted from 0, and q. Entries that are not given are zero; entries at
@@ -76,14 +77,17 @@ impl FromStr for Lcp {
     type Err = LcpError;
 
     fn from_str(text: &str) -> Result<Self, LcpError> {
-        let lines = text.lines().map(|line| line.split('#').next().unwrap_or(line));
-        let mut words = lines.flat_map(str::split_whitespace).enumerate();
+        let mut words = Vec::new();
+        for line in text.lines() {
+            words.extend(line.split('#').next().unwrap_or(line).split_whitespace());
+        }
         let wrong = |at: usize, word: &str, allowed| LcpError::Word { at, word: word.to_string(), allowed };
-        let (_, first) = words.next().ok_or(LcpError::Count { given: 0, needed: 1 })?;
+        let first = words.first().copied().ok_or(LcpError::Count { given: 0, needed: 1 })?;
         let n: usize = first.parse().map_err(|_| wrong(0, first, "the number of pairs"))?;
-        let numbers: Vec<f64> = words
-            .map(|(at, word)| word.parse().map_err(|_| wrong(at, word, "a number")))
-            .collect::<Result<_, _>>()?;
+        let mut numbers: Vec<f64> = Vec::with_capacity(words.len());
+        for (at, word) in words.iter().enumerate().skip(1) {
+            numbers.push(word.parse().map_err(|_| wrong(at, word, "a number"))?);
+        }
         let needed = n.saturating_mul(n).saturating_add(n);
         if numbers.len() != needed {
             return Err(LcpError::Count { given: 1 + numbers.len(), needed: needed.saturating_add(1) });

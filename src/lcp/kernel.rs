@@ -1,6 +1,6 @@
 //! Inner loops of a pivot, in a form that the compiler vectorises (see [`crate::numerics::wide`]).
 
-use crate::numerics::Loop;
+use crate::numerics::{Each, Loop};
 
 /// The update a_j += g_j u, and the next entering column y −= Σ_j c_j a_j, for four columns at a time in one pass over memory.
 pub(super) struct UpdateAndCombine<'a> {
@@ -69,7 +69,7 @@ impl<const SIZES: bool> Loop for Combine<'_, SIZES> {
             let (d, e) = tail.split_at(n);
             let c = [c[0], c[1], c[2], c[3]];
             if SIZES {
-                combine4_sizes([a, b, d, e], c.map(f64::abs), y);
+                combine4_sizes([a, b, d, e], c.each(f64::abs), y);
             } else if c != [0.0; 4] {
                 combine4([a, b, d, e], c, y);
             }

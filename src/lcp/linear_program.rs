@@ -9,14 +9,14 @@ use super::problem::Lcp;
 use super::quadratic_program::quadratic_program;
 use super::scaling::Scaling;
 use super::settings::Settings;
-use crate::prelude::*;
+use crate::numerics::{IntoList, matrix_of, vector_of};
 use nalgebra::{DMatrix, DVector};
 
 /// A proof that the constraints contradict each other: from a single row, or from the dual solution of the linear program.
 pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option<Unsolved> {
     let n = lcp.len();
     if let Some(row) = (0..n).find(|row| lcp.is_hopeless(*row, 1.0, 0..n)) {
-        let y = DVector::from_fn(n, |i, _| if i == row { 1.0 } else { 0.0 });
+        let y = vector_of(n, &|i| if i == row { 1.0 } else { 0.0 });
         return Some(Outcome::Infeasible(Certificate { y, pivots: 0 }));
     }
     let (a, b) = scaling.balanced(&lcp.m, &lcp.q);
@@ -26,7 +26,7 @@ pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option
     let margins = if n <= 64 { &MARGINS[..] } else { &MARGINS[..1] };
     let mut nearly = None;
     for y in contradictions(&a, &b, margins, settings) {
-        let proof = lcp.farkas_proof(&DVector::from_fn(n, |i, _| y[i] * scaling.row[i]));
+        let proof = lcp.farkas_proof(&vector_of(n, &|i| y[i] * scaling.row[i]));
         if let Some(Outcome::Infeasible(_)) = proof {
             return proof;
         }
@@ -58,7 +58,7 @@ impl Lcp {
         b: &'a DVector<f64>,
         settings: &'a Settings,
     ) -> impl Iterator<Item = DVector<f64>> + 'a {
-        contradictions(a, b, &MARGINS, settings).flat_map(|y| cleaned(&y).collect::<Vec<_>>())
+        contradictions(a, b, &MARGINS, settings).flat_map(|y| cleaned(&y).list())
     }
 }
 
@@ -77,10 +77,10 @@ pub(super) fn of_piece(
     let (n, k) = (q.len(), alpha.len());
     // Each row that must be zero appears a second time with the opposite sign.
     let row = |i: usize| if i < n { (i, 1.0) } else { (alpha[i - n], -1.0) };
-    let a = DMatrix::from_fn(n + k, k, |i, j| row(i).1 * m[(row(i).0, alpha[j])]);
+    let a = matrix_of(n + k, k, &|i, j| row(i).1 * m[(row(i).0, alpha[j])]);
     let load = q.amax();
     let load = if load > 0.0 { load } else { 1.0 };
-    let b = DVector::from_fn(n + k, |i, _| row(i).1 * q[row(i).0] / load);
+    let b = vector_of(n + k, &|i| row(i).1 * q[row(i).0] / load);
     let LinearProgram { x, y } = least_violation(&a, &b, margin, settings)?;
     let mut folded = y.rows(0, n).into_owned();
     for (i, back) in alpha.iter().zip(y.iter().skip(n)) {
@@ -110,7 +110,7 @@ fn least_violation(
         j if a.column(j).iter().all(|a| *a == 0.0) => 0.0,
         _ => -margin,
     };
-    let cost = DVector::from_fn(columns + 1, |j, _| cost(j));
+    let cost = vector_of(columns + 1, &|j| cost(j));
     let Settings { pivot_tolerance, tie_tolerance, residual_tolerance, .. } = *settings;
     let settings = Settings { pivot_tolerance, tie_tolerance, residual_tolerance, ..Settings::one_path() };
     let [x, y] = quadratic_program(None, &cost, &a.clone().insert_column(columns, 1.0), b, &settings)?;

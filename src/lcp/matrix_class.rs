@@ -2,6 +2,7 @@
 
 use super::error::LcpError;
 use super::tolerances::{ELIMINATED_PIVOT, OFF_DIAGONAL, elimination_rounding};
+use crate::numerics::matrix_of;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 use nalgebra::DMatrix;
@@ -120,7 +121,7 @@ impl MatrixClass {
 }
 
 fn symmetric_part(m: &DMatrix<f64>) -> DMatrix<f64> {
-    DMatrix::from_fn(m.nrows(), m.nrows(), |i, j| 0.5 * m[(i, j)] + 0.5 * m[(j, i)])
+    matrix_of(m.nrows(), m.nrows(), &|i, j| 0.5 * m[(i, j)] + 0.5 * m[(j, i)])
 }
 
 /// Decides by Cholesky factorisation with diagonal pivoting, after scaling s to a diagonal of ones and zeros.
@@ -136,7 +137,7 @@ fn definiteness(s: &DMatrix<f64>) -> Definiteness {
             return Definiteness::Indefinite;
         }
     }
-    let mut a = DMatrix::from_fn(n, n, |i, j| s[(i, j)] * factor(i) * factor(j));
+    let mut a = matrix_of(n, n, &|i, j| s[(i, j)] * factor(i) * factor(j));
     let rounding = elimination_rounding(n);
     for k in 0..n {
         let (pivot, value) = (k..n)

@@ -11,6 +11,7 @@ use super::reduction::Reduction;
 use super::residuals::{Residuals, ignores_q};
 use super::settings::Settings;
 use super::solution;
+use crate::numerics::{IntoList, matrix_of, vector_of};
 use crate::prelude::*;
 use core::fmt;
 use nalgebra::{DMatrix, DVector};
@@ -155,11 +156,11 @@ impl MixedLcp {
             i if i < 2 * m => (i - m, -1.0),
             i => (i - m, 1.0),
         };
-        let matrix = DMatrix::from_fn(size, size, |i, j| {
+        let matrix = matrix_of(size, size, &|i, j| {
             let ((i, a), (j, b)) = (place(i), place(j));
             a * b * self.whole.m[(i, j)]
         });
-        let vector = DVector::from_fn(size, |i, _| place(i).1 * self.whole.q[place(i).0]);
+        let vector = vector_of(size, &|i| place(i).1 * self.whole.q[place(i).0]);
         Lcp { m: matrix, q: vector }
     }
 
@@ -194,7 +195,7 @@ impl MixedLcp {
                 let basis = Basis::from_indices(n, (0..n).filter(|i| solution.basis.contains(2 * m + i)));
                 let z = solution.z.as_slice();
                 let free = (0..m).map(|i| z[i] - z[m + i]);
-                let point = free.chain(z[2 * m..].iter().copied()).collect();
+                let point = free.chain(z[2 * m..].iter().copied()).list();
                 match self.conclude(point, basis, &reduction, solution.pivots, &settings) {
                     Ok(solution) => Outcome::Solved(solution),
                     Err(cause) => Outcome::Breakdown { pivots: solution.pivots, cause },
@@ -220,7 +221,7 @@ impl MixedLcp {
     /// Converts a certificate of the split problem to one of this problem: the two entries of each equality are subtracted.
     fn joined(&self, of_split: &Certificate) -> Unsolved {
         let (y, m) = (&of_split.y, self.free);
-        let y = DVector::from_fn(self.whole.len(), |i, _| if i < m { y[i] - y[m + i] } else { y[m + i] });
+        let y = vector_of(self.whole.len(), &|i| if i < m { y[i] - y[m + i] } else { y[m + i] });
         let certificate = |y| Certificate { y, pivots: of_split.pivots };
         let exact = cleaned(&y).find(|y| self.proves_infeasible(y));
         match exact {
@@ -242,7 +243,7 @@ impl MixedLcp {
         let m = self.free;
         let (mut residuals, mut point) = self.evaluate(point);
         let determined = (0..m).filter(|i| !reduction.undetermined.contains(i));
-        let indices: Vec<usize> = determined.chain(basis.iter().map(|i| m + i)).collect();
+        let indices: Vec<usize> = determined.chain(basis.iter().map(|i| m + i)).list();
         if reduction.dependent.is_empty()
             && let Some(values) = principal::solve(&self.whole, &indices)
         {
@@ -267,7 +268,7 @@ impl MixedLcp {
         Ok(MixedSolution {
             u: DVector::from_column_slice(&point.z[..m]),
             z: DVector::from_column_slice(&point.z[m..]),
-            w: DVector::from_fn(self.len(), |i, _| slack(i)),
+            w: vector_of(self.len(), &|i| slack(i)),
             basis,
             residuals,
             undetermined: reduction.undetermined.clone(),
@@ -282,7 +283,7 @@ impl MixedLcp {
         if u.len() != self.free || z.len() != self.len() {
             return Residuals::UNUSABLE;
         }
-        self.evaluate(u.iter().chain(z).copied().collect()).0
+        self.evaluate(u.iter().chain(z).copied().list()).0
     }
 
     fn evaluate(&self, point: Vec<f64>) -> (Residuals, LcpPoint) {

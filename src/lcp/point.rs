@@ -5,6 +5,7 @@ use super::principal;
 use super::problem::Lcp;
 use super::residuals::{Residuals, is_lost, residuals_from, slack_and_terms};
 use super::tolerances::ZERO_VALUE;
+use crate::numerics::IntoList;
 use crate::prelude::*;
 use nalgebra::DVector;
 
@@ -54,7 +55,7 @@ impl LcpPoint {
     /// Entries of such a point are quotients of rounding errors, however small its residuals are.
     pub(super) fn is_noise(&self, lcp: &Lcp, basic: impl Iterator<Item = usize> + Clone) -> bool {
         let lost = |i: usize| lcp.q[i] != 0.0 && is_lost(lcp.q[i], self.terms[i]);
-        basic.clone().any(lost) && principal::solve(lcp, &basic.collect::<Vec<_>>()).is_none()
+        basic.clone().any(lost) && principal::solve(lcp, &basic.list()).is_none()
     }
 
     /// Sets w_i to zero where z_i is basic, and negative w_i to zero elsewhere. Returns whether a basic variable is zero.

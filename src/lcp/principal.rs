@@ -3,13 +3,14 @@
 use super::problem::Lcp;
 use super::scaling::Scaling;
 use crate::numerics::tolerances::FEW_ROUNDINGS;
+use crate::numerics::{matrix_of, vector_of};
 use nalgebra::{DMatrix, DVector};
 
 /// Solves M_αα z_α = −q_α by pivoted LU of the balanced block, with refinement. `None` if the block is singular to working precision.
 pub(super) fn solve(lcp: &Lcp, alpha: &[usize]) -> Option<DVector<f64>> {
     let size = alpha.len();
-    let block = DMatrix::from_fn(size, size, |i, j| lcp.m[(alpha[i], alpha[j])]);
-    solve_block(block, &DVector::from_fn(size, |i, _| -lcp.q[alpha[i]]))
+    let block = matrix_of(size, size, &|i, j| lcp.m[(alpha[i], alpha[j])]);
+    solve_block(block, &vector_of(size, &|i| -lcp.q[alpha[i]]))
 }
 
 /// Solves a square system by pivoted LU of the balanced matrix, with refinement. `None` if the matrix is singular to working precision.
@@ -26,7 +27,7 @@ pub(super) fn solve_block(mut block: DMatrix<f64>, rhs: &DVector<f64>) -> Option
             block[(i, j)] *= scaling.row[i] * scaling.column[j];
         }
     }
-    let rhs = DVector::from_fn(size, |i, _| rhs[i] * scaling.row[i]);
+    let rhs = vector_of(size, &|i| rhs[i] * scaling.row[i]);
     // Complete pivoting identifies singular blocks more reliably. For larger blocks partial pivoting is used, which is several times faster.
     let y = if size <= 32 {
         let lu = block.clone().full_piv_lu();
@@ -37,7 +38,7 @@ pub(super) fn solve_block(mut block: DMatrix<f64>, rhs: &DVector<f64>) -> Option
         is_regular(&lu.lu_internal().diagonal()).then_some(())?;
         refined(&block, &rhs, |b| lu.solve(b))
     }?;
-    Some(DVector::from_fn(size, |j, _| y[j] * scaling.column[j]))
+    Some(vector_of(size, &|j| y[j] * scaling.column[j]))
 }
 
 fn is_regular(diagonal: &DVector<f64>) -> bool {

@@ -1,5 +1,6 @@
 //! Convex quadratic programs with nonnegative unknowns, solved as complementarity problems of their optimality conditions.
 
+use crate::numerics::vector_of;
 use nalgebra::{DMatrix, DVector};
 
 use super::outcome::Outcome;
@@ -30,7 +31,7 @@ pub(crate) fn quadratic_program(
     }
     m.view_mut((columns, 0), (rows, columns)).copy_from(a);
     m.view_mut((0, columns), (columns, rows)).copy_from(&-a.transpose());
-    let q = DVector::from_fn(columns + rows, |i, _| if i < columns { g[i] } else { b[i - columns] });
+    let q = vector_of(columns + rows, &|i| if i < columns { g[i] } else { b[i - columns] });
     let Outcome::Solved(solution) = Lcp::new(m, q).ok()?.solve_with(settings) else { return None };
     Some([solution.z.rows(0, columns).into_owned(), solution.z.rows(columns, rows).into_owned()])
 }

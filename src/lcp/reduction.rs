@@ -4,6 +4,7 @@ use super::problem::Lcp;
 use super::scaling::Scaling;
 use super::solution::Solution;
 use super::tolerances::{DEPENDENT_EQUALITY, FREE_PIVOT};
+use crate::numerics::{Each, IntoList, matrix_of, vector_of};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
@@ -45,12 +46,12 @@ impl Reduction {
             tableau,
             constant,
             row_of_free: vec![None; free],
-            row_of_pair: (free..size).collect(),
-            column_of_pair: (free..size).collect(),
+            row_of_pair: (free..size).list(),
+            column_of_pair: (free..size).list(),
             scaling,
         };
-        let mut rows: Vec<usize> = (0..free).collect();
-        let mut columns: Vec<usize> = (0..free).collect();
+        let mut rows: Vec<usize> = (0..free).list();
+        let mut columns: Vec<usize> = (0..free).list();
         while !columns.is_empty()
             && (out.pivot_direct(&mut rows, &mut columns) || out.pivot_pair(&mut rows, &mut columns))
         {
@@ -66,8 +67,8 @@ impl Reduction {
         out.undetermined = columns;
         out.dependent = rows;
         if consistent && idle {
-            let m = DMatrix::from_fn(n, n, |i, j| out.tableau[(out.row_of_pair[i], out.column_of_pair[j])]);
-            let q = DVector::from_fn(n, |i, _| out.constant[out.row_of_pair[i]]);
+            let m = matrix_of(n, n, &|i, j| out.tableau[(out.row_of_pair[i], out.column_of_pair[j])]);
+            let q = vector_of(n, &|i| out.constant[out.row_of_pair[i]]);
             out.problem = Lcp::new(m, q).ok();
         }
         out
@@ -97,7 +98,7 @@ impl Reduction {
         let places = pairs.flat_map(|p| (0..height).flat_map(move |a| (0..width).map(move |b| (p, a, b))));
         let sizes = places.map(|(pair, a, b)| {
             let (r_pair, c_pair) = (self.row_of_pair[pair], self.column_of_pair[pair]);
-            let sizes = [(r_pair, columns[b]), (rows[a], c_pair)].map(|at| self.tableau[at].abs());
+            let sizes = [(r_pair, columns[b]), (rows[a], c_pair)].each(|at| self.tableau[at].abs());
             ((pair, a, b), sizes[0].min(sizes[1]))
         });
         let Some((pair, a, b)) = largest_pivot(sizes) else { return false };

@@ -1,7 +1,7 @@
 //! The residuals of a point, computed from the original data.
 
 use super::tolerances::{BACKWARD_ERROR, FAINT_ROW, LOST, residual_rounding};
-use crate::numerics::{ExactSum, times_power_of_two};
+use crate::numerics::{Each, ExactSum, times_power_of_two};
 use core::fmt;
 use nalgebra::DMatrix;
 
@@ -92,7 +92,7 @@ pub(super) fn slack_and_terms(m: &DMatrix<f64>, q: &[f64], z: &[f64], w: &mut [f
     while let Some(first) = support.next() {
         let [b, c, d] = [support.next(), support.next(), support.next()];
         if let (Some(b), Some(c), Some(d)) = (b, c, d) {
-            add_four([first, b, c, d].map(|(j, z)| (column(j), z)), w, terms);
+            add_four([first, b, c, d].each(|(j, z)| (column(j), z)), w, terms);
         } else {
             for (j, z) in [Some(first), b, c, d].into_iter().flatten() {
                 for ((w, a), m) in w.iter_mut().zip(terms.iter_mut()).zip(column(j)) {
@@ -123,7 +123,7 @@ pub(super) fn residuals_from(m: &DMatrix<f64>, q: &[f64], z: &[f64], w: &[f64], 
     if n == 0 {
         return out;
     }
-    if !(z.iter().chain(w).chain(terms).all(|x| x.is_finite())) {
+    if !([z, w, terms].iter().all(|list| list.iter().all(|x| x.is_finite()))) {
         return Residuals::UNUSABLE;
     }
     let rows = Rows { m, q, z, terms };

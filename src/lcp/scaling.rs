@@ -17,7 +17,7 @@ use super::logarithms::Logarithms;
 use super::memory::refill;
 use super::pattern::Pattern;
 use super::tolerances::BALANCED_EXPONENTS;
-use crate::numerics::dot;
+use crate::numerics::{dot, matrix_of, vector_of};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
@@ -132,8 +132,8 @@ impl Scaling {
     pub(super) fn balanced(&self, m: &DMatrix<f64>, q: &DVector<f64>) -> (DMatrix<f64>, DVector<f64>) {
         let (row, column) = (&self.row, &self.column);
         (
-            DMatrix::from_fn(row.len(), column.len(), |i, j| m[(i, j)] * row[i] * column[j]),
-            DVector::from_fn(row.len(), |i, _| q[i] * row[i]),
+            matrix_of(row.len(), column.len(), &|i, j| m[(i, j)] * row[i] * column[j]),
+            vector_of(row.len(), &|i| q[i] * row[i]),
         )
     }
 

@@ -18,7 +18,7 @@ use super::farkas::cleaned;
 use super::problem::Lcp;
 use super::scaling::Scaling;
 use super::tolerances::{SAFE_BOUND, UNDERFLOW};
-use crate::numerics::ExactSum;
+use crate::numerics::{ExactSum, matrix_of, vector_of};
 use crate::prelude::*;
 use core::cmp::Ordering;
 use nalgebra::{DMatrix, DVector};
@@ -122,7 +122,7 @@ impl Lcp {
                 })
         };
         let p = cleaned(&with_one).find(holds)?;
-        let bound = |outwards: f64| DVector::from_fn(n, |i, _| p[i] / p[n] * (1.0 + outwards * f64::EPSILON));
+        let bound = |outwards: f64| vector_of(n, &|i| p[i] / p[n] * (1.0 + outwards * f64::EPSILON));
         Some(Verified { lower: bound(-1.0), upper: bound(1.0) })
     }
 }
@@ -157,10 +157,10 @@ impl<'a> Block<'a> {
             columns.swap_remove(column);
         }
         let size = columns.len();
-        let block = DMatrix::from_fn(size, size, |i, j| lcp.m[(rows[i], columns[j])]);
+        let block = matrix_of(size, size, &|i, j| lcp.m[(rows[i], columns[j])]);
         let mut scaling = Scaling::default();
         scaling.balance(size, block.as_slice(), &vec![0.0; size]);
-        let a = DMatrix::from_fn(size, size, |i, j| block[(i, j)] * scaling.row[i] * scaling.column[j]);
+        let a = matrix_of(size, size, &|i, j| block[(i, j)] * scaling.row[i] * scaling.column[j]);
         // Powers of two cause no rounding unless the result is subnormal.
         let kept = |i: usize, j: usize| {
             let halfway = block[(i, j)] * scaling.row[i];
@@ -185,15 +185,13 @@ impl<'a> Block<'a> {
 
     /// The residual −q_α − M_αα z in balanced rows, each rounded once.
     fn residual(&self, point: &Twice) -> DVector<f64> {
-        DVector::from_fn(self.columns.len(), |k, _| {
-            -self.row(self.rows[k], point).rounded_in(self.scaling.row[k])
-        })
+        vector_of(self.columns.len(), &|k| -self.row(self.rows[k], point).rounded_in(self.scaling.row[k]))
     }
 
     /// The refinement step for a residual, in the caller's units.
     fn step(&self, residual: &DVector<f64>) -> DVector<f64> {
         let balanced = &self.inverse * residual;
-        DVector::from_fn(residual.len(), |k, _| balanced[k] * self.scaling.column[k])
+        vector_of(residual.len(), &|k| balanced[k] * self.scaling.column[k])
     }
 
     fn refined(&self) -> Twice {
@@ -220,7 +218,7 @@ impl<'a> Block<'a> {
         let product = &self.inverse * &self.a;
         let sizes = self.inverse.abs() * self.a.abs();
         // Row sums of G, including the rounding of the product.
-        let g = DVector::from_fn(size, |i, _| {
+        let g = vector_of(size, &|i| {
             let row = (0..size).map(|j| {
                 (product[(i, j)] - f64::from(u8::from(i == j))).abs() + rounding * sizes[(i, j)] + UNDERFLOW
             });
@@ -237,7 +235,7 @@ impl<'a> Block<'a> {
             (first.iter().fold(0.0_f64, |most, e| most.max(*e)) + UNDERFLOW) / (1.0 - norm) * SAFE_BOUND;
         let error =
             |i: usize| (first[i] + g[i] * most + UNDERFLOW) * SAFE_BOUND * self.scaling.column[i] + UNDERFLOW;
-        let errors = DVector::from_fn(size, |i, _| error(i));
+        let errors = vector_of(size, &|i| error(i));
         errors.iter().all(|e| e.is_finite()).then_some(errors)
     }
 }

@@ -9,7 +9,7 @@ use super::linear_program::MARGINS;
 use super::principal;
 use super::problem::Lcp;
 use super::scaling::Scaling;
-use crate::numerics::mapped;
+use crate::numerics::{mapped, matrix_of, vector_of};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
@@ -20,8 +20,8 @@ pub(super) fn of_piece<'a>(lcp: &'a Lcp, alpha: &'a [usize]) -> impl Iterator<It
         let chosen: Vec<usize> = mapped(&columns, &|k| alpha[*k]);
         let count = columns.len();
         subsets(n).filter(move |rows| rows.len() == count).filter_map(move |rows| {
-            let block = DMatrix::from_fn(count, count, |i, j| lcp.m[(rows[i], chosen[j])]);
-            let values = peeled(&block, &DVector::from_fn(count, |i, _| -lcp.q[rows[i]]))?;
+            let block = matrix_of(count, count, &|i, j| lcp.m[(rows[i], chosen[j])]);
+            let values = peeled(&block, &vector_of(count, &|i| -lcp.q[rows[i]]))?;
             let mut basic = DVector::zeros(alpha.len());
             for (k, value) in columns.iter().zip(&values) {
                 basic[*k] = *value;
@@ -42,9 +42,8 @@ pub(super) fn farkas(lcp: &Lcp, scaling: &Scaling) -> Option<DVector<f64>> {
         subsets(n + 1).filter(|columns| columns.len() + 1 == k).find_map(|columns| {
             let column = |j: usize, row: usize| if j < n { m[(row, j)] } else { q[row] / load };
             MARGINS.into_iter().find_map(|margin| {
-                let system =
-                    DMatrix::from_fn(k, k, |i, r| columns.get(i).map_or(1.0, |j| column(*j, rows[r])));
-                let target = DVector::from_fn(k, |i, _| if i + 1 < k { -margin } else { 1.0 });
+                let system = matrix_of(k, k, &|i, r| columns.get(i).map_or(1.0, |j| column(*j, rows[r])));
+                let target = vector_of(k, &|i| if i + 1 < k { -margin } else { 1.0 });
                 let corner = system.full_piv_lu().solve(&target)?;
                 let mut y = DVector::zeros(n);
                 for (row, entry) in rows.iter().zip(&corner) {

@@ -9,6 +9,7 @@
 use super::basis::Basis;
 use super::mixed::MixedLcp;
 use super::problem::Lcp;
+use crate::numerics::{Each, IntoList, matrix_of};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 use serde::de::Error;
@@ -21,7 +22,7 @@ struct Rows(Vec<Vec<f64>>);
 
 impl Rows {
     fn of(matrix: &DMatrix<f64>) -> Self {
-        Self(matrix.row_iter().map(|row| row.iter().copied().collect()).collect())
+        Self(matrix.row_iter().map(|row| row.iter().copied().list()).list())
     }
 
     /// The matrix; `what` names it in messages.
@@ -29,7 +30,7 @@ impl Rows {
         if let Some((i, row)) = self.0.iter().enumerate().find(|(_, row)| row.len() != columns) {
             return Err(format!("row {i} of {what} has {} numbers, must be {columns}", row.len()));
         }
-        Ok(DMatrix::from_fn(self.0.len(), columns, |i, j| self.0[i][j]))
+        Ok(matrix_of(self.0.len(), columns, &|i, j| self.0[i][j]))
     }
 }
 
@@ -87,7 +88,7 @@ impl<'de> Deserialize<'de> for MixedLcp {
         let read = || -> Result<Self, String> {
             let [a, d] = [a.matrix("a", free)?, d.matrix("d", free)?];
             let [c, m] = [c.matrix("c", n)?, m.matrix("m", n)?];
-            let [b, q] = [b, q].map(DVector::from_vec);
+            let [b, q] = [b, q].each(DVector::from_vec);
             Self::new(&a, &c, &d, &m, &b, &q).map_err(|error| error.to_string())
         };
         read().map_err(D::Error::custom)

@@ -8,6 +8,7 @@
 //! T alone may become singular on a path, but the bordered matrix of an exact basis is regular.
 
 use super::coordinates::{Indices, Size, Square, Vector};
+use crate::numerics::Each;
 
 /// LU factors with partial pivoting of a bordered matrix with d + 1 rows.
 #[derive(Debug, Clone)]
@@ -126,7 +127,7 @@ impl Bordered {
         let inverses =
             (0..self.rows.size().count()).map(|k| self.rows[(k, k)]).chain(core::iter::once(self.corner));
         let pivots = inverses.map(|inverse| 1.0 / inverse.abs());
-        let [least, largest] = [f64::min, f64::max].map(|pick| pivots.clone().reduce(pick).unwrap_or(0.0));
+        let [least, largest] = [f64::min, f64::max].each(|pick| pivots.clone().reduce(pick).unwrap_or(0.0));
         least / largest
     }
 

@@ -1,7 +1,7 @@
 //! Small linear systems by LU with complete pivoting: rank, kernels, and the part of a right-hand side outside the range.
 
 use super::tolerances::LINEARLY_DEPENDENT;
-use crate::numerics::{Indices, Square, Vector};
+use crate::numerics::{Indices, IntoList, Square, Vector};
 use crate::prelude::*;
 
 /// Complete-pivoting LU of the leading `rows x cols` block of a `D x D` matrix.
@@ -82,7 +82,7 @@ impl CompletePivoting {
                 x[self.col_order.as_ref()[free]] = 1.0;
                 x
             })
-            .collect()
+            .list()
     }
 
     /// A basis of {z : Aᵀ z = 0}.
@@ -102,7 +102,7 @@ impl CompletePivoting {
                 }
                 z
             })
-            .collect()
+            .list()
     }
 
     /// Largest row sum of |A⁻¹|, at least 1: the factor by which an error of the right-hand side may grow.

@@ -1,6 +1,7 @@
 //! Parallel work on all cores (feature `parallel`); no other module uses threads. The work is passed as a trait object, so that the code for
 //! threads is compiled only once.
 
+use crate::numerics::IntoList;
 use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
@@ -31,7 +32,7 @@ pub(crate) fn in_order<T: Sync, R: Send>(items: &[T], f: &(impl Fn(&T) -> R + Sy
 
 /// Calls `f` with each item by value.
 pub(crate) fn each_taken<T: Send>(items: impl Iterator<Item = T>, f: &(impl Fn(T) + Sync)) {
-    let items: Vec<Mutex<Option<T>>> = items.map(|item| Mutex::new(Some(item))).collect();
+    let items: Vec<Mutex<Option<T>>> = items.map(|item| Mutex::new(Some(item))).list();
     for_each(items.len(), &|k| {
         if let Some(item) = items[k].lock().unwrap_or_else(PoisonError::into_inner).take() {
             f(item);

@@ -2,6 +2,7 @@
 //!
 //! All functions are inlined with the number of columns d, so that the compiler knows the length of the loops for a single object.
 
+use crate::numerics::Each;
 use core::ops::Range;
 
 use super::coordinates::{Square, Vector, WHOLE};
@@ -24,7 +25,7 @@ pub(super) fn factorise(
     // For each column its length, the length of its rounding errors, the length of its remainder, and its coefficients.
     let [mut full, mut noise, mut left, mut parts] = core::array::from_fn(|_| Vector::all_zero(size));
     let [full, noise, left, parts] =
-        [&mut full, &mut noise, &mut left, &mut parts].map(|list| &mut list.as_mut_slice()[..d]);
+        [&mut full, &mut noise, &mut left, &mut parts].each(|list| &mut list.as_mut_slice()[..d]);
     lengths_and_noise(d, q, full, noise);
     left.copy_from_slice(full);
     let mut rank = 0;

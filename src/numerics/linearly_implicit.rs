@@ -10,6 +10,7 @@
 //! Source: Hairer and Wanner, Solving Ordinary Differential Equations II, second edition, section IV.9.
 
 use super::dormand_prince::Stepped;
+use crate::numerics::IntoList;
 use crate::prelude::*;
 
 /// One step of this length with an error below the tolerance. Variables are counted from the start of the step, where their rate is `first`. For
@@ -48,10 +49,10 @@ pub(crate) fn implicit_step<F: Fn(&mut [f64])>(
         for k in 1..j {
             let ratio = j as f64 / (j - k) as f64 - 1.0;
             let better = row[k - 1].iter().zip(&before[k - 1]).map(|(new, old)| new + (new - old) / ratio);
-            row.push(better.collect());
+            row.push(better.list());
         }
         if j > 1 {
-            let apart: Vec<f64> = row[j - 1].iter().zip(&row[j - 2]).map(|(a, b)| a - b).collect();
+            let apart: Vec<f64> = row[j - 1].iter().zip(&row[j - 2]).map(|(a, b)| a - b).list();
             let error = size(&apart);
             if error <= tolerance {
                 return row.pop().map(|change| Stepped { change, error });

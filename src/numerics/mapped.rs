@@ -1,5 +1,7 @@
 //! Lists and sums over lists or index ranges. They replace std's iterators, which are compiled anew for each function that uses them.
 
+use nalgebra::{DMatrix, DVector};
+
 use crate::prelude::*;
 
 /// `f` of each element, in order.
@@ -117,4 +119,20 @@ pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
         sum += a * b;
     }
     sum
+}
+
+/// The vector of `f` of the numbers from 0 to `rows` − 1.
+pub(crate) fn vector_of(rows: usize, f: &dyn Fn(usize) -> f64) -> DVector<f64> {
+    DVector::from_vec(numbered(rows, f))
+}
+
+/// The matrix of `f` of each row and column.
+pub(crate) fn matrix_of(rows: usize, columns: usize, f: &dyn Fn(usize, usize) -> f64) -> DMatrix<f64> {
+    let mut all = Vec::with_capacity(rows * columns);
+    for column in 0..columns {
+        for row in 0..rows {
+            all.push(f(row, column));
+        }
+    }
+    DMatrix::from_vec(rows, columns, all)
 }

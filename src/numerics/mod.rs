@@ -52,12 +52,14 @@ mod coordinates;
 mod cores;
 mod dormand_prince;
 mod double_double;
+mod each;
 mod event_queue;
 mod exact_sum;
 mod factors;
 mod gram_schmidt;
 mod harmonic;
 mod increasing;
+mod into_list;
 mod largest_ball;
 mod least_distance;
 mod linearly_implicit;
@@ -74,6 +76,7 @@ mod partial_pivoting;
 mod positive_band;
 mod pseudo_random;
 mod ray_shooting;
+mod singular;
 mod space;
 mod square_root;
 mod student_t;
@@ -94,16 +97,19 @@ pub(crate) use coordinates::{Indices, Map, ScaledMap, Size, Square, Vector, WHOL
 pub(crate) use cores::{each_taken, in_order};
 pub(crate) use dormand_prince::{Stepped, explicit_step};
 pub(crate) use double_double::{DoubleDouble, rounding_of};
+pub(crate) use each::{Each, by_axis};
 pub(crate) use event_queue::EventQueue;
 pub(crate) use exact_sum::{ExactSum, times_power_of_two};
 pub(crate) use factors::Factors;
 pub(crate) use harmonic::Harmonic;
 pub(crate) use increasing::increasing;
+pub(crate) use into_list::IntoList;
 pub(crate) use largest_ball::largest_ball;
 pub(crate) use least_distance::least_distance;
 pub(crate) use linearly_implicit::implicit_step;
 pub(crate) use mapped::{
-    chosen, dot, indexed, largest, least, mapped, moved, numbered, paired, picked, summed, tried,
+    chosen, dot, indexed, largest, least, mapped, matrix_of, moved, numbered, paired, picked, summed, tried,
+    vector_of,
 };
 pub(crate) use memory::Memory;
 pub(crate) use narrow_order::{narrow_order, widest};
@@ -117,6 +123,7 @@ pub(crate) use partial_pivoting::PartialPivoting;
 pub(crate) use positive_band::PositiveBand;
 pub(crate) use pseudo_random::{Draw, generic};
 pub(crate) use ray_shooting::{RayExit, shoot};
+pub(crate) use singular::{Singular, symmetric_eigen};
 pub(crate) use space::Space;
 pub(crate) use square_root::square_root;
 #[cfg(feature = "std")]

@@ -87,8 +87,8 @@ fn graph(count: usize, couplings: &[[Range<usize>; 2]]) -> (Vec<usize>, Vec<Vec<
 fn at_the_rim(neighbours: &[Vec<usize>], mut place: usize, seen: &mut [bool]) -> usize {
     let mut levels = outwards(neighbours, place, seen);
     loop {
-        let farthest = levels.last().into_iter().flatten();
-        let Some(next) = farthest.min_by_key(|place| neighbours[**place].len()) else { return place };
+        let farthest = levels.last().map_or(&[][..], Vec::as_slice);
+        let Some(next) = farthest.iter().min_by_key(|place| neighbours[**place].len()) else { return place };
         let further = outwards(neighbours, *next, seen);
         if further.len() <= levels.len() {
             return place;

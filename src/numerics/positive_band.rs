@@ -3,6 +3,7 @@
 //! With entries up to b positions from the diagonal, n rows cost ½ n b² multiplications, a quarter of the cost for an unsymmetric band.
 
 use super::tolerances::POSITIVE_PIVOT;
+use crate::numerics::IntoList;
 use crate::numerics::dot;
 use crate::prelude::*;
 
@@ -34,7 +35,7 @@ impl PositiveBand {
     pub(crate) fn factor(&mut self) -> Option<()> {
         let height = self.height;
         let least: Vec<f64> =
-            self.entries.chunks_exact(height).map(|column| POSITIVE_PIVOT * column[0]).collect();
+            self.entries.chunks_exact(height).map(|column| POSITIVE_PIVOT * column[0]).list();
         for (j, least) in least.into_iter().enumerate() {
             let (before, behind) = self.entries.split_at_mut((j + 1) * height);
             let column = &mut before[j * height..];

@@ -3,6 +3,7 @@
 use super::coordinates::{Size, Vector};
 use super::orthonormal_set::across;
 use super::tolerances::FLAT_SET;
+use crate::numerics::Each;
 use crate::prelude::*;
 
 /// The farthest point of a set in a given direction.
@@ -33,7 +34,7 @@ pub(crate) fn simplex(size: Size, support: &SupportFunction<'_>) -> Result<Vec<V
         let axes = (0..size.count()).map(|axis| across(Vector::unit(size, axis), &taken));
         let Some(axis) = axes.max_by(|a, b| a.norm().total_cmp(&b.norm())) else { break };
         let axis = axis.normalize();
-        let ends = [axis.clone(), -&axis].map(|towards| Vertex::of(support, towards));
+        let ends = [axis.clone(), -&axis].each(|towards| Vertex::of(support, towards));
         extent = ends.iter().map(|end| end.at.norm()).fold(extent, f64::max);
         let reach = |end: &Vertex| axis.dot(&(&end.at - &origin)).abs();
         let [ahead, behind] = &ends;

@@ -1,7 +1,7 @@
 //! Problems can be read in the three forms of files that Siconos writes.
 
-use grasp_lcp::friction::{Error, ReadProblem};
 use nalgebra::{DMatrix, DVector};
+use support::siconos::{Error, ReadProblem};
 
 /// Two planar contacts with a nonsymmetric W, so that an exchange of rows and columns is detected.
 fn expected() -> (DMatrix<f64>, DVector<f64>) {

@@ -2,7 +2,7 @@
 //!
 //! Newton's method from the solutions on polygons does not converge for them.
 
-use grasp_lcp::friction::ReadProblem;
+use support::siconos::ReadProblem;
 
 fn check(text: &str, most: f64) {
     let ReadProblem::Spatial(problem) = ReadProblem::from_siconos(text).expect("well formed") else {

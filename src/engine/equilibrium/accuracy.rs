@@ -6,7 +6,7 @@ use super::answer::{Equilibrium, LocalAnswer};
 use super::cone::Cone;
 use crate::contact::State;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::{Draw, Vector};
+use crate::numerics::{Draw, IntoList, Vector};
 use crate::object::{Load, Piece, PieceState, PreciseTwist, Problem};
 use crate::prelude::*;
 use crate::search::FoundBy;
@@ -116,7 +116,7 @@ impl Variation {
         };
         if let Some(bodies) = grasp.bodies() {
             let own = bodies.loads.iter().map(|load| load.coordinates(space).map(|w| w * signs.sign()));
-            let own: Vec<_> = own.map(|load| Wrench::among(space, &load)).collect();
+            let own: Vec<_> = own.map(|load| Wrench::among(space, &load)).list();
             variation.load += grasp.put_on_each(bodies, &own);
         }
         for (i, site) in problem.sites.iter().enumerate() {

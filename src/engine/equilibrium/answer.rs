@@ -1,5 +1,6 @@
 //! The answer to the question for an equilibrium, in physical quantities.
 
+use crate::numerics::mapped;
 use nalgebra::SVector;
 
 use super::accuracy::Accuracy;
@@ -158,11 +159,9 @@ impl<const C: usize> Equilibrium<C> {
 impl Equilibrium<3> {
     /// Forces of all sites: contacts, then the drives of a hand.
     pub(crate) fn site_forces(&self) -> Vec<SVector<f64, 3>> {
-        self.contacts
-            .iter()
-            .map(|contact| contact.force)
-            .chain(self.local.drive_forces.iter().copied())
-            .collect()
+        let mut all = mapped(&self.contacts, &|contact| contact.force);
+        all.extend_from_slice(&self.local.drive_forces);
+        all
     }
 }
 

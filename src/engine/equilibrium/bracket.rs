@@ -4,6 +4,7 @@ use super::answer::{Equilibrium, Outcome};
 use crate::contact::{Fit, PolygonCone};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
+use crate::numerics::Each;
 use crate::search::Settings;
 
 /// One load on three friction cones: inscribed polygon ⊂ round cone ⊂ circumscribed polygon.
@@ -54,9 +55,9 @@ impl Engine {
         };
         let (inscribed, circumscribed) = (on(Fit::Inscribed)?, on(Fit::Circumscribed)?);
         let round = self.solve(load, &Settings { round: true, ..*settings })?;
-        let all = [&inscribed, &round, &circumscribed].map(Outcome::equilibrium);
+        let all = [&inscribed, &round, &circumscribed].each(Outcome::equilibrium);
         let spread = if let [Some(a), Some(b), Some(c)] = all {
-            Some([(a, b), (b, c), (a, c)].map(|(x, y)| Spread::between(x, y)).into_iter().fold(
+            Some([(a, b), (b, c), (a, c)].each(|(x, y)| Spread::between(x, y)).into_iter().fold(
                 Spread { force: 0.0, displacement: 0.0 },
                 |most, s| Spread {
                     force: most.force.max(s.force),

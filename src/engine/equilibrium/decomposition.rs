@@ -7,7 +7,7 @@ use nalgebra::SVector;
 use super::answer::Equilibrium;
 use super::contact_answer::ContactState;
 use crate::grasp::{Engine, Site};
-use crate::numerics::{Map, paired};
+use crate::numerics::{IntoList, Map, paired};
 use crate::object::least_forces;
 use crate::prelude::*;
 
@@ -26,7 +26,7 @@ impl Engine {
     pub(crate) fn decompose(&self, equilibrium: &Equilibrium<3>) -> Decomposition<3> {
         let contact = |i: usize| equilibrium.contacts.get(i);
         let carries: Vec<bool> =
-            (0..self.len()).map(|i| contact(i).is_some_and(|c| c.state != ContactState::Separated)).collect();
+            (0..self.len()).map(|i| contact(i).is_some_and(|c| c.state != ContactState::Separated)).list();
         let load = self.inside_unchecked(&self.with_vacuum(&equilibrium.load));
         // Only forces on the object count, whatever joints are behind the contacts.
         let load = self.space().object_alone(&load);
@@ -39,14 +39,14 @@ impl Engine {
         };
         let sites: Cow<'_, [Site]> = match self.linkage() {
             None => self.sites().into(),
-            Some(_) => self.sites()[..self.len()].iter().map(on_object).collect(),
+            Some(_) => self.sites()[..self.len()].iter().map(on_object).list().into(),
         };
         let equilibrating: Vec<_> = least_forces(&sites, &carries, &load)
             .into_iter()
             .zip(self.sites())
             .take(equilibrium.contacts.len())
             .map(|(force, site)| site.frame * force)
-            .collect();
+            .list();
         let interaction = paired(&equilibrium.contacts, &equilibrating, &|(c, e)| c.force_world - e);
         Decomposition { equilibrating, interaction }
     }

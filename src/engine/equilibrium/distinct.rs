@@ -6,6 +6,7 @@
 use super::answer::Equilibrium;
 use crate::contact::{Mode, State};
 use crate::grasp::Engine;
+use crate::numerics::IntoList;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::object::largest_force;
 use crate::prelude::*;
@@ -37,6 +38,6 @@ impl Engine {
             problem.local(i).for_each_condition(state, &at, |value, size| distinct &= value > least * size);
             distinct
         };
-        Some(equilibrium.local.states.iter().enumerate().take(self.len()).map(distinct).collect())
+        Some(equilibrium.local.states.iter().enumerate().take(self.len()).map(distinct).list())
     }
 }

@@ -7,7 +7,7 @@ use super::contact_answer::{ContactAnswer, ContactState};
 use super::residuals::Residuals;
 use crate::contact::{Coulomb, Polygon, SMALLEST};
 use crate::grasp::{Engine, Hold, Site, Wrench};
-use crate::numerics::{Vector, numbered};
+use crate::numerics::{IntoList, Vector, numbered};
 use crate::object::{NO_FORCE, Problem, least_spring_force};
 use crate::prelude::*;
 use crate::search::Found;
@@ -175,7 +175,7 @@ impl Engine {
             let slip = if slips { site.springs.slip(&stretch, force) } else { SVector::zeros() };
             SiteAnswer { force, gap, separated, stretch, slip }
         };
-        found.forces.iter().enumerate().skip(self.len()).map(told).collect()
+        found.forces.iter().enumerate().skip(self.len()).map(told).list()
     }
 
     /// The largest imbalance of torques at a joint, over the sum of the sizes of its terms, but at least over `force_size`.

@@ -10,7 +10,7 @@ use nalgebra::SVector;
 use super::cone::Cone;
 use crate::contact::{Edges, LocalLaw, State};
 use crate::grasp::{Engine, Motion, Wrench};
-use crate::numerics::{Vector, largest};
+use crate::numerics::{IntoList, Vector, largest};
 use crate::object::{Load, Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::search::Settings;
@@ -52,7 +52,7 @@ impl<'g> StickingResponse<'g> {
     /// The response of a problem in these states of its contacts, whatever its offsets and its load.
     pub(crate) fn of(grasp: &'g Engine, problem: Problem<'g>, states: &[State]) -> Self {
         let piece = problem.piece(states);
-        let edges = problem.locals().zip(states).map(|(local, state)| local.edges(state)).collect();
+        let edges = problem.locals().zip(states).map(|(local, state)| local.edges(state)).list();
         Self { grasp, problem, states: states.to_vec(), piece, edges }
     }
 

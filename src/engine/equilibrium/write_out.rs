@@ -9,7 +9,7 @@ use super::too_far::Standing;
 use crate::contact::{LocalLaw, Mode, State, ZERO_SLACK};
 use crate::forms::{LeftOut, Why};
 use crate::grasp::{Contact, Coordinates, Engine, Hold, Stiffness, Twist, Wrench};
-use crate::numerics::{Vector, mapped};
+use crate::numerics::{IntoList, Vector, by_axis, mapped};
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Effort, Found, FoundBy};
@@ -34,7 +34,7 @@ impl Engine {
         let answer = |(i, (contact, solved)): (usize, (&Contact<3>, SolvedContact<'_>))| {
             solved.answer((contact, i), any.then(|| with_joints(i)))
         };
-        let contacts: Vec<_> = solved.map(answer).collect();
+        let contacts: Vec<_> = solved.map(answer).list();
         let twist = self.outside_coordinates(&found.twist);
         let motions = |list: &[Vector]| mapped(list, &|v| self.motion_outside(v));
         let drive_forces = found.forces[self.len()..].to_vec();
@@ -116,7 +116,7 @@ impl Engine {
 
 /// State of every site in a solution of the local problem, in order: contacts, then the drives of a hand.
 pub(crate) fn site_states(problem: &Problem, found: &Found) -> Vec<ContactState<3>> {
-    solved_sites(problem, found).map(|solved| solved.state().0).collect()
+    solved_sites(problem, found).map(|solved| solved.state().0).list()
 }
 
 fn solved_sites<'s>(problem: &'s Problem<'s>, found: &'s Found) -> impl Iterator<Item = SolvedContact<'s>> {
@@ -189,7 +189,7 @@ impl SolvedContact<'_> {
         }
         let (body_surface, finger_surface) = match contact.stiffness {
             Stiffness::BodyAndFinger { body, finger } => {
-                let give = |k: &SVector<f64, 3>| SVector::<f64, 3>::from_fn(|a, _| force[a] / k[a]);
+                let give = |k: &SVector<f64, 3>| by_axis(|a| force[a] / k[a]);
                 (Some(frame * (body_core + give(&body))), Some(frame * (commanded - give(&finger))))
             }
             Stiffness::Series(_) => (None, None),

@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector, SVector};
 use super::rows::{Form, Row};
 use crate::contact::{LocalLaw, Mode, State};
 use crate::lcp::{Basis, Lcp};
-use crate::numerics::{Map, Square, Vector};
+use crate::numerics::{IntoList, Map, Square, Vector};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -77,7 +77,7 @@ pub(crate) fn force_states(problem: &Problem, form: &Form, basis: &Basis) -> Vec
             _ => Mode::Open,
         }
     };
-    problem.locals().enumerate().map(state).collect()
+    problem.locals().enumerate().map(state).list()
 }
 
 /// Units of the twist components: one unit along a component stores spring energy of order one.

@@ -8,12 +8,12 @@
 //!
 //! For many coordinates `Q Qᵀ = K^{1/2}Gᵀ (G K Gᵀ)⁻¹ G K^{1/2}` is applied to one column after the other, with sums over the entries of a row.
 
-use nalgebra::{DMatrix, DVector, SVector};
+use nalgebra::SVector;
 
 use super::rows::{Form, Row};
 use crate::contact::{LocalLaw, Mode, State, tangential};
 use crate::lcp::{Basis, Lcp};
-use crate::numerics::{mapped, numbered};
+use crate::numerics::{IntoList, mapped, matrix_of, numbered, vector_of};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
@@ -124,12 +124,12 @@ fn form(
     felt: &dyn Fn(usize, usize) -> f64,
 ) -> Option<Form> {
     let n = jumps.len();
-    let m = DMatrix::from_fn(n, n, |i, j| {
+    let m = matrix_of(n, n, &|i, j| {
         let (to, from) = (&jumps[i], &jumps[j]);
         let own = if to.contact == from.contact { to.row.dot(&from.column) } else { 0.0 };
         own - felt(i, j)
     });
-    let q = DVector::from_fn(n, |i, _| {
+    let q = vector_of(n, &|i| {
         let jump = &jumps[i];
         let springs = &problem.sites[jump.contact].springs;
         let force = &state.forces[jump.contact];
@@ -162,5 +162,5 @@ pub(crate) fn kinematic_states(problem: &Problem, form: &Form, basis: &Basis) ->
             local.slipping_state(&slipping[contact])
         }
     };
-    problem.locals().enumerate().map(state).collect()
+    problem.locals().enumerate().map(state).list()
 }

@@ -1,7 +1,7 @@
 //! A quick test that excludes contact states which clearly break a row of the kinematic form. It evaluates few rows: states that pass may still be
 //! wrong, which only a solution of the whole scene shows.
 
-use nalgebra::{DMatrix, DVector};
+use crate::numerics::{matrix_of, vector_of};
 
 use super::rows::{Form, Row};
 use crate::contact::{Mode, State};
@@ -27,8 +27,8 @@ pub(crate) fn clearly_breaks(form: &Form, is_planar: bool, states: &[State], lar
         }
     }
     let (m, q) = (form.lcp.matrix(), form.lcp.vector());
-    let of_jumps = DMatrix::from_fn(jumps.len(), jumps.len(), |i, j| m[(jumps[i].0, jumps[j].0)]);
-    let pushed = DVector::from_fn(jumps.len(), |i, _| -q[jumps[i].0]);
+    let of_jumps = matrix_of(jumps.len(), jumps.len(), &|i, j| m[(jumps[i].0, jumps[j].0)]);
+    let pushed = vector_of(jumps.len(), &|i| -q[jumps[i].0]);
     let solved = if jumps.is_empty() { Some(pushed) } else { of_jumps.full_piv_lu().solve(&pushed) };
     let Some(z) = solved else { return false };
     let most = z.iter().fold(0.0, |most: f64, z| if z.abs() <= most { most } else { z.abs() });

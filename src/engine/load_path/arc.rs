@@ -10,6 +10,7 @@
 //! The null vector of `[T | -b]` stays smooth where the load factor has a maximum and T is singular. A row below this matrix, transverse to the path,
 //! makes it regular there, too.
 
+use crate::numerics::IntoList;
 use nalgebra::{Matrix, SVector};
 
 use super::path_stiffness::{NarrowOrder, PathFactors, PathStiffness};
@@ -91,7 +92,7 @@ impl<'s, 'g> Arc<'s, 'g> {
             fixed.add(&[0..size.count(), 0..0], |i, j| v[i] * held[j]);
             push += v * (stiffest * rate);
         }
-        let sliding = (0..sites.len()).filter(|&i| states[i].slides()).collect();
+        let sliding = (0..sites.len()).filter(|&i| states[i].slides()).list();
         let driven = segment.change.iter().any(|a| a.norm() > 0.0);
         Self { segment, states, sliding, unit, fixed, push, driven }
     }
@@ -121,7 +122,7 @@ impl<'s, 'g> Arc<'s, 'g> {
 
     /// Tangent stiffnesses of all sliding contacts.
     pub(super) fn tangents(&self, frictions: impl Iterator<Item = SVector<f64, 3>>) -> Vec<Tangent> {
-        self.sliding.iter().zip(frictions).map(|(&i, friction)| self.tangent(i, &friction)).collect()
+        self.sliding.iter().zip(frictions).map(|(&i, friction)| self.tangent(i, &friction)).list()
     }
 
     /// Factors of `[T u | -b]` with a transverse row at a load factor, and the size of their entries.
@@ -204,7 +205,7 @@ impl<'s, 'g> Arc<'s, 'g> {
             let tangent = sliding.copied().unwrap_or_else(|| self.segment.problem.local(i).tangent(state));
             self.rates(i, &tangent, way)[1]
         };
-        self.states.iter().enumerate().map(rate).collect()
+        self.states.iter().enumerate().map(rate).list()
     }
 
     /// Moves a state onto the cones, with friction in these directions, and into balance, by corrections transverse to `across`. Returns the state
@@ -299,7 +300,7 @@ impl<'s, 'g> Arc<'s, 'g> {
                 (None, false) => SVector::zeros(),
             }
         };
-        (0..self.states.len()).map(force).collect()
+        (0..self.states.len()).map(force).list()
     }
 }
 
@@ -318,7 +319,7 @@ impl Segment<'_> {
             .solve(self.problem.sites, &self.change, &self.course.rate_at(factor))
             .map_err(|u| self.unbalanced(factor, u.motion))?;
         let rate = self.pushed_along(&piece, rate, pushed);
-        let frictions: Vec<_> = states.iter().filter_map(State::slide).map(|slide| slide.direction).collect();
+        let frictions: Vec<_> = states.iter().filter_map(State::slide).map(|slide| slide.direction).list();
         let arc = Arc::new(self, states, piece.free_motions().iter().map(|v| (v, 0.0)), 1.0);
         let largest = self.problem.largest_force(&at.forces, &at.twist).max(self.largest);
         let is_near = |(there, _): &(PieceState, f64)| {

@@ -6,7 +6,7 @@ use alloc::sync::Arc;
 use super::leg::{Leg, LegGoal, LegLoad};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::{Vector, paired};
+use crate::numerics::{Each, Vector, paired};
 use crate::prelude::*;
 
 /// The body and the change of its load along a leg.
@@ -110,7 +110,7 @@ impl BodyLoads {
     /// The sum of these loads in inside coordinates, at the beginning and at the end of the leg.
     pub(super) fn inside(&self, grasp: &Engine) -> Option<[Vector; 2]> {
         let (loads, bodies) = self.0.as_ref().zip(grasp.bodies())?;
-        Some([0, 1].map(|end| grasp.put_on_each(bodies, &loads[end])))
+        Some([0, 1].each(|end| grasp.put_on_each(bodies, &loads[end])))
     }
 
     /// The loads at the beginning (0) or the end (1) of the leg.

@@ -19,7 +19,7 @@ use super::pieces::Pieces;
 use crate::contact::{Law, LocalLaw, Mode, Resistance, ZERO_SLACK, tangential};
 use crate::grasp::Coordinates;
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Vector, mapped};
+use crate::numerics::{IntoList, Vector, mapped};
 use crate::object::PieceState;
 use crate::prelude::*;
 use crate::search::Found;
@@ -86,7 +86,7 @@ impl<'g> Pieces<'g> {
         }
         let length = gaps.iter().map(|(_, way, _)| *way).reduce(f64::min)?;
         let together = gaps.iter().filter(|(_, way, unknown)| way - length <= *unknown);
-        let closing: Vec<usize> = together.map(|(i, ..)| *i).collect();
+        let closing: Vec<usize> = together.map(|(i, ..)| *i).list();
         for &i in closing.iter().filter(|i| **i < grasp.len()) {
             fastest = grasp.sites()[i].map.tr_mul(motion).norm().max(fastest);
         }

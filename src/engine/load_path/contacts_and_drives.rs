@@ -7,6 +7,7 @@ use super::onset_margins::Leaver;
 use super::turn::EdgeOf;
 use crate::error::ContactLabel;
 use crate::grasp::{Engine, PartLabel, Role};
+use crate::numerics::IntoList;
 use crate::numerics::moved;
 use crate::prelude::*;
 
@@ -51,7 +52,7 @@ impl Engine {
     pub(super) fn sites_apart(&self, sites: Vec<usize>) -> (Vec<ContactLabel>, Vec<PartLabel>) {
         let (contacts, drives): (Vec<usize>, Vec<usize>) = sites.into_iter().partition(|i| *i < self.len());
         let contact = |i: usize| self.contacts()[i].label(i);
-        (moved(contacts, &contact), drives.into_iter().filter_map(|i| self.part(i)).collect())
+        (moved(contacts, &contact), drives.into_iter().filter_map(|i| self.part(i)).list())
     }
 
     /// The joint or tendon of the drive at a site.

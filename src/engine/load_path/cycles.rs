@@ -12,7 +12,7 @@ use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{Vector, largest, numbered};
+use crate::numerics::{IntoList, Vector, largest, numbered};
 use crate::prelude::*;
 use crate::search::{Doubt, Settings};
 
@@ -205,7 +205,7 @@ impl CycleState {
     /// The friction of each site: kinetic for those in `weaker`, otherwise static. Empty if `weaker` is.
     fn cones(&self, grasp: &Engine) -> Vec<Coulomb> {
         let sites = grasp.sites().iter().zip(&self.weaker);
-        sites.map(|(site, weaker)| site.kinetic.filter(|_| *weaker).unwrap_or(site.friction)).collect()
+        sites.map(|(site, weaker)| site.kinetic.filter(|_| *weaker).unwrap_or(site.friction)).list()
     }
 }
 

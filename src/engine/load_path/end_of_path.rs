@@ -5,7 +5,7 @@ use super::event::{Loss, LossKind, PathEnd};
 use super::follower::StandAtEdge;
 use super::rigid_motion::rigid_motion;
 use crate::contact::State;
-use crate::numerics::Vector;
+use crate::numerics::{Each, Vector};
 use crate::object::{Piece, Problem};
 use crate::prelude::*;
 use crate::search::{Effort, Settings, Settled};
@@ -26,7 +26,7 @@ pub(super) fn end_of_path(
         return PathEnd::Lost(Box::new(loss.leaving(segment.grasp, Some(&v))));
     }
     let motions = leaving_motions(rates, &segment.course.at(loss.fraction), &rates.yielding());
-    let [mut motion, mut against] = motions.map_or([None, None], |motions| motions.map(Some));
+    let [mut motion, mut against] = motions.map_or([None, None], |motions| motions.each(Some));
     // If no contact presses yet, springs do not determine the motion. A motion that no friction can work against then proves the end.
     if let Some(rigid) = rigid_motion(rates) {
         motion = Some(rigid);

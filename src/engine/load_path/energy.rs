@@ -6,7 +6,7 @@ use super::segment::{PathPoint, Segment};
 use super::turning_state::TurningState;
 use crate::contact::State;
 use crate::grasp::Site;
-use crate::numerics::{Harmonic, mapped};
+use crate::numerics::{Each, Harmonic, mapped};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
@@ -109,7 +109,7 @@ impl LegEnergy {
         }
         let sites = segment.grasp.sites();
         let [before, after] =
-            [0.0, angle].map(|angle| mapped(&turned.waves, &|[force, _]| force.of.at(angle)));
+            [0.0, angle].each(|angle| mapped(&turned.waves, &|[force, _]| force.of.at(angle)));
         self.store(sites, &before, &after);
         for ((site, [force, stretch]), _) in
             sites.iter().zip(&turned.waves).zip(states).filter(|(_, state)| state.slides())

@@ -8,7 +8,7 @@ use super::pieces::Pieces;
 use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, Mode};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{chosen, mapped, moved, picked};
+use crate::numerics::{IntoList, chosen, mapped, moved, picked};
 use crate::prelude::*;
 
 impl<'g> Pieces<'g> {
@@ -21,7 +21,7 @@ impl<'g> Pieces<'g> {
         }
         self.segment.problem.cones = mapped(grasp.sites(), &|site| site.friction);
         let slides = |i| Some((i, Change::Slides { direction: self.node.directions[i]? }));
-        let changes: Vec<_> = grasp.weaker_once_they_slide().filter_map(slides).collect();
+        let changes: Vec<_> = grasp.weaker_once_they_slide().filter_map(slides).list();
         let begin = self.begin_to_slide(&changes);
         let before = self.present_state(journey);
         if let Some(jump) = self.jump(journey, &begin)?

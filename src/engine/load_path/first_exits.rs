@@ -17,8 +17,14 @@ pub(super) struct FirstExits {
 /// The smallest step to an exit, and all contacts with exits there. Symmetric grasps reach several edges at once: steps that are equal up to the
 /// rounding of both count as tied.
 pub(super) fn first_standing(mut ways: PathState) -> Option<(f64, PathState)> {
-    let all = ways.iter().flat_map(|(_, exits)| exits);
-    let first = *all.min_by(|a, b| a.step.total_cmp(&b.step))?;
+    let mut first = ways.iter().find_map(|(_, exits)| exits.first()).copied()?;
+    for (_, exits) in &ways {
+        for exit in exits {
+            if exit.step.total_cmp(&first.step).is_lt() {
+                first = *exit;
+            }
+        }
+    }
     ways.retain_mut(|(_, exits)| {
         exits.retain(|exit| exit.step - first.step <= exit.uncertainty + first.uncertainty);
         !exits.is_empty()

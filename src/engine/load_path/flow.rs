@@ -20,7 +20,7 @@ use super::trajectory::Trajectory;
 use super::watch::is_vanishing;
 use crate::contact::{State, Tangent, tangential, tangential_norm};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Size, Stepped, Vector, explicit_step, implicit_step, mapped, summed};
+use crate::numerics::{Each, IntoList, Size, Stepped, Vector, explicit_step, implicit_step, mapped, summed};
 use crate::object::{PieceState, largest_force};
 use crate::prelude::*;
 
@@ -185,7 +185,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         };
         let twist = &self.here.twist + self.moved(&y);
         let factor = self.from + y[load];
-        let mut frictions: Vec<_> = self.frictions(&y).collect();
+        let mut frictions: Vec<_> = self.frictions(&y).list();
         let tangents = self.arc.tangents(frictions.iter().copied());
         let way = self.arc.direction(&tangents, factor, &self.onward())?;
         let stays = |factor: f64| (factor - goal.factor).abs() <= goal.near;
@@ -208,7 +208,7 @@ impl<'s, 'g> Flow<'s, 'g> {
             }
         };
         let rate = PieceState { forces: self.arc.force_rates(&tangents, &way), twist: way.twist };
-        let [finger_work, dissipated, load_work, turnover] = core::array::from_fn(|k| y[works + k]);
+        let [finger_work, dissipated, load_work, turnover] = [0, 1, 2, 3].each(|k| y[works + k]);
         let mut energy = LegEnergy { load_work, finger_work, stored: 0.0, dissipated, turnover };
         let before: Vec<_> = mapped(&self.here.lines, &|line| line.force);
         energy.store(self.arc.sites(), &before, &at.forces);
@@ -301,7 +301,7 @@ impl<'s, 'g> Flow<'s, 'g> {
     fn error_size(&self, error: &[f64], length: f64) -> f64 {
         let count = self.size().count();
         let size = |k: usize| self.sizes[k] + length * self.here.rate_sizes[k];
-        let [force, travel] = [0, 1].map(size);
+        let [force, travel] = [0, 1].each(size);
         let (of_frictions, others) = error.split_at(self.arc.sliding.len() * (2));
         let norm = |part: &[f64]| summed(part, &|e| e * e).sqrt();
         let of_forces = of_frictions.chunks_exact(2).map(norm).fold(0.0, f64::max);

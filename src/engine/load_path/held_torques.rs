@@ -7,7 +7,7 @@ use alloc::sync::Arc;
 use super::leg::{Leg, LegGoal, LegLoad};
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::Engine;
-use crate::numerics::Vector;
+use crate::numerics::{Each, IntoList, Vector};
 use crate::prelude::*;
 
 impl<const C: usize> Leg<C> {
@@ -46,13 +46,13 @@ impl<const C: usize> Leg<C> {
     /// This leg, along which the torques that hold joints also change by `change`, see [`Self::torques_by`].
     #[must_use]
     pub fn and_torques_by(self, change: impl IntoIterator<Item = f64>) -> Self {
-        Self { torques: LegGoal::By(change.into_iter().collect()), ..self }
+        Self { torques: LegGoal::By(change.into_iter().list()), ..self }
     }
 
     /// This leg, at whose end the torques that hold joints are also `torques`, see [`Self::torques_by`].
     #[must_use]
     pub fn and_torques_to(self, torques: impl IntoIterator<Item = f64>) -> Self {
-        Self { torques: LegGoal::To(torques.into_iter().collect()), ..self }
+        Self { torques: LegGoal::To(torques.into_iter().list()), ..self }
     }
 
     /// Refuses torques that are not one for each joint, that are not finite or too large, or that change while the load turns.
@@ -97,7 +97,7 @@ impl HeldTorques {
     /// The load of these torques less those of the hand, in inside coordinates, at the beginning and at the end of the leg.
     pub(super) fn inside(&self, grasp: &Engine) -> Option<[Vector; 2]> {
         let (torques, linkage) = self.0.as_ref().zip(grasp.linkage())?;
-        Some([0, 1].map(|end| {
+        Some([0, 1].each(|end| {
             let mut inside = Vector::all_zero(grasp.size());
             for (j, torque) in torques[end].iter().enumerate() {
                 let k = grasp.space().of_the_object() + j;
@@ -116,7 +116,7 @@ impl HeldTorques {
     pub(super) fn put_on<'g>(&self, grasp: Cow<'g, Engine>, fraction: f64) -> Cow<'g, Engine> {
         let Some(torques) = &self.0 else { return grasp };
         let [from, to] = &**torques;
-        let now: Vec<f64> = from.iter().zip(to).map(|(from, to)| from + (to - from) * fraction).collect();
+        let now: Vec<f64> = from.iter().zip(to).map(|(from, to)| from + (to - from) * fraction).list();
         Cow::Owned(grasp.with_held_torques(&now))
     }
 }

@@ -8,7 +8,7 @@ use super::event::ContactChange;
 use crate::equilibrium::Equilibrium;
 use crate::error::ContactLabel;
 use crate::grasp::{BodyMotion, all_inside};
-use crate::numerics::{largest, mapped, picked};
+use crate::numerics::{IntoList, largest, mapped, picked};
 use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -85,6 +85,6 @@ impl<const C: usize> fmt::Display for Jump<C> {
         }
         let told =
             told.iter().map(|(contact, far)| format!("{} slips {}", contact.text(), words.length(*far)));
-        write!(f, "caught after {}", listed(&told.collect::<Vec<_>>()))
+        write!(f, "caught after {}", listed(&told.list()))
     }
 }

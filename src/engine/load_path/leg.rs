@@ -1,5 +1,6 @@
 //! Load programs: legs along which load and finger commands change linearly.
 
+use crate::numerics::IntoList;
 use alloc::borrow::Cow;
 use core::ops::Add;
 
@@ -177,13 +178,13 @@ impl<const C: usize> Leg<C> {
     /// This leg, along which the joint commands also change by `change`, rad or m.
     #[must_use]
     pub fn and_joints_by(self, change: impl IntoIterator<Item = f64>) -> Self {
-        Self { joints: LegGoal::By(change.into_iter().collect()), ..self }
+        Self { joints: LegGoal::By(change.into_iter().list()), ..self }
     }
 
     /// This leg, at whose end the joint commands are also `commands`, rad or m.
     #[must_use]
     pub fn and_joints_to(self, commands: impl IntoIterator<Item = f64>) -> Self {
-        Self { joints: LegGoal::To(commands.into_iter().collect()), ..self }
+        Self { joints: LegGoal::To(commands.into_iter().list()), ..self }
     }
 
     /// Whether the load turns along this leg.

@@ -25,7 +25,7 @@ use super::stretch::{Bend, Fallen};
 use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, tangential_norm};
 use crate::equilibrium::ACCURATE;
-use crate::numerics::{Vector, chosen, largest};
+use crate::numerics::{IntoList, Vector, chosen, largest};
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Doubt, Found, Settings, Settled, settle};
@@ -103,7 +103,7 @@ impl<'g> JumpInProgress<'g> {
     fn slips(&self, journey: &Journey<'g>) -> Vec<JumpSlip<3>> {
         let contacts = journey.grasp.contacts().iter().enumerate().filter(|(i, _)| self.fallen.slid[*i]);
         let slip = |i: usize| self.leg.segment.problem.slips[i] - self.fallen.slips[i];
-        contacts.map(|(i, contact)| JumpSlip { contact: contact.label(i), slip: slip(i) }).collect()
+        contacts.map(|(i, contact)| JumpSlip { contact: contact.label(i), slip: slip(i) }).list()
     }
 }
 

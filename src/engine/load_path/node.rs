@@ -13,7 +13,7 @@ use super::transition::{change, nothing_changes, others};
 use crate::contact::{ActiveSet, Law, Mode, State, ZERO_SLACK};
 use crate::equilibrium::{ContactState, site_states};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{chosen, moved, numbered};
+use crate::numerics::{IntoList, chosen, moved, numbered};
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{
@@ -172,7 +172,7 @@ impl Node {
                 return holds;
             }
             let closed = (0..rates.len()).map(|i| if at_the_apex(i) { Mode::Sticking } else { sliding[i] });
-            let found = [closed.collect(), sliding.clone()]
+            let found = [closed.list(), sliding.clone()]
                 .iter()
                 .find_map(|states| polish(rates, states, &solution_near(rates, states)?));
             return found.map_or(Judged::Unbalanced, Judged::Holds);

@@ -21,6 +21,7 @@ use crate::contact::State;
 use crate::equilibrium::{AnswerFor, Equilibrium, Outcome};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
+use crate::numerics::IntoList;
 use crate::numerics::Memory;
 use crate::object::{Load, Problem, uses_band};
 use crate::prelude::*;
@@ -98,7 +99,7 @@ impl Engine {
             StickingPath { segment, course, end, settings, rule, factor: 0.0, touches: Vec::new() };
         let onset = walk.run(found.states);
         let touch = |(site, angle)| Some(EdgeTouch { of: self.edge_of(site)?, angle });
-        TurnOnset { onset, touches: walk.touches.into_iter().filter_map(touch).collect() }
+        TurnOnset { onset, touches: walk.touches.into_iter().filter_map(touch).list() }
     }
 
     /// [`Grasp::state_at_onset`](crate::ask::Grasp::state_at_onset).

@@ -11,7 +11,7 @@ use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, Polygon, PolygonCone, State};
 use crate::equilibrium::{AnswerFor, Cone};
 use crate::grasp::{Coordinates, Engine, Space};
-use crate::numerics::Vector;
+use crate::numerics::{Each, Vector};
 use crate::object::{Lists, Load, PieceState, SolutionMemory};
 use crate::prelude::*;
 use crate::search::Settings;
@@ -90,7 +90,7 @@ impl OnsetMemory {
         self.lists.slips = core::mem::take(&mut local.slips);
         self.change = core::mem::take(&mut local.offset_rates);
         let coordinates = [&mut local.found.twist, &mut local.wrench, &mut local.wrench_rate];
-        self.coordinates = coordinates.map(Coordinates::take_list);
+        self.coordinates = coordinates.each(Coordinates::take_list);
         self.there.forces = core::mem::take(&mut local.found.forces);
         self.states = core::mem::take(&mut local.found.states);
         self.stands = core::mem::take(&mut local.stands);

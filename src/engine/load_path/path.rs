@@ -1,5 +1,6 @@
 //! [`Path`]: a load program being followed, one type for every method of following.
 
+use crate::numerics::IntoList;
 use core::fmt;
 
 use nalgebra::SVector;
@@ -193,7 +194,7 @@ impl<'g, const C: usize, T> Path<'g, C, T> {
 
     /// Follows the path to its end and returns all its reports.
     pub fn run(&mut self) -> Vec<T> {
-        self.by_ref().collect()
+        self.by_ref().list()
     }
 
     /// Appends legs to the program: a completed path continues, a path that has ended otherwise does not.
@@ -252,7 +253,7 @@ impl<const C: usize> LoadPath<'_, C> {
 
     /// [`Self::run`] as far as motions are small: up to the first piece on which they cease to be.
     pub fn run_while_small(&mut self) -> Vec<Event<C>> {
-        core::iter::from_fn(|| self.0.next_small()).collect()
+        core::iter::from_fn(|| self.0.next_small()).list()
     }
 
     /// The leg and fraction from which every contact with friction and a normal force slides, without interruption up to the leg and fraction

@@ -1,5 +1,6 @@
 //! Active sets and slip memory of the contacts at a node of the path, which is the place of an event or the start.
 
+use crate::numerics::IntoList;
 use nalgebra::{Matrix, SVector};
 
 use super::first_exits::PathState;
@@ -79,7 +80,7 @@ impl Node {
                 segment.remember_slip(i, factor, &self.at.twist, &self.at.forces[i]);
                 if segment.problem.round {
                     let state = State::sliding_along(&self.at.forces[i]);
-                    self.stands[i].facets = state.slide().map(|slide| slide.direction).into_iter().collect();
+                    self.stands[i].facets = state.slide().map(|slide| slide.direction).into_iter().list();
                     self.states[i] = state;
                 }
             }

@@ -1,5 +1,6 @@
 //! Tangent stiffness T at a point of a path, and factors of the bordered matrix: full, or for many coordinates as a band.
 
+use crate::numerics::Each;
 use alloc::sync::Arc;
 use core::ops::Range;
 
@@ -134,7 +135,7 @@ impl PathStiffness {
         let square = match self {
             Self::Whole(square) => square,
             Self::Narrow { order, band } => {
-                let [column, row] = [cover, gradient].map(|v| order.in_order(v));
+                let [column, row] = [cover, gradient].each(|v| order.in_order(v));
                 if let Some(bordered) = BorderedBand::new(band.clone(), column, row, corner) {
                     return Some(PathFactors::Narrow { order, bordered: Box::new(bordered) });
                 }

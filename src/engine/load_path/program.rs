@@ -11,7 +11,7 @@ use super::trajectory::Trajectory;
 use super::turn::inside;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::{Vector, largest, mapped, paired};
+use crate::numerics::{Each, IntoList, Vector, largest, mapped, paired};
 use crate::prelude::*;
 
 /// A load program in progress.
@@ -161,7 +161,7 @@ impl Program {
     pub(super) fn offsets_into(&self, grasp: &Engine, [base, change]: &mut [Vec<SVector<f64, 3>>; 2]) {
         let ([from, to], [joints_from, joints_to]) = (&self.commands, &self.joints);
         grasp.offsets_under(from.iter().copied(), joints_from, base);
-        let of_joints: Vec<_> = joints_to.iter().zip(joints_from).map(|(to, from)| to - from).collect();
+        let of_joints: Vec<_> = joints_to.iter().zip(joints_from).map(|(to, from)| to - from).list();
         grasp.changed_by(to.iter().zip(from).map(|(to, from)| to - from), Some(&of_joints), change);
     }
 
@@ -169,7 +169,7 @@ impl Program {
     pub(super) fn inside_course(&self, grasp: &Engine) -> Trajectory<Vector> {
         match &self.course {
             Trajectory::Straight { from, .. } => {
-                let [mut from, mut to] = [from, &self.goal].map(|load| grasp.load_unchecked(load));
+                let [mut from, mut to] = [from, &self.goal].each(|load| grasp.load_unchecked(load));
                 for [first, last] in self.beside(grasp).into_iter().flatten() {
                     (from, to) = (from + first, to + last);
                 }

@@ -1,5 +1,6 @@
 //! A load, finger commands, or both, that change in proportion to one factor.
 
+use crate::numerics::IntoList;
 use alloc::borrow::Cow;
 
 use nalgebra::SVector;
@@ -54,7 +55,7 @@ impl<const C: usize> Ramp<C> {
     /// rad or m.
     #[must_use]
     pub fn with_joint_commands(mut self, change: impl IntoIterator<Item = f64>) -> Self {
-        self.joint_change = Some(change.into_iter().collect());
+        self.joint_change = Some(change.into_iter().list());
         self
     }
 
@@ -162,5 +163,5 @@ impl<const C: usize> From<&Self> for Ramp<C> {
 pub(super) fn vectors<const C: usize>(
     list: impl IntoIterator<Item = impl Into<[f64; C]>>,
 ) -> Vec<SVector<f64, C>> {
-    list.into_iter().map(|vector| SVector::from(vector.into())).collect()
+    list.into_iter().map(|vector| SVector::from(vector.into())).list()
 }

@@ -21,7 +21,7 @@ use nalgebra::SVector;
 use super::arc::{Arc, Direction};
 use super::path_stiffness::{PathFactors, PathStiffness};
 use crate::contact::{Tangent, tangential_norm};
-use crate::numerics::Vector;
+use crate::numerics::{Each, IntoList, Vector};
 use crate::prelude::*;
 
 /// A sliding contact at the start of a step.
@@ -82,13 +82,13 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
             // Angle by which a direction is turned to both sides for the derivative of a tangent, rad: two thirds of the digits remain.
             let small = 6e-6;
             let [[_, less], [_, more]] =
-                [-small, small].map(|angle| arc.rates(contact, &turned(angle), &way));
+                [-small, small].each(|angle| arc.rates(contact, &turned(angle), &way));
             let change = (more - less) / (2.0 * small);
             let felt = tangent.matrix().tr_mul(&across);
             let map = &arc.sites()[contact].map;
             Turning { contact, tangent, size, across, change, push: map * change, felt, pull: map * felt }
         };
-        let contacts = arc.sliding.iter().zip(frictions).zip(tangents).map(turning).collect();
+        let contacts = arc.sliding.iter().zip(frictions).zip(tangents).map(turning).list();
         Self { arc, contacts, stiffness, load, way }
     }
 

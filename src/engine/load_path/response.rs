@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector, DVectorView};
 use crate::equilibrium::{Equilibrium, Parameter};
 use crate::grasp::{Engine, Twist};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Size, Vector};
+use crate::numerics::{IntoList, Size, Vector};
 use crate::object::{PieceState, least_combination};
 use crate::prelude::*;
 
@@ -82,6 +82,6 @@ impl Response {
 
     fn least_combination(&self, size: Size, wanted: &[f64]) -> Vec<f64> {
         let columns = self.twist.column_iter().map(|column| Vector::from_fn(size, |k| column[k]));
-        least_combination(size, &columns.collect::<Vec<_>>(), &Vector::from_fn(size, |k| wanted[k]))
+        least_combination(size, &columns.list(), &Vector::from_fn(size, |k| wanted[k]))
     }
 }

@@ -10,13 +10,11 @@
 //! as if its mass matrix were the identity in inside coordinates: unit mass at the root mean square distance of contacts. Links, and contacts that
 //! neither open nor slide, allow no displacement at their points.
 
-use nalgebra::{DMatrix, DVector};
-
 use super::tolerances::NO_RIGID_MOTION;
 use crate::contact::Law;
 use crate::friction::FrictionProblem;
 use crate::grasp::Space;
-use crate::numerics::{Vector, across, chosen};
+use crate::numerics::{Vector, across, chosen, matrix_of, vector_of};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -56,8 +54,8 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
         let slides_freely = rates.local(i).is_frictionless() || !site.springs.resists_tangentially();
         friction.push(if slides_freely { 0.0 } else { rates.local(i).cone().limit(1.0) });
     }
-    let products = DMatrix::from_fn(columns.len(), columns.len(), |a, b| columns[a].dot(&columns[b]));
-    let driven = DVector::from_fn(columns.len(), |a, _| columns[a].dot(&load));
+    let products = matrix_of(columns.len(), columns.len(), &|a, b| columns[a].dot(&columns[b]));
+    let driven = vector_of(columns.len(), &|a| columns[a].dot(&load));
     let pushes = match rates.space() {
         Space::Planar => FrictionProblem::<2>::new(products, driven, friction).ok()?.solve(),
         Space::Spatial => FrictionProblem::<3>::new(products, driven, friction).ok()?.solve(),

@@ -9,7 +9,7 @@ use super::turning_state::TurningState;
 use crate::contact::{ActiveSet, Exit, GapLine, Law, Line, State};
 use crate::equilibrium::{AnswerFor, NoEquilibrium, Proof};
 use crate::grasp::Engine;
-use crate::numerics::{Vector, cleared_for, mapped, paired};
+use crate::numerics::{Each, IntoList, Vector, cleared_for, mapped, paired};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
@@ -65,7 +65,7 @@ impl PathPoint {
         let mut here = self.clone();
         here.twist_rate *= part;
         here.factor_rate *= part;
-        here.rate_sizes = here.rate_sizes.map(|size| size * part);
+        here.rate_sizes = here.rate_sizes.each(|size| size * part);
         for (line, gap) in here.lines.iter_mut().zip(&mut here.gaps) {
             line.rate *= part;
             line.rate_size *= part;
@@ -138,7 +138,7 @@ impl<'g> Segment<'g> {
         let PieceState { forces, twist } = at;
         let change: Vec<_> = mapped(&self.change, &|a| a * factor_rate);
         let way = factor - since;
-        let [base_offsets, offsets] = [since, factor].map(|factor| self.offsets(factor));
+        let [base_offsets, offsets] = [since, factor].each(|factor| self.offsets(factor));
         let base_load = self.course.at(since);
         let sites = self.grasp.sites();
         let sizes = |offsets: &[SVector<f64, 3>], twist: &Vector, load: f64, forces: &[SVector<f64, 3>]| {
@@ -151,7 +151,7 @@ impl<'g> Segment<'g> {
         let load_rate = self.course.rate_at(factor).norm() * factor_rate.abs();
         let rate_sizes = sizes(&change, &rate.twist, load_rate, &rate.forces);
         let most = (base_force + way * rate_sizes[0]).max(self.largest);
-        let [norm, norm_of_base, norm_of_rate] = [&twist, &base.twist, &rate.twist].map(Vector::norm);
+        let [norm, norm_of_base, norm_of_rate] = [&twist, &base.twist, &rate.twist].each(Vector::norm);
         let mut lines = Vec::new();
         let mut gaps = Vec::new();
         for (i, site) in self.grasp.sites().iter().enumerate() {
@@ -270,7 +270,7 @@ impl<'g> Segment<'g> {
     /// The law of the rates of every contact, from its active set and state.
     pub(super) fn laws_of_rates(&self, stands: &[ActiveSet], states: &[State]) -> Vec<Law> {
         let locals = self.problem.locals().zip(stands).zip(states);
-        locals.map(|((local, stand), state)| local.law_of_rates(stand, state)).collect()
+        locals.map(|((local, stand), state)| local.law_of_rates(stand, state)).list()
     }
 
     /// The smallest step after which a contact reaches an edge, its apex, a closed gap or a reversal of slip, with all contacts that do so there. For
@@ -280,7 +280,7 @@ impl<'g> Segment<'g> {
             return turned.first_exits(&self.problem, states, rest);
         }
         let ways = states.iter().enumerate().map(|(i, state)| (i, self.ways_out(i, state, here)));
-        FirstExits { standing: first_standing(ways.collect()), touches: Vec::new() }
+        FirstExits { standing: first_standing(ways.list()), touches: Vec::new() }
     }
 
     /// The problem in rates of this segment at a factor, with these laws.

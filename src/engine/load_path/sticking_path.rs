@@ -1,5 +1,6 @@
 //! Follows a ramp or a turn while nothing slides, from one closing contact to the next, up to the first contact that stops sticking.
 
+use crate::numerics::IntoList;
 use nalgebra::SVector;
 
 use super::first_exits::PathState;
@@ -124,7 +125,7 @@ impl StickingPath<'_> {
             }
             Some(_) => None,
         };
-        let leaving: Vec<_> = standing.filter_map(leaves).collect();
+        let leaving: Vec<_> = standing.filter_map(leaves).list();
         let sites = mapped(&leaving, &|leaving| leaving.contact.index);
         let forces = mapped(&here.lines, &|line| line.force);
         let found = Found {

@@ -7,6 +7,7 @@ use super::journey::Journey;
 use super::pieces::Pieces;
 use super::segment::PathPoint;
 use super::tolerances::LARGEST_CORRECTION;
+use crate::contact::Exit;
 use crate::object::PieceState;
 use crate::prelude::*;
 use crate::search::Doubt;
@@ -38,7 +39,7 @@ impl<'g> Pieces<'g> {
         };
         let to = if leg_done { 1.0 } else { self.factor + step };
         // A step within its own uncertainty may be zero: two continuations between which rounding chooses could alternate for ever.
-        let uncertain = standing.iter().flat_map(|(_, exits)| exits).any(|exit| step <= exit.uncertainty);
+        let uncertain = standing.iter().any(|(_, exits)| exits.iter().any(|exit| step <= exit.uncertainty));
         self.stalls = if to > self.factor && (leg_done || !uncertain) { 0 } else { self.stalls + 1 };
         // Maximum number of successive steps within their uncertainty that still count as events of one node: more mean that rounding makes the path
         // cycle.
@@ -71,10 +72,15 @@ impl<'g> Pieces<'g> {
 
     /// The step to an edge, corrected from the state there: extrapolated from the present state it carries the rounding of that state.
     fn corrected(&self, here: &PathPoint, step: f64, standing: &PathState) -> f64 {
-        let exits = standing.iter().flat_map(|(i, exits)| exits.iter().map(move |exit| (*i, exit)));
-        let Some((i, exit)) = exits.min_by(|(_, a), (_, b)| a.uncertainty.total_cmp(&b.uncertainty)) else {
-            return step;
-        };
+        let mut clearest: Option<(usize, &Exit)> = None;
+        for (i, exits) in standing {
+            for exit in exits {
+                if clearest.is_none_or(|(_, known)| exit.uncertainty.total_cmp(&known.uncertainty).is_lt()) {
+                    clearest = Some((*i, exit));
+                }
+            }
+        }
+        let Some((i, exit)) = clearest else { return step };
         let there = self.state_after(here, step);
         let more = self.segment.way_to(i, &self.node.states[i], exit, here, self.factor + step, &there);
         if more.abs() <= LARGEST_CORRECTION * (self.factor + step) { (step + more).max(0.0) } else { step }

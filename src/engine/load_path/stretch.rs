@@ -13,7 +13,7 @@ use super::trajectory::Trajectory;
 use crate::contact::{Line, State};
 use crate::equilibrium::{AnswerFor, Equilibrium};
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::{Vector, mapped, paired};
+use crate::numerics::{Each, Vector, mapped, paired};
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{Effort, Found, FoundBy, told_at_rest};
@@ -135,7 +135,7 @@ impl<'g> Stretch<'g> {
         let found = Found {
             free_motions: self.here.free_motions.clone(),
             neutral_motions: self.here.neutral_motions.clone(),
-            sizes: [0, 1].map(|k| self.here.sizes[k] + step * self.here.rate_sizes[k]),
+            sizes: [0, 1].each(|k| self.here.sizes[k] + step * self.here.rate_sizes[k]),
             ..Found::new(self.states.clone(), forces, twist)
         };
         Some((segment.problem_at(fraction), found))

@@ -7,7 +7,7 @@ use nalgebra::SVector;
 use super::trajectory::Trajectory;
 use crate::error::{ContactLabel, Error};
 use crate::grasp::{Engine, PartLabel, Space, Wrench};
-use crate::numerics::{Harmonic, Vector};
+use crate::numerics::{Each, Harmonic, Vector};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 #[cfg(feature = "serde")]
@@ -99,7 +99,7 @@ impl<const C: usize> Turn<C> {
     /// The constant part and the coefficients of cos θ and sin θ.
     #[must_use]
     pub fn parts(&self) -> [Wrench<C>; 3] {
-        self.load.parts().map(|part| *part)
+        self.load.parts().each(|part| *part)
     }
 
     /// The load at an angle, rad.
@@ -158,7 +158,7 @@ impl<const C: usize> Turn<C> {
 
     /// A force that turns, from its parts along the axis, at θ = 0 and a quarter turn later.
     fn of_forces(parts: [SVector<f64, C>; 3], wrench: impl Fn(SVector<f64, C>) -> Wrench<C>) -> Self {
-        let [constant, cosine, sine] = parts.map(wrench);
+        let [constant, cosine, sine] = parts.each(wrench);
         Self::new(constant, cosine, sine)
     }
 }

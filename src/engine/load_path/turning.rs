@@ -11,6 +11,7 @@
 //!
 //! It is found by repeating the last step until it ends there, see [`super::crossing`].
 
+use crate::numerics::IntoList;
 use nalgebra::SVector;
 
 use super::crossing::StepEnd;
@@ -287,14 +288,14 @@ impl<'g> Pieces<'g> {
         let met = |contact: &usize| {
             start.iter().any(|watch| watch.what == WatchedCondition::Contact(*contact) && watch.is_met())
         };
-        contacts.iter().copied().filter(met).collect()
+        contacts.iter().copied().filter(met).list()
     }
 
     /// The loss at the end of an arc; the object leaves along the arc.
     fn lost(&self, journey: &Journey<'g>, kind: LossKind, here: &PathPoint) -> PathEnd<3> {
         let slides = (0..self.node.states.len()).filter(|i| self.node.states[*i].slides());
         let motion = here.twist_rate.normalize();
-        PathEnd::Lost(Box::new(journey.loss(self.factor, kind, slides.collect(), Some(&motion))))
+        PathEnd::Lost(Box::new(journey.loss(self.factor, kind, slides.list(), Some(&motion))))
     }
 }
 

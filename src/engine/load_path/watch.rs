@@ -4,6 +4,7 @@ use super::segment::{PathPoint, Segment};
 use super::tolerances::{SLACK_ON_AN_ARC, VANISHING_NORMAL};
 use super::trajectory::Trajectory;
 use crate::contact::{Line, Mode, State, tangential, tangential_norm};
+use crate::numerics::Each;
 use crate::prelude::*;
 
 /// The subject of a watched condition.
@@ -110,7 +111,7 @@ pub(super) fn watch(
                 let rate = if used > 0.0 { friction.dot(&change) / used } else { change.norm() };
                 let cone = local.cone();
                 let [size, rate_size] =
-                    [line.force_size, line.rate_size].map(|size| size * cone.round_weight());
+                    [line.force_size, line.rate_size].each(|size| size * cone.round_weight());
                 let rate = cone.limit(line.rate[0]) - rate;
                 push(cone.limit(line.force[0]) - used, Some([rate, rate_size]), size);
             }

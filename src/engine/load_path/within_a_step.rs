@@ -12,7 +12,7 @@ use nalgebra::SVector;
 
 use super::segment::{PathPoint, Segment};
 use crate::contact::{Coulomb, Mode, State};
-use crate::numerics::least;
+use crate::numerics::{Each, least};
 
 /// The four Bézier points of a piece of the cubic.
 type Points = [SVector<f64, 3>; 4];
@@ -42,7 +42,7 @@ pub(super) fn first_dip(
         let (values, rates, size, cone) = match state {
             Mode::Open if !local.is_absent() => {
                 let [a, b] = [&from.gaps[i], &to.gaps[i]];
-                ([a.gap, b.gap].map(along), [a.rate, b.rate].map(along), a.size.max(b.size), None)
+                ([a.gap, b.gap].each(along), [a.rate, b.rate].each(along), a.size.max(b.size), None)
             }
             Mode::Sticking if local.may_slide() || local.may_open() => {
                 let [a, b] = [&from.lines[i], &to.lines[i]];
@@ -51,7 +51,7 @@ pub(super) fn first_dip(
             }
             _ => continue,
         };
-        let bounded = Bounded::new((values, rates.map(|rate| rate * length)), cone, (size, step_error));
+        let bounded = Bounded::new((values, rates.each(|rate| rate * length)), cone, (size, step_error));
         if let Some(part) = bounded.dip() {
             first = Some(first.map_or(part, |first| first.min(part)));
         }

@@ -81,7 +81,9 @@ impl BandPiece {
         let mut rows = 0;
         for (ranges, ends) in couplings.iter().zip(first_springs.windows(2)) {
             let (felt, count) = (lists.felt.len(), ends[1] - ends[0]);
-            lists.felt.extend(ranges.iter().flat_map(|range| &numbers[range.clone()]));
+            for range in ranges {
+                lists.felt.extend_from_slice(&numbers[range.clone()]);
+            }
             lists.first.push(lists.felt.len());
             lists.counts.push(count);
             rows += count * (lists.felt.len() - felt);
@@ -91,8 +93,11 @@ impl BandPiece {
             let mut rows = Vec::new();
             for ((site, ranges), ends) in sites.iter().zip(&couplings).zip(first_springs.windows(2)) {
                 for spring in &springs[ends[0]..ends[1]] {
-                    let entry = |k: usize| site.map.row(k).dot(of(spring));
-                    rows.extend(ranges.iter().cloned().flatten().map(entry));
+                    for range in ranges {
+                        for k in range.clone() {
+                            rows.push(site.map.row(k).dot(of(spring)));
+                        }
+                    }
                 }
             }
             lists.side(rows, count)

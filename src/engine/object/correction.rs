@@ -16,7 +16,7 @@ use super::precise::{PreciseBalance, PreciseTwist};
 use super::problem::Problem;
 use super::tolerances::{MOST_CORRECTIONS, NEARLY_CORRECTED};
 use crate::contact::{LocalLaw, Mode, Spring, State};
-use crate::numerics::{DoubleDouble, Vector, mapped, without};
+use crate::numerics::{DoubleDouble, Each, IntoList, Vector, by_axis, mapped, without};
 use crate::prelude::*;
 
 /// Exact solution less given forces and twist.
@@ -39,8 +39,7 @@ impl Piece {
         (at, from): (&[SVector<f64, 3>], &PreciseTwist),
         size: f64,
     ) -> Correction {
-        let mut forces: Vec<[DoubleDouble; 3]> =
-            mapped(at, &|f| core::array::from_fn(|a| DoubleDouble::new(f[a])));
+        let mut forces: Vec<[DoubleDouble; 3]> = mapped(at, &|f| [0, 1, 2].each(|a| DoubleDouble::new(f[a])));
         let mut twist = from.clone();
         let mut change = vec![0.0; self.springs.len()];
         let mut doubt = 0.0;
@@ -66,14 +65,14 @@ impl Piece {
             }
         }
         let missing = |(forces, f): (&[DoubleDouble; 3], &SVector<f64, 3>)| {
-            SVector::from_fn(|a, _| {
+            by_axis(|a| {
                 let mut exact = forces[a];
                 exact.add(-f[a]);
                 exact.value()
             })
         };
         let way = without(twist.less(from), self.free_motions());
-        Correction { forces: forces.iter().zip(at).map(missing).collect(), twist: way, doubt }
+        Correction { forces: forces.iter().zip(at).map(missing).list(), twist: way, doubt }
     }
 
     /// Moves forces of sliding contacts onto their cones, writes the residual e of each spring, and returns the residual ρ of equilibrium.

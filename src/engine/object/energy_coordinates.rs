@@ -11,7 +11,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::problem::Problem;
 use crate::contact::{LocalLaw, cross, tangential, tangential_norm};
-use crate::numerics::{Orthogonal, ScaledMap};
+use crate::numerics::{Each, Orthogonal, ScaledMap, by_axis};
 use crate::prelude::*;
 
 /// A facet of a friction cone, scaled so that the tangential part c of its row has length one. The condition `x_n >= 0` of a contact that may open is
@@ -143,7 +143,7 @@ impl Slipping {
     /// Slips across these facets, which are neighbours.
     pub(crate) fn new(facets: [Option<&Facet>; 2]) -> Self {
         let zero = SVector::zeros();
-        let rows = facets.map(|facet| facet.map_or(zero, |facet| facet.row));
+        let rows = facets.each(|facet| facet.map_or(zero, |facet| facet.row));
         let mut slipping = Self { rows, across: [zero; 2], count: facets.iter().flatten().count() };
         slipping.across[0] = tangential(&rows[0]);
         if slipping.count == 2 {
@@ -202,5 +202,5 @@ impl Slipping {
 
 /// The normal axis, `(1, 0, 0)`.
 pub(crate) fn normal() -> SVector<f64, 3> {
-    SVector::from_fn(|axis, _| if axis == 0 { 1.0 } else { 0.0 })
+    by_axis(|axis| if axis == 0 { 1.0 } else { 0.0 })
 }

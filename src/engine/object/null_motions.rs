@@ -7,12 +7,12 @@
 //! B z ≠ 0, Tᵀz = 0    nothing responds to z: offsets and loads that work on z have no solution
 //! ```
 
-use nalgebra::DMatrix;
-
 use super::band_piece::{BandPiece, Side};
 use super::tolerances::NO_WORK;
 use crate::numerics::tolerances::LINEARLY_DEPENDENT;
-use crate::numerics::{BandFactors, Size, Vector, dot, orthonormalise_against};
+use crate::numerics::{
+    BandFactors, IntoList, Singular, Size, Vector, dot, matrix_of, orthonormalise_against,
+};
 use crate::prelude::*;
 
 /// Null vectors of T, by their meaning (see the top of this file).
@@ -47,7 +47,7 @@ impl NullMotions {
         let mut found =
             Self { free: of_right.unfelt, unbalanced: of_left.unfelt, unanswered: of_left.felt, ..nothing };
         for (mut v, _) in of_right.felt {
-            let known: Vec<_> = found.free.iter().chain(&found.neutral).cloned().collect();
+            let known: Vec<_> = found.free.iter().chain(&found.neutral).cloned().list();
             orthonormalise_against(&mut v, &known);
             found.neutral.push(v);
         }
@@ -113,8 +113,7 @@ fn apart(
         found.push((v, stretches));
     }
     let count = found.len();
-    let axes =
-        DMatrix::from_fn(count, count, |i, j| dot(&found[i].1, &found[j].1)).symmetric_eigen().eigenvectors;
+    let axes = Singular::new(&matrix_of(count, count, &|i, j| dot(&found[i].1, &found[j].1))).right;
     let mut apart = Apart { unfelt: Vec::new(), felt: Vec::new() };
     for axis in axes.column_iter() {
         let mut v = Vector::zeros();

@@ -6,7 +6,7 @@
 //! With x_r = right_r · v the rows of A = right Gᵀ, B = left Gᵀ and α = right·a give `x = α - A q`, `Bᵀx = -W`: an
 //! oblique projection (an orthogonal one when nothing slides). Both factors are orthogonalised.
 
-use crate::numerics::{Map, Size, Square, Vector, mapped, numbered};
+use crate::numerics::{IntoList, Map, Size, Square, Vector, mapped, numbered};
 use core::ops::Range;
 
 use nalgebra::SVector;
@@ -159,7 +159,7 @@ impl Piece {
         let mut motions: Vec<Vector> = Vec::new();
         for c in coupling.kernel() {
             let mut v = right.preimage(&c);
-            let found: Vec<_> = self.free.iter().chain(&motions).cloned().collect();
+            let found: Vec<_> = self.free.iter().chain(&motions).cloned().list();
             orthonormalise_against(&mut v, &found);
             motions.push(v);
         }
@@ -234,10 +234,14 @@ impl OrthogonalPiece {
 
 /// The forces of least norm on the contacts in `carries` that balance a load, in the contact frames.
 pub(crate) fn least_forces(sites: &[Site], carries: &[bool], wrench: &Vector) -> Vec<SVector<f64, 3>> {
-    let axes: Vec<(usize, usize)> = (0..sites.len())
-        .filter(|&i| carries[i])
-        .flat_map(|i| (0..sites[i].springs.axes()).map(move |a| (i, a)))
-        .collect();
+    let mut axes = Vec::new();
+    for (i, site) in sites.iter().enumerate() {
+        if carries[i] {
+            for a in 0..site.springs.axes() {
+                axes.push((i, a));
+            }
+        }
+    }
     let columns: Vec<Vector> = mapped(&axes, &|&(i, a)| sites[i].map.column(a));
     let shares = least_combination(size_of(sites), &columns, wrench);
     let mut forces = vec![SVector::<f64, 3>::zeros(); sites.len()];

@@ -7,7 +7,7 @@
 //! At rest, a_i are commanded displacements and each contact has its full law. In rates, a_i are their derivatives, and each law is that of the rates
 //! at the present state ([`Law`]).
 
-use crate::numerics::{Size, Vector, indexed};
+use crate::numerics::{IntoList, Size, Vector, by_axis, indexed};
 use alloc::sync::Arc;
 
 use nalgebra::SVector;
@@ -165,7 +165,7 @@ impl<'g> Problem<'g> {
 
     /// Whether each contact slides with kinetic friction below its static value; empty if no contact has kinetic friction.
     pub(crate) fn weaker(&self) -> Vec<bool> {
-        self.cones.iter().zip(self.sites).map(|(cone, site)| *cone != site.friction).collect()
+        self.cones.iter().zip(self.sites).map(|(cone, site)| *cone != site.friction).list()
     }
 
     /// One contact with its law.
@@ -241,7 +241,7 @@ impl<'g> Problem<'g> {
         twist: &PreciseTwist,
     ) -> SVector<f64, 3> {
         let site = &self.sites[contact];
-        SVector::from_fn(|a, _| {
+        by_axis(|a| {
             if a == 0 {
                 return 0.0;
             }

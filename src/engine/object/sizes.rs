@@ -1,5 +1,6 @@
 //! Magnitudes that scale the rounding errors of forces and displacements.
 
+use crate::numerics::IntoList;
 use nalgebra::SVector;
 
 use super::newton::Imbalance;
@@ -48,7 +49,7 @@ impl Problem<'_> {
         let norm = state.twist.norm();
         let spans = self.sites.iter().zip(offsets).map(|(site, offset)| site.span_moved(offset, norm));
         let sites = self.locals().zip(&state.forces).zip(spans);
-        sites.map(|((local, force), span)| local.force_size(force, span, largest)).collect()
+        sites.map(|((local, force), span)| local.force_size(force, span, largest)).list()
     }
 
     /// Size of the displacements at a contact, m, which scales the rounding of its stretch.

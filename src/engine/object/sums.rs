@@ -84,7 +84,8 @@ impl<const R: usize> Sums<R> {
         weight: f64,
     ) {
         self.stiffness.add_congruent(seen, hold, weight);
-        for (side, pushed) in self.sides.iter_mut().zip(pushed.into_iter().flatten()) {
+        let Some(pushed) = pushed else { return };
+        for (side, pushed) in self.sides.iter_mut().zip(pushed) {
             *side += seen.tr_mul(&(pushed * weight));
         }
     }

@@ -7,7 +7,7 @@
 //! The forces are corrected, not recomputed from the twist: the force of a very stiff spring follows from equilibrium, not from its tiny stretch.
 //! After a step R is mere rounding, so that a few steps give the last digits where T is regular. For a singular T see [`super::Piece`].
 
-use crate::numerics::{Square, Vector};
+use crate::numerics::{Each, Square, Vector};
 use core::ops::Range;
 
 use nalgebra::SMatrix;
@@ -93,7 +93,7 @@ pub(crate) fn tangent_stiffness(sites: &[Site], springs: impl Fn(usize) -> Sprin
 
 /// Adds `G_i C_i G_iᵀ` of one contact to T.
 fn add_tangent(t: &mut Square, site: &Site, springs: &SpringTangent) {
-    let pushed: [Vector; 3] = core::array::from_fn(|a| &site.map * springs.column(a).into_owned());
+    let pushed: [Vector; 3] = [0, 1, 2].each(|a| &site.map * springs.column(a).into_owned());
     // The map of a contact has no entries for joints of other fingers, and that of a drive only for its own joint.
     for columns in site.support.ranges() {
         for j in columns {

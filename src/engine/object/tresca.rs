@@ -20,7 +20,9 @@ use super::limited::{Limited, LimitedAnswer};
 use super::problem::Problem;
 use crate::contact::{Mode, State};
 use crate::numerics::tolerances::SUFFICIENT_DECREASE;
-use crate::numerics::{PositiveBand, Vector, dot, mapped, moved, narrow_order, paired, widest};
+use crate::numerics::{
+    IntoList, PositiveBand, Vector, by_axis, dot, mapped, moved, narrow_order, paired, widest,
+};
 use crate::prelude::*;
 
 /// All contacts with given friction limits, and their coordinates in an order that makes the band narrow.
@@ -79,7 +81,7 @@ impl GivenLimits {
         let band = PositiveBand::zeros(count, widest(&numbers, &couplings));
         let (mut felt, mut first) = (Vec::new(), vec![0]);
         for (site, ranges) in problem.sites.iter().zip(couplings) {
-            let entry = |k: usize| (numbers[k], SVector::from_fn(|a, _| site.map[(k, a)]));
+            let entry = |k: usize| (numbers[k], by_axis(|a| site.map[(k, a)]));
             felt.extend(ranges.into_iter().flatten().map(entry));
             first.push(felt.len());
         }
@@ -177,7 +179,7 @@ impl GivenLimits {
     }
 
     fn limits_of(&self, answers: &[LimitedAnswer]) -> Vec<f64> {
-        self.contacts.iter().zip(answers).map(|(contact, answer)| contact.limit(answer.force[0])).collect()
+        self.contacts.iter().zip(answers).map(|(contact, answer)| contact.limit(answer.force[0])).list()
     }
 
     /// Newton's method from a motion to the minimum of energy with the given limits.

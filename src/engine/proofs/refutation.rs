@@ -10,6 +10,7 @@
 //!
 //! for every q. If the labels of the case keep every contact's term on the left side from being positive, the case has no equilibrium.
 
+use crate::numerics::IntoList;
 use nalgebra::SVector;
 
 use super::tolerances::{ESCAPE, LEAST_WORK};
@@ -69,7 +70,7 @@ pub(crate) fn yields(problem: &Problem) -> Option<f64> {
         let force = |((site, local), state): ((&Site, LocalLaw<'_>), &State)| {
             local.tangent(state).matrix().tr_mul(&site.map.tr_mul(&motion)) * -sign
         };
-        problem.sites.iter().zip(problem.locals()).zip(&states).map(force).collect()
+        problem.sites.iter().zip(problem.locals()).zip(&states).map(force).list()
     };
     let step = |sign: f64| ProofStep::Contradicted { motion: &motion * sign, forces: forces(sign) };
     [-1.0, 1.0].into_iter().find_map(|sign| check(problem, &[step(sign)]))

@@ -18,7 +18,9 @@ use nalgebra::{SMatrix, SVector};
 use super::wrench_cone::{Generator, straight_generators};
 use crate::contact::{tangential, tangential_norm};
 use crate::numerics::tolerances::SUFFICIENT_DECREASE;
-use crate::numerics::{PositiveBand, Vector, dot, mapped, narrow_order, paired, unit, widest};
+use crate::numerics::{
+    IntoList, PositiveBand, Vector, by_axis, dot, mapped, narrow_order, paired, unit, widest,
+};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -132,14 +134,13 @@ impl PushedBack {
             let along = |(k, number): &(usize, usize)| (*number, unit::<3>(0) * wrench[*k]);
             Pushing { felt: mapped(&felt(contact), &along), cone: None, told: SVector::zeros() }
         };
-        let mut contacts: Vec<_> = straight_generators(problem)?.into_iter().map(ray).collect();
+        let mut contacts: Vec<_> = straight_generators(problem)?.into_iter().map(ray).list();
         for (contact, (local, site)) in problem.locals().zip(problem.sites).enumerate() {
             if !local.is_round() {
                 continue;
             }
             let size = site.map.column(0).norm();
-            let entry =
-                |(k, number): &(usize, usize)| (*number, SVector::from_fn(|a, _| site.map[(*k, a)] / size));
+            let entry = |(k, number): &(usize, usize)| (*number, by_axis(|a| site.map[(*k, a)] / size));
             let cone = Some(local.cone().limit(1.0));
             contacts.push(Pushing { felt: mapped(&felt(contact), &entry), cone, told: SVector::zeros() });
         }
@@ -188,7 +189,7 @@ impl PushedBack {
 
     /// The imbalance `W + Σ G f - v`.
     fn missing(&self, v: &[f64]) -> Vec<f64> {
-        let mut sum: Vec<f64> = self.load.iter().zip(v).map(|(w, v)| w - v).collect();
+        let mut sum: Vec<f64> = self.load.iter().zip(v).map(|(w, v)| w - v).list();
         for contact in &self.contacts {
             let asked = contact.told - contact.moved(v) * self.stiffness;
             let force = contact.nearest(&asked).0;

@@ -20,7 +20,7 @@ use super::separating_many::{Left, left_of_many};
 use super::tolerances::{CLEAR_RESIDUAL, ESCAPE, LEAST_WORK, MOST_COORDINATES};
 use crate::contact::{Law, tangential, tangential_norm};
 use crate::grasp::Site;
-use crate::numerics::{NearestPoint, Size, Vector, unit};
+use crate::numerics::{IntoList, NearestPoint, Size, Vector, unit};
 use crate::object::{Problem, uses_band};
 use crate::prelude::*;
 
@@ -99,7 +99,7 @@ pub(crate) fn nearest_forces(
         nearest.settle(target.as_slice());
     };
     let of_tag = |tag: usize| straight.get(tag).unwrap_or_else(|| &joined[tag - straight.len()]).clone();
-    let shares = nearest.shares().map(|(tag, share)| (of_tag(tag), share)).collect();
+    let shares = nearest.shares().map(|(tag, share)| (of_tag(tag), share)).list();
     NearestForces { motion, against, shares }
 }
 
@@ -124,7 +124,7 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
     /// The residual of the load and its nearest forces, as a unit motion, if it is a clear proof.
     fn separating_motion(&self) -> Option<Vector> {
         let target = -&self.problem.wrench / self.load;
-        let round = |v: &Vector| round_generators(self.problem, v).collect();
+        let round = |v: &Vector| round_generators(self.problem, v).list();
         let NearestForces { motion: v, .. } =
             nearest_forces(self.problem.size(), &self.straight, &round, &target);
         self.is_proof(&v).then(|| v.normalize())

@@ -7,7 +7,7 @@ use nalgebra::{Matrix, SVector};
 use super::answer::Found;
 use crate::contact::{MOST_SLACK, SpringState, State, ZERO_SLACK};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Vector, chosen, least_distance};
+use crate::numerics::{IntoList, Vector, chosen, least_distance, mapped};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
@@ -67,9 +67,8 @@ pub(super) fn admit(
     // slack that is exactly zero comes out as a few roundings of 1e-16.
     if exceeds(worst, ZERO_SLACK) && !(free_motions.is_empty() && neutral_motions.is_empty()) {
         // These states leave a family of solutions. The one of least norm violates an inequality, but another one may satisfy all.
-        let free = free_motions.iter().map(|v| (v.clone(), vec![SVector::zeros(); problem.len()]));
-        let neutral = neutral_motions.iter().map(|v| (v.clone(), piece.forces_along(problem, v)));
-        let motions: Vec<_> = free.chain(neutral).collect();
+        let mut motions = mapped(&free_motions, &|v| (v.clone(), vec![SVector::zeros(); problem.len()]));
+        motions.extend(mapped(&neutral_motions, &|v| (v.clone(), piece.forces_along(problem, v))));
         let (values, sizes) = slacks(problem, &states, &at);
         if let Some(tau) = least_admissible_shift(problem, &states, &values, &sizes, &motions) {
             let there = shifted.insert(at.clone());
@@ -178,7 +177,7 @@ fn least_admissible_shift(
     motions: &[(Vector, Vec<SVector<f64, 3>>)],
 ) -> Option<Vec<f64>> {
     let mut rows: Vec<_> =
-        values.iter().zip(sizes).map(|(value, size)| (value / size, vec![0.0; motions.len()])).collect();
+        values.iter().zip(sizes).map(|(value, size)| (value / size, vec![0.0; motions.len()])).list();
     let at_rest = vec![SVector::zeros(); problem.len()];
     for (k, (motion, along)) in motions.iter().enumerate() {
         let forces = along.iter().map(Matrix::norm);

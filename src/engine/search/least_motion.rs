@@ -4,13 +4,13 @@
 //! `c + g·z >= 0`. The position q₀ closes the gaps of contacts that touched before anything moved, in the sense of least squares. From q₀ the
 //! position of least |z| is unique. It depends neither on the rung that found the states nor on the frame.
 
-use nalgebra::{DMatrix, DVector, SVector};
+use nalgebra::SVector;
 
 use super::answer::Found;
 use super::candidate::for_each_condition;
 use crate::contact::ZERO_SLACK;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Vector, chosen, least_distance, mapped};
+use crate::numerics::{IntoList, Singular, Vector, chosen, least_distance, mapped, matrix_of, vector_of};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -40,7 +40,7 @@ pub(super) fn at_the_least_motion(problem: &Problem, mut found: Found) -> Found 
         let changes = changes.iter().map(|list| list[i]);
         // A condition whose rate along a unit motion is below this part of its size does not depend on that motion.
         if changes.clone().any(|(change, size)| change.abs() > SOLVED_ROUNDING * size) {
-            rows.push((*value, changes.map(|(change, _)| change).collect()));
+            rows.push((*value, changes.map(|(change, _)| change).list()));
         }
     }
     if let Some(parts) = least_distance(rows) {
@@ -62,12 +62,12 @@ fn to_what_touches(problem: &Problem, found: &Found, base: &Vector) -> Vector {
         return Vector::zeros();
     }
     let (free, normal) = (&found.free_motions, |i: usize| problem.sites[i].map.column(0));
-    let rows = DMatrix::from_fn(open.len(), free.len(), |r, k| normal(open[r]).dot(&free[k]));
-    let gaps = DVector::from_fn(open.len(), |r, _| problem.stretch(open[r], base)[0]);
+    let rows = matrix_of(open.len(), free.len(), &|r, k| normal(open[r]).dot(&free[k]));
+    let gaps = vector_of(open.len(), &|r| problem.stretch(open[r], base)[0]);
     // Normals along free motions with a singular value below this count as dependent.
-    let parts = rows.svd(true, true).solve(&gaps, 1e-9);
-    parts.map_or_else(
-        |_| Vector::zeros(),
-        |parts| free.iter().zip(parts.iter()).fold(Vector::zeros(), |sum, (v, part)| sum + v * *part),
-    )
+    let mut motion = Vector::zeros();
+    for (v, part) in free.iter().zip(&Singular::new(&rows).solve(&gaps, 1e-9)) {
+        motion += v * *part;
+    }
+    motion
 }

@@ -3,6 +3,7 @@
 //! A contact that breaks a condition enters the pivoting set; all others keep their states. The new states may make other contacts break a condition.
 //! These join, until no contact does. If many contacts leave the trial, Tresca friction gives nearer states, in which few break a condition.
 
+use crate::numerics::IntoList;
 use alloc::sync::Arc;
 
 use super::candidate::breaking;
@@ -101,7 +102,7 @@ fn pivoted(
         let is_among = |i: &usize| among.binary_search(i).is_ok();
         (0..states.len()).filter(|i| !is_among(i)).for_each(|i| states[i] = base.states[i]);
         let at = Piece::new(problem, &states).solve(problem.sites, &problem.offsets, problem.load()).ok()?;
-        let joins: Vec<_> = breaking(problem, &states, &at).into_iter().filter(|i| !is_among(i)).collect();
+        let joins: Vec<_> = breaking(problem, &states, &at).into_iter().filter(|i| !is_among(i)).list();
         if joins.is_empty() {
             return Some(states);
         }
@@ -112,10 +113,16 @@ fn pivoted(
 
 /// The contacts that share a coordinate with one of `among`, these included, in order.
 fn beside(problem: &Problem, among: &[usize]) -> Vec<usize> {
-    let felt = |i: usize| problem.sites[i].support.ranges().into_iter().flatten();
     let mut is_near = vec![false; problem.size().count()];
-    among.iter().flat_map(|i| felt(*i)).for_each(|k| is_near[k] = true);
-    chosen(problem.len(), &|i| felt(*i).any(|k| is_near[k]))
+    for i in among {
+        for range in problem.sites[*i].support.ranges() {
+            is_near[range].fill(true);
+        }
+    }
+    let feels = |i: &usize| {
+        problem.sites[*i].support.ranges().iter().any(|range| is_near[range.clone()].contains(&true))
+    };
+    chosen(problem.len(), &feels)
 }
 
 /// Makes further contacts stick until the tangent stiffness is regular. For each motion in which it is singular, the contact that moves most sticks,

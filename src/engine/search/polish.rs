@@ -9,7 +9,7 @@ use super::candidate::{Judged, try_states};
 use super::round_pieces::RoundPieces;
 use crate::contact::State;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{PartialPivoting, Vector, paired};
+use crate::numerics::{IntoList, PartialPivoting, Vector, paired};
 use crate::object::{Piece, PieceState, Problem, balance, tangent_stiffness};
 use crate::prelude::*;
 
@@ -44,7 +44,7 @@ pub(crate) fn solution_near(problem: &Problem, states: &[State]) -> Option<Piece
 /// The solution of a piece whose tangent stiffness is regular.
 fn regular_solution(problem: &Problem, states: &[State]) -> Option<PieceState> {
     let springs: Vec<_> =
-        problem.locals().zip(states).map(|(local, state)| local.tangent(state).matrix()).collect();
+        problem.locals().zip(states).map(|(local, state)| local.tangent(state).matrix()).list();
     let tangent = PartialPivoting::new(&tangent_stiffness(problem.sites, |i| springs[i]))?;
     let forces = paired(&springs, &problem.offsets, &|(springs, offset)| springs * offset);
     let mut near = PieceState { forces, twist: Vector::zeros() };

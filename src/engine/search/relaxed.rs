@@ -20,7 +20,7 @@ use nalgebra::SVector;
 
 use crate::contact::HullRay;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{NearestPoint, Vector, mapped, numbered, summed};
+use crate::numerics::{IntoList, NearestPoint, Vector, by_axis, mapped, numbered, summed};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::proofs::{ESCAPE, LEAST_WORK};
@@ -54,7 +54,7 @@ impl BalanceEquation {
         let size = 3 * problem.len();
         let roots: Vec<_> = mapped(problem.sites, &|site| site.springs.root());
         let energy = |(root, force): (&SVector<f64, 3>, &SVector<f64, 3>)| {
-            SVector::<f64, 3>::from_fn(|a, _| if root[a] > 0.0 { force[a] / root[a] } else { 0.0 })
+            by_axis::<3>(|a| if root[a] > 0.0 { force[a] / root[a] } else { 0.0 })
         };
         let mut target: Vec<f64> = Vec::with_capacity(size);
         for pair in roots.iter().zip(&state.forces) {
@@ -69,9 +69,12 @@ impl BalanceEquation {
         }
         let seen: Vec<_> = numbered(problem.len(), &|contact| trial.seen(contact));
         let mut projector = Vec::with_capacity(size * size);
-        for column in seen.iter().flat_map(|seen| (0..3).map(|a| seen.column(a))) {
-            for rows in &seen {
-                projector.extend_from_slice(rows.tr_mul(&column).as_slice());
+        for columns in &seen {
+            for a in 0..3 {
+                let column = columns.column(a);
+                for rows in &seen {
+                    projector.extend_from_slice(rows.tr_mul(&column).as_slice());
+                }
             }
         }
         Some(Self { projector, target, unit, roots })
@@ -201,12 +204,12 @@ impl BalanceEquation {
             |list: &[f64], contact: usize| SVector::<f64, 3>::from_column_slice(&list[3 * contact..][..3]);
         let seen = self.roots.iter().enumerate().map(|(contact, root)| {
             let on_force = part(&projected, contact);
-            SVector::from_fn(|a, _| if root[a] > 0.0 { on_force[a] / root[a] } else { 0.0 })
+            by_axis(|a| if root[a] > 0.0 { on_force[a] / root[a] } else { 0.0 })
         });
-        let motion = trial.solve_roughly(&seen.collect::<Vec<_>>(), &Vector::zeros()).twist;
+        let motion = trial.solve_roughly(&seen.list(), &Vector::zeros()).twist;
         let on_stretch = |contact| part(y, contact) - part(&projected, contact);
         let forces = self.roots.iter().enumerate().map(|(i, root)| on_stretch(i).component_mul(root));
-        (motion, forces.collect())
+        (motion, forces.list())
     }
 
     /// The length of a difference of forces of a contact in energy units, as a part of the trial state.

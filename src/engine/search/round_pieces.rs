@@ -9,8 +9,8 @@ use nalgebra::SVector;
 use super::answer::Found;
 use super::candidate::{admit, admit_regular};
 use crate::contact::{LocalLaw, Mode, Slide, State, tangential, tangential_norm};
-use crate::numerics::Vector;
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{IntoList, Vector, by_axis};
 use crate::object::{Piece, PieceState, PreciseTwist, Problem, newton_on_cones};
 use crate::prelude::*;
 
@@ -54,7 +54,7 @@ impl RoundPieces {
             // At the apex of its cone a polygon's contact may be open although its law keeps it closed.
             if state.is_open() && local.excludes(state) { Mode::Sticking } else { *state }
         };
-        let states = problem.locals().zip(states.iter().zip(&near.forces)).map(state).collect();
+        let states = problem.locals().zip(states.iter().zip(&near.forces)).map(state).list();
         Self {
             states,
             forces: near.forces.clone(),
@@ -165,7 +165,7 @@ impl RoundPieces {
             let site = &problem.sites[contact];
             let precise =
                 |axis: usize| self.twist.stretch(site, axis, problem.offsets[contact][axis]).value();
-            let stretch = SVector::<f64, 3>::from_fn(|axis, _| precise(axis));
+            let stretch = by_axis(precise);
             // A state changes if its inequality fails by more than this part of its terms.
             let fails = 1e-14;
             let touches = closing && stretch[0] > fails * problem.span(contact, &twist);
@@ -201,9 +201,7 @@ fn next_state(
             // The stretch of a stiff spring is computed from its force; displacements would only give its rounding.
             let give = local.springs.give(force);
             let known =
-                SVector::from_fn(
-                    |axis, _| if axis == 0 || state.is_sticking() { give[axis] } else { stretch[axis] },
-                );
+                by_axis(|axis| if axis == 0 || state.is_sticking() { give[axis] } else { stretch[axis] });
             let near = state.slide().map_or(0.0, |slide| slide.lambda);
             let answer = local.answer(&known, near);
             let rubs = state.slide().is_some() || tangential_norm(force) > rounding;

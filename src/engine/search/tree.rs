@@ -14,7 +14,7 @@ use super::polish::polish_from;
 use super::relaxed::{BalanceEquation, Relaxed, Tag};
 use super::settings::Settings;
 use crate::contact::{HullRay, Label, LocalLaw};
-use crate::numerics::{NearestPoint, Vector, paired};
+use crate::numerics::{IntoList, NearestPoint, Vector, paired};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::proofs::ProofStep;
@@ -72,7 +72,7 @@ pub(super) fn search_tree(
     };
     let hull = |local: LocalLaw<'_>, label: &Label| Hull::from(local.hull(label));
     let labels = problem.each(|local| local.first_label());
-    let hulls = problem.locals().zip(&labels).map(|(local, label)| hull(local, label)).collect();
+    let hulls = problem.locals().zip(&labels).map(|(local, label)| hull(local, label)).list();
     let mut open = vec![Case { labels, hulls, nearest: Rc::new(balance.start()), divided: None }];
     let (mut cases, mut least_escape, mut narrow) = (0, f64::INFINITY, false);
     while let Some(Case { labels, hulls, nearest, divided }) = open.pop() {

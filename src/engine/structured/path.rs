@@ -15,7 +15,7 @@ use super::variables::{Candidate, Entering, PivotStep, Vanishing};
 use crate::contact::{LocalLaw, Mode, State};
 use crate::lcp::tolerances::DOUBTFUL_PIVOT;
 use crate::numerics::tolerances::FEW_ROUNDINGS;
-use crate::numerics::{Bordered, Vector};
+use crate::numerics::{Bordered, Each, Vector};
 use crate::object::{Facet, LazyPricing, Point, Sums, are_stale};
 use crate::prelude::*;
 
@@ -231,7 +231,7 @@ impl StatePath {
             last = -felt.dot(&column);
         }
         let sides = [(&self.sums.sides[TRIAL], -felt.dot(&local.trial)), (&pushed, last)];
-        let [here, along] = self.factors.solve_each(sides).map(|(y, s)| Point { y, s });
+        let [here, along] = self.factors.solve_each(sides).each(|(y, s)| Point { y, s });
         let largest = along.s.abs().max(along.y.amax() * self.form.widest).max(1.0);
         Some(PivotStep { here, along, largest })
     }

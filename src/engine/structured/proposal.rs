@@ -2,6 +2,7 @@
 
 use super::path::{PivotEnd, StatePath};
 use crate::contact::State;
+use crate::numerics::IntoList;
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
@@ -44,7 +45,7 @@ pub(crate) fn propose(
         match end {
             PivotEnd::Complementary => {
                 let states = problem.locals().enumerate().map(|(i, law)| path.state(i, &law));
-                proposal.states = Some(states.collect());
+                proposal.states = Some(states.list());
                 return proposal;
             }
             PivotEnd::Ray => {}

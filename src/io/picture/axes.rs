@@ -1,12 +1,11 @@
 //! The map from metres in a plane to pixels, and the axes beside it.
 
-use nalgebra::Vector2;
-use plotters::style::colors::BLACK;
-
-use super::palette::GREY;
+use super::palette::{BLACK, GREY};
 use super::round_numbers::{in_steps, round_up, whole_above, whole_below};
 use super::sheet::{Place, Sheet};
 use super::window::Window;
+use crate::numerics::Each;
+use nalgebra::Vector2;
 
 /// A map with the same scale in both directions.
 pub(super) struct EqualScales {
@@ -48,23 +47,23 @@ impl EqualScales {
         let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);
         for axis in 0..2 {
             let ends =
-                [-1.0, 1.0].map(|side| (self.middle[axis] + side * half[axis] - point[axis]) / along[axis]);
+                [-1.0, 1.0].each(|side| (self.middle[axis] + side * half[axis] - point[axis]) / along[axis]);
             if along[axis] != 0.0 {
                 (from, to) = (from.max(ends[0].min(ends[1])), to.min(ends[0].max(ends[1])));
             }
         }
-        [from, to].map(|way| self.place(point + along * way))
+        [from, to].each(|way| self.place(point + along * way))
     }
 
     pub(super) fn draw(&self, paper: &mut Sheet) {
         let Window { left, top, wide, high } = self.window;
         let (right, bottom) = (left + wide, top + high);
-        paper.line([(left, top), (left, bottom), (right, bottom)], BLACK, 1.0);
+        paper.line(&[(left, top), (left, bottom), (right, bottom)], BLACK, 1.0);
         let letters = 14.0;
         // About eleven numbers fit along an axis.
         let step = round_up(wide / self.scale / 11.0);
         for (axis, size) in [(0, wide), (1, high)] {
-            let [low, up] = [-0.5, 0.5].map(|side| (self.middle[axis] + side * size / self.scale) / step);
+            let [low, up] = [-0.5, 0.5].each(|side| (self.middle[axis] + side * size / self.scale) / step);
             let first = whole_above(low);
             // The limit of twenty numbers guards against rounding of the bounds.
             let numbers = (0..20).map(|k| first + f64::from(k)).take_while(|k| *k <= whole_below(up));
@@ -73,10 +72,10 @@ impl EqualScales {
                     .place(self.middle.map_with_location(|row, _, at| if row == axis { number } else { at }));
                 let words = in_steps(number, step);
                 if axis == 0 {
-                    paper.line([(x, bottom), (x, bottom + 5.0)], BLACK, 1.0);
+                    paper.line(&[(x, bottom), (x, bottom + 5.0)], BLACK, 1.0);
                     paper.text((x, bottom + 15.0), &words, letters, 0.5, BLACK);
                 } else {
-                    paper.line([(left, y), (left - 5.0, y)], BLACK, 1.0);
+                    paper.line(&[(left, y), (left - 5.0, y)], BLACK, 1.0);
                     paper.text((left - 9.0, y), &words, letters, 1.0, BLACK);
                 }
             }

@@ -1,9 +1,8 @@
 //! The bands of a map: the levels between them, and their colours.
 
-use plotters::style::RGBColor;
-use plotters::style::colors::colormaps::{ColorMap, ViridisRGB};
-
+use super::palette::Rgb;
 use super::round_numbers::{in_steps, round_up, whole_above, whole_below};
+use crate::numerics::IntoList;
 
 /// Levels of a map, with one colour between each two. Levels are evenly spaced round numbers. If the largest value is more than four times the
 /// smallest, they are preferred numbers, spaced in roughly equal ratios.
@@ -24,6 +23,18 @@ const PREFERRED_NUMBERS: [&[f64]; 4] = [
     &[1.0],
 ];
 
+/// Evenly spaced colours of matplotlib's colormap "viridis", which stays ordered for colour-blind readers.
+const VIRIDIS: [Rgb; 8] = [
+    Rgb(68, 1, 84),
+    Rgb(70, 50, 127),
+    Rgb(54, 92, 141),
+    Rgb(39, 127, 143),
+    Rgb(31, 162, 136),
+    Rgb(74, 194, 110),
+    Rgb(160, 219, 57),
+    Rgb(254, 232, 37),
+];
+
 impl Bands {
     /// Bands for finite values from `low` to `high`.
     pub(super) fn new(low: f64, high: f64) -> Self {
@@ -37,7 +48,7 @@ impl Bands {
         let first = whole_below(low / step);
         let count = (whole_above(high / step) - first).clamp(1.0, 2.0 * MOST_BANDS);
         let levels = (0..=100).map(f64::from).take_while(|k| *k <= count).map(|k| (first + k) * step);
-        Self { levels: levels.collect(), step: Some(step) }
+        Self { levels: levels.list(), step: Some(step) }
     }
 
     fn in_ratios(low: f64, high: f64) -> Self {
@@ -82,8 +93,11 @@ impl Bands {
         }
     }
 
-    pub(super) fn color(&self, band: usize) -> RGBColor {
+    pub(super) fn color(&self, band: usize) -> Rgb {
         let last = (self.count() - 1).max(1) as f64;
-        ViridisRGB.get_color(band as f64 / last)
+        let place = band as f64 / last * (VIRIDIS.len() - 1) as f64;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "among the colours")]
+        let below = (place as usize).min(VIRIDIS.len() - 2);
+        VIRIDIS[below].towards(VIRIDIS[below + 1], place - below as f64)
     }
 }

@@ -1,66 +1,64 @@
-//! A drawing plane of plotters with round numbers at its axes.
+//! The part of a sheet for one chart: a window of numbers, with axes and round numbers along them.
 
-use std::ops::Range;
-
-use plotters::chart::ChartContext;
-use plotters::coord::Shift;
-use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
-use plotters::coord::types::RangedCoordf64;
-use plotters::prelude::{Cartesian2d, DrawingArea, SVGBackend};
-
+use super::layout::CHART;
+use super::palette::{BLACK, GREY};
 use super::round_numbers::{in_steps, round_up, whole_above, whole_below};
+use super::sheet::{Place, Sheet};
 
-pub(super) type Canvas<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<AxisRange, AxisRange>>;
-/// The part of the paper for one chart.
-pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-/// The result of a drawing call of plotters.
-pub(super) type Plotted = Result<(), Box<dyn std::error::Error>>;
-
-/// Magnification while drawing. plotters rounds to whole pixels, so that a chart is drawn larger and shown smaller, with smooth curves.
-pub(super) const FINE: u32 = 4;
-
-/// The range of an axis.
-pub(super) struct AxisRange {
-    coordinates: RangedCoordf64,
-    step: f64,
-    /// Whether positions on the axis are decimal logarithms; its numbers are then powers of ten.
-    logarithmic: bool,
+/// The edges of a chart's plane on the paper, and its window.
+pub(super) struct Canvas {
+    pub(super) left: f64,
+    pub(super) top: f64,
+    pub(super) wide: f64,
+    pub(super) high: f64,
+    /// The smallest and the largest x, then the same of y.
+    pub(super) window: [f64; 4],
 }
 
-impl AxisRange {
-    pub(super) fn new(range: Range<f64>, logarithmic: bool) -> Self {
-        // About ten numbers fit along an axis.
-        let step = (range.end - range.start) / 10.0;
-        let step = if logarithmic { step.ceil().max(1.0) } else { round_up(step) };
-        Self { coordinates: range.into(), step, logarithmic }
-    }
-}
-
-impl Ranged for AxisRange {
-    type FormatOption = NoDefaultFormatting;
-    type ValueType = f64;
-
-    fn map(&self, value: &f64, limit: (i32, i32)) -> i32 {
-        self.coordinates.map(value, limit)
+impl Canvas {
+    /// The place of a point on the paper.
+    pub(super) fn place(&self, (x, y): (f64, f64)) -> Place {
+        let [x0, x1, y0, y1] = self.window;
+        (self.left + (x - x0) / (x1 - x0) * self.wide, self.top + (y1 - y) / (y1 - y0) * self.high)
     }
 
-    fn key_points<H: KeyPointHint>(&self, _: H) -> Vec<f64> {
-        let Range { start, end } = self.range();
-        let first = whole_above(start / self.step);
-        // The limit of twenty numbers guards against rounding of the bounds.
-        let steps = (0..20).map(|k| first + f64::from(k));
-        steps.take_while(|k| *k <= whole_below(end / self.step)).map(|k| k * self.step).collect()
-    }
-
-    fn range(&self) -> Range<f64> {
-        self.coordinates.range()
+    /// Draws both axes with their numbers, and a faint grid.
+    pub(super) fn draw_axes(&self, paper: &mut Sheet, labels: [&str; 2], logarithmic: bool) {
+        let (right, bottom, grid) = (self.left + self.wide, self.top + self.high, GREY.mix(0.2));
+        let [x0, x1, y0, y1] = self.window;
+        for (number, words) in numbers(x0, x1, logarithmic) {
+            let (x, _) = self.place((number, y0));
+            paper.line(&[(x, self.top), (x, bottom)], grid, 1.0);
+            paper.line(&[(x, bottom), (x, bottom + 5.0)], BLACK, 1.0);
+            paper.text((x, bottom + 16.0), &words, CHART.letters, 0.5, BLACK);
+        }
+        for (number, words) in numbers(y0, y1, logarithmic) {
+            let (_, y) = self.place((x0, number));
+            paper.line(&[(self.left, y), (right, y)], grid, 1.0);
+            paper.line(&[(self.left - 5.0, y), (self.left, y)], BLACK, 1.0);
+            paper.text((self.left - 9.0, y), &words, CHART.letters, 1.0, BLACK);
+        }
+        paper.line(&[(self.left, self.top), (self.left, bottom), (right, bottom)], BLACK, 1.0);
+        paper.text((self.left + self.wide / 2.0, bottom + 39.0), labels[0], CHART.letters, 0.5, BLACK);
+        paper.text_upwards((self.left - 72.0, self.top + self.high / 2.0), labels[1], CHART.letters, BLACK);
     }
 }
 
-impl ValueFormatter<f64> for AxisRange {
-    fn format_ext(&self, value: &f64) -> String {
-        if self.logarithmic { power_of_ten(*value) } else { in_steps(*value, self.step) }
+/// Round numbers from one end of an axis to the other, with their words.
+fn numbers(start: f64, end: f64, logarithmic: bool) -> Vec<(f64, String)> {
+    // About ten numbers fit along an axis.
+    let step = (end - start) / 10.0;
+    let step = if logarithmic { step.ceil().max(1.0) } else { round_up(step) };
+    let (first, last) = (whole_above(start / step), whole_below(end / step));
+    let mut all = Vec::new();
+    // The limit of twenty numbers guards against rounding of the bounds.
+    for k in (0..20).map(|k| first + f64::from(k)) {
+        if k <= last {
+            let number = k * step;
+            all.push((number, if logarithmic { power_of_ten(number) } else { in_steps(number, step) }));
+        }
     }
+    all
 }
 
 /// The label of a decade, such as 10⁻³.

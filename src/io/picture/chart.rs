@@ -1,15 +1,16 @@
 //! Curves against a load factor, with events marked.
 
-use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-
-use super::canvas::{Area, AxisRange, Canvas, FINE, Plotted};
-use super::chart_strokes::{draw_label, draw_marks, draw_names, draw_note, draw_series};
+use super::canvas::Canvas;
+use super::chart_strokes::{
+    draw_ground, draw_label, draw_marks, draw_names, draw_note, draw_series, rectangle,
+};
 use super::error::PictureError;
 use super::layout::CHART;
-use super::legend_corner::{emptiest_corner, legend_width};
-use super::palette::{FONT, GREY, PALETTE};
+use super::legend_corner::{emptiest_corner, legend_width, most_letters};
+use super::palette::{BLACK, GREY, PALETTE};
 use super::series::{ChartSeries, Stroke};
+use super::sheet::{Place, Sheet, plaque_size, sheet};
+use crate::numerics::IntoList;
 
 /// A chart of one or more series: add series and marks to it, then call [`Chart::to_svg`]. Points, labels and marks that are not finite are omitted;
 /// a line is interrupted at such a point.
@@ -115,29 +116,31 @@ impl Chart {
         }
         let columns = columns.min(charts.len());
         let rows = charts.len().div_ceil(columns);
-        let mut svg = String::new();
-        let shown;
-        {
-            let size = (fine_pixels(columns, CHART.size.0)?, fine_pixels(rows, CHART.size.1)?);
-            let root = SVGBackend::with_string(&mut svg, size).into_drawing_area();
-            root.fill(&WHITE).map_err(PictureError::from_backend)?;
-            for (chart, area) in charts.iter().zip(root.split_evenly((rows, columns))) {
-                chart.draw_on(&area)?;
-            }
-            root.present().map_err(PictureError::from_backend)?;
-            let size_of = |(wide, high)| format!("width=\"{wide}\" height=\"{high}\"");
-            shown = [size_of(size), size_of((size.0 / FINE, size.1 / FINE))];
+        let (wide, high) = CHART.size;
+        let size = (wide * columns as f64, high * rows as f64);
+        // Places farther out are not written.
+        if size.0.max(size.1) > 1e7 {
+            return Err(PictureError(format!("{} are too many to be drawn", charts.len())));
         }
-        Ok(svg.replacen(&shown[0], &shown[1], 1))
+        let mut fault = None;
+        let svg = sheet(size, |paper| {
+            for (k, chart) in charts.iter().enumerate() {
+                let corner = (wide * (k % columns) as f64, high * (k / columns) as f64);
+                if let Err(error) = chart.draw_on(paper, corner) {
+                    fault.get_or_insert(error);
+                }
+            }
+        });
+        fault.map_or(Ok(svg), Err)
     }
 
-    fn draw_on(&self, area: &Area<'_>) -> Result<(), PictureError> {
+    fn draw_on(&self, paper: &mut Sheet, corner: Place) -> Result<(), PictureError> {
         let mut chart = if self.logarithmic { self.in_decades() } else { self.clone() };
         chart.marks.retain(|(x, _)| x.is_finite());
         let is_finite = |(x, y): &(f64, f64)| x.is_finite() && y.is_finite();
         chart.labels.retain(|(point, _)| is_finite(point));
         let corners = chart.series.iter().flat_map(ChartSeries::corners);
-        let finite: Vec<(f64, f64)> = corners.filter(is_finite).collect();
+        let finite: Vec<(f64, f64)> = corners.filter(is_finite).list();
         if finite.is_empty() {
             return Err(PictureError("no finite point".into()));
         }
@@ -146,12 +149,13 @@ impl Chart {
         let room = if self.logarithmic { (0.0, 0.0) } else { (if apart { 0.02 } else { 0.0 }, 0.06) };
         let (x0, x1) = range(finite.iter().map(|p| p.0).chain(chart.marks.iter().map(|m| m.0)), room.0);
         let (y0, y1) = range(finite.iter().map(|p| p.1), room.1);
-        let window =
-            if self.logarithmic { [x0.floor(), x1.ceil(), y0.floor(), y1.ceil()] } else { [x0, x1, y0, y1] };
         if !((x1 - x0).is_finite() && (y1 - y0).is_finite()) {
             return Err(PictureError("points or marks are too far apart".into()));
         }
-        chart.draw(area, window).map_err(PictureError::from_backend)
+        let window =
+            if self.logarithmic { [x0.floor(), x1.ceil(), y0.floor(), y1.ceil()] } else { [x0, x1, y0, y1] };
+        chart.draw(paper, corner, window);
+        Ok(())
     }
 
     /// The chart with decimal logarithms in place of its numbers.
@@ -172,99 +176,67 @@ impl Chart {
         chart
     }
 
-    fn draw(&self, root: &Area<'_>, window: [f64; 4]) -> Plotted {
-        let [x0, x1, y0, y1] = window;
+    fn draw(&self, paper: &mut Sheet, (left, top): Place, window: [f64; 4]) {
+        let (wide, high) = CHART.size;
         // The title has smaller letters if it would not fit.
-        let room = f64::from(CHART.size.0 * FINE) / self.title.chars().count() as f64;
-        // 0.5 is the width of a letter relative to its font size, as plotters assumes it.
-        let title = (FONT, f64::from(CHART.title * FINE).min(room / 0.5))
-            .into_font()
-            .color(&BLACK)
-            .pos(Pos::new(HPos::Center, VPos::Center));
-        let (wide, _) = root.dim_in_pixel();
-        root.draw(&Text::new(self.title.as_str(), (wide.cast_signed() / 2, 26 * FINE.cast_signed()), title))?;
-        let below = draw_note(root, self.note.as_deref().unwrap_or_default())?;
-        // A legend of many names would hide the curves. With more than `most_inside` series names are written beside the chart.
-        let beside =
-            (self.series.len() > CHART.most_inside).then(|| legend_width(&self.series, CHART.longest_beside));
-        let mut chart = ChartBuilder::on(root)
-            .margin(14 * FINE)
-            // Room for the title.
-            .margin_top(46 * FINE)
-            // Room for half of the last number at the axis.
-            .margin_right(30 * FINE + beside.unwrap_or(0))
-            .margin_bottom(14 * FINE + below)
-            .x_label_area_size(50 * FINE)
-            .y_label_area_size(82 * FINE)
-            .build_cartesian_2d(
-                AxisRange::new(x0..x1, self.logarithmic),
-                AxisRange::new(y0..y1, self.logarithmic),
-            )?;
-        if let Some((from, label)) = &self.shaded {
-            let corners = [(from.max(x0), y0), (x1, y1)];
-            chart.draw_series([Rectangle::new(corners, GREY.mix(0.15).filled())])?;
-            // If the shaded area is narrow, the label ends at the right edge of the chart.
-            let little = *from > x0 + 0.75 * (x1 - x0);
-            let (x, side) = if little { (x1, HPos::Right) } else { (*from, HPos::Left) };
-            let shift = 0.01 * (x1 - x0) * if little { -1.0 } else { 1.0 };
-            let style = (FONT, 15 * FINE).into_font().color(&GREY).pos(Pos::new(side, VPos::Center));
-            let at = (x + shift, y0 + 0.04 * (y1 - y0));
-            chart.draw_series([Text::new(label.clone(), at, style)])?;
-        }
-        self.draw_axes(&mut chart)?;
+        let size = CHART.title.min((wide - 36.0) / (0.6 * self.title.chars().count() as f64));
+        paper.text((left + wide / 2.0, top + 26.0), &self.title, size, 0.5, BLACK);
+        let below = draw_note(paper, (left, top + high), self.note.as_deref().unwrap_or_default());
+        // A legend of many names would hide the curves; names are then written beside the chart.
+        let is_beside = self.series.len() > CHART.most_inside;
+        let beside = if is_beside { legend_width(&self.series, CHART.longest_beside) } else { 0.0 };
+        // Around the plane there is room for numbers and labels, and on the right for half of the last number.
+        let canvas = Canvas {
+            left: left + 96.0,
+            top: top + 46.0,
+            wide: wide - 126.0 - beside,
+            high: high - 110.0 - below,
+            window,
+        };
+        self.draw_shade(paper, &canvas);
+        canvas.draw_axes(paper, [&self.x_label, &self.y_label], self.logarithmic);
         for (series, color) in self.series.iter().zip(PALETTE.iter().cycle()) {
-            draw_series(
-                &mut chart,
-                series,
-                *color,
-                if beside.is_some() { CHART.longest_beside } else { CHART.longest_inside },
-            )?;
+            draw_series(paper, &canvas, series, *color);
         }
-        draw_marks(&mut chart, window, &self.marks)?;
+        draw_marks(paper, &canvas, &self.marks);
         for (point, label) in &self.labels {
-            draw_label(&mut chart, *point, label)?;
+            draw_label(paper, canvas.place(*point), label);
         }
-        if beside.is_some() {
-            let (right, top) = chart.plotting_area().get_pixel_range();
-            return draw_names(
-                root,
-                (right.end + 12 * FINE.cast_signed(), top.start),
-                &self.series,
-                CHART.longest_beside,
-            );
+        if is_beside {
+            let at = (canvas.left + canvas.wide + 12.0, canvas.top + 2.0);
+            draw_names(paper, at, &self.series, CHART.longest_beside, (CHART.label, 20.0));
+        } else {
+            self.draw_legend(paper, &canvas);
         }
-        chart
-            .configure_series_labels()
-            .position(emptiest_corner(window, &self.series, !self.marks.is_empty(), self.shaded.is_some()))
-            .background_style(WHITE.mix(0.85))
-            .border_style(GREY.mix(0.4).stroke_width(FINE))
-            .label_font((FONT, CHART.letters * FINE))
-            .legend_area_size(30 * FINE)
-            .margin(10 * FINE)
-            .draw()?;
-        Ok(())
     }
 
-    fn draw_axes(&self, chart: &mut Canvas) -> Plotted {
-        chart
-            .configure_mesh()
-            .light_line_style(TRANSPARENT)
-            .bold_line_style(GREY.mix(0.2).stroke_width(FINE))
-            .axis_style(BLACK.stroke_width(FINE))
-            .set_all_tick_mark_size(5 * FINE)
-            .x_desc(&self.x_label)
-            .y_desc(&self.y_label)
-            .label_style((FONT, CHART.letters * FINE))
-            .axis_desc_style((FONT, CHART.letters * FINE))
-            .draw()?;
-        Ok(())
+    fn draw_shade(&self, paper: &mut Sheet, canvas: &Canvas) {
+        let (Some((from, label)), [x0, x1, y0, y1]) = (&self.shaded, canvas.window) else { return };
+        let corners = rectangle(canvas.place((from.clamp(x0, x1), y0)), canvas.place((x1, y1)));
+        paper.area(&corners, GREY.mix(0.15));
+        // Where there is little room, the label ends at the right edge.
+        let little = *from > x0 + 0.75 * (x1 - x0);
+        let (x, y) = canvas.place((if little { x1 } else { *from }, y0 + 0.04 * (y1 - y0)));
+        let aside = 0.01 * canvas.wide;
+        let (x, left) = if little { (x - aside, 1.0) } else { (x + aside, 0.0) };
+        paper.text((x, y), label, CHART.label, left, GREY);
     }
-}
 
-/// The size of `count` charts of `each` pixels side by side, in fine pixels ([`FINE`] of them are one pixel).
-fn fine_pixels(count: usize, each: u32) -> Result<u32, PictureError> {
-    let all = u32::try_from(count).ok().and_then(|count| count.checked_mul(each * FINE));
-    all.ok_or_else(|| PictureError(format!("{count} are too many to be drawn")))
+    /// The size of `count` charts of `each` pixels side by side, in fine pixels ([`FINE`] of them are one pixel).
+    fn draw_legend(&self, paper: &mut Sheet, canvas: &Canvas) {
+        let (marked, shaded) = (!self.marks.is_empty(), self.shaded.is_some());
+        let (side, anchor) = emptiest_corner(canvas.window, &self.series, marked, shaded);
+        let longest = "x".repeat(most_letters(&self.series, CHART.longest_inside));
+        let line = 1.3 * CHART.letters;
+        let (wide, high) =
+            (plaque_size(&longest, CHART.letters).0 + 48.0, line * self.series.len() as f64 + 12.0);
+        let aside = 8.0;
+        let left = canvas.left + aside + side * (canvas.wide - wide - 2.0 * aside);
+        let top = canvas.top + aside + (1.0 - anchor) * (canvas.high - high - 2.0 * aside);
+        draw_ground(paper, (left, top), (left + wide, top + high), [0.85, 0.4]);
+        let at = (left + 10.0, top + 6.0);
+        draw_names(paper, at, &self.series, CHART.longest_inside, (CHART.letters, line));
+    }
 }
 
 /// Smallest and largest value with margins on both sides, each `room` times the range; a range of zero width is widened.

@@ -1,145 +1,117 @@
 //! The strokes of a chart: series, marks and labels.
 
-use plotters::element::{DashedPathElement, DynElement, EmptyElement, IntoDynElement};
-use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-
-use super::canvas::{Area, Canvas, FINE, Plotted};
+use super::canvas::Canvas;
 use super::layout::CHART;
-use super::palette::{FONT, GREY, PALETTE};
+use super::palette::{BLACK, GREY, PALETTE, Rgb, WHITE};
 use super::series::{ChartSeries, Stroke};
-use super::sheet::plaque_size;
+use super::sheet::{Place, Sheet, plaque_size};
 use super::words::{lines, shortened};
+use crate::numerics::mapped;
 
-/// Contour of the legend sample of a line with dots, pixels.
-const DOTTED_SAMPLE: [(i32, i32); 10] =
-    [(0, -1), (7, -1), (10, -4), (13, -1), (20, -1), (20, 1), (13, 1), (10, 4), (7, 1), (0, 1)];
-/// Contour of the legend sample of a line with arrows, pixels.
-const ARROWED_SAMPLE: [(i32, i32); 10] =
-    [(0, -1), (6, -1), (6, -5), (15, -1), (20, -1), (20, 1), (15, 1), (6, 5), (6, 1), (0, 1)];
+/// Opacity of clouds of points and bars, so that strokes below remain visible.
+const FAINT: f64 = 0.65;
 
 /// Draws a series and its entry in the legend, where the name is shortened to `letters` letters.
-pub(super) fn draw_series<'a, 'b: 'a>(
-    chart: &mut Canvas<'a, 'b>,
-    series: &ChartSeries,
-    color: RGBColor,
-    letters: usize,
-) -> Plotted {
-    let (style, stroke) = (color.stroke_width(2 * FINE), series.stroke);
+pub(super) fn draw_series(paper: &mut Sheet, canvas: &Canvas, series: &ChartSeries, color: Rgb) {
     let is_finite = |(x, y): &(f64, f64)| x.is_finite() && y.is_finite();
     for piece in series.points.split(|point| !is_finite(point)) {
-        let piece = piece.iter().copied();
+        draw_piece(paper, &mapped(piece, &|point| canvas.place(*point)), series.stroke, color);
+    }
+    if series.stroke == Stroke::Bars {
+        for ends in series.bars() {
+            if ends.iter().all(is_finite) {
+                let [a, b] = [canvas.place(ends[0]), canvas.place(ends[1])];
+                paper.area(&rectangle(a, b), color.mix(FAINT));
+            }
+        }
+    }
+}
+
+/// Draws points of a series that are joined.
+fn draw_piece(paper: &mut Sheet, places: &[Place], stroke: Stroke, color: Rgb) {
+    match stroke {
+        Stroke::Line | Stroke::Marked | Stroke::Directed => paper.line(places, color, 2.0),
+        Stroke::Dashed => paper.dashes(places, color, 2.0),
+        Stroke::Circles | Stroke::Dots | Stroke::Bars => {}
+    }
+    if stroke == Stroke::Directed {
+        for ends in places.windows(2) {
+            draw_arrow(paper, ends[0], ends[1], color);
+        }
+    }
+    for place in places {
         match stroke {
-            Stroke::Line | Stroke::Marked => _ = chart.draw_series(LineSeries::new(piece, style))?,
-            Stroke::Directed => {
-                chart.draw_series(LineSeries::new(piece.clone(), style))?;
-                draw_arrows(chart, &piece.collect::<Vec<_>>(), color)?;
-            }
-            Stroke::Dashed => {
-                _ = chart.draw_series(DashedLineSeries::new(piece, 7 * FINE, 5 * FINE, style))?;
-            }
-            Stroke::Circles | Stroke::Dots | Stroke::Bars => break,
+            Stroke::Marked => paper.circle(*place, 3.0, color, None),
+            Stroke::Circles => paper.circle(*place, 4.0, color, Some(2.0)),
+            Stroke::Dots => paper.circle(*place, 2.0, color.mix(FAINT), None),
+            Stroke::Line | Stroke::Directed | Stroke::Dashed | Stroke::Bars => {}
         }
-    }
-    let points = series.points.iter().copied().filter(is_finite);
-    match stroke {
-        Stroke::Marked => _ = chart.draw_series(points.map(|p| Circle::new(p, 3 * FINE, color.filled())))?,
-        Stroke::Circles => _ = chart.draw_series(points.map(|p| Circle::new(p, 4 * FINE, style)))?,
-        Stroke::Dots => _ = chart.draw_series(points.map(|p| Circle::new(p, 2 * FINE, faint(color))))?,
-        Stroke::Bars => {
-            let corners = series.bars().into_iter().filter(|corners| corners.iter().all(is_finite));
-            chart.draw_series(corners.map(|corners| Rectangle::new(corners, faint(color))))?;
-        }
-        Stroke::Line | Stroke::Directed | Stroke::Dashed => {}
-    }
-    let entry = chart.draw_series(std::iter::empty::<Circle<(f64, f64), u32>>())?;
-    entry.label(shortened(&series.name, letters)).legend(move |at| sample(stroke, color, at));
-    Ok(())
-}
-
-/// The legend sample of a stroke.
-fn sample<'b>(
-    stroke: Stroke,
-    color: RGBColor,
-    (x, y): (i32, i32),
-) -> DynElement<'static, SVGBackend<'b>, (i32, i32)> {
-    let (style, fine) = (color.stroke_width(2 * FINE), FINE.cast_signed());
-    let (line, middle) = ([(x, y), (x + 20 * fine, y)], (x + 10 * fine, y));
-    let around = |corners: &[(i32, i32)]| {
-        let corners = corners.iter().map(|(across, down)| (x + across * fine, y + down * fine));
-        Polygon::new(corners.collect::<Vec<_>>(), color.filled())
-    };
-    match stroke {
-        Stroke::Circles => Circle::new(middle, 4 * FINE, style).into_dyn(),
-        Stroke::Dots => Circle::new(middle, 2 * FINE, faint(color)).into_dyn(),
-        Stroke::Bars => {
-            let corners = [(x, y - 5 * fine), (x + 20 * fine, y + 5 * fine)];
-            Rectangle::new(corners, faint(color)).into_dyn()
-        }
-        Stroke::Dashed => DashedPathElement::new(line, 5 * FINE, 3 * FINE, style).into_dyn(),
-        Stroke::Marked => around(&DOTTED_SAMPLE).into_dyn(),
-        Stroke::Directed => around(&ARROWED_SAMPLE).into_dyn(),
-        Stroke::Line => PathElement::new(line, style).into_dyn(),
     }
 }
 
-/// Writes the names of series below each other from a place in the sheet.
+/// An arrow in the middle of a piece of a line that is long enough.
+fn draw_arrow(paper: &mut Sheet, a: Place, b: Place, color: Rgb) {
+    let (x, y) = (b.0 - a.0, b.1 - a.1);
+    let size = x.hypot(y);
+    // A shorter piece of a line has no room for an arrow.
+    if size < 14.0 {
+        return;
+    }
+    let middle = (f64::midpoint(a.0, b.0), f64::midpoint(a.1, b.1));
+    // Parts of the piece: length and half the width of an arrow.
+    let (long, wide) = (11.0 / size, 4.5 / size);
+    let corner =
+        |along: f64, across: f64| (middle.0 + x * along - y * across, middle.1 + y * along + x * across);
+    paper.area(&[corner(0.5 * long, 0.0), corner(-0.5 * long, wide), corner(-0.5 * long, -wide)], color);
+}
+
+/// Writes the names of series below each other from a place on, with samples of their strokes. Lines have this height.
 pub(super) fn draw_names(
-    root: &Area<'_>,
-    (x, y): (i32, i32),
+    paper: &mut Sheet,
+    (x, y): Place,
     series: &[ChartSeries],
     letters: usize,
-) -> Plotted {
-    let fine = FINE.cast_signed();
+    (size, line): (f64, f64),
+) {
     for ((series, color), k) in series.iter().zip(PALETTE.iter().cycle()).zip(0..) {
-        let y = y + (20 * k + 12) * fine;
-        root.draw(&sample(series.stroke, *color, (x, y)))?;
-        let style =
-            (FONT, CHART.label * FINE).into_font().color(&BLACK).pos(Pos::new(HPos::Left, VPos::Center));
-        root.draw(&Text::new(shortened(&series.name, letters), (x + 28 * fine, y), style))?;
-    }
-    Ok(())
-}
-
-/// Half-transparent ink for clouds of points and bars, so that strokes below remain visible.
-fn faint(color: RGBColor) -> ShapeStyle {
-    color.mix(0.65).filled()
-}
-
-/// An arrow in the middle of each piece of a line that is long enough.
-fn draw_arrows(chart: &mut Canvas, line: &[(f64, f64)], color: RGBColor) -> Plotted {
-    for ends in line.windows(2) {
-        let [a, b] = [ends[0], ends[1]].map(|end| chart.plotting_area().map_coordinate(&end));
-        let (x, y) = (f64::from(b.0 - a.0), f64::from(b.1 - a.1));
-        let size = x.hypot(y);
-        // A piece of a line shorter than 14 pixels has no room for an arrow.
-        if size < 14.0 * f64::from(FINE) {
-            continue;
+        let y = y + line * (f64::from(k) + 0.5);
+        match series.stroke {
+            Stroke::Bars => paper.area(&rectangle((x, y - 5.0), (x + 20.0, y + 5.0)), color.mix(FAINT)),
+            Stroke::Line | Stroke::Directed | Stroke::Dashed => {
+                draw_piece(paper, &[(x, y), (x + 20.0, y)], series.stroke, *color);
+            }
+            Stroke::Circles | Stroke::Dots => draw_piece(paper, &[(x + 10.0, y)], series.stroke, *color),
+            Stroke::Marked => {
+                paper.line(&[(x, y), (x + 20.0, y)], *color, 2.0);
+                paper.circle((x + 10.0, y), 3.0, *color, None);
+            }
         }
-        // Length and half the width of an arrow on a line, pixels.
-        let (long, wide) = (11.0 * f64::from(FINE) / size, 4.5 * f64::from(FINE) / size);
-        #[expect(clippy::cast_possible_truncation, reason = "some pixels")]
-        let corner = |along: f64, across: f64| {
-            ((x * along - y * across).round() as i32, (y * along + x * across).round() as i32)
-        };
-        let head = vec![corner(0.5 * long, 0.0), corner(-0.5 * long, wide), corner(-0.5 * long, -wide)];
-        let middle = (f64::midpoint(ends[0].0, ends[1].0), f64::midpoint(ends[0].1, ends[1].1));
-        chart.draw_series([EmptyElement::at(middle) + Polygon::new(head, color.filled())])?;
+        paper.text((x + 28.0, y), &shortened(&series.name, letters), size, 0.0, BLACK);
     }
-    Ok(())
+}
+
+/// The corners of the rectangle between two opposite ones.
+pub(super) fn rectangle(a: Place, b: Place) -> [Place; 4] {
+    [a, (b.0, a.1), b, (a.0, b.1)]
+}
+
+/// A light ground for letters, with a line around it.
+pub(super) fn draw_ground(paper: &mut Sheet, a: Place, b: Place, [ground, around]: [f64; 2]) {
+    let corners = rectangle(a, b);
+    paper.area(&corners, WHITE.mix(ground));
+    paper.line(&[&corners[..], &corners[..1]].concat(), GREY.mix(around), 1.0);
 }
 
 /// Draws vertical lines with labels at the top; labels that would overlap are moved down.
-pub(super) fn draw_marks(chart: &mut Canvas, [x0, x1, y0, y1]: [f64; 4], marks: &[(f64, String)]) -> Plotted {
-    let (wide, high) = chart.plotting_area().dim_in_pixel();
+pub(super) fn draw_marks(paper: &mut Sheet, canvas: &Canvas, marks: &[(f64, String)]) {
     let mut taken: Vec<[f64; 3]> = Vec::new();
     for (x, label) in marks {
-        let style = BLACK.stroke_width(FINE);
-        chart.draw_series(DashedLineSeries::new([(*x, y0), (*x, y1)], 4 * FINE, 4 * FINE, style))?;
+        let (x, _) = canvas.place((*x, 0.0));
+        paper.dashes(&[(x, canvas.top + canvas.high), (x, canvas.top)], BLACK, 1.0);
         // The label is written on the side with more room.
-        let part = (x - x0) / (x1 - x0);
-        let (anchor, side) = if part > 0.6 { (HPos::Right, -1.0) } else { (HPos::Left, 1.0) };
-        let long = plaque_size(label, f64::from(CHART.label * FINE)).0 / f64::from(wide);
+        let part = (x - canvas.left) / canvas.wide;
+        let side = if part > 0.6 { -1.0 } else { 1.0 };
+        let long = plaque_size(label, CHART.label).0 / canvas.wide;
         let from = if side > 0.0 { part } else { part - long };
         // A label that would leave the chart is moved back.
         let moved = from.min(1.0 - long).max(0.0) - from;
@@ -147,38 +119,27 @@ pub(super) fn draw_marks(chart: &mut Canvas, [x0, x1, y0, y1]: [f64; 4], marks: 
         let meets = |row: f64| taken.iter().any(|[at, to, r]| *r == row && from < *to && from + long > *at);
         let row = (0..20).map(f64::from).find(|row| !meets(*row)).unwrap_or(0.0);
         taken.push([from, from + long, row]);
-        let style = (FONT, CHART.label * FINE).into_font().color(&BLACK).pos(Pos::new(anchor, VPos::Top));
-        let down = 0.02 + 1.3 * row * f64::from(CHART.label * FINE) / f64::from(high);
-        let at = (x + (0.008 * side + moved) * (x1 - x0), y1 - down * (y1 - y0));
-        chart.draw_series([Text::new(label.to_owned(), at, style)])?;
+        let y = canvas.top + 0.02 * canvas.high + (0.5 + 1.3 * row) * CHART.label;
+        let x = x + (0.008 * side + moved) * canvas.wide;
+        paper.text((x, y), label, CHART.label, if side > 0.0 { 0.0 } else { 1.0 }, BLACK);
     }
-    Ok(())
 }
 
-/// Writes a sentence at the foot of a chart, broken into lines, and returns their height in fine pixels.
-pub(super) fn draw_note(root: &Area<'_>, words: &str) -> Result<u32, Box<dyn std::error::Error>> {
+/// Writes a sentence that ends at the foot of a chart, broken into lines, and returns their height.
+pub(super) fn draw_note(paper: &mut Sheet, (left, foot): Place, words: &str) -> f64 {
     let note = lines(words, 105);
-    let (_, high) = root.dim_in_pixel();
-    let below = (0..u32::try_from(note.len()).unwrap_or(0)).rev();
-    for (words, up) in note.iter().zip(below) {
-        let style =
-            (FONT, CHART.plaque * FINE).into_font().color(&GREY).pos(Pos::new(HPos::Left, VPos::Center));
-        let y = high.cast_signed() - (14 * FINE + up * CHART.note_line * FINE).cast_signed();
-        root.draw(&Text::new(words.as_str(), (24 * FINE.cast_signed(), y), style))?;
+    let high = CHART.note_line * note.len() as f64;
+    for (k, words) in note.iter().enumerate() {
+        let y = foot - 14.0 - high + CHART.note_line * (k + 1) as f64;
+        paper.text((left + 24.0, y), words, CHART.plaque, 0.0, GREY);
     }
-    Ok(CHART.note_line * FINE * u32::try_from(note.len()).unwrap_or(0))
+    high
 }
 
 /// Writes a short label on a light background at a point of the chart.
-pub(super) fn draw_label(chart: &mut Canvas, point: (f64, f64), words: &str) -> Plotted {
-    let (wide, high) = plaque_size(words, f64::from(CHART.plaque * FINE));
-    #[expect(clippy::cast_possible_truncation, reason = "some pixels")]
-    let (x, y) = ((0.45 * wide.max(0.8 * high)).round() as i32, (0.5 * high).round() as i32);
-    let style =
-        (FONT, CHART.plaque * FINE).into_font().color(&BLACK).pos(Pos::new(HPos::Center, VPos::Center));
-    chart.draw_series([EmptyElement::at(point)
-        + Rectangle::new([(-x, -y), (x, y)], WHITE.mix(0.9).filled())
-        + Rectangle::new([(-x, -y), (x, y)], GREY.stroke_width(FINE))
-        + Text::new(words.to_owned(), (0, 0), style)])?;
-    Ok(())
+pub(super) fn draw_label(paper: &mut Sheet, (x, y): Place, words: &str) {
+    let (wide, high) = plaque_size(words, CHART.plaque);
+    let (across, up) = (0.45 * wide.max(0.8 * high), 0.5 * high);
+    draw_ground(paper, (x - across, y - up), (x + across, y + up), [0.9, 1.0]);
+    paper.text((x, y), words, CHART.plaque, 0.5, BLACK);
 }

@@ -1,9 +1,7 @@
 //! The look of contacts in pictures: a word and a colour for the state, and the slope of the friction cone.
 
-use plotters::style::RGBColor;
-
 use super::layout::MARKS;
-use super::palette::{BLUE, GREEN, GREY, ORANGE, VERMILION};
+use super::palette::{BLUE, GREEN, GREY, ORANGE, Rgb, VERMILION};
 use crate::equilibrium::{ContactAnswer, ContactState};
 use crate::grasp::Contact;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
@@ -28,7 +26,7 @@ pub(super) fn cone_size(slope: f64, arrow: f64, widest: f64) -> Option<[f64; 2]>
 pub(super) const STATES: [&str; 5] = ["sticking", "about to slide", "sliding", "separated", "frictionless"];
 
 /// The colour of a contact whose state has this [`word`].
-pub(super) fn ink(word: &str) -> RGBColor {
+pub(super) fn ink(word: &str) -> Rgb {
     match word {
         "separated" => GREY,
         "sliding" => VERMILION,

@@ -12,7 +12,7 @@ use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{ContactPoints, Wrench};
 use crate::load_path::Leg;
-use crate::numerics::{chosen, increasing, largest, mapped, moved};
+use crate::numerics::{IntoList, chosen, increasing, largest, mapped, moved};
 
 /// Two charts of `count` cycles from rest: the slip of each contact against cycles, and its friction against its slip in the last cycle. The area
 /// within the loop is the heat of that cycle. Slip and friction are components along the direction in which the contact slips farthest. For a
@@ -43,7 +43,7 @@ pub fn charts_of_cycles<const C: usize>(
     count: usize,
     title: &str,
 ) -> Result<Vec<Chart>, Error> {
-    let legs: Vec<_> = (0..count).flat_map(|_| cycle.iter().cloned()).collect();
+    let legs: Vec<_> = (0..count).flat_map(|_| cycle.iter().cloned()).list();
     let place = |leg: usize, fraction: f64| (leg as f64 + fraction) / cycle.len() as f64;
     let drawn = Drawn { grasp, start: *base, legs: &legs, axis: "cycles", place: &place };
     let mut path = grasp.follow(base, &legs)?;
@@ -72,7 +72,7 @@ pub fn charts_of_cycles<const C: usize>(
         let (name, curve) = (tips[*tip].text(), &slides[*tip].curve);
         let stroke = if k < PALETTE.len() { Stroke::Line } else { Stroke::Dashed };
         slips = slips.series(name.clone(), mapped(curve, &|(x, slip, _)| (*x, *slip)), stroke);
-        let of_the_last: Vec<_> = curve.iter().filter(|(x, ..)| *x >= last - 1.0).collect();
+        let of_the_last: Vec<_> = curve.iter().filter(|(x, ..)| *x >= last - 1.0).list();
         let slips = || of_the_last.iter().map(|(_, slip, _)| *slip);
         if slips().fold(f64::MIN, f64::max) - slips().fold(f64::MAX, f64::min) > no_slip * farthest {
             loops = loops.series(name, mapped(&of_the_last, &|(_, s, force)| (*s, *force)), stroke);
@@ -86,13 +86,13 @@ pub fn charts_of_cycles<const C: usize>(
         .map(|names| format!("Not drawn: {names} ({others})."));
     let links = listed(chosen(tips.len(), &|tip| is_link(*tip)))
         .map(|names| format!("Links, such as bolts and straps, do not slide: {names}."));
-    let notes: Vec<_> = rest.into_iter().chain(links).collect();
+    let notes: Vec<_> = rest.into_iter().chain(links).list();
     if !notes.is_empty() {
         slips = slips.note(notes.join(" "));
     }
     let marks = drawn.marks(&path, &events);
     let slips = marks.into_iter().fold(slips, |chart, (x, label)| chart.mark(x, label));
-    Ok(vec![slips, loops].into_iter().filter(|chart| !chart.is_empty()).collect())
+    Ok(vec![slips, loops].into_iter().filter(|chart| !chart.is_empty()).list())
 }
 
 /// Slip and friction of a contact along the direction of its largest slip.
@@ -125,6 +125,6 @@ impl Rubbing {
         let farthest = longest.norm();
         let along = if farthest > 0.0 { longest / farthest } else { longest };
         let curve = states.iter().map(|(x, state)| (*x, along.dot(&moved(state)), along.dot(&force(state))));
-        Self { farthest, curve: curve.collect() }
+        Self { farthest, curve: curve.list() }
     }
 }

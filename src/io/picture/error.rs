@@ -4,9 +4,3 @@
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("the picture could not be drawn: {0}")]
 pub struct PictureError(pub(super) String);
-
-impl PictureError {
-    pub(super) fn from_backend(error: impl std::fmt::Display) -> Self {
-        Self(error.to_string())
-    }
-}

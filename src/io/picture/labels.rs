@@ -61,7 +61,7 @@ impl Labels {
             let plate = self.best(point, self.anywhere(size))?;
             let ((x, y), (wide, high)) = plate;
             let end = |at: f64, middle: f64, size: f64| at.clamp(middle - size / 2.0, middle + size / 2.0);
-            paper.line([point, (end(point.0, x, wide), end(point.1, y, high))], GREY, 0.75);
+            paper.line(&[point, (end(point.0, x, wide), end(point.1, y, high))], GREY, 0.75);
             plate
         };
         self.taken.push(plate);

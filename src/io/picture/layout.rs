@@ -2,8 +2,7 @@
 //!
 //! Lengths are in pixels. Lengths of marks in a grasp are fractions of its span, so that they scale with it.
 
-use plotters::style::RGBColor;
-
+use super::palette::Rgb;
 use super::sheet::Place;
 
 /// Marks that planar and spatial pictures of a grasp share.
@@ -88,14 +87,14 @@ pub(super) const LEGEND: LegendLayout = LegendLayout { left: 624.0, sample: 40.0
 /// A chart with two axes.
 pub(super) struct ChartLayout {
     /// Size of one chart.
-    pub(super) size: (u32, u32),
+    pub(super) size: Place,
     /// Letter heights of the title, of axes and legend, of labels of events, and of plaques and notes.
-    pub(super) title: u32,
-    pub(super) letters: u32,
-    pub(super) label: u32,
-    pub(super) plaque: u32,
+    pub(super) title: f64,
+    pub(super) letters: f64,
+    pub(super) label: f64,
+    pub(super) plaque: f64,
     /// Line height of a note.
-    pub(super) note_line: u32,
+    pub(super) note_line: f64,
     /// Largest number of series whose legend is inside the chart; otherwise names are written beside the chart.
     pub(super) most_inside: usize,
     /// Most letters of a name beside the chart, of a name in the legend inside it, and of a name at a mark.
@@ -108,12 +107,12 @@ pub(super) struct ChartLayout {
 }
 
 pub(super) const CHART: ChartLayout = ChartLayout {
-    size: (860, 540),
-    title: 23,
-    letters: 17,
-    label: 16,
-    plaque: 14,
-    note_line: 18,
+    size: (860.0, 540.0),
+    title: 18.5,
+    letters: 14.0,
+    label: 13.0,
+    plaque: 11.5,
+    note_line: 17.0,
     most_inside: 6,
     longest_beside: 26,
     longest_inside: 70,
@@ -146,8 +145,8 @@ pub(super) struct SphereLayout {
     /// Height of the first line of notes.
     pub(super) foot: f64,
     /// Colours of directions with an infinite value, and of directions without a value.
-    pub(super) unbounded: RGBColor,
-    pub(super) missing: RGBColor,
+    pub(super) unbounded: Rgb,
+    pub(super) missing: Rgb,
 }
 
 pub(super) const SPHERE: SphereLayout = SphereLayout {
@@ -155,6 +154,6 @@ pub(super) const SPHERE: SphereLayout = SphereLayout {
     radius: 165.0,
     discs: [(200.0, 268.0), (590.0, 268.0)],
     foot: 510.0,
-    unbounded: RGBColor(255, 246, 214),
-    missing: RGBColor(190, 190, 190),
+    unbounded: Rgb(255, 246, 214),
+    missing: Rgb(190, 190, 190),
 };

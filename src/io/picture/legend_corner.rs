@@ -1,24 +1,19 @@
 //! The place of the legend in a chart.
 
-use plotters::chart::SeriesLabelPosition;
-
-use super::canvas::FINE;
 use super::series::{ChartSeries, Stroke};
 
 /// Places of the legend: the fractions of the remaining width and height that lie to its left and below it.
-const LEGEND_PLACES: [(SeriesLabelPosition, f64, f64); 6] = [
-    (SeriesLabelPosition::UpperRight, 1.0, 1.0),
-    (SeriesLabelPosition::LowerRight, 1.0, 0.0),
-    (SeriesLabelPosition::UpperLeft, 0.0, 1.0),
-    (SeriesLabelPosition::MiddleLeft, 0.0, 0.5),
-    (SeriesLabelPosition::MiddleRight, 1.0, 0.5),
-    (SeriesLabelPosition::LowerLeft, 0.0, 0.0),
-];
+const LEGEND_PLACES: [(f64, f64); 6] =
+    [(1.0, 1.0), (1.0, 0.0), (0.0, 1.0), (0.0, 0.5), (1.0, 0.5), (0.0, 0.0)];
 
-/// Width of the names of series beside a chart, fine pixels, with at most `longest` letters each.
-pub(super) fn legend_width(series: &[ChartSeries], longest: usize) -> u32 {
-    let letters = series.iter().map(|series| series.name.chars().count().min(longest)).max().unwrap_or(0);
-    FINE * (52 + 9 * u32::try_from(letters).unwrap_or(0))
+/// Width of the names of series beside a chart, with at most `longest` letters each.
+pub(super) fn legend_width(series: &[ChartSeries], longest: usize) -> f64 {
+    52.0 + 9.0 * most_letters(series, longest) as f64
+}
+
+/// The letters of the longest name, and at most `longest`.
+pub(super) fn most_letters(series: &[ChartSeries], longest: usize) -> usize {
+    series.iter().map(|series| series.name.chars().count().min(longest)).max().unwrap_or(0)
 }
 
 /// The place where the legend hides least of the curves, of the labels of marks, and of the label of a shaded area.
@@ -27,12 +22,11 @@ pub(super) fn emptiest_corner(
     series: &[ChartSeries],
     marked: bool,
     shaded: bool,
-) -> SeriesLabelPosition {
+) -> (f64, f64) {
     // Fractions of the plot's width and height that the legend covers, estimated from its lines and letters.
     let height = 0.08 + 0.06 * series.len() as f64;
-    let letters = series.iter().map(|s| s.name.chars().count()).max().unwrap_or(0);
-    let width = (0.08 + 0.009 * letters as f64).max(0.32);
-    let hidden = |&(_, side, anchor): &(SeriesLabelPosition, f64, f64)| {
+    let width = (0.08 + 0.009 * most_letters(series, usize::MAX) as f64).max(0.32);
+    let hidden = |&(side, anchor): &(f64, f64)| {
         let (left, bottom) = (side * (1.0 - width), anchor * (1.0 - height));
         let inside = |x: f64, y: f64| {
             let (x, y) = ((x - x0) / (x1 - x0), (y - y0) / (y1 - y0));
@@ -57,8 +51,5 @@ pub(super) fn emptiest_corner(
         let shaded = shaded && side > 0.0 && anchor == 0.0;
         count + 10 * (usize::from(marked) + usize::from(shaded))
     };
-    LEGEND_PLACES
-        .iter()
-        .min_by_key(|place| hidden(place))
-        .map_or(LEGEND_PLACES[0].0.clone(), |place| place.0.clone())
+    LEGEND_PLACES.into_iter().min_by_key(hidden).unwrap_or(LEGEND_PLACES[0])
 }

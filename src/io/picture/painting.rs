@@ -1,12 +1,11 @@
 //! Lines, arrows, areas and dots, painted from back to front.
 
+use super::palette::{Ink, Rgb, WHITE};
 use std::f64::consts::{FRAC_PI_4, PI};
 
-use nalgebra::{Vector2, Vector3};
-use plotters::style::{Color, RGBAColor, RGBColor, colors::WHITE};
-
 use super::sheet::{Place, Sheet};
-use crate::numerics::{increasing, mapped};
+use crate::numerics::{Each, IntoList, increasing, mapped};
+use nalgebra::{Vector2, Vector3};
 
 /// Depth, pixels, by which a dot lies in front of the lines that end at it; a tenth of it separates the head of an arrow from its line. This depth is
 /// invisible, and far above rounding errors.
@@ -19,10 +18,10 @@ pub(super) type EyePoint = Vector3<f64>;
 
 /// One stroke of a painting.
 enum Shape {
-    Line { places: Vec<Place>, ink: RGBColor, width: f64 },
-    Dashes { ends: [Place; 2], ink: RGBColor, width: f64 },
-    Area { corners: Vec<Place>, ink: RGBAColor },
-    Dot { at: Place, radius: f64, ink: RGBColor, open: bool },
+    Line { places: Vec<Place>, ink: Rgb, width: f64 },
+    Dashes { ends: [Place; 2], ink: Rgb, width: f64 },
+    Area { corners: Vec<Place>, ink: Ink },
+    Dot { at: Place, radius: f64, ink: Rgb, open: bool },
 }
 
 /// Strokes with their depths, pixels; a larger depth is nearer to the eye and drawn later.
@@ -37,38 +36,38 @@ pub(super) fn flat((x, y): Place) -> EyePoint {
 }
 
 impl Painting {
-    pub(super) fn line(&mut self, ends: [EyePoint; 2], ink: RGBColor, width: f64) {
+    pub(super) fn line(&mut self, ends: [EyePoint; 2], ink: Rgb, width: f64) {
         let depth = f64::midpoint(ends[0].z, ends[1].z);
         let places = mapped(&ends, &place);
         self.strokes.push((depth, Shape::Line { places, ink, width }));
     }
 
     /// A closed line.
-    pub(super) fn contour(&mut self, mut places: Vec<Place>, ink: RGBColor, width: f64, depth: f64) {
+    pub(super) fn contour(&mut self, mut places: Vec<Place>, ink: Rgb, width: f64, depth: f64) {
         places.extend(places.first().copied());
         self.strokes.push((depth, Shape::Line { places, ink, width }));
     }
 
     /// A dashed line just behind depth zero.
-    pub(super) fn dashes(&mut self, ends: [Place; 2], ink: RGBColor, width: f64) {
+    pub(super) fn dashes(&mut self, ends: [Place; 2], ink: Rgb, width: f64) {
         self.strokes.push((-IN_FRONT, Shape::Dashes { ends, ink, width }));
     }
 
     /// A dashed line at depth zero.
-    pub(super) fn dashed_line(&mut self, ends: [Place; 2], ink: RGBColor, width: f64) {
+    pub(super) fn dashed_line(&mut self, ends: [Place; 2], ink: Rgb, width: f64) {
         self.strokes.push((0.0, Shape::Dashes { ends, ink, width }));
     }
 
-    pub(super) fn area(&mut self, corners: impl IntoIterator<Item = Place>, ink: RGBAColor, depth: f64) {
-        self.strokes.push((depth, Shape::Area { corners: corners.into_iter().collect(), ink }));
+    pub(super) fn area(&mut self, corners: Vec<Place>, ink: Ink, depth: f64) {
+        self.strokes.push((depth, Shape::Area { corners, ink }));
     }
 
     /// A dot in front of the lines that end there; an open circle is a contact that carries nothing.
-    pub(super) fn dot(&mut self, at: EyePoint, radius: f64, ink: RGBColor, open: bool) {
+    pub(super) fn dot(&mut self, at: EyePoint, radius: f64, ink: Rgb, open: bool) {
         self.strokes.push((at.z + IN_FRONT, Shape::Dot { at: place(&at), radius, ink, open }));
     }
 
-    pub(super) fn arrow(&mut self, [from, tip]: [EyePoint; 2], ink: RGBColor, width: f64, heads: usize) {
+    pub(super) fn arrow(&mut self, [from, tip]: [EyePoint; 2], ink: Rgb, width: f64, heads: usize) {
         let along = (tip - from).xy();
         let size = along.norm();
         // The direction of a shorter arrow on paper would be a rounding error.
@@ -88,7 +87,7 @@ impl Painting {
     }
 
     /// An arrow along the line of sight: a dot in a circle if it points to the eye, a cross in a circle otherwise.
-    pub(super) fn end_on(&mut self, at: EyePoint, to_the_eye: bool, ink: RGBColor, width: f64) {
+    pub(super) fn end_on(&mut self, at: EyePoint, to_the_eye: bool, ink: Rgb, width: f64) {
         let radius = 3.0 * width;
         self.dot(at, radius, ink, true);
         if to_the_eye {
@@ -111,7 +110,7 @@ impl Painting {
         radius: f64,
         gap: f64,
         clockwise: bool,
-        ink: RGBColor,
+        ink: Rgb,
         width: f64,
     ) {
         let way = if clockwise { -1.0 } else { 1.0 };
@@ -124,27 +123,27 @@ impl Painting {
         let neck = last - 0.7 * head / radius;
         let pieces = 48_u32;
         let part = |k: u32| FRAC_PI_4 + (neck - FRAC_PI_4) * f64::from(k) / f64::from(pieces);
-        let places = (0..=pieces).map(|k| at(part(k))).collect();
+        let places = (0..=pieces).map(|k| at(part(k))).list();
         self.strokes.push((0.0, Shape::Line { places, ink, width }));
         let (tip, base) = (flat(at(last)), flat(at(last - head / radius)));
         self.head(tip, (tip - base).xy(), ink, width);
     }
 
     /// The head of an arrow, of length `along`.
-    fn head(&mut self, tip: EyePoint, along: Vector2<f64>, ink: RGBColor, width: f64) {
+    fn head(&mut self, tip: EyePoint, along: Vector2<f64>, ink: Rgb, width: f64) {
         let base = tip.xy() - along;
         let across = Vector2::new(-along.y, along.x).normalize() * (ARROW_HEAD.1 * width);
-        let corners = [tip.xy(), base + across, base - across].map(|corner| (corner.x, corner.y));
-        self.area(corners, ink.to_rgba(), tip.z + 0.1 * IN_FRONT);
+        let corners = mapped(&[tip.xy(), base + across, base - across], &|corner| (corner.x, corner.y));
+        self.area(corners, ink.into(), tip.z + 0.1 * IN_FRONT);
     }
 
     pub(super) fn draw(&mut self, paper: &mut Sheet) {
         let depths: Vec<f64> = mapped(&self.strokes, &|(depth, _)| *depth);
         for i in increasing(&depths) {
             match &self.strokes[i].1 {
-                Shape::Line { places, ink, width } => paper.line(places.iter().copied(), *ink, *width),
+                Shape::Line { places, ink, width } => paper.line(places, *ink, *width),
                 Shape::Dashes { ends, ink, width } => paper.dashes(ends, *ink, *width),
-                Shape::Area { corners, ink } => paper.area(corners.iter().copied(), *ink),
+                Shape::Area { corners, ink } => paper.area(corners, *ink),
                 Shape::Dot { at, radius, ink, open } => {
                     paper.circle(*at, radius + 1.0, WHITE, None);
                     let (radius, line) = if *open { (radius - 0.5, Some(2.0)) } else { (*radius, None) };
@@ -163,13 +162,13 @@ impl Painting {
                     inked.extend(places.windows(2).flat_map(|ends| along(ends[0], ends[1], *width)));
                 }
                 Shape::Dashes { ends, width, .. } => inked.extend(along(ends[0], ends[1], *width)),
-                Shape::Area { corners, ink } if ink.alpha() == 1.0 => {
+                Shape::Area { corners, ink } if ink.opacity == 1.0 => {
                     inked.extend(corners.iter().map(|corner| (*corner, 20.0)));
                 }
                 Shape::Area { .. } => {}
                 Shape::Dot { at, radius, .. } => {
                     let around = [(0.0, 0.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)];
-                    inked.extend(around.map(|(x, y)| ((at.0 + radius * x, at.1 + radius * y), 40.0)));
+                    inked.extend(around.each(|(x, y)| ((at.0 + radius * x, at.1 + radius * y), 40.0)));
                 }
             }
         }

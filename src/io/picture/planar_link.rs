@@ -1,5 +1,6 @@
 //! Links between bodies in the plane: a hinge is a circle, a slide two rails, a rigid joint a bar, a cable a thin line, a spring a zigzag.
 
+use crate::numerics::Each;
 use nalgebra::Vector2;
 
 use super::axes::EqualScales;
@@ -22,7 +23,7 @@ impl PlanarLink {
     }
 
     pub(super) fn paint(&self, axes: &EqualScales, painting: &mut Painting) {
-        let [from, to] = self.ends.map(|end| flat(axes.place(end)));
+        let [from, to] = self.ends.each(|end| flat(axes.place(end)));
         let along = to - from;
         let side = match along.norm() {
             long if long > 0.0 => flat((-along.y / long, along.x / long)),

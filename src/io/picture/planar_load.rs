@@ -1,17 +1,16 @@
 //! The arrows of a planar load: a force on its line of action, or a force at the centre of the object with its moment about it.
 
-use nalgebra::Vector2;
-use plotters::style::colors::BLACK;
-
 use super::axes::EqualScales;
 use super::labels::Labels;
 use super::layout::MARKS;
 use super::painting::{Painting, flat};
-use super::palette::GREY;
+use super::palette::{BLACK, GREY};
 use super::sheet::{Place, Sheet};
 use super::words::short;
+use crate::numerics::Each;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::planar::Wrench;
+use nalgebra::Vector2;
 
 /// A load prepared for drawing: force in N, moment in N m, place in m.
 pub(super) struct PlanarLoad {
@@ -74,7 +73,7 @@ impl<'l> LoadOnPaper<'l> {
         let PlanarLoad { at, force, moment } = *self.load;
         let acts = force != Vector2::zeros();
         if acts {
-            painting.arrow([self.from, self.tip].map(flat), BLACK, 3.0, 1);
+            painting.arrow([self.from, self.tip].each(flat), BLACK, 3.0, 1);
         }
         if moment == 0.0 && acts {
             // The force is scaled first, because the square of a tiny force may be zero.

@@ -1,5 +1,6 @@
 //! The content of a picture of a planar grasp.
 
+use crate::numerics::IntoList;
 use nalgebra::Vector2;
 
 use super::error::PictureError;
@@ -74,7 +75,7 @@ impl<'a> PlanarPicture<'a> {
     #[must_use]
     pub fn outlines<'o>(mut self, outlines: impl IntoIterator<Item = Outline<'o>>) -> Self {
         let points = |corners: Outline| mapped(corners, &|corner| Vector2::from(*corner));
-        self.outlines = outlines.into_iter().map(points).collect();
+        self.outlines = outlines.into_iter().map(points).list();
         self
     }
 
@@ -124,7 +125,7 @@ impl<'a> PlanarPicture<'a> {
                 "the equilibrium has {given} contacts, the grasp has {expected}"
             )));
         }
-        if !self.outlines.iter().flatten().flatten().all(|x| x.is_finite()) {
+        if !self.outlines.concat().iter().all(|corner| corner.iter().all(|x| x.is_finite())) {
             return Err(PictureError("a corner of the outline is not finite".into()));
         }
         Ok(())

@@ -1,12 +1,11 @@
 //! Polar charts: curves of a number that depends on a direction in the plane.
 
+use crate::numerics::{IntoList, largest, mapped};
 use std::f64::consts::{FRAC_PI_2, PI};
-
-use plotters::style::{Color, colors::BLACK};
 
 use super::error::PictureError;
 use super::layout::POLAR;
-use super::palette::{GREY, PALETTE};
+use super::palette::{BLACK, GREY, PALETTE};
 use super::polar_curve::draw_curve;
 use super::polar_plane::{at, turn, width_of};
 use super::round_numbers::{in_steps, round_up, whole_above};
@@ -86,8 +85,8 @@ impl Polar {
     /// # Errors
     /// [`PictureError`] if there is no positive finite radius to draw, or the radius of the rim is not positive and finite.
     pub fn to_svg(&self) -> Result<String, PictureError> {
-        let radii = self.curves.iter().flat_map(|curve| &curve.points).map(|point| point.1);
-        let most = radii.filter(|r| r.is_finite()).fold(0.0, f64::max);
+        let finite = |(_, r): &(f64, f64)| if r.is_finite() { *r } else { 0.0 };
+        let most = largest(&self.curves, &|curve| largest(&curve.points, &finite));
         if most <= 0.0 {
             return Err(PictureError("no positive finite radius".into()));
         }
@@ -104,10 +103,12 @@ impl Polar {
             for (k, curve) in self.curves.iter().enumerate().rev() {
                 draw_curve(paper, rim, k, curve);
             }
-            for (angle, radius) in self.marks.iter().flat_map(|(points, _)| points) {
-                let end = at(*angle, POLAR.radius * (radius / rim).min(1.0));
-                paper.line([POLAR.middle, end], BLACK, 1.0);
-                paper.circle(end, 4.5, BLACK, None);
+            for (points, _) in &self.marks {
+                for (angle, radius) in points {
+                    let end = at(*angle, POLAR.radius * (radius / rim).min(1.0));
+                    paper.line(&[POLAR.middle, end], BLACK, 1.0);
+                    paper.circle(end, 4.5, BLACK, None);
+                }
             }
             self.draw_rays(paper);
             self.draw_numbers(paper, rim, step);
@@ -124,7 +125,7 @@ impl Polar {
             let angle = f64::from(k) * PI / 6.0;
             let strong = k % 3 == 0;
             let ink = GREY.mix(if strong { 0.6 } else { 0.3 });
-            paper.line([POLAR.middle, at(angle, POLAR.radius)], ink, 0.7);
+            paper.line(&[POLAR.middle, at(angle, POLAR.radius)], ink, 0.7);
             let axis = match k {
                 0 => "0°, +x",
                 3 => "90°, +y",
@@ -146,7 +147,7 @@ impl Polar {
         for (k, (angle, label)) in self.rays.iter().enumerate() {
             let (tip, side) = (at(*angle, POLAR.radius + 26.0), 0.022);
             let tail = [at(angle - side, POLAR.radius + 13.0), at(angle + side, POLAR.radius + 13.0)];
-            paper.area([tip, tail[0], tail[1]], BLACK);
+            paper.area(&[tip, tail[0], tail[1]], BLACK);
             // Letters of directions that are too close are written one outside the other.
             let before = self.rays[..k].iter().filter(|(other, _)| meet(*other, *angle)).count();
             let words = if lettered { letter(k) } else { label.clone() };
@@ -163,7 +164,7 @@ impl Polar {
 
     /// Writes the radii of the rings along the spoke with the fewest points of curves nearby.
     fn draw_numbers(&self, paper: &mut Sheet, rim: f64, step: f64) {
-        let numbered: Vec<f64> = rings(rim, step).chain([rim]).collect();
+        let numbered: Vec<f64> = rings(rim, step).chain([rim]).list();
         let mut drawn: Vec<(f64, f64)> = Vec::new();
         for curve in &self.curves {
             drawn.extend(&curve.points);
@@ -196,12 +197,12 @@ impl Polar {
                 Stroke::Circles => paper.circle((POLAR.legend + POLAR.sample / 2.0, y), 4.0, ink, Some(1.5)),
                 Stroke::Dots => paper.circle((POLAR.legend + POLAR.sample / 2.0, y), 2.0, ink, None),
                 Stroke::Dashed => paper.dashes(&ends, ink, 2.0),
-                _ => paper.line(ends, ink, width_of(k)),
+                _ => paper.line(&ends, ink, width_of(k)),
             }
             y = legend_text(paper, y, name);
         }
         for (_, label) in &self.marks {
-            paper.line([(POLAR.legend, y), (POLAR.legend + POLAR.sample / 2.0, y)], BLACK, 1.0);
+            paper.line(&[(POLAR.legend, y), (POLAR.legend + POLAR.sample / 2.0, y)], BLACK, 1.0);
             paper.circle((POLAR.legend + POLAR.sample / 2.0, y), 4.5, BLACK, None);
             y = legend_text(paper, y, label);
         }
@@ -212,7 +213,7 @@ impl Polar {
             }
         }
         y += 8.0;
-        for note in self.notes.iter().flat_map(|note| lines(note, 30)) {
+        for note in mapped(&self.notes, &|note| lines(note, 30)).concat() {
             paper.text((POLAR.legend, y), &note, 13.0, 0.0, GREY);
             y += 18.0;
         }
@@ -235,9 +236,11 @@ fn letter(k: usize) -> String {
 /// Writes a text of the legend line by line and returns the height of the next entry.
 fn legend_text(paper: &mut Sheet, y: f64, words: &str) -> f64 {
     let mut at = y;
-    for line in words.lines().flat_map(|line| lines(line, 24)) {
-        paper.text((POLAR.legend + POLAR.sample + 8.0, at), &line, 14.0, 0.0, BLACK);
-        at += 18.0;
+    for line in words.lines() {
+        for line in lines(line, 24) {
+            paper.text((POLAR.legend + POLAR.sample + 8.0, at), &line, 14.0, 0.0, BLACK);
+            at += 18.0;
+        }
     }
     at + 6.0
 }

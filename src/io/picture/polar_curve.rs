@@ -17,13 +17,13 @@ pub(super) fn draw_curve(paper: &mut Sheet, rim: f64, index: usize, curve: &Char
     match stroke {
         Stroke::Circles => return inside.for_each(|p| paper.circle(place(p), 4.0, ink, Some(1.5))),
         Stroke::Dots => return inside.for_each(|p| paper.circle(place(p), 2.0, ink, None)),
-        Stroke::Bars => return inside.for_each(|p| paper.line([POLAR.middle, place(p)], ink, 1.5)),
+        Stroke::Bars => return inside.for_each(|p| paper.line(&[POLAR.middle, place(p)], ink, 1.5)),
         Stroke::Marked => inside.for_each(|p| paper.circle(place(p), 3.0, ink, None)),
         Stroke::Line | Stroke::Directed | Stroke::Dashed => {}
     }
     let draw = |paper: &mut Sheet, line: Vec<Place>| match stroke {
         Stroke::Dashed => paper.dashes(&line, ink, 2.0),
-        _ => paper.line(line, ink, width_of(index)),
+        _ => paper.line(&line, ink, width_of(index)),
     };
     // Every curve has its own arc radius, so that arcs of several curves lie side by side.
     let arc_radius = POLAR.radius + 3.0 + 4.0 * index as f64;
@@ -38,14 +38,14 @@ pub(super) fn draw_curve(paper: &mut Sheet, rim: f64, index: usize, curve: &Char
         }
         if radius.is_nan() || next.is_nan() {
             draw(paper, std::mem::take(&mut line));
-            paper.line(std::mem::take(&mut arc), ink, 4.0);
+            paper.line(&std::mem::take(&mut arc), ink, 4.0);
         } else if radius <= rim && next > rim {
             line.push(at(at_crossing, POLAR.radius));
             draw(paper, std::mem::take(&mut line));
             arc.push(at(at_crossing, arc_radius));
         } else if radius > rim && next <= rim {
             arc.push(at(at_crossing, arc_radius));
-            paper.line(std::mem::take(&mut arc), ink, 4.0);
+            paper.line(&std::mem::take(&mut arc), ink, 4.0);
             line.push(at(at_crossing, POLAR.radius));
         }
     }
@@ -56,7 +56,7 @@ pub(super) fn draw_curve(paper: &mut Sheet, rim: f64, index: usize, curve: &Char
             arc.push(at(angle, arc_radius));
         }
     }
-    paper.line(arc, ink, 4.0);
+    paper.line(&arc, ink, 4.0);
     draw(paper, line);
 }
 

@@ -3,8 +3,6 @@
 //! The function is linear on each triangle, so that its part above the level is a polygon. Edges that two of these polygons share cancel. The other
 //! edges surround the whole region, which is drawn as one area and has no visible seams.
 
-use std::collections::BTreeMap;
-
 use super::sheet::{Pixel, Place, pixel};
 
 /// A corner of a triangle: its place, and the value of the function there.
@@ -13,38 +11,45 @@ pub(super) type Corner = (Place, f64);
 /// The closed lines around `{f >= level}`.
 pub(super) fn outlines(triangles: &[[Corner; 3]], level: f64) -> Vec<Vec<Pixel>> {
     // For each edge, the number of polygons that traverse it forwards minus the number that traverse it backwards.
-    let mut edges: BTreeMap<(Pixel, Pixel), i32> = BTreeMap::new();
+    let mut edges: Vec<(Pixel, Pixel, i32)> = Vec::new();
     for triangle in triangles {
         let piece = above(triangle, level);
         for (k, &from) in piece.iter().enumerate() {
             let to = piece[(k + 1) % piece.len()];
             if from < to {
-                *edges.entry((from, to)).or_default() += 1;
+                edges.push((from, to, 1));
             } else if to < from {
-                *edges.entry((to, from)).or_default() -= 1;
+                edges.push((to, from, -1));
             }
         }
     }
-    let mut onward: BTreeMap<Pixel, Vec<Pixel>> = BTreeMap::new();
-    for ((a, b), count) in edges {
-        let (from, to) = if count > 0 { (a, b) } else { (b, a) };
+    edges.sort_unstable();
+    // The traversals that remain, each in its direction.
+    let mut onward: Vec<(Pixel, Pixel, i32)> = Vec::new();
+    for same in edges.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
+        let (a, b, _) = same[0];
+        let count: i32 = same.iter().map(|edge| edge.2).sum();
         for _ in 0..count.abs() {
-            onward.entry(from).or_default().push(to);
+            onward.push(if count > 0 { (a, b, 0) } else { (b, a, 0) });
         }
     }
+    onward.sort_unstable();
     // At every corner as many edges end as begin, so that following edges always leads back to the start.
-    let mut loops = Vec::new();
-    while let Some((&start, _)) = onward.iter().next() {
-        let mut line = vec![start];
-        let mut here = start;
-        while let Some(ends) = onward.get_mut(&here) {
-            let next = ends.pop();
-            if ends.is_empty() {
-                onward.remove(&here);
-            }
-            let Some(next) = next else { break };
-            line.push(next);
-            here = next;
+    let (mut loops, mut used, mut first) = (Vec::new(), vec![false; onward.len()], 0);
+    while first < onward.len() {
+        if used[first] {
+            first += 1;
+            continue;
+        }
+        let start = onward[first].0;
+        let (mut line, mut here) = (vec![start], start);
+        loop {
+            let begin = onward.partition_point(|way| way.0 < here);
+            let end = onward.partition_point(|way| way.0 <= here);
+            let Some(way) = (begin..end).rev().find(|way| !used[*way]) else { break };
+            used[way] = true;
+            here = onward[way].1;
+            line.push(here);
             if here == start {
                 break;
             }

@@ -1,19 +1,13 @@
 //! A sheet of paper in pixels: lines, areas, circles and texts are written as SVG in the order of drawing.
 
+use crate::numerics::IntoList;
 use std::fmt::{self, Display, Formatter, Write};
 
-use plotters::style::{BLACK, Color, RGBAColor, RGBColor, WHITE};
-
-use super::palette::FONT;
+use super::palette::{BLACK, FONT, Ink, Rgb, WHITE};
 use super::words::escaped;
 
 /// Number of parts of a pixel to which places are rounded, finer than any screen shows.
 const PARTS_OF_A_PIXEL: f64 = 100.0;
-
-/// A colour, with or without its opacity.
-pub(super) trait Ink: Into<RGBAColor> {}
-
-impl<T: Into<RGBAColor>> Ink for T {}
 
 /// A place on the paper, pixels to the right and downwards.
 pub(super) type Place = (f64, f64);
@@ -33,7 +27,7 @@ pub(super) fn pixel((x, y): Place) -> Pixel {
 fn fine(length: f64) -> Fine {
     #[expect(clippy::cast_possible_truncation, reason = "clamped")]
     // The limit is a hundred times the size of the paper, and far below the largest integer.
-    let whole = (length.clamp(-1e5, 1e5) * PARTS_OF_A_PIXEL).round() as i32;
+    let whole = (length.clamp(-1e7, 1e7) * PARTS_OF_A_PIXEL).round() as i32;
     Fine(whole)
 }
 
@@ -57,7 +51,7 @@ pub(super) fn sheet((wide, high): Place, draw: impl FnOnce(&mut Sheet)) -> Strin
         "<svg width=\"{w}\" height=\"{h}\" viewBox=\"0 0 {w} {h}\" xmlns=\"http://www.w3.org/2000/svg\" \
          font-family=\"{FONT}\" stroke-linejoin=\"round\">"
     ));
-    paper.area([(0.0, 0.0), (wide, 0.0), (wide, high), (0.0, high)], WHITE);
+    paper.area(&[(0.0, 0.0), (wide, 0.0), (wide, high), (0.0, high)], WHITE);
     draw(&mut paper);
     paper.put(format_args!("</svg>"));
     paper.svg
@@ -70,16 +64,16 @@ impl Sheet {
     }
 
     /// A line through places.
-    pub(super) fn line(&mut self, places: impl IntoIterator<Item = Place>, ink: impl Ink, width: f64) {
-        self.stroke(places, ink, width, "");
+    pub(super) fn line(&mut self, places: &[Place], ink: impl Into<Ink>, width: f64) {
+        self.stroke(places, ink.into(), width, "");
     }
 
     /// A dashed line.
-    pub(super) fn dashes(&mut self, places: &[Place], ink: impl Ink, width: f64) {
-        self.stroke(places.iter().copied(), ink, width, " stroke-dasharray=\"7,5\"");
+    pub(super) fn dashes(&mut self, places: &[Place], ink: impl Into<Ink>, width: f64) {
+        self.stroke(places, ink.into(), width, " stroke-dasharray=\"7,5\"");
     }
 
-    fn stroke(&mut self, places: impl IntoIterator<Item = Place>, ink: impl Ink, width: f64, dashes: &str) {
+    fn stroke(&mut self, places: &[Place], ink: Ink, width: f64, dashes: &str) {
         let points = points(places);
         // A single place is no line.
         if points.contains(' ') {
@@ -91,17 +85,15 @@ impl Sheet {
     }
 
     /// A filled area.
-    pub(super) fn area(&mut self, corners: impl IntoIterator<Item = Place>, ink: impl Ink) {
-        let (ink, points) = (paint("fill", ink), points(corners));
+    pub(super) fn area(&mut self, corners: &[Place], ink: impl Into<Ink>) {
+        let (ink, points) = (paint("fill", ink.into()), points(corners));
         self.put(format_args!("<polygon{ink} points=\"{points}\"/>"));
     }
 
     /// A filled area bounded by closed lines of one orientation, with an optional line of another ink around it.
-    pub(super) fn region(&mut self, loops: &[Vec<Pixel>], ink: impl Ink, around: Option<(RGBAColor, f64)>) {
-        let closed = |line: &Vec<Pixel>| {
-            format!("M{}Z", line.iter().copied().map(written).collect::<Vec<_>>().join(" "))
-        };
-        let (ink, way) = (paint("fill", ink), loops.iter().map(closed).collect::<String>());
+    pub(super) fn region(&mut self, loops: &[Vec<Pixel>], ink: impl Into<Ink>, around: Option<(Ink, f64)>) {
+        let closed = |line: &Vec<Pixel>| format!("M{}Z", line.iter().copied().map(written).list().join(" "));
+        let (ink, way) = (paint("fill", ink.into()), loops.iter().map(closed).collect::<String>());
         let around = around
             .map(|(ink, width)| format!("{} stroke-width=\"{}\"", paint("stroke", ink), fine(width)))
             .unwrap_or_default();
@@ -109,7 +101,8 @@ impl Sheet {
     }
 
     /// A circle, filled or as a line of the given width.
-    pub(super) fn circle(&mut self, middle: Place, radius: f64, ink: impl Ink, line: Option<f64>) {
+    pub(super) fn circle(&mut self, middle: Place, radius: f64, ink: impl Into<Ink>, line: Option<f64>) {
+        let ink = ink.into();
         let style = match line {
             Some(width) => {
                 format!(" fill=\"none\"{} stroke-width=\"{}\"", paint("stroke", ink), fine(width))
@@ -121,17 +114,17 @@ impl Sheet {
     }
 
     /// A line of text, vertically centred at the place; `left` (0, 1/2 or 1) is the fraction of its width to the left of the place.
-    pub(super) fn text(&mut self, place: Place, words: &str, size: f64, left: f64, color: RGBColor) {
+    pub(super) fn text(&mut self, place: Place, words: &str, size: f64, left: f64, color: Rgb) {
         self.letters(place, words, size, left, color, "");
     }
 
     /// A line of text that runs upwards, its middle at the place.
-    pub(super) fn text_upwards(&mut self, place: Place, words: &str, size: f64, color: RGBColor) {
+    pub(super) fn text_upwards(&mut self, place: Place, words: &str, size: f64, color: Rgb) {
         let (x, y) = pixel(place);
         self.letters(place, words, size, 0.5, color, &format!(" transform=\"rotate(-90 {x} {y})\""));
     }
 
-    fn letters(&mut self, place: Place, words: &str, size: f64, left: f64, color: RGBColor, turn: &str) {
+    fn letters(&mut self, place: Place, words: &str, size: f64, left: f64, color: Rgb, turn: &str) {
         let anchor = match left {
             l if l < 0.25 => "start",
             l if l > 0.75 => "end",
@@ -139,7 +132,7 @@ impl Sheet {
         };
         // This shift centres letters without descenders at the place.
         let (x, y) = pixel((place.0, place.1 + 0.36 * size));
-        let (ink, size, words) = (paint("fill", color), fine(size), escaped(words));
+        let (ink, size, words) = (paint("fill", color.into()), fine(size), escaped(words));
         self.put(format_args!(
             "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\" text-anchor=\"{anchor}\"{ink}{turn}>{words}</text>"
         ));
@@ -163,7 +156,7 @@ impl Sheet {
         let (x, y) = (place.0 - left * wide - (1.0 - 2.0 * left) * 2.0, place.1);
         let half = high / 2.0;
         let corners = [(x, y - half), (x + wide, y - half), (x + wide, y + half), (x, y + half)];
-        self.area(corners, WHITE.mix(0.75));
+        self.area(&corners, WHITE.mix(0.75));
         self.text(place, words, size, left, BLACK);
     }
 }
@@ -174,12 +167,14 @@ pub(super) fn plaque_size(words: &str, size: f64) -> (f64, f64) {
     (0.57 * size * words.chars().count() as f64 + 4.0, 1.24 * size)
 }
 
-fn points(places: impl IntoIterator<Item = Place>) -> String {
-    let mut points = Vec::new();
+fn points(places: &[Place]) -> String {
+    let mut points = String::new();
     for place in places {
-        points.push(written(pixel(place)));
+        let (x, y) = pixel(*place);
+        let apart = if points.is_empty() { "" } else { " " };
+        let _ = write!(points, "{apart}{x},{y}");
     }
-    points.join(" ")
+    points
 }
 
 fn written((x, y): Pixel) -> String {
@@ -187,9 +182,7 @@ fn written((x, y): Pixel) -> String {
 }
 
 /// The attributes for filling or stroking an element with an ink.
-fn paint(what: &str, ink: impl Ink) -> String {
-    let ink: RGBAColor = ink.into();
-    let ((r, g, b), opacity) = (ink.rgb(), ink.alpha());
+fn paint(what: &str, Ink { color: Rgb(r, g, b), opacity }: Ink) -> String {
     let opaque = format!(" {what}=\"#{r:02X}{g:02X}{b:02X}\"");
     if opacity == 1.0 { opaque } else { format!("{opaque} {what}-opacity=\"{opacity}\"") }
 }

@@ -1,14 +1,13 @@
 //! An equal-area map of a value that depends on a direction in space.
 
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{Each, IntoList, mapped};
 use std::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
-
-use plotters::style::{Color, colors::BLACK, colors::WHITE};
 
 use super::bands::Bands;
 use super::error::PictureError;
 use super::layout::SPHERE;
-use super::palette::{GREY, VERMILION};
+use super::palette::{BLACK, GREY, VERMILION, WHITE};
 use super::regions::{Corner, outlines};
 use super::sheet::{Place, Sheet, sheet};
 use super::sphere_grid::SphereGrid;
@@ -105,9 +104,12 @@ impl SphereMap {
     /// # Errors
     /// [`PictureError`] if a marked direction has no length or is not finite.
     pub fn to_svg(&self) -> Result<String, PictureError> {
-        let finite = || self.values.iter().copied().filter(|value| value.is_finite());
-        let (low, high) =
-            (finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max));
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        for value in &self.values {
+            if value.is_finite() {
+                (low, high) = (low.min(*value), high.max(*value));
+            }
+        }
         let bands = Bands::new(low, high);
         let mut marked = Vec::new();
         for (list, dot) in [(&self.rays, false), (&self.marks, true)] {
@@ -115,7 +117,7 @@ impl SphereMap {
                 marked.push((way(*direction, label)?, label, dot));
             }
         }
-        let notes: Vec<_> = self.notes.iter().flat_map(|note| lines(note, 114)).collect();
+        let notes = mapped(&self.notes, &|note| lines(note, 114)).concat();
         Ok(sheet((SPHERE.wide, 530.0 + 18.0 * notes.len() as f64), |paper| {
             paper.title(&self.title);
             for (side, middle) in SPHERE.discs.into_iter().enumerate() {
@@ -164,7 +166,7 @@ impl SphereMap {
             let (sin, cos) = (f64::from(k) * TAU / 12.0).sin_cos();
             let end =
                 |part: f64| (middle.0 + part * SPHERE.radius * cos, middle.1 - part * SPHERE.radius * sin);
-            paper.line([end(0.0), end(1.0)], BLACK.mix(0.18), 0.6);
+            paper.line(&[end(0.0), end(1.0)], BLACK.mix(0.18), 0.6);
         }
         paper.circle(middle, SPHERE.radius, BLACK, Some(1.2));
         for (k, name) in ["+x", "+y", "−x", "−y"].into_iter().enumerate() {
@@ -191,7 +193,7 @@ impl SphereMap {
                     continue;
                 }
                 let aside: Vec<usize> =
-                    if pole { (0..around).collect() } else { vec![k + around - 1, k, k + 1] };
+                    if pole { (0..around).list() } else { vec![k + around - 1, k, k + 1] };
                 let rows = ring.saturating_sub(1)..=(ring + 1).min(2 * rings);
                 let (mut sum, mut count) = (0.0, 0.0);
                 for row in rows {
@@ -241,7 +243,7 @@ impl SphereMap {
         for (k, level) in bands.levels.iter().enumerate() {
             let (low, top) = (bottom - each * k as f64, bottom - each * (k + 1) as f64);
             if k < bands.count() {
-                paper.area([(left, low), (right, low), (right, top), (left, top)], bands.color(k));
+                paper.area(&[(left, low), (right, low), (right, top), (left, top)], bands.color(k));
             }
             paper.text((left - 4.0, low), &bands.label(*level), 11.0, 1.0, BLACK);
         }
@@ -254,8 +256,8 @@ impl SphereMap {
         for (color, words, _) in present.into_iter().filter(|(_, _, there)| *there) {
             let y = SPHERE.foot - 24.0;
             let corners = [(x, y - 6.0), (x + 16.0, y - 6.0), (x + 16.0, y + 6.0), (x, y + 6.0)];
-            paper.area(corners, color);
-            paper.line(corners.into_iter().chain([corners[0]]), GREY, 0.7);
+            paper.area(&corners, color);
+            paper.line(&[&corners[..], &corners[..1]].concat(), GREY, 0.7);
             paper.text((x + 22.0, y), words, 13.0, 0.0, BLACK);
             x += 60.0 + 7.0 * words.chars().count() as f64;
         }
@@ -269,7 +271,7 @@ fn way(direction: [f64; 3], label: &str) -> Result<[f64; 3], PictureError> {
     if !(size > 0.0 && size.is_finite()) {
         return Err(PictureError(format!("the direction of \"{label}\" has no length")));
     }
-    Ok(direction.map(|part| part / size))
+    Ok(direction.each(|part| part / size))
 }
 
 /// Draws a mark on the disc of its hemisphere; on both discs if the direction is perpendicular to z.
@@ -289,8 +291,8 @@ fn draw_mark(paper: &mut Sheet, [x, y, z]: [f64; 3], label: &str, dot: bool) {
         } else {
             for (ink, width) in [(WHITE, 4.0), (BLACK, 1.8)] {
                 for slope in [1.0, -1.0] {
-                    let ends = [-5.0, 5.0].map(|d| (place.0 + d, place.1 + slope * d));
-                    paper.line(ends, ink, width);
+                    let ends = [-5.0, 5.0].each(|d| (place.0 + d, place.1 + slope * d));
+                    paper.line(&ends, ink, width);
                 }
             }
         }

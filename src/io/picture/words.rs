@@ -1,6 +1,7 @@
 //! Texts and numbers for pictures and pages.
 
 use crate::equilibrium::Equilibrium;
+use crate::numerics::IntoList;
 
 /// A text escaped for HTML or XML, as content and as attributes in quotes.
 pub(super) fn escaped(text: &str) -> String {
@@ -47,7 +48,7 @@ pub(super) fn short(x: f64) -> String {
 pub(super) fn lines(text: &str, letters: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {
-        let mut word: Vec<char> = word.chars().collect();
+        let mut word: Vec<char> = word.chars().list();
         while word.len() > letters {
             lines.push(word.drain(..letters).collect());
         }

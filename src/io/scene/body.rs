@@ -1,5 +1,6 @@
 //! One body of a scene with several bodies.
 
+use crate::numerics::IntoList;
 use std::sync::Arc;
 
 use nalgebra::SVector;
@@ -62,7 +63,7 @@ impl<const C: usize> Serialize for BodySetup<C> {
             mass: (self.mass != 0.0).then_some(self.mass),
             centre_of_mass: (!at_origin).then(|| AxisRow::new(self.centre_of_mass)),
             load: (self.load != Wrench::ZERO).then_some(self.load),
-            outline: self.outline.iter().copied().map(AxisRow::new).collect(),
+            outline: self.outline.iter().copied().map(AxisRow::new).list(),
         }
         .serialize(serializer)
     }

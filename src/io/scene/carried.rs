@@ -2,6 +2,7 @@
 
 use super::wrench::part;
 use crate::grasp::{ArmMotion, Payload, Space, Wrench};
+use crate::numerics::Each;
 use crate::serial::{Few, Given, Number};
 
 /// The rotation of the arm.
@@ -65,7 +66,7 @@ impl WrittenMass<'_> {
                     (Some(_), Some(_)) => {
                         Err(format!("{in_degrees} and {in_radians}: a turn has one of them"))
                     }
-                    (Some(_), None) => Ok(about_axes(degrees, &in_degrees)?.map(f64::to_radians)),
+                    (Some(_), None) => Ok(about_axes(degrees, &in_degrees)?.each(f64::to_radians)),
                     (None, _) => about_axes(radians, &in_radians),
                 }
             };

@@ -9,7 +9,7 @@ use super::matrix::Rows;
 use super::written_contact::LinkedContact;
 use crate::error::Error;
 use crate::grasp::{self, Joint, Space};
-use crate::numerics::moved;
+use crate::numerics::{IntoList, matrix_of, moved};
 use crate::serial::AsGiven;
 use crate::serial::object;
 
@@ -81,7 +81,7 @@ impl<const C: usize> FingerSetup<C> {
     pub fn new(joints: impl IntoIterator<Item = Joint<C>>) -> Self {
         Self {
             comment: None,
-            joints: joints.into_iter().collect(),
+            joints: joints.into_iter().list(),
             stiffness_matrix: None,
             compliance: None,
             contacts: Vec::new(),
@@ -139,7 +139,7 @@ impl FingerSetup<3> {
 /// Jacobian of a point of a link, `v + ω × r` for each joint. Rows 0 to 2 of `twists` are the velocities v of the contact, rows 3 to 5 the
 /// angular velocities ω; `arm` is r, from the contact to the point.
 fn moved_at(twists: &DMatrix<f64>, arm: &SVector<f64, 3>) -> DMatrix<f64> {
-    DMatrix::from_fn(3, twists.ncols(), |a, j| {
+    matrix_of(3, twists.ncols(), &|a, j| {
         let (b, c) = ((a + 1) % 3, (a + 2) % 3);
         twists[(a, j)] + twists[(3 + b, j)] * arm[c] - twists[(3 + c, j)] * arm[b]
     })

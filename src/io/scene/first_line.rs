@@ -8,6 +8,7 @@ use super::solved::SolveAnswer;
 use crate::equilibrium::{ContactState, Equilibrium, Outcome, TooFar, WholeAnswer};
 use crate::grasp::Wrench;
 use crate::load_path::{Change, PadChange};
+use crate::numerics::IntoList;
 use crate::numerics::mapped;
 use crate::words::{Words, listed, printable};
 
@@ -37,7 +38,7 @@ impl<const C: usize> Question<C> {
                 let other = |(body, load): (&String, &Wrench<C>)| {
                     format!(", {} on {}", words.load(load), printable(body))
                 };
-                let others = together_with.iter().map(other).collect::<Vec<_>>().concat();
+                let others = together_with.iter().map(other).list().concat();
                 solved(&format!(" under {}{others}", words.load(load)), answer, words)
             }
             (Self::Onset { base, direction, command_change, joint_change, .. }, Answer::Onset(onset)) => {
@@ -177,7 +178,7 @@ fn leaving<const C: usize, At>(event: &OnsetAt<C, At>, words: Words) -> (&'stati
     });
     let drives = event.drives.iter().map(|drive| (drive.part.text(), drive.what.to_string()));
     let verbs: Vec<(String, String)> =
-        changes.iter().map(|change| (change.contact.text(), change.verb_in(words))).chain(drives).collect();
+        changes.iter().map(|change| (change.contact.text(), change.verb_in(words))).chain(drives).list();
     let mut told: Vec<String> = Vec::new();
     for group in verbs.chunk_by(|a, b| a.1 == b.1) {
         let names: Vec<&str> = mapped(group, &|(name, _)| name.as_str());
@@ -196,7 +197,7 @@ fn plural<T: ToString>(names: &[T], verb: &str) -> String {
     let (first, rest) =
         verb.split_once(' ').map_or((verb, String::new()), |(first, rest)| (first, format!(" {rest}")));
     let first = if names.len() == 1 { first } else { first.strip_suffix('s').unwrap_or(first) };
-    format!("{} {first}{rest}", listed(&names.iter().map(T::to_string).collect::<Vec<_>>()))
+    format!("{} {first}{rest}", listed(&names.iter().map(T::to_string).list()))
 }
 
 /// The first line of `follow`: "LOST at 0.425 of leg 0, (0, 0, -8.5) N: no contact states carry more; first slip at 0.215 of leg 0, (0, 0, -4.3) N".

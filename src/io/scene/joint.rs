@@ -1,5 +1,6 @@
 //! Joints and tendons in the file.
 
+use crate::numerics::by_axis;
 use std::sync::Arc;
 
 use nalgebra::SVector;
@@ -111,10 +112,9 @@ impl<'de, const C: usize> Deserialize<'de> for Joint<C> {
                     (3, Some(axis)) => JointMotion::Revolute { point, axis: axis.0 },
                     (3, None) => return Err("missing field `axis` of a revolute joint in space".to_owned()),
                     // A joint of the plane turns about z.
-                    (_, None) => JointMotion::Revolute {
-                        point,
-                        axis: SVector::from_fn(|a, _| f64::from(u8::from(a == 2))),
-                    },
+                    (_, None) => {
+                        JointMotion::Revolute { point, axis: by_axis(|a| f64::from(u8::from(a == 2))) }
+                    }
                     (_, Some(_)) => {
                         return Err("axis: a revolute joint of the plane has a point alone".to_owned());
                     }

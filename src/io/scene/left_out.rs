@@ -11,6 +11,7 @@ use crate::equilibrium::{ContactAnswer, Outcome};
 use crate::error::{Error, LARGEST};
 use crate::grasp::{Link, inside};
 use crate::load_path::Ramp;
+use crate::numerics::IntoList;
 use crate::numerics::mapped;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 
@@ -114,7 +115,7 @@ impl Setup<3> {
     /// This setup with trial springs of contacts in place of those left out.
     fn with_springs(&self, trial: usize) -> Self {
         let mut setup = self.clone();
-        let mut entries: Vec<&mut Fingertip<3>> = setup.contacts.iter_mut().collect();
+        let mut entries: Vec<&mut Fingertip<3>> = setup.contacts.iter_mut().list();
         for finger in &mut setup.fingers {
             entries.extend(&mut finger.contacts);
         }

@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 
-use crate::numerics::numbered;
+use crate::numerics::{matrix_of, numbered};
 use crate::serial::{Given, Number};
 
 /// The rows of a matrix.
@@ -24,6 +24,6 @@ impl Rows {
         if let Some((i, row)) = self.0.iter().enumerate().find(|(_, row)| row.len() != columns) {
             return Err(format!("{field}: row {i} has {} numbers, must be {columns} as in row 0", row.len()));
         }
-        Ok(DMatrix::from_fn(self.0.len(), columns, |i, j| self.0[i][j].0))
+        Ok(matrix_of(self.0.len(), columns, &|i, j| self.0[i][j].0))
     }
 }

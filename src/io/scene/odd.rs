@@ -11,14 +11,14 @@ use crate::error::Error;
 use crate::grasp::{Hold, Wrench};
 use crate::load_path::Leg;
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Space, chosen, largest, mapped, picked};
+use crate::numerics::{IntoList, Space, chosen, largest, mapped, picked};
 use crate::statics::Closure;
 
 impl Setup<3> {
     /// Warnings about the contacts alone, whatever the loads.
     pub(super) fn odd_contacts(&self, grasp: &Grasp<3>) -> Result<Vec<Warning>, Error> {
         let mut warnings = Vec::new();
-        let entries: Vec<_> = self.entries().collect();
+        let entries: Vec<_> = self.entries().list();
         let name = |i: usize| entries[i].contact.label_text(i);
         let names = |contacts: &[usize]| mapped(contacts, &|i| name(*i));
         let mu = |i: usize| entries[i].contact.friction_coefficient();
@@ -142,7 +142,7 @@ impl Setup<3> {
 
     /// The mean of the contact points, m, and the size of the grasp: the largest distance from its first contact, m.
     pub(super) fn middle(&self) -> (SVector<f64, 3>, f64) {
-        let points: Vec<_> = self.entries().map(|entry| entry.contact.point).collect();
+        let points: Vec<_> = self.entries().map(|entry| entry.contact.point).list();
         let count = points.len() as f64;
         let centre = points.iter().fold(SVector::<f64, 3>::zeros(), |sum, point| sum + point / count);
         (centre, spread(&points))
@@ -162,7 +162,7 @@ impl Setup<3> {
         if shown || entries.len() < 2 || !entries.iter().all(is_so) {
             return None;
         }
-        let contacts: Vec<_> = (0..entries.len()).collect();
+        let contacts: Vec<_> = (0..entries.len()).list();
         let names = mapped(&contacts, &|i| entries[*i].contact.label_text(*i));
         Some(Warning::Outwards { contacts, names })
     }
@@ -180,13 +180,13 @@ impl Setup<3> {
 
     /// A warning if all normals point to the same side, so that contacts cannot press against each other.
     pub(super) fn same_side(&self) -> Option<Warning> {
-        let entries: Vec<_> = self.entries().collect();
+        let entries: Vec<_> = self.entries().list();
         if entries.len() < 2 || !self.links.is_empty() || !self.bodies.is_empty() {
             return None;
         }
         let along = |i: usize, j: usize| entries[i].contact.normal.dot(&entries[j].contact.normal) > 0.0;
         let is_so = (0..entries.len()).all(|i| (0..i).all(|j| along(i, j)));
-        let contacts: Vec<_> = (0..entries.len()).collect();
+        let contacts: Vec<_> = (0..entries.len()).list();
         let names = mapped(&contacts, &|i| entries[*i].contact.label_text(*i));
         is_so.then_some(Warning::SameSide { contacts, names })
     }
@@ -205,8 +205,8 @@ pub(super) fn put_on(question: &Question<3>) -> Vec<Wrench<3>> {
         Question::Hold { load, .. } | Question::Solve { load, .. } | Question::Compare { load, .. } => {
             vec![*load]
         }
-        Question::Need(asked) => asked.wrenches().copied().collect(),
-        Question::Improve(asked) => asked.load.iter().chain(&asked.loads).copied().collect(),
+        Question::Need(asked) => asked.wrenches().copied().list(),
+        Question::Improve(asked) => asked.load.iter().chain(&asked.loads).copied().list(),
         Question::Onset { direction, .. } => vec![*direction],
         Question::OnsetOfTurn(_) => Vec::new(),
         Question::Follow { legs, .. } => picked(legs, &Leg::straight_load),

@@ -1,5 +1,6 @@
 //! Answers about first slip, at a load factor or at an angle of a turning load.
 
+use crate::numerics::IntoList;
 use serde::{Deserialize, Serialize};
 
 use super::labels::SceneNames;
@@ -91,7 +92,7 @@ impl<const C: usize, At> OnsetAt<C, At> {
             };
             Some(ContactChange { contact: leaving.contact.clone(), what })
         };
-        let mut all = whole_changes(&self.state, &self.leaving.iter().filter_map(change).collect::<Vec<_>>());
+        let mut all = whole_changes(&self.state, &self.leaving.iter().filter_map(change).list());
         for leaving in self.leaving.iter().filter(|leaving| leaving.how == Departure::WouldPull) {
             let contact = leaving.contact.whole();
             if all.iter().all(|told| told.contact != contact || told.what != PadChange::WouldPull) {

@@ -10,7 +10,7 @@ use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::Turn;
-use crate::numerics::summed;
+use crate::numerics::{Each, summed};
 
 impl<const C: usize> Setup<C> {
     /// The total mass of all bodies, kg, and their centre of mass, m; `None` without a mass or without gravity.
@@ -98,7 +98,7 @@ impl<const C: usize> Setup<C> {
         let weight =
             Turn::<3>::force_at(in_space(&(gravity * mass)), in_space(&centre.into()), axis)?.reversed();
         let [constant, cosine, sine] =
-            weight.parts().map(|part| Wrench::among(self.space, &part.coordinates(self.space)));
+            weight.parts().each(|part| Wrench::among(self.space, &part.coordinates(self.space)));
         Ok(Some(Turn::new(constant, cosine, sine).up_to(turn.angle())))
     }
 }

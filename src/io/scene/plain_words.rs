@@ -1,5 +1,7 @@
 //! Messages of the JSON reader in words for the author of a scene.
 
+use crate::numerics::IntoList;
+
 /// Rewords a message of serde or serde_json. `here` is the byte of the text at the fault, if it is known.
 pub(super) fn in_plain_words(message: &str, here: Option<u8>) -> String {
     if let Some((given, wanted)) = message
@@ -105,8 +107,8 @@ fn alike<'a>(name: &str, allowed: &'a str) -> Option<&'a str> {
 
 /// The edit distance of two names: the number of letters to insert, remove or change.
 fn slips(a: &str, b: &str) -> usize {
-    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
-    let mut row: Vec<usize> = (0..=b.len()).collect();
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().list(), b.chars().list());
+    let mut row: Vec<usize> = (0..=b.len()).list();
     for (i, x) in a.iter().enumerate() {
         let mut before = row[0];
         row[0] = i + 1;

@@ -1,5 +1,6 @@
 //! A grasp with its questions, in the plane or in space.
 
+use crate::numerics::IntoList;
 use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
@@ -156,7 +157,7 @@ impl<const C: usize> Setup<C> {
     pub fn new(contacts: impl IntoIterator<Item = Fingertip<C>>) -> Self {
         Self {
             space: Space::of::<C>(),
-            contacts: contacts.into_iter().collect(),
+            contacts: contacts.into_iter().list(),
             fingers: Vec::new(),
             tendons: Vec::new(),
             bodies: Vec::new(),
@@ -204,7 +205,7 @@ impl<const C: usize> Setup<C> {
 
     /// All contacts: first [`Self::contacts`], then those of fingers. The index of an entry is that of the contact in questions and answers.
     pub fn entries(&self) -> impl Iterator<Item = &Fingertip<C>> {
-        let mut all: Vec<&Fingertip<C>> = self.contacts.iter().collect();
+        let mut all: Vec<&Fingertip<C>> = self.contacts.iter().list();
         for finger in &self.fingers {
             all.extend(&finger.contacts);
         }

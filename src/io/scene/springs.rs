@@ -1,5 +1,6 @@
 //! Stiffness in the file.
 
+use crate::numerics::by_axis;
 use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
@@ -27,7 +28,7 @@ impl<const C: usize> Springs<C> {
         let axes_of_text = space_of_text::<C>().axes();
         match *given {
             [all] => Ok(Self(SVector::repeat(all))),
-            [n, t] => Ok(Self(SVector::from_fn(|a, _| if a == 0 { n } else { t }))),
+            [n, t] => Ok(Self(by_axis(|a| if a == 0 { n } else { t }))),
             ref axes if axes.len() == axes_of_text => Ok(Self(SVector::from_column_slice(axes))),
             ref other => {
                 let or_axes = if axes_of_text == 3 { " or 3 (normal, two tangential)" } else { "" };

@@ -5,7 +5,7 @@ use serde::ser::{Serialize, Serializer};
 
 use crate::grasp::{Face, Space};
 use crate::improve::{Shape, Surface};
-use crate::numerics::mapped;
+use crate::numerics::{Each, IntoList, mapped};
 use crate::serial::object;
 use crate::serial::{AsGiven, AxisRow, Given, space_of_text};
 
@@ -98,7 +98,7 @@ impl<const C: usize> WrittenSurface<C> {
             return Err(format!("{name} given, must be one of {allowed} in {space}"));
         }
         let points = |rows: Vec<AxisRow<Given, C>>| mapped(&rows, &|row| row.0.enter());
-        let two = |ends: [AxisRow<Given, C>; 2]| ends.map(|row| row.0.enter());
+        let two = |ends: [AxisRow<Given, C>; 2]| ends.each(|row| row.0.enter());
         Ok(Surface::of(match self {
             Self::Segment(ends) => Shape::Segments(vec![two(ends)]),
             Self::Polyline(rows) => Shape::polyline(&points(rows)),
@@ -119,7 +119,7 @@ impl<const C: usize> WrittenSurface<C> {
             Self::Cylinder { axis, radius } => Shape::Cylinder { ends: two(axis), radius },
             Self::Sphere { centre, radius } => Shape::Sphere { centre: centre.0.enter(), radius },
             Self::Triangles(rows) => {
-                Shape::Triangles(mapped(&rows, &|corners| corners.each_ref().map(|row| row.0.enter())))
+                Shape::Triangles(mapped(&rows, &|corners| corners.each_ref().each(|row| row.0.enter())))
             }
         }))
     }
@@ -128,7 +128,7 @@ impl<const C: usize> WrittenSurface<C> {
         let row = |inside| AxisRow::new(Face::leave(inside));
         match surface.shape() {
             Shape::Segments(parts) => match &parts[..] {
-                [ends] => Self::Segment(ends.map(row)),
+                [ends] => Self::Segment(ends.each(row)),
                 parts => {
                     let mut rows = Vec::new();
                     for (k, ends) in parts.iter().enumerate() {
@@ -150,15 +150,15 @@ impl<const C: usize> WrittenSurface<C> {
                 over_deg: over.to_degrees(),
             },
             Shape::Spline(spline) => {
-                let given = spline.given().iter().copied().map(row).collect();
+                let given = spline.given().iter().copied().map(row).list();
                 if spline.is_closed() { Self::ClosedSpline(given) } else { Self::Spline(given) }
             }
             Shape::Rectangle { corner, sides } => {
-                Self::Rectangle { corner: row(*corner), sides: sides.map(row) }
+                Self::Rectangle { corner: row(*corner), sides: sides.each(row) }
             }
-            Shape::Cylinder { ends, radius } => Self::Cylinder { axis: ends.map(row), radius: *radius },
+            Shape::Cylinder { ends, radius } => Self::Cylinder { axis: ends.each(row), radius: *radius },
             Shape::Sphere { centre, radius } => Self::Sphere { centre: row(*centre), radius: *radius },
-            Shape::Triangles(parts) => Self::Triangles(mapped(parts, &|corners| corners.map(row))),
+            Shape::Triangles(parts) => Self::Triangles(mapped(parts, &|corners| corners.each(row))),
         }
     }
 }

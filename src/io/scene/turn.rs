@@ -4,6 +4,7 @@
 //! wrenches are `"constant"`, `"cosine"` and `"sine"`. If none of them is given, the gravity of the scene's bodies turns. A turn is written back as
 //! the three wrenches, or with its axis alone if the bodies' gravity turns.
 
+use crate::numerics::Each;
 use std::f64::consts::TAU;
 
 use serde::de::{Deserialize, Deserializer};
@@ -111,7 +112,7 @@ impl<const C: usize> WrittenTurn<C> {
         let (force, at) = (part(Some(force), axes, name)?, part(self.at.as_ref(), axes, "at")?);
         let turn = Turn::<3>::force_at(force, at, self.axis()?).map_err(|error| error.to_string())?;
         let [constant, cosine, sine] =
-            turn.parts().map(|part| Wrench::among(space, &part.coordinates(space)));
+            turn.parts().each(|part| Wrench::among(space, &part.coordinates(space)));
         Ok(Turn::new(constant, cosine, sine).beside(self.beside.unwrap_or(Wrench::ZERO)))
     }
 
@@ -125,7 +126,7 @@ impl<const C: usize> WrittenTurn<C> {
             return Err("nothing turns: give weight, or force, or cosine and sine".to_owned());
         }
         let [constant, cosine, sine] =
-            [self.constant, self.cosine, self.sine].map(|part| part.unwrap_or(Wrench::ZERO));
+            [self.constant, self.cosine, self.sine].each(|part| part.unwrap_or(Wrench::ZERO));
         Ok(Turn::new(constant, cosine, sine))
     }
 }

@@ -3,13 +3,12 @@
 //! `{"force": [0, -1], "moment": 0.2}` in the plane, `{"force": [0, 0, -1], "moment": [0, 0.1, 0]}`
 //! in space. Parts that are left out are zero. `"at": [0.1, 0]` lets the force act at a point other than the origin; its moment is added.
 
-use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
 use super::carried::{WrittenMass, WrittenTurning};
 use crate::grasp::{Face, Space, Twist, Wrench};
-use crate::numerics::Vector;
+use crate::numerics::{Vector, by_axis};
 use crate::serial::object;
 use crate::serial::{Computed, Few, Given, Number, space_of_text};
 
@@ -102,8 +101,7 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
             if at.is_some() {
                 let at = part(at.as_ref(), axes, "at")?;
                 let force = |a: usize| if a < axes { wrench[a] } else { 0.0 };
-                let through =
-                    Space::Spatial.wrench_of(&at.into(), &SVector::<f64, 3>::from_fn(|a, _| force(a)));
+                let through = Space::Spatial.wrench_of(&at.into(), &by_axis(force));
                 // The rotation in the plane is about z, the last axis of space.
                 let object = space.of_the_object();
                 for k in axes..object {

@@ -4,6 +4,7 @@
 //! Inside its cone a contact keeps sticking in the next step. On facets of the cone it may slide along them. At the apex and at a closed gap
 //! every state is possible, so the rates obey the whole law again. The onset and the load path share these laws.
 
+use crate::numerics::IntoList;
 use nalgebra::SVector;
 
 use super::exits::{Exit, GapLine, Line};
@@ -85,7 +86,7 @@ impl LocalLaw<'_> {
             let no_margin = |h: &&SVector<f64, 3>| {
                 cone.facet_margin(&line.force, h) <= ZERO_SLACK * (line.force_size * cone.facet_weight(h))
             };
-            return ActiveSet { apex, facets: self.facets().iter().filter(no_margin).copied().collect() };
+            return ActiveSet { apex, facets: self.facets().iter().filter(no_margin).copied().list() };
         }
         let friction = tangential(&line.force);
         let size = line.force_size * cone.round_weight();
@@ -105,7 +106,7 @@ impl LocalLaw<'_> {
             return Some(State::sliding_along(&facets[0]));
         }
         let numbers = (0_u16..).zip(self.facets()).filter(|(_, h)| facets.contains(h)).map(|(j, _)| j);
-        Some(self.slipping_state(&numbers.collect::<Vec<_>>()))
+        Some(self.slipping_state(&numbers.list()))
     }
 
     /// Removes the facets, or the apex, whose margin, normal force or gap grows at these rates.

@@ -11,6 +11,7 @@
 //! In the last case the slip is `s = v_t - K_t⁻¹F_t = λ F_t`, along the force. With equal tangential stiffnesses this is the radial return. With
 //! two different ones F_t is the closest point of the disc in the metric K_t⁻¹. On a polygon it is the closest point in that metric, too.
 
+use crate::numerics::by_axis;
 use nalgebra::SVector;
 
 use super::compliance::Compliance;
@@ -71,8 +72,7 @@ impl LocalLaw<'_> {
     /// Projects a trial force onto the cone of radius r. The friction direction is that of the trial traction with springs softened by the slip
     /// λ.
     fn slide_onto_the_cone(&self, force: &mut SVector<f64, 3>, r: f64, lambda: f64) -> Slide {
-        let softened =
-            SVector::from_fn(|a, _| if a == 0 { 0.0 } else { force[a] * self.springs.softening(a, lambda) });
+        let softened = by_axis(|a| if a == 0 { 0.0 } else { force[a] * self.springs.softening(a, lambda) });
         let slide = Slide::new(&softened, lambda);
         for a in 1..3 {
             force[a] = slide.direction[a] * r;

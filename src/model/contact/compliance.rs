@@ -8,7 +8,7 @@
 
 use nalgebra::SVector;
 
-use crate::numerics::DoubleDouble;
+use crate::numerics::{DoubleDouble, by_axis};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
@@ -24,7 +24,7 @@ pub(crate) struct Compliance {
 impl Compliance {
     /// Springs along the first `axes` axes, whose stiffnesses are positive.
     pub(crate) fn new(series: &SVector<f64, 3>, axes: usize) -> Self {
-        Self { k: SVector::from_fn(|a, _| if a < axes { series[a] } else { 0.0 }), axes }
+        Self { k: by_axis(|a| if a < axes { series[a] } else { 0.0 }), axes }
     }
 
     /// Number of axes with a spring.
@@ -58,7 +58,7 @@ impl Compliance {
 
     /// Elastic deflection `K⁻¹F`, m, zero along axes without a spring.
     pub(crate) fn give(&self, force: &SVector<f64, 3>) -> SVector<f64, 3> {
-        SVector::from_fn(|a, _| if a < self.axes { force[a] / self.k[a] } else { 0.0 })
+        by_axis(|a| if a < self.axes { force[a] / self.k[a] } else { 0.0 })
     }
 
     /// Component of `K⁻¹F` along an axis with a spring, m.
@@ -130,7 +130,7 @@ impl Compliance {
     /// The diagonal of `S = (K_t⁻¹ + λ)⁻¹`, zero along the normal: tangential springs in series with the slip per force λ.
     #[inline(always)]
     pub(crate) fn softened(&self, lambda: f64) -> SVector<f64, 3> {
-        SVector::from_fn(|a, _| if a == 0 { 0.0 } else { self.k[a] * self.softening(a, lambda) })
+        by_axis(|a| if a == 0 { 0.0 } else { self.k[a] * self.softening(a, lambda) })
     }
 
     /// Factor `1 / (1 + λ k)` by which a slip per force λ softens the spring of a tangential axis.

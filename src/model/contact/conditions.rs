@@ -58,8 +58,10 @@ impl LocalLaw<'_> {
             Mode::Open if self.may_open() => visit(-at.stretch[0], motion_size),
             Mode::Open | Mode::Sticking => {}
             _ => {
-                let along = self.slips_along(state, &self.springs.slip(&at.stretch, f));
-                along.iter().flatten().for_each(|[value, weight]| visit(*value, motion_size * weight));
+                for along in self.slips_along(state, &self.springs.slip(&at.stretch, f)) {
+                    let Some([value, weight]) = along else { continue };
+                    visit(value, motion_size * weight);
+                }
             }
         }
     }

@@ -10,7 +10,7 @@ use super::law::LocalLaw;
 use super::state::State;
 use super::tangential::tangential;
 use super::tolerances::ZERO_SLACK;
-use crate::numerics::{Harmonic, Turning, moved, numbered, unit};
+use crate::numerics::{Each, Harmonic, IntoList, Turning, moved, numbered, unit};
 use crate::prelude::*;
 
 /// Conditions on the force of a contact that keeps sticking. For a contact that stays open, the first component is the gap.
@@ -81,7 +81,7 @@ impl Edges {
     pub(crate) fn least(&self, value: &dyn Fn(&SVector<f64, 3>) -> f64) -> Vec<SVector<f64, 3>> {
         self.rows(&|around| {
             let angles = local_minima(&|angle| value(&around.at(angle)));
-            if angles.is_empty() { (0..4).map(|k| FRAC_PI_2 * f64::from(k)).collect() } else { angles }
+            if angles.is_empty() { (0..4).map(|k| FRAC_PI_2 * f64::from(k)).list() } else { angles }
         })
     }
 
@@ -94,7 +94,7 @@ impl Edges {
     ) -> Vec<SVector<f64, 3>> {
         self.rows(&|around| {
             let vector = around.map(|row| influence.tr_mul(row) * size);
-            Turning { number: around.map(|row| row.dot(force)), vector }.deepest(TAU).into_iter().collect()
+            Turning { number: around.map(|row| row.dot(force)), vector }.deepest(TAU).into_iter().list()
         })
     }
 
@@ -107,12 +107,12 @@ impl Edges {
                 // μ c_n = c₁ cos φ + c₂ sin φ.
                 let (towards, aside) = (c[2].atan2(c[1]), (around.constant.dot(c) / c[1].hypot(c[2])).acos());
                 // The angle is NaN if the sign never changes.
-                let both = [towards - aside, towards + aside].map(|x| x.rem_euclid(TAU));
+                let both = [towards - aside, towards + aside].each(|x| x.rem_euclid(TAU));
                 turns.extend(both.iter().filter(|x| x.is_finite()));
             }
             turns.sort_by(f64::total_cmp);
-            let ends = turns.iter().skip(1).chain([&TAU]);
-            turns.iter().zip(ends).map(|(from, to)| 0.5 * (from + to)).collect()
+            turns.push(TAU);
+            turns.windows(2).map(|ends| 0.5 * (ends[0] + ends[1])).list()
         })
     }
 
@@ -120,10 +120,10 @@ impl Edges {
     pub(crate) fn on_a_turn(&self, force: &Harmonic<SVector<f64, 3>>, most: f64) -> Vec<f64> {
         let nothing = Harmonic::new([SVector::zeros(); 3]);
         let margins = match self {
-            Self::Rows(rows) => rows.iter().map(|row| (force.map(|x| row.dot(x)), nothing)).collect(),
+            Self::Rows(rows) => rows.iter().map(|row| (force.map(|x| row.dot(x)), nothing)).list(),
             Self::Round { limit } => vec![(force.map(|x| limit * x[0]), force.map(tangential))],
         };
-        margins.into_iter().filter_map(|(number, vector)| Turning { number, vector }.deepest(most)).collect()
+        margins.into_iter().filter_map(|(number, vector)| Turning { number, vector }.deepest(most)).list()
     }
 }
 
@@ -145,7 +145,7 @@ fn local_minima(of: &dyn Fn(f64) -> f64) -> Vec<f64> {
         }
         0.5 * (from + to)
     };
-    (0..count).filter(lowest).map(refine).collect()
+    (0..count).filter(lowest).map(refine).list()
 }
 
 impl LocalLaw<'_> {
@@ -161,6 +161,6 @@ impl LocalLaw<'_> {
         if state.is_open() || facets.is_empty() && self.may_open() {
             return Edges::Rows(vec![unit(0)]);
         }
-        Edges::Rows(facets.iter().map(|h| self.cone().facet_row(h)).collect())
+        Edges::Rows(facets.iter().map(|h| self.cone().facet_row(h)).list())
     }
 }

@@ -1,5 +1,7 @@
 //! The load step at which a contact leaves its state, for forces that grow along a straight line.
 
+use crate::numerics::Each;
+use crate::numerics::IntoList;
 use nalgebra::SVector;
 
 use super::law::LocalLaw;
@@ -61,7 +63,7 @@ impl LocalLaw<'_> {
     /// All exits from a state. A closed contact may reach a facet on which it does not slide; an open one may close its gap.
     pub(crate) fn ways_out(&self, state: &State, line: &Line, gap: &GapLine) -> Vec<Exit> {
         match state {
-            Mode::Open => gap.closing().into_iter().collect(),
+            Mode::Open => gap.closing().into_iter().list(),
             Mode::Sticking => self.exits(line),
             // Facets on which the contact slides are no exits: it stays on them.
             Mode::Facet(_) | Mode::Corner(_) | Mode::Round(_) => {
@@ -113,7 +115,7 @@ impl LocalLaw<'_> {
             line.linear(line.force[0], line.rate[0], 1.0, SVector::zeros()).into_iter().for_each(&mut visit);
         }
         for h in facets {
-            let [margin, rate] = [&line.force, &line.rate].map(|f| cone.facet_margin(f, h));
+            let [margin, rate] = [&line.force, &line.rate].each(|f| cone.facet_margin(f, h));
             line.linear(margin, rate, cone.facet_weight(h), *h).into_iter().for_each(&mut visit);
         }
     }

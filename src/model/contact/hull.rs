@@ -14,6 +14,7 @@
 //! A polygon circumscribed about the arc replaces the directions p. The hull thus contains all that the law allows, and slightly more. If the
 //! hulls of all contacts contradict equilibrium, the law does so, too.
 
+use crate::numerics::{Each, IntoList, by_axis};
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI, TAU};
 
 use nalgebra::SVector;
@@ -111,9 +112,11 @@ impl Sector {
         let pieces = self.pieces(FRAC_PI_8);
         let half = 0.5 * self.width() / f64::from(pieces);
         let reach = 1.0 / half.cos();
-        let corner = |k: u8| on_circle(self.from + f64::from(2 * k + 1) * half).map(|x| x * reach);
-        let ends = [self.from, self.to].map(on_circle);
-        (0..pieces).map(corner).chain(ends).collect()
+        let corner = |k: u8| on_circle(self.from + f64::from(2 * k + 1) * half).each(|x| x * reach);
+        let ends = [self.from, self.to].each(on_circle);
+        let mut all = (0..pieces).map(corner).list();
+        all.extend(ends);
+        all
     }
 
     /// Directions whose nonnegative combinations include every direction of the sector.
@@ -145,7 +148,7 @@ fn on_circle(angle: f64) -> [f64; 2] {
 
 /// The vector with this normal component and these tangential components.
 fn vector(normal: f64, tangential: [f64; 2]) -> SVector<f64, 3> {
-    SVector::from_fn(|a, _| if a == 0 { normal } else { tangential[a - 1] })
+    by_axis(|a| if a == 0 { normal } else { tangential[a - 1] })
 }
 
 const AXES: [[f64; 2]; 4] = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
@@ -166,9 +169,8 @@ impl LocalLaw<'_> {
         let rubs = self.springs.resists_tangentially();
         let mut rays = Vec::new();
         let mut push = |stretch: SVector<f64, 3>, force: SVector<f64, 3>| {
-            let energy = |x: &SVector<f64, 3>| {
-                SVector::<f64, 3>::from_fn(|a, _| if root[a] > 0.0 { x[a] / root[a] } else { 0.0 })
-            };
+            let energy =
+                |x: &SVector<f64, 3>| by_axis::<3>(|a| if root[a] > 0.0 { x[a] / root[a] } else { 0.0 });
             let (stretch, force) = (energy(&stretch), energy(&force));
             let size = stretch.norm().hypot(force.norm());
             rays.push(HullRay { stretch: stretch / size, force: force / size });
@@ -260,14 +262,14 @@ impl LocalLaw<'_> {
                 let apart = (slides_towards - towards + PI).rem_euclid(TAU) - PI;
                 // If the directions of friction and slip differ by less than 0.1 rad, the first cut is made at right angles to them.
                 let from = towards + if apart.abs() < 0.1 { FRAC_PI_2 } else { 0.5 * apart };
-                Some(Sector { from, to: from + TAU }.at(from + PI).map(Label::Friction))
+                Some(Sector { from, to: from + TAU }.at(from + PI).each(Label::Friction))
             }
             Label::Sticking(sector) => {
                 let middle = 0.5 * (sector.from + sector.to);
-                (sector.width() > NARROWEST_ARC).then(|| sector.at(middle).map(Label::Sticking))
+                (sector.width() > NARROWEST_ARC).then(|| sector.at(middle).each(Label::Sticking))
             }
             Label::Friction(sector) | Label::Sliding(sector) => {
-                let [a, b] = [towards, slides_towards].map(|angle| sector.inside(angle));
+                let [a, b] = [towards, slides_towards].each(|angle| sector.inside(angle));
                 let limit = self.friction.limit(force[0]).min(traction);
                 let turned = friction * (a - b).abs().min(1.0);
                 let width = sector.width();
@@ -282,7 +284,7 @@ impl LocalLaw<'_> {
                 let middle = sector.from + width * part.clamp(least_part, 1.0 - least_part);
                 let label =
                     if matches!(label, Label::Friction(_)) { Label::Friction } else { Label::Sliding };
-                (width > NARROWEST_ARC).then(|| sector.at(middle).map(label))
+                (width > NARROWEST_ARC).then(|| sector.at(middle).each(label))
             }
         }
     }

@@ -10,7 +10,7 @@ use nalgebra::SVector;
 
 use super::tangential::cross;
 use crate::error::Error;
-use crate::numerics::{Once, Space, mapped, numbered};
+use crate::numerics::{Each, Once, Space, mapped, numbered};
 use crate::prelude::*;
 
 /// Size of the polygon of m facets relative to the unit circle, the section of the round cone at `μ F_n = 1`.
@@ -170,7 +170,7 @@ pub(crate) fn corner(h1: &SVector<f64, 3>, h2: &SVector<f64, 3>) -> SVector<f64,
 fn direction(angle: f64) -> [f64; 2] {
     let (sin, cos) = angle.sin_cos();
     // Values below this limit are rounding of zero at a right angle. A cosine of 6e-17 instead of 0 would break the ties of symmetric grasps.
-    [cos, sin].map(|x| if x.abs() < 1e-15 { 0.0 } else { x })
+    [cos, sin].each(|x| if x.abs() < 1e-15 { 0.0 } else { x })
 }
 
 fn in_the_tangent_plane(components: &[f64]) -> SVector<f64, 3> {

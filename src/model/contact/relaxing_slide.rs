@@ -19,6 +19,7 @@
 //! constant normal force or equal springs. Sliding never stops: where its rate γ, with γ p·K p = p·K v_t' - r', vanishes, it increases by
 //! `(p⊥·K v_t')²`.
 
+use crate::numerics::Each;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
@@ -78,7 +79,7 @@ impl RelaxingSlide {
         let [k1, k2] = self.tangential;
         let size = (self.stretched[0] * self.stretched[0] + self.stretched[1] * self.stretched[1]).sqrt();
         let rate = k1 * k2 * size;
-        let e = self.stretched.map(|v| v / size);
+        let e = self.stretched.each(|v| v / size);
         // ψ is the angle from the stretch to the force.
         let (cos0, sin0) = (e[0] * p[0] + e[1] * p[1], e[0] * p[1] - e[1] * p[0]);
         let half = sin0 / (1.0 + cos0) * (-rate * s).exp();
@@ -101,7 +102,7 @@ impl RelaxingSlide {
         let y = (0.5 * self.growth * (self.tangential[1] - self.tangential[0]) * s).clamp(-far, far);
         let q = [p[0] * (-y).exp(), p[1] * y.exp()];
         let size = q[0].hypot(q[1]);
-        q.map(|x| x / size)
+        q.each(|x| x / size)
     }
 }
 

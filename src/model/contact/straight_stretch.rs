@@ -12,6 +12,7 @@
 //! traction keeps its direction; otherwise it is correct to first order. For the same closed form with a constant radius see R. D. Krieg and D.
 //! B. Krieg, Accuracies of numerical solution methods for the elastic-perfectly plastic model, J. Pressure Vessel Technology 99 (1977) 510.
 
+use crate::numerics::Each;
 use nalgebra::SVector;
 
 use super::answer::ContactResponse;
@@ -36,7 +37,7 @@ impl LocalLaw<'_> {
         if self.friction.is_frictionless() {
             return self.answer(stretch, 0.0);
         }
-        let [from, to] = [before, stretch].map(|v| self.springs.force(v));
+        let [from, to] = [before, stretch].each(|v| self.springs.force(v));
         if to[0] <= 0.0 && self.may_open() {
             return ContactResponse::open();
         }
@@ -81,7 +82,7 @@ impl LocalLaw<'_> {
     /// State and force after sliding from a force on the cone for the remaining time `rest`.
     fn slid_on(&self, from: &SVector<f64, 3>, rate: &SVector<f64, 3>, rest: f64) -> ContactResponse {
         let normal = from[0] + rate[0] * rest;
-        let [r0, r1] = [from[0], normal].map(|f| self.friction.limit(f.max(0.0)));
+        let [r0, r1] = [from[0], normal].each(|f| self.friction.limit(f.max(0.0)));
         // ∫dτ/r over the remaining time.
         let x = (r1 - r0) / r0;
         // Below this relative difference of the radii the first terms of the series replace the logarithm.

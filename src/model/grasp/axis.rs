@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use super::wrench::Twist;
-use crate::numerics::Space;
+use crate::numerics::{Space, by_axis};
 
 /// A small rotation: in the plane its angle from x to y, in space its rotation vector, rad.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,7 +54,7 @@ impl Rotation {
                 let cross = |a: usize| {
                     omega[(a + 1) % 3] * moves[(a + 2) % 3] - omega[(a + 2) % 3] * moves[(a + 1) % 3]
                 };
-                SVector::from_fn(|a, _| cross(a)) / omega.norm_squared()
+                by_axis(cross) / omega.norm_squared()
             }
         }
     }

@@ -16,8 +16,7 @@ use super::contact::{Contact, Hold};
 use super::motion::Motion;
 use super::stiffness::Stiffness;
 use super::wrench::{Twist, Wrench};
-use crate::numerics::Harmonic;
-use crate::numerics::Space;
+use crate::numerics::{Harmonic, Space, by_axis};
 use crate::prelude::*;
 use crate::words::LinkKind;
 
@@ -271,12 +270,12 @@ impl<const C: usize> Face for SVector<f64, C> {
 
     #[inline]
     fn widen(&self) -> SVector<f64, 3> {
-        SVector::from_fn(|a, _| if a < C { self[a] } else { 0.0 })
+        by_axis(|a| if a < C { self[a] } else { 0.0 })
     }
 
     #[inline]
     fn narrow(inside: SVector<f64, 3>) -> Self {
-        Self::from_fn(|a, _| inside[a])
+        by_axis(|a| inside[a])
     }
 }
 
@@ -342,7 +341,7 @@ impl<const C: usize> Face for Stiffness<C> {
     const SAME: bool = C == 3;
 
     fn widen(&self) -> Stiffness<3> {
-        let filled = |k: &SVector<f64, C>| SVector::from_fn(|a, _| k[a.min(C - 1)]);
+        let filled = |k: &SVector<f64, C>| by_axis(|a| k[a.min(C - 1)]);
         match self {
             Self::BodyAndFinger { body, finger } => {
                 Stiffness::BodyAndFinger { body: filled(body), finger: filled(finger) }

@@ -162,12 +162,13 @@ impl SoftFingertip<3> {
                 share: ring.share / points as f64,
             }
         };
-        let points = rings
-            .iter()
-            .enumerate()
-            .flat_map(|(j, ring)| (0..points).map(move |i| place(rings.len() - 1 - j, ring, i)))
-            .collect();
-        Ok(Self { radius, points })
+        let mut all = Vec::new();
+        for (j, ring) in rings.iter().enumerate() {
+            for i in 0..points {
+                all.push(place(rings.len() - 1 - j, ring, i));
+            }
+        }
+        Ok(Self { radius, points: all })
     }
 
     /// Torsional stiffness about the normal, N m/rad, while friction suffices: `Σ w_i (k_1 y_i² + k_2 x_i²)` with x along the first and y along

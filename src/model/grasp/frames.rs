@@ -14,8 +14,8 @@ use nalgebra::{AbstractRotation, Isometry, SVector};
 use super::commands::Axes;
 use super::contact::Contact;
 use super::wrench::{Twist, Wrench};
-use crate::numerics::Space;
 use crate::numerics::Vector;
+use crate::numerics::{Space, by_axis};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
@@ -71,7 +71,7 @@ impl<const C: usize> Contact<C> {
 
 /// `v` with its linear and its angular part rotated by `rotation`.
 fn turned<R: AbstractRotation<f64, C>, const C: usize>(rotation: &R, v: &Vector) -> Vector {
-    let part = |from: usize| rotation.transform_vector(&SVector::from_fn(|a, _| v[from + a]));
+    let part = |from: usize| rotation.transform_vector(&by_axis(|a| v[from + a]));
     let linear = part(0);
     // A rotation about the only axis of the plane is the same in all frames, and so are joint displacements.
     let angular = (C == 3).then(|| part(C));

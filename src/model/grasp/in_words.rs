@@ -9,7 +9,7 @@ use super::motion::Motion;
 use super::tolerances::{LITTLE_ROUNDING, SEEN_MOTION};
 use super::wrench::{Twist, Wrench};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{Space, dot, largest, mapped, summed};
+use crate::numerics::{IntoList, Space, dot, largest, mapped, summed};
 use crate::prelude::*;
 use crate::words::{Words, listed, printable};
 
@@ -129,14 +129,14 @@ impl Words {
         let moves = bodies.iter().filter(|motion| motion.speed() > SEEN_MOTION * fastest);
         let told =
             |motion: &BodyMotion<3>| (printable(&motion.body).into_owned(), self.direction(&motion.twist));
-        let told: Vec<_> = moves.map(told).collect();
+        let told: Vec<_> = moves.map(told).list();
         let Some((_, first)) = told.first() else { return "moving nothing but the hand".to_owned() };
         // Up to three bodies with the same motion are named one by one.
         if told.len() > 3 && told.iter().all(|(_, way)| way == first) {
             let names: Vec<_> = mapped(&told, &|(name, _)| name);
             return format!("{}, all {first}", listed(&names));
         }
-        listed(&told.iter().map(|(name, way)| format!("{name} {way}")).collect::<Vec<_>>())
+        listed(&told.iter().map(|(name, way)| format!("{name} {way}")).list())
     }
 
     fn direction(self, twist: &Twist<3>) -> String {

@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::face::Face;
 use super::wrench::Wrench;
 use crate::error::{Error, MODERATE, is_moderate};
-use crate::numerics::Space;
+use crate::numerics::{Space, by_axis};
 
 /// Standard gravity, rounded, m/s².
 const GRAVITY: f64 = 9.81;
@@ -58,7 +58,7 @@ pub struct ArmMotion<const C: usize> {
 }
 
 fn of_space<const C: usize>(v: [f64; C]) -> Vector3<f64> {
-    Vector3::from_fn(|a, _| v.get(a).copied().unwrap_or(0.0))
+    by_axis(|a| v.get(a).copied().unwrap_or(0.0))
 }
 
 impl<const C: usize> Payload<C> {

@@ -1,6 +1,6 @@
 //! Pressure profiles of a soft fingertip, and the quadrature points that represent them.
 
-use crate::numerics::Space;
+use crate::numerics::{Each, Space};
 use crate::prelude::*;
 
 /// Profile of the pressure at the distance r from the centre. It extends over a disc of radius R in space, over a line of half-width R in the
@@ -55,7 +55,7 @@ impl Pressure {
         let mut layers = Vec::with_capacity(2 * bands);
         for j in 0..bands {
             let (a, b) = (edge(j), edge(j + 1));
-            let [m0, m1, m2] = [0, 1, 2].map(|k| moment(k, a, b) / total);
+            let [m0, m1, m2] = [0, 1, 2].each(|k| moment(k, a, b) / total);
             let x = (b * m1 - m2) / (b * m0 - m1);
             let inner = (b * m0 - m1) / (b - x);
             layers.push(Layer { distance: x, share: inner });

@@ -6,7 +6,7 @@ use super::contact::Contact;
 use super::fingertip::{PatchPoint, SoftFingertip, along_a_line, check, usable};
 use super::pressure::Pressure;
 use crate::error::Error;
-use crate::numerics::Space;
+use crate::numerics::{Each, Space};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
@@ -49,7 +49,7 @@ impl SoftFingertip<3> {
         check(strips[1] >= 1, "number of strips along the second side", strips[1] as f64, "at least 1")?;
         let all = strips[0].saturating_mul(4).saturating_mul(strips[1].saturating_mul(4));
         check(all <= Self::MOST_POINTS, "number of points", all as f64, "at most 4096")?;
-        let layers = strips.map(|count| Pressure::Uniform.layers(Space::Planar, count));
+        let layers = strips.each(|count| Pressure::Uniform.layers(Space::Planar, count));
         let mut points = Vec::with_capacity(all);
         for (x, share) in along_a_line(&layers[0]) {
             for (y, other) in along_a_line(&layers[1]) {
@@ -63,6 +63,6 @@ impl SoftFingertip<3> {
     /// Tilting stiffnesses about the first and about the second tangent, N m/rad: `k_n ⟨y²⟩` and `k_n ⟨x²⟩`. Both are equal for rings and discs.
     #[must_use]
     pub fn tilting_stiffnesses(&self, contact: &Contact<3>) -> [f64; 2] {
-        [2, 1].map(|axis| contact.series_stiffness_of_axes()[0] * self.square(axis))
+        [2, 1].each(|axis| contact.series_stiffness_of_axes()[0] * self.square(axis))
     }
 }

@@ -14,7 +14,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::numerics::{DoubleDouble, Map, Size, Space, Vector};
+use crate::numerics::{DoubleDouble, Map, Size, Space, Vector, by_axis};
 
 /// Makes other numbers of axes an error at compile time.
 pub(crate) const fn assert_plane_or_space<const C: usize>() {
@@ -113,7 +113,7 @@ impl Space {
         let axes = self.axes();
         let arm = (point - origin) / length;
         let map = self.grasp_map(size, &arm, frame);
-        let arm_rest = SVector::<f64, 3>::from_fn(|a, _| {
+        let arm_rest = by_axis::<3>(|a| {
             let mut exact = DoubleDouble::new(point[a]);
             exact.add(-origin[a]);
             exact.add_product(-arm[a], length);
@@ -141,5 +141,5 @@ pub(crate) const fn of_the_object<const C: usize>() -> usize {
 
 /// A vector with these components along the first `axes` axes; the others are zero.
 pub(crate) fn of_axes<const C: usize>(axes: usize, component: impl Fn(usize) -> f64) -> SVector<f64, C> {
-    SVector::from_fn(|a, _| if a < axes { component(a) } else { 0.0 })
+    by_axis(|a| if a < axes { component(a) } else { 0.0 })
 }

@@ -4,6 +4,7 @@ use super::engine::Engine;
 use super::whole_contact::ContactPoints;
 use super::wrench::Wrench;
 use crate::error::{Error, MODERATE, is_moderate};
+use crate::numerics::IntoList;
 use crate::numerics::mapped;
 use crate::prelude::*;
 use crate::words::{listed, printable};
@@ -56,7 +57,7 @@ impl Engine {
     pub(crate) fn loaded_bodies(&self) -> Vec<String> {
         let Some(bodies) = self.bodies() else { return Vec::new() };
         let loaded = bodies.names.iter().zip(&bodies.given).filter(|(_, load)| **load != Wrench::ZERO);
-        loaded.map(|(name, _)| name.to_string()).collect()
+        loaded.map(|(name, _)| name.to_string()).list()
     }
 
     /// Looks up the part with this name, and returns a copy of the grasp in which its press is multiplied by `factor`. The press is the load of

@@ -1,5 +1,6 @@
 //! The springs of a contact: body and finger in series, axis by axis.
 
+use crate::numerics::by_axis;
 use nalgebra::SVector;
 
 /// Stiffness of a contact along the axes of its frame (normal first), N/m.
@@ -51,7 +52,7 @@ impl<const C: usize> Stiffness<C> {
 
     /// Tangential stiffnesses multiplied by `factor`.
     pub(crate) fn scaled_tangentially(&self, factor: f64) -> Self {
-        self.each(|k| SVector::from_fn(|axis, _| if axis == 0 { k[0] } else { k[axis] * factor }))
+        self.each(|k| by_axis(|axis| if axis == 0 { k[0] } else { k[axis] * factor }))
     }
 
     fn each(&self, other: impl Fn(&SVector<f64, C>) -> SVector<f64, C>) -> Self {

@@ -21,8 +21,13 @@ impl Support {
     pub(super) fn of(space: Space, map: &mut Map, rest: &mut Map) -> Self {
         let size = map.size();
         let count = size.count();
-        let is_felt = |k: &usize| map.row(*k).iter().chain(rest.row(*k).iter()).any(|x| *x != 0.0);
-        let mut felt: Vec<usize> = map.rows().chain(rest.rows()).filter(is_felt).collect();
+        let mut felt = Vec::new();
+        for k in map.rows().chain(rest.rows()) {
+            let (of_map, of_rest) = (map.row(k), rest.row(k));
+            if (0..3).any(|a| of_map[a] != 0.0 || of_rest[a] != 0.0) {
+                felt.push(k);
+            }
+        }
         felt.sort_unstable();
         felt.dedup();
         let object = space.of_the_object().min(count);

@@ -1,6 +1,7 @@
 //! One index per coordinate.
 
 use super::size::WHOLE;
+use crate::numerics::IntoList;
 use crate::prelude::*;
 
 /// One index per coordinate, for example a permutation; stored in place for a single object.
@@ -15,7 +16,7 @@ impl Indices {
         if count <= WHOLE {
             Self::Few(count, core::array::from_fn(|k| k))
         } else {
-            Self::More((0..count).collect())
+            Self::More((0..count).list())
         }
     }
 }

@@ -1,5 +1,6 @@
 //! A matrix from contact axes to coordinates.
 
+use crate::numerics::by_axis;
 use core::ops::{Index, IndexMut, Mul, Range};
 
 use nalgebra::{SMatrix, SVector};
@@ -80,7 +81,7 @@ impl Map {
 
     #[inline]
     pub(crate) fn row(&self, k: usize) -> SVector<f64, 3> {
-        SVector::from_fn(|a, _| self[(k, a)])
+        by_axis(|a| self[(k, a)])
     }
 
     #[inline]

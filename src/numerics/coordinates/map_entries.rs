@@ -3,6 +3,7 @@
 //! With several bodies a contact acts on two of them, so its map has entries in few rows. Sums over these rows have the same bits as sums over
 //! all rows, since adding zeros changes nothing.
 
+use crate::numerics::IntoList;
 use core::ops::Range;
 
 use nalgebra::SVector;
@@ -98,7 +99,7 @@ impl MapEntries {
     /// Stores exactly the rows of these ranges; rows that were not stored before get zeros.
     pub(super) fn keep(&mut self, ranges: &[Range<usize>; 2]) {
         if let Self::Few(_) = self {
-            let rows: Vec<usize> = ranges.iter().cloned().flatten().collect();
+            let rows: Vec<usize> = ranges.iter().cloned().flatten().list();
             let mut entries = Vec::with_capacity(3 * rows.len());
             for a in 0..3 {
                 entries.extend(rows.iter().map(|k| *self.entry(*k, a)));

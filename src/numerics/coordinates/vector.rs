@@ -1,5 +1,6 @@
 //! A vector over coordinates.
 
+use crate::numerics::by_axis;
 use core::ops::{Deref, Index, IndexMut};
 
 use nalgebra::SVector;
@@ -187,7 +188,7 @@ impl<const D: usize> From<SVector<f64, D>> for Vector {
 
 impl Vector {
     pub(crate) fn to_svector<const D: usize>(&self) -> SVector<f64, D> {
-        SVector::from_fn(|k, _| self[k])
+        by_axis(|k| self[k])
     }
 }
 

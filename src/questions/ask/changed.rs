@@ -1,5 +1,6 @@
 //! Copies of a grasp with other data – commands, torques, friction, squeeze – and the same settings.
 
+use crate::numerics::IntoList;
 use alloc::sync::Arc;
 
 use nalgebra::SVector;
@@ -46,7 +47,7 @@ impl<const C: usize> Grasp<C> {
         &self,
         commands: impl IntoIterator<Item = impl Into<[f64; C]>>,
     ) -> Result<Self, Error> {
-        let commands: Vec<_> = commands.into_iter().map(|u| SVector::from(u.into()).enter()).collect();
+        let commands: Vec<_> = commands.into_iter().map(|u| SVector::from(u.into()).enter()).list();
         self.changed(self.engine.with_commands(&commands))
     }
 
@@ -131,7 +132,7 @@ impl<const C: usize> Grasp<C> {
         others: impl IntoIterator<Item = (N, Wrench<C>)>,
     ) -> Result<Self, Error> {
         let named = others.into_iter().map(|(name, load)| (Arc::from(name.into()), load.enter()));
-        self.changed(self.engine.growing_together(&inside(load), &named.collect::<Vec<_>>()))
+        self.changed(self.engine.growing_together(&inside(load), &named.list()))
     }
 
     /// This grasp with other coefficients of friction. `friction` gets the index of a contact and its present coefficient, and returns the new one.

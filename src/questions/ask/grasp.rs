@@ -15,7 +15,7 @@ use crate::grasp::{
 };
 use crate::hold::{Extent, Verdict};
 use crate::load_path::Ramp;
-use crate::numerics::{Once, Space, mapped, numbered};
+use crate::numerics::{Each, IntoList, Once, Space, mapped, numbered};
 use crate::prelude::*;
 
 /// An object held by elastic fingers: a checked list of contacts, and the joints behind them if a [`Hand`] holds it.
@@ -95,7 +95,7 @@ impl<const C: usize> Grasp<C> {
     /// [`Error::EmptyGrasp`], or [`Error::Contact`] with the first contact, field and value out of range.
     pub fn new(contacts: impl IntoIterator<Item = Contact<C>>) -> Result<Self, Error> {
         const { assert_plane_or_space::<C>() };
-        let contacts: Vec<_> = contacts.into_iter().map(Face::enter).collect();
+        let contacts: Vec<_> = contacts.into_iter().map(Face::enter).list();
         Grasp::installed_by(engine_of_contacts(contacts)?)
     }
 
@@ -113,10 +113,10 @@ impl<const C: usize> Grasp<C> {
         self.door.get_or_init(|| {
             let engine = &*self.engine;
             Arc::new(Door {
-                contacts: engine.contacts().iter().cloned().map(outside).collect(),
+                contacts: engine.contacts().iter().cloned().map(outside).list(),
                 frames: numbered(engine.len(), &|contact| frame_outside(engine.frame(contact))),
-                links: mapped(engine.links(), &|link| link.map(outside)),
-                joint_centres: engine.joint_centres().iter().copied().map(outside).collect(),
+                links: mapped(engine.links(), &|link| link.each(outside)),
+                joint_centres: engine.joint_centres().iter().copied().map(outside).list(),
             })
         })
     }

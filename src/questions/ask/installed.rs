@@ -1,5 +1,6 @@
 //! Links with a given tension at rest: Newton's method for the commands under which each link carries its tension.
 
+use crate::numerics::IntoList;
 use nalgebra::{DMatrix, DVector};
 
 use super::grasp::Grasp;
@@ -13,12 +14,8 @@ impl Grasp<3> {
     /// This grasp with commands under which each such link pulls with its given tension at rest.
     pub(super) fn installed(self) -> Result<Self, Error> {
         let wanted = |contact: &crate::grasp::Contact<3>| contact.at_rest;
-        let told: Vec<(usize, f64)> = self
-            .contacts()
-            .iter()
-            .enumerate()
-            .filter_map(|(i, contact)| Some((i, wanted(contact)?)))
-            .collect();
+        let told: Vec<(usize, f64)> =
+            self.contacts().iter().enumerate().filter_map(|(i, contact)| Some((i, wanted(contact)?))).list();
         if told.is_empty() {
             return Ok(self);
         }

@@ -1,5 +1,6 @@
 //! Rows of a batch: a grasp and its load each, and the first slips that screening computes for them.
 
+use crate::numerics::IntoList;
 use core::ops::Range;
 
 use crate::grasp::{Contact, Hold, Wrench};
@@ -24,7 +25,7 @@ pub(crate) fn answers_of_rows<T: Send>(
     for first in (0..rows).step_by(CHUNK) {
         chunks.push(first..rows.min(first + CHUNK));
     }
-    map_in_order(&chunks, |chunk| answers(chunk.clone())).into_iter().flatten().collect()
+    map_in_order(&chunks, |chunk| answers(chunk.clone())).into_iter().flatten().list()
 }
 
 /// First slip, and rotation under the whole load, of each row. `None` where screening does not support the row, or `is_meant` rejects it.

@@ -11,7 +11,7 @@ use crate::grasp::Engine;
 use crate::lcp::{self, Basis, Lcp, Parametric, Variable};
 use crate::load_path::Ramp;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Vector, largest};
+use crate::numerics::{IntoList, Vector, largest};
 use crate::object::Piece;
 use crate::prelude::*;
 
@@ -126,7 +126,7 @@ impl Line<'_> {
             *r == row
                 || (rate < 0.0 && (value + factor * rate).abs() <= SOLVED_ROUNDING * size * other.weight)
         };
-        let binding = friction.iter().enumerate().filter(binds).map(|(_, r)| (r.contact, r.facet)).collect();
+        let binding = friction.iter().enumerate().filter(binds).map(|(_, r)| (r.contact, r.facet)).list();
         Some(Agreement::UpTo { factor, binding })
     }
 }

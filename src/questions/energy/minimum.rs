@@ -11,7 +11,7 @@ use crate::Settings;
 use crate::error::Error;
 use crate::grasp::{Coordinates, Engine, Motion, Twist, Wrench};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Vector, mapped, numbered, summed};
+use crate::numerics::{IntoList, Vector, mapped, numbered, summed};
 use crate::object::Unbalanced;
 use crate::prelude::*;
 #[cfg(feature = "serde")]
@@ -225,7 +225,7 @@ impl Engine {
             load: *load,
             twist: self.outside(&point.twist),
             contacts: numbered(self.len(), &contact),
-            binding: binding.collect(),
+            binding: binding.list(),
             imbalance: self.wrench_outside(&pushed),
             stored_energy,
             potential_energy: stored_energy - own_work,

@@ -28,7 +28,7 @@ use super::energy_rows::{ForceCondition, axis_springs, by_pivots, dense, rows, v
 use crate::Settings;
 use crate::lcp::{Basis, Outcome};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Vector, mapped, numbered};
+use crate::numerics::{IntoList, Singular, Vector, mapped, numbered};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
@@ -85,7 +85,7 @@ impl<'g> EnergyProgram<'g> {
 
     /// The matrix of the complementarity problem; `None` if it is too large.
     pub(super) fn matrix(&self) -> Option<DMatrix<f64>> {
-        let rows: Vec<_> = self.rows().collect();
+        let rows: Vec<_> = self.rows().list();
         let gaps = self.gaps.len();
         dense(rows.len(), |i, j| match (i < gaps, j < gaps) {
             (_, true) => rows[i].past_the_object(rows[j]),
@@ -196,7 +196,7 @@ impl<'g> EnergyProgram<'g> {
         let seen: Vec<_> = numbered(forces.len(), &|i| springs.seen(i));
         let size = problem.size();
         let mut places = size.count()..;
-        let place: Vec<_> = faces.open.iter().map(|open| if *open { places.next() } else { None }).collect();
+        let place: Vec<_> = faces.open.iter().map(|open| if *open { places.next() } else { None }).list();
         let mut columns = DMatrix::zeros(places.start, rows.len());
         if columns.nrows() < columns.ncols() {
             return None;
@@ -210,13 +210,14 @@ impl<'g> EnergyProgram<'g> {
                 column[place] = row.normal[0];
             }
         }
-        let (q, r) = columns.qr().unpack();
+        let parts = Singular::new(&columns);
+        if !parts.values.iter().all(|value| *value > 0.0) {
+            return None;
+        }
         let mut travelled = Vector::zeros();
         // The second pass removes the rounding that the first left in the rows.
         for _ in 0..2 {
-            let y = r.tr_solve_upper_triangular(&-values(rows.iter().copied(), forces))?;
-            let lambda = r.solve_upper_triangular(&y)?;
-            let change = &q * y;
+            let (change, lambda) = parts.of_transpose(&-values(rows.iter().copied(), forces));
             let moved = Vector::from_fn(size, |k| change[k]);
             travelled -= &moved;
             for (i, force) in forces.iter_mut().enumerate() {

@@ -7,7 +7,7 @@ use super::program_rows::ProgramRows;
 use crate::contact::{LocalLaw, PolygonCone};
 use crate::error::{Error, Field, LARGEST};
 use crate::grasp::{Contact, Engine, Space, Stiffness, Twist, Wrench, of_axes};
-use crate::numerics::Vector;
+use crate::numerics::{Each, Vector, numbered};
 use crate::prelude::*;
 
 /// The meaning of an equality row of the printed program.
@@ -206,8 +206,8 @@ impl Engine {
         for (i, (site, contact)) in self.sites().iter().zip(self.contacts()).enumerate() {
             let map = space.grasp_map(size, &contact.point, &site.frame);
             for axis in 0..axes {
-                let moved = (0..count).map(|k| (columns - count + k, -map[(k, axis)]));
-                let terms = core::iter::once((column(axes, i, BODY_CORE, axis), 1.0)).chain(moved);
+                let mut terms = vec![(column(axes, i, BODY_CORE, axis), 1.0)];
+                terms.extend(numbered(count, &|k| (columns - count + k, -map[(k, axis)])));
                 written.equalities.push_terms(Equality::BodyMotion { contact: i, axis }, terms, 0.0);
             }
         }
@@ -272,7 +272,8 @@ impl Written {
         [body, finger]: &[SVector<f64, 3>; 2],
     ) {
         for axis in 0..axes {
-            let [c, d, e] = [BODY_CORE, BODY_SURFACE, FINGER_SURFACE].map(|u| column(axes, contact, u, axis));
+            let [c, d, e] =
+                [BODY_CORE, BODY_SURFACE, FINGER_SURFACE].each(|u| column(axes, contact, u, axis));
             let (k_b, k_f) = (body[axis], finger[axis]);
             (self.h[(c, c)], self.h[(d, d)], self.h[(e, e)]) = (k_b, k_b, k_f);
             (self.h[(c, d)], self.h[(d, c)]) = (-k_b, -k_b);
@@ -293,7 +294,7 @@ impl Written {
         [body, _]: &[SVector<f64, 3>; 2],
     ) {
         let [c, d, e] =
-            [BODY_CORE, BODY_SURFACE, FINGER_SURFACE].map(|u| move |axis| column(axes, i, u, axis));
+            [BODY_CORE, BODY_SURFACE, FINGER_SURFACE].each(|u| move |axis| column(axes, i, u, axis));
         let apart = |axis| [(d(axis), 1.0), (e(axis), -1.0)];
         for axis in 1..local.springs.axes() {
             self.equalities.push_terms(Equality::Sticking { contact: i, axis }, apart(axis), 0.0);
@@ -308,7 +309,7 @@ impl Written {
         }
         for (facet, normal) in local.facets().iter().enumerate() {
             let row = local.cone().facet_row(normal).component_mul(&(body / body[0]));
-            let terms = (0..axes).flat_map(|axis| [(c(axis), -row[axis]), (d(axis), row[axis])]);
+            let terms = numbered(axes, &|axis| [(c(axis), -row[axis]), (d(axis), row[axis])]).concat();
             self.inequalities.push_terms(Inequality::Friction { contact: i, facet }, terms, 0.0);
         }
     }

@@ -11,6 +11,7 @@
 //! For a positive semidefinite H the two problems are equivalent. Lemke's method was made for the second (Lemke 1965) and cannot fail on it: it finds
 //! a minimum or a ray, and a ray means that there is no minimum.
 
+use crate::numerics::{IntoList, matrix_of, vector_of};
 use nalgebra::{DMatrix, DVector};
 
 use crate::lcp::{LcpError, MixedLcp, MixedSolution, Outcome, Residuals};
@@ -111,7 +112,7 @@ impl QuadraticProgram {
         pull.view_mut((0, 0), (n, k)).copy_from(&-self.b.transpose());
         let mut rows = DMatrix::zeros(k, n + m);
         rows.view_mut((0, 0), (k, n)).copy_from(&self.b);
-        let constant = DVector::from_fn(n + m, |i, _| if i < n { self.g[i] } else { -self.c[i - n] });
+        let constant = vector_of(n + m, &|i| if i < n { self.g[i] } else { -self.c[i - n] });
         MixedLcp::new(&free, &pull, &rows, &DMatrix::zeros(k, k), &constant, &-&self.d)
     }
 
@@ -171,7 +172,7 @@ impl QuadraticProgram {
     /// point.
     fn refined(&self, solution: &MixedSolution) -> Option<(DVector<f64>, DVector<f64>)> {
         let (n, m) = (self.g.len(), self.c.len());
-        let binding: Vec<usize> = solution.basis.iter().collect();
+        let binding: Vec<usize> = solution.basis.iter().list();
         let size = n + m + binding.len();
         let mut matrix = DMatrix::zeros(size, size);
         matrix.view_mut((0, 0), (n, n)).copy_from(&self.h);
@@ -180,7 +181,7 @@ impl QuadraticProgram {
             matrix.view_mut((n + i, 0), (1, n)).copy_from(&row);
             matrix.view_mut((0, n + i), (n, 1)).copy_from(&-row.transpose());
         }
-        let right = DVector::from_fn(size, |i, _| match i {
+        let right = vector_of(size, &|i| match i {
             i if i < n => -self.g[i],
             i if i < n + m => self.c[i - n],
             i => self.d[binding[i - n - m]],
@@ -196,9 +197,9 @@ impl QuadraticProgram {
                 }
             }
         }
-        let scaled = DMatrix::from_fn(size, size, |i, j| matrix[(i, j)] * scale[i] * scale[j]);
+        let scaled = matrix_of(size, size, &|i, j| matrix[(i, j)] * scale[i] * scale[j]);
         let factor = scaled.lu();
-        let mut point = DVector::from_fn(size, |i, _| match i {
+        let mut point = vector_of(size, &|i| match i {
             i if i < n + m => solution.u[i],
             i => solution.z[binding[i - n - m]],
         });

@@ -1,5 +1,6 @@
 //! The rows of a quadratic program, collected one by one with their meaning.
 
+use crate::numerics::matrix_of;
 use nalgebra::{DMatrix, DVector};
 
 use crate::prelude::*;
@@ -37,7 +38,7 @@ impl<Says> ProgramRows<Says> {
 
     /// The meanings of the rows, their matrix, and their right-hand sides.
     pub(super) fn finish(self) -> (Vec<Says>, DMatrix<f64>, DVector<f64>) {
-        let matrix = DMatrix::from_fn(self.rows.len(), self.columns, |i, j| self.rows[i][j]);
+        let matrix = matrix_of(self.rows.len(), self.columns, &|i, j| self.rows[i][j]);
         (self.says, matrix, DVector::from_vec(self.right))
     }
 }

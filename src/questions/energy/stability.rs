@@ -2,12 +2,12 @@
 
 use core::ops::Range;
 
-use nalgebra::{DMatrix, SVector, SymmetricEigen};
+use nalgebra::{DMatrix, SVector};
 
 use crate::equilibrium::{ContactState, Equilibrium};
 use crate::grasp::{Engine, Motion, Space};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Size, Square, Vector, mapped};
+use crate::numerics::{IntoList, Size, Square, Vector, mapped, matrix_of, symmetric_eigen};
 use crate::prelude::*;
 
 /// The second derivative of the potential energy at an equilibrium.
@@ -80,7 +80,7 @@ impl Engine {
         let forces = equilibrium.contacts.iter().map(|c| c.force_world);
         let states: Vec<_> = mapped(&equilibrium.contacts, &|c| c.state);
         let drives = self.drives_that_hold(equilibrium);
-        self.stability_with(&arms.collect::<Vec<_>>(), &forces.collect::<Vec<_>>(), &states, drives)
+        self.stability_with(&arms.list(), &forces.list(), &states, drives)
     }
 
     /// Elastic stiffness of the drives of a hand, and whether one of them slips.
@@ -170,7 +170,7 @@ impl Engine {
         let told = self.space().of_the_object() + self.linkage().map_or(0, |linkage| linkage.joints.len());
         Stability {
             elastic: condensed(&elastic, told),
-            geometric: DMatrix::from_fn(told, told, |i, j| geometric[(i, j)]),
+            geometric: matrix_of(told, told, &|i, j| geometric[(i, j)]),
             least_curvature: least,
             most_curvature: most,
             softest: self.motion_outside(&motion),
@@ -182,7 +182,7 @@ impl Engine {
 /// The Schur complement of the stiffness on the first coordinates: all others take the values at which no force acts on them.
 fn condensed(stiffness: &Square, told: usize) -> DMatrix<f64> {
     let part = |rows: Range<usize>, columns: Range<usize>| {
-        DMatrix::from_fn(rows.len(), columns.len(), |i, j| stiffness[(rows.start + i, columns.start + j)])
+        matrix_of(rows.len(), columns.len(), &|i, j| stiffness[(rows.start + i, columns.start + j)])
     };
     let (own, count) = (part(0..told, 0..told), stiffness.size().count());
     if told == count {
@@ -224,9 +224,8 @@ fn turning_arm(space: Space, size: Size, arm: &SVector<f64, 3>, force: &SVector<
 /// Least and largest eigenvalue of a symmetric matrix, and a unit eigenvector of the least.
 fn extremes(matrix: &Square) -> (f64, f64, Vector) {
     let count = matrix.size().count();
-    let dynamic = DMatrix::from_fn(count, count, |i, j| 0.5 * (matrix[(i, j)] + matrix[(j, i)]));
-    let eigen = SymmetricEigen::new(dynamic);
-    let at = eigen.eigenvalues.imin();
-    let vector = Vector::from_fn(matrix.size(), |k| eigen.eigenvectors[(k, at)]);
-    (eigen.eigenvalues[at], eigen.eigenvalues.max(), vector)
+    let dynamic = matrix_of(count, count, &|i, j| 0.5 * (matrix[(i, j)] + matrix[(j, i)]));
+    let (values, vectors) = symmetric_eigen(&dynamic);
+    let vector = Vector::from_fn(matrix.size(), |k| vectors[(k, count - 1)]);
+    (values[count - 1], values[0], vector)
 }

@@ -13,7 +13,7 @@ use super::model::{Linear, Model};
 use super::spread::told;
 use super::tolerances::INDISTINCT;
 use crate::error::Error;
-use crate::numerics::two_sided;
+use crate::numerics::{Each, IntoList, two_sided};
 use crate::prelude::*;
 
 /// Limit on the pairs of unknowns that change places from one fit: all pairs of five.
@@ -66,7 +66,7 @@ impl Assignments<'_> {
     /// Searches for an assignment between two points. As one unknown falls, slips begin to depend on it one after the other.
     fn between(&mut self, mut low: Vec<f64>, mut high: Vec<f64>, ends: [&Linear; 2]) -> Result<(), Error> {
         for _ in 0..MOST_BISECTIONS {
-            let middle: Vec<f64> = low.iter().zip(&high).map(|(a, b)| 0.5 * (a + b)).collect();
+            let middle: Vec<f64> = low.iter().zip(&high).map(|(a, b)| 0.5 * (a + b)).list();
             let Some(linear) = self.look(&middle)? else { break };
             if same_assignment(&linear, ends[0]) {
                 low = middle;
@@ -137,7 +137,7 @@ pub(super) fn assigned(model: &Model<'_>, first: Fitted) -> Result<Identified, E
     }
     let mut answers = as_good.into_iter().map(|fit| told(model, fit));
     let Some(first) = answers.next() else { return Ok(told(model, &best[0])) };
-    Ok(united(first, &answers.collect::<Vec<_>>()))
+    Ok(united(first, &answers.list()))
 }
 
 /// The logarithms in which two unknowns have changed places: `weak` has the smaller value, divided by 2 to the power `halved`.
@@ -180,7 +180,7 @@ fn pairs(model: &Model<'_>, fit: &Fitted) -> Result<Vec<(usize, usize)>, Error> 
     };
     let is_open = rank(linear) < fit.logs.len();
     for (i, j) in pairs_of(model) {
-        let on = |row: usize| [i, j].map(|k| depends(&linear.jacobian, row, k));
+        let on = |row: usize| [i, j].each(|k| depends(&linear.jacobian, row, k));
         let mut rows = 0..model.asked.slips.len();
         let on_one = rows.clone().any(|row| on(row)[0] != on(row)[1]);
         let is_ambiguous = on_one && (is_open || !rows.any(|row| on(row) == [true; 2]));

@@ -1,6 +1,8 @@
 //! Combinations of unknowns that slips do not determine.
 
 use super::tolerances::NO_COMPONENT;
+use crate::numerics::Each;
+use crate::numerics::IntoList;
 use nalgebra::DMatrix;
 
 use crate::prelude::*;
@@ -56,7 +58,7 @@ impl FreeCombination {
             // A step of 0.3 in the logarithm is long enough to distinguish a product from a sum.
             let along = direction.iter().map(|x| 0.3 * x / largest);
             let [powered, added]: [Vec<f64>; 2] =
-                [along.clone().map(f64::exp).collect(), along.map(|x| 1.0 + x).collect()];
+                [along.clone().map(f64::exp).list(), along.map(|x| 1.0 + x).list()];
             let changes = direction.iter().zip(values).map(|(x, value)| x * value);
             let is_even =
                 changes.clone().sum::<f64>().abs() <= NO_COMPONENT * changes.map(f64::abs).sum::<f64>();
@@ -97,9 +99,9 @@ fn said(names: &[String], powers: &[f64], law: Law) -> String {
         Law::Powers if are_alike => {}
         _ => return format!("{apart} what they do together"),
     }
-    let [more, less] = [1.0, -1.0].map(|sign| {
+    let [more, less] = [1.0, -1.0].each(|sign| {
         let those = names.iter().zip(powers).filter(|(_, power)| sign * **power > 0.0);
-        those.map(|(name, _)| name.clone()).collect::<Vec<_>>()
+        those.map(|(name, _)| name.clone()).list()
     });
     match (&more[..], &less[..]) {
         ([_], [_]) => format!("{apart} their product"),

@@ -1,5 +1,6 @@
 //! Prediction of first slip, and its exact derivatives.
 
+use crate::numerics::IntoList;
 use core::f64::consts::TAU;
 
 use super::model::{NoSlip, Predicted, SlipToPredict};
@@ -49,7 +50,7 @@ fn exact(seen: &SlipToPredict<'_>, event: &OnsetEvent<3>) -> Option<Vec<f64>> {
         match kind {
             UnknownKind::Friction => vec![(Parameter::Friction { contact }, data.friction)],
             UnknownKind::Stiffness => {
-                (1..axes).map(|axis| (Parameter::Stiffness { contact, axis }, springs[axis])).collect()
+                (1..axes).map(|axis| (Parameter::Stiffness { contact, axis }, springs[axis])).list()
             }
             UnknownKind::Squeeze => numbered(axes, &|axis| (along(axis), data.command[axis])),
             UnknownKind::Carried => {
@@ -72,10 +73,13 @@ fn exact(seen: &SlipToPredict<'_>, event: &OnsetEvent<3>) -> Option<Vec<f64>> {
             return None;
         }
         let mut sum = 0.0;
-        let all = seen.contacts_of(unknown).flat_map(|contact| changes(kind, contact, value));
-        // A zero component of the load has no effect, even where its derivative is infinite.
-        for (parameter, change) in all.filter(|(_, change)| *change != 0.0) {
-            sum += change * margins.by(parameter)?.iter().sum::<f64>();
+        for contact in seen.contacts_of(unknown) {
+            for (parameter, change) in changes(kind, contact, value) {
+                // A zero component of the load has no effect, even where its derivative is infinite.
+                if change != 0.0 {
+                    sum += change * margins.by(parameter)?.iter().sum::<f64>();
+                }
+            }
         }
         Some(sum / (leavers as f64 * event.factor))
     })

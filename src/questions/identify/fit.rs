@@ -7,7 +7,7 @@ use super::robust::Huber;
 use super::tolerances::{CONVERGED_GAIN, CONVERGED_STEP, INDISTINCT};
 use super::unknown::UnknownKind;
 use crate::error::Error;
-use crate::numerics::mapped;
+use crate::numerics::{IntoList, Singular, mapped, matrix_of, vector_of};
 use crate::prelude::*;
 
 /// The result of a search.
@@ -50,7 +50,7 @@ impl Model<'_> {
             self.huber().scale(&residuals[..slips.len()], degrees)
         });
         let of_slips = given.unwrap_or_else(|| vec![estimated.unwrap_or(1.0); slips.len()]);
-        let rows = of_slips.into_iter().chain(known.iter().map(|known| known.scatter)).collect();
+        let rows = of_slips.into_iter().chain(known.iter().map(|known| known.scatter)).list();
         Scatter { rows, estimated }
     }
 
@@ -155,7 +155,7 @@ pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, mut linear: Linear
             }
             // A step changes logarithms by at most one, since the linearisation is not valid farther away.
             step *= (1.0 / step.amax()).min(1.0);
-            let there: Vec<f64> = fit.logs.iter().zip(step.iter()).map(|(x, dx)| x + dx).collect();
+            let there: Vec<f64> = fit.logs.iter().zip(step.iter()).map(|(x, dx)| x + dx).list();
             match model.linear(&there)? {
                 Ok(linear) if model.loss(&linear.residuals, &fit.scatter) < loss => {
                     break Some((there, linear));
@@ -199,7 +199,7 @@ impl Steps {
     /// Steps from a point, with slips weighted by their scatter and residual.
     fn of(model: &Model<'_>, linear: &Linear, scatter: &Scatter) -> Self {
         let row = |(k, (r, sigma)): (usize, (&f64, &f64))| model.weight(k, r / sigma).sqrt() / sigma;
-        let weights: Vec<_> = linear.residuals.iter().zip(&scatter.rows).enumerate().map(row).collect();
+        let weights: Vec<_> = linear.residuals.iter().zip(&scatter.rows).enumerate().map(row).list();
         let (values, directions, along) = singular(&linear.jacobian, &linear.residuals, &weights);
         Self { values, directions, along }
     }
@@ -232,15 +232,11 @@ pub(super) fn singular(
     weights: &[f64],
 ) -> (Vec<f64>, DMatrix<f64>, Vec<f64>) {
     let columns = jacobian.ncols();
-    // Rows of zeros if there are fewer slips than unknowns, so that the decomposition has a vector for every unknown.
-    let rows = jacobian.nrows().max(columns);
+    let rows = jacobian.nrows();
     let weighted = |i: usize, x: f64| if i < weights.len() { weights[i] * x } else { 0.0 };
-    let matrix =
-        DMatrix::from_fn(rows, columns, |i, j| weighted(i, jacobian.get((i, j)).copied().unwrap_or(0.0)));
-    let right = DVector::from_fn(rows, |i, _| weighted(i, residuals.get(i).copied().unwrap_or(0.0)));
-    let svd = matrix.svd(true, true);
-    let along =
-        svd.u.as_ref().map_or_else(|| vec![0.0; columns], |u| u.tr_mul(&right).iter().copied().collect());
-    let directions = svd.v_t.as_ref().map_or_else(|| DMatrix::identity(columns, columns), DMatrix::transpose);
-    (svd.singular_values.iter().copied().collect(), directions, along)
+    let matrix = matrix_of(rows, columns, &|i, j| weighted(i, jacobian[(i, j)]));
+    let right = vector_of(rows, &|i| weighted(i, residuals.get(i).copied().unwrap_or(0.0)));
+    let parts = Singular::new(&matrix);
+    let along = parts.along(&right);
+    (parts.values, parts.right, along)
 }

@@ -11,10 +11,10 @@
 //! of an unknown, c in this basis, is `Σ (c'w_g)²`. For independent rows, `c'w_g` would have the covariances
 //! `Ω_gh = δ_gh a_g'Q_g a_g - (Q_g a_g)'(Q_h a_h)`, `a_g = (1 - Q_g)^(-1/2) c`. The degrees of freedom are Satterthwaite's, `(tr Ω)² / tr Ω²`.
 
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use nalgebra::{DMatrix, DVector};
 
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{mapped, paired, summed};
+use crate::numerics::{IntoList, mapped, paired, summed, symmetric_eigen};
 use crate::prelude::*;
 
 /// Information and influence of each group.
@@ -54,7 +54,7 @@ impl Grouped {
                 members[place].push(slip);
             }
         }
-        let known: Vec<usize> = (groups.len()..rows.nrows()).collect();
+        let known: Vec<usize> = (groups.len()..rows.nrows()).list();
         let square = |those: &[usize]| {
             let own = rows.select_rows(those);
             own.tr_mul(&own)
@@ -80,9 +80,13 @@ impl Grouped {
             let own = if g == h { made_up[g].dot(&told[g]) } else { 0.0 };
             own - told[g].dot(&told[h])
         };
-        let all = || (0..told.len()).flat_map(|g| (0..told.len()).map(move |h| (g, h)));
-        let expected = sure + (0..told.len()).map(|g| covariance(g, g)).sum::<f64>();
-        let squares: f64 = all().map(|(g, h)| covariance(g, h).powi(2)).sum();
+        let (mut expected, mut squares) = (sure, 0.0);
+        for g in 0..told.len() {
+            expected += covariance(g, g);
+            for h in 0..told.len() {
+                squares += covariance(g, h).powi(2);
+            }
+        }
         // An unknown has no error if more than 1 % of its variance lies in directions that one group alone determines.
         let is_seen = expected >= (1.0 - 1e-2) * unknown.norm_squared();
         is_seen.then(|| GroupedError { variance, degrees: expected * expected / squares })
@@ -91,13 +95,13 @@ impl Grouped {
 
 /// (1 - Q)^(-1/2), zero along directions that this group alone determines.
 fn inverse_root_of_rest(tells: &DMatrix<f64>) -> DMatrix<f64> {
-    let parts = SymmetricEigen::new(tells.clone());
-    let root = |part: f64| {
+    let (values, vectors) = symmetric_eigen(tells);
+    let root = |part: &f64| {
         let rest = 1.0 - part;
         if rest > NEGLIGIBLE { rest.sqrt().recip() } else { 0.0 }
     };
-    let roots = DMatrix::from_diagonal(&parts.eigenvalues.map(root));
-    &parts.eigenvectors * roots * parts.eigenvectors.transpose()
+    let roots = DMatrix::from_diagonal(&DVector::from_vec(mapped(&values, &root)));
+    &vectors * roots * vectors.transpose()
 }
 
 #[cfg(test)]
@@ -141,7 +145,7 @@ mod tests {
         for group in 0..3 {
             let own: Vec<usize> = (0..9).filter(|k| groups[*k] == group).collect();
             let block = rest.select_rows(&own).select_columns(&own);
-            let eigen = SymmetricEigen::new(block);
+            let eigen = nalgebra::SymmetricEigen::new(block);
             let roots = DMatrix::from_diagonal(&eigen.eigenvalues.map(|x| x.sqrt().recip()));
             let root = &eigen.eigenvectors * roots * eigen.eigenvectors.transpose();
             let along = root * directions.select_rows(&own) * &unknown;

@@ -19,7 +19,7 @@ use super::tolerances::INDISTINCT;
 use super::unknown::{UnknownKind, carried_by};
 use crate::grasp::{Space, Twist, Wrench};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{largest, mapped, summed};
+use crate::numerics::{Singular, largest, mapped, matrix_of, summed};
 use crate::prelude::*;
 
 /// The motion at gross slip. Moments are divided by one length, and rotations multiplied by it.
@@ -182,10 +182,10 @@ struct Equations {
     /// Orthonormal bases: `springs` of the displacements that change normal forces, `turns` of the changes of the motion.
     springs: DMatrix<f64>,
     turns: DMatrix<f64>,
-    /// The matrix with columns of length one, the scale of each column, and the pseudo-inverse.
+    /// The matrix with columns of length one, the scale of each column, and the singular values.
     matrix: DMatrix<f64>,
     scales: DVector<f64>,
-    inverse: DMatrix<f64>,
+    parts: Singular,
 }
 
 impl Equations {
@@ -228,19 +228,19 @@ impl Equations {
             *column *= *scale;
         }
         let matrix = DMatrix::from_columns(&columns);
-        // The decomposition of a matrix with infinite entries would not end.
+        // Nothing solves a matrix with infinite entries.
         if !matrix.iter().all(|x| x.is_finite()) {
             return None;
         }
-        let inverse = matrix.clone().svd(true, true).pseudo_inverse(NEGLIGIBLE).ok()?;
+        let parts = Singular::new(&matrix);
         let last = columns.len() - 1;
-        let told = matrix.column(last).dot(&inverse.row(last).transpose().column(0));
-        ((told - 1.0).abs() <= INDISTINCT).then_some(Self { springs, turns, matrix, scales, inverse })
+        let told = parts.solve(&columns[last], NEGLIGIBLE)[last];
+        ((told - 1.0).abs() <= INDISTINCT).then_some(Self { springs, turns, matrix, scales, parts })
     }
 
     /// The least-squares solution of least norm, for the scaled columns.
     fn solved(&self, change: &DVector<f64>) -> DVector<f64> {
-        (&self.inverse * change).component_mul(&self.scales)
+        self.parts.solve(change, NEGLIGIBLE).component_mul(&self.scales)
     }
 
     /// A step in units of the scaled columns.
@@ -251,12 +251,12 @@ impl Equations {
 
 /// Orthonormal bases of the span of these directions, and of its orthogonal complement.
 fn spaces(directions: &[DVector<f64>], size: usize) -> (DMatrix<f64>, DMatrix<f64>) {
-    // Rows of zeros, so that the decomposition contains a basis of the whole space.
-    let rows = directions.len().max(size);
-    let matrix = DMatrix::from_fn(rows, size, |i, j| directions.get(i).map_or(0.0, |row| row[j]));
-    let svd = matrix.svd(false, true);
-    let all = svd.v_t.map_or_else(|| DMatrix::identity(size, size), |v| v.transpose());
-    let most = svd.singular_values.max();
-    let spanned = svd.singular_values.iter().filter(|value| **value > NEGLIGIBLE * most).count();
+    let matrix = matrix_of(directions.len(), size, &|i, j| directions[i][j]);
+    let parts = Singular::new(&matrix);
+    let mut spanned = 0;
+    while spanned < size && parts.values[spanned] > NEGLIGIBLE * parts.values[0] {
+        spanned += 1;
+    }
+    let all = parts.right;
     (all.columns(0, spanned).into_owned(), all.columns(spanned, size - spanned).into_owned())
 }

@@ -9,7 +9,7 @@ use super::{first, gross};
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::numerics::{chosen, mapped, summed};
+use crate::numerics::{IntoList, chosen, mapped, summed};
 use crate::prelude::*;
 use crate::sweep::map_in_order;
 
@@ -155,7 +155,7 @@ impl Model<'_> {
                 (Err(_), Err(_)) => 0.0,
             }
         };
-        Ok(up.into_iter().zip(down).zip(those).map(difference).collect())
+        Ok(up.into_iter().zip(down).zip(those).map(difference).list())
     }
 
     /// Logarithms of the observed over the predicted values.
@@ -165,7 +165,7 @@ impl Model<'_> {
             let sum: f64 = summed(&known.unknowns, &|j| logs[*j].exp());
             (known.value / sum).ln()
         });
-        slips.chain(knowns).collect()
+        slips.chain(knowns).list()
     }
 
     fn predicted(
@@ -174,7 +174,7 @@ impl Model<'_> {
         derivatives: bool,
     ) -> Result<Result<Vec<Predicted>, (usize, NoSlip)>, Error> {
         let layouts = self.at(logs)?;
-        let numbers: Vec<_> = (0..self.asked.slips.len()).collect();
+        let numbers: Vec<_> = (0..self.asked.slips.len()).list();
         let told = self.slips(&numbers, &layouts, derivatives, logs);
         let mut all = Vec::with_capacity(told.len());
         for (k, told) in told.into_iter().enumerate() {

@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 use super::model::SlipToPredict;
 use super::tolerances::INDISTINCT;
 use crate::grasp::{Contact, Hold, Space, Wrench};
-use crate::numerics::{Vector, largest};
+use crate::numerics::{IntoList, Vector, largest, vector_of};
 use crate::prelude::*;
 
 /// A contact that presses while the object leaves.
@@ -62,7 +62,7 @@ pub(super) fn pressing(seen: &SlipToPredict<'_>, forces: &[SVector<f64, 3>], len
             let unit = Wrench::force_through(&data.point, &frame.column(axis).into_owned());
             at_length(space, &unit.coordinates(space), length.recip())
         };
-        let tangents: Vec<_> = (1..space.axes()).map(along).collect();
+        let tangents: Vec<_> = (1..space.axes()).map(along).list();
         Pressing {
             contact,
             normal: along(0),
@@ -76,11 +76,11 @@ pub(super) fn pressing(seen: &SlipToPredict<'_>, forces: &[SVector<f64, 3>], len
         }
     };
     let all = contacts.iter().zip(seen.grasp.frames()).enumerate();
-    all.filter(|(i, (data, _))| may_pull(data) || forces[*i][0] > INDISTINCT * largest).map(of).collect()
+    all.filter(|(i, (data, _))| may_pull(data) || forces[*i][0] > INDISTINCT * largest).map(of).list()
 }
 
 /// Components with moments or rotations multiplied by a factor.
 pub(super) fn at_length(space: Space, coordinates: &Vector, factor: f64) -> DVector<f64> {
     let scaled = |k: usize, x: f64| if k < space.axes() { x } else { x * factor };
-    DVector::from_fn(space.of_the_object(), |k, _| scaled(k, coordinates[k]))
+    vector_of(space.of_the_object(), &|k| scaled(k, coordinates[k]))
 }

@@ -1,5 +1,6 @@
 //! The unknowns, and the observed slips.
 
+use crate::numerics::IntoList;
 use nalgebra::SVector;
 
 use super::answer::Identified;
@@ -94,8 +95,8 @@ impl<const C: usize> Identify<C> {
         slips: impl IntoIterator<Item = Slip<C>>,
     ) -> Self {
         Self {
-            unknowns: unknowns.into_iter().collect(),
-            slips: slips.into_iter().collect(),
+            unknowns: unknowns.into_iter().list(),
+            slips: slips.into_iter().list(),
             layouts: Vec::new(),
             known: Vec::new(),
             outliers: None,
@@ -107,7 +108,7 @@ impl<const C: usize> Identify<C> {
     /// Points of the contacts in another layout in which slips were observed, m, one for each contact. The grasp that is asked is layout 0.
     #[must_use]
     pub fn with_points(mut self, points: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
-        self.layouts.push(points.into_iter().map(|point| SVector::from(point.into())).collect());
+        self.layouts.push(points.into_iter().map(|point| SVector::from(point.into())).list());
         self
     }
 
@@ -123,7 +124,7 @@ impl<const C: usize> Identify<C> {
     /// supports, or one unknown from another measurement.
     #[must_use]
     pub fn knowing(mut self, unknowns: impl IntoIterator<Item = usize>, value: f64, scatter: f64) -> Self {
-        self.known.push(KnownSum { unknowns: unknowns.into_iter().collect(), value, scatter });
+        self.known.push(KnownSum { unknowns: unknowns.into_iter().list(), value, scatter });
         self
     }
 

@@ -9,7 +9,7 @@ use super::grouped::Grouped;
 use super::model::{Linear, Model};
 use super::robust::Huber;
 use super::tolerances::INDISTINCT;
-use crate::numerics::{mapped, numbered, two_sided};
+use crate::numerics::{IntoList, mapped, numbered, two_sided};
 use crate::prelude::*;
 
 /// The answer at the end of a search.
@@ -42,7 +42,7 @@ pub(super) fn told(model: &Model<'_>, fit: &Fitted) -> Identified {
         FitEnd::NoSlip(slip, why) => Ending::NotPredicted { slip, says: why.says().to_owned() },
     };
     let stays = |times: &[f64]| {
-        let there: Vec<_> = fit.logs.iter().zip(times).map(|(log, times)| log + times.ln()).collect();
+        let there: Vec<_> = fit.logs.iter().zip(times).map(|(log, times)| log + times.ln()).list();
         let (Ok(Ok(there)), Some(here)) = (model.residuals(&there), &fit.linear) else { return false };
         there.iter().zip(&here.residuals).all(|(there, here)| (there - here).abs() <= INDISTINCT)
     };
@@ -53,7 +53,7 @@ pub(super) fn told(model: &Model<'_>, fit: &Fitted) -> Identified {
         (linear.residuals[..model.asked.slips.len()].to_vec(), linear.by_differences)
     });
     let sigma = fit.scatter.rows.iter();
-    let weights = residuals.iter().zip(sigma).map(|(r, sigma)| model.huber().weight(r / sigma)).collect();
+    let weights = residuals.iter().zip(sigma).map(|(r, sigma)| model.huber().weight(r / sigma)).list();
     Identified {
         estimates,
         ending,

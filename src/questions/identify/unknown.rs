@@ -3,6 +3,7 @@
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::{Contact, Wrench};
+use crate::numerics::IntoList;
 use crate::numerics::mapped;
 use crate::prelude::*;
 use crate::words::listed;
@@ -91,7 +92,7 @@ impl Unknown {
     /// This unknown for some contacts of the grasp, from 0, instead of all. A soft fingertip counts as one contact.
     #[must_use]
     pub fn of_contacts(mut self, contacts: impl IntoIterator<Item = usize>) -> Self {
-        self.contacts = Some(contacts.into_iter().collect());
+        self.contacts = Some(contacts.into_iter().list());
         self
     }
 

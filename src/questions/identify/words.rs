@@ -5,7 +5,7 @@ use core::fmt;
 use super::answer::{Ending, Estimate, Identified};
 use super::assignments::is_alike;
 use super::unknown::UnknownKind;
-use crate::numerics::mapped;
+use crate::numerics::{Each, IntoList, mapped};
 use crate::prelude::*;
 use crate::words::{Words, listed};
 
@@ -16,12 +16,12 @@ impl fmt::Display for Identified {
         if let Ending::NotPredicted { slip, says } = &self.ending {
             return write!(f, "NOT FOUND from {slips}: slip {slip} is not predicted, {says}");
         }
-        let open: Vec<usize> = (0..self.estimates.len()).filter(|j| self.depends_on_assignment(*j)).collect();
+        let open: Vec<usize> = (0..self.estimates.len()).filter(|j| self.depends_on_assignment(*j)).list();
         let said: Vec<_> = (0..self.estimates.len())
             .filter(|j| !open.contains(j))
             .map(|j| self.estimates[j].told(words))
             .chain((!open.is_empty()).then(|| self.one_of(&open, words)))
-            .collect();
+            .list();
         write!(f, "{} from {slips}", said.join(", "))?;
         if let Some(groups) = self.groups {
             write!(f, " in {groups} groups")?;
@@ -45,8 +45,7 @@ impl fmt::Display for Identified {
                 && !open.iter().any(|j| self.estimates[*j].name == estimate.name)
                 && !self.free.iter().any(|free| free.unknowns.contains(&estimate.name))
         };
-        let wide: Vec<_> =
-            self.estimates.iter().filter(is_wide).map(|estimate| estimate.name.clone()).collect();
+        let wide: Vec<_> = self.estimates.iter().filter(is_wide).map(|estimate| estimate.name.clone()).list();
         if !wide.is_empty() && !self.assignments.is_empty() {
             write!(f, ". On which of {} the slips depend is not fixed", listed(&wide))?;
         } else if !wide.is_empty() {
@@ -54,7 +53,7 @@ impl fmt::Display for Identified {
         }
         let without_error = |estimate: &&Estimate| estimate.is_fixed && estimate.interval.is_none();
         let unsure: Vec<_> =
-            self.estimates.iter().filter(without_error).map(|estimate| estimate.name.clone()).collect();
+            self.estimates.iter().filter(without_error).map(|estimate| estimate.name.clone()).list();
         if self.groups.is_some() && self.degrees_of_freedom > 0 && !unsure.is_empty() {
             let those = listed(&unsure);
             write!(f, ". How sure {those} is is not known: one group of slips alone tells it")?;
@@ -88,7 +87,7 @@ impl Identified {
     fn one_of(&self, open: &[usize], words: Words) -> String {
         let names: Vec<_> = mapped(open, &|j| self.estimates[*j].name.clone());
         let fixed: Vec<Vec<&Estimate>> = mapped(&self.assignments, &|each| {
-            open.iter().map(|j| &each[*j]).filter(|estimate| estimate.is_fixed).collect()
+            open.iter().map(|j| &each[*j]).filter(|estimate| estimate.is_fixed).list()
         });
         let the_one = fixed.first().and_then(|those| those.first());
         if let Some(one) = the_one
@@ -103,10 +102,10 @@ impl Identified {
             return format!("one of the {count} is {value}, which one is not fixed: {},", names.join(" or "));
         }
         let each = fixed.iter().filter(|those| !those.is_empty()).map(|those| {
-            let said: Vec<_> = those.iter().map(|estimate| estimate.told(words)).collect();
+            let said: Vec<_> = those.iter().map(|estimate| estimate.told(words)).list();
             said.join(" and ")
         });
-        format!("either {}, which is not fixed,", each.collect::<Vec<_>>().join(", or "))
+        format!("either {}, which is not fixed,", each.list().join(", or "))
     }
 }
 
@@ -140,7 +139,7 @@ impl Estimate {
         let (Some(error), Some([low, high])) = (self.standard_error, self.interval) else {
             return format!("{}{unit}{behind}", words.number(self.value));
         };
-        let [value, error, low, high] = [self.value, error, low, high].map(|x| to_error(x, error, words));
+        let [value, error, low, high] = [self.value, error, low, high].each(|x| to_error(x, error, words));
         format!("{value}{unit} ± {error}{unit}{behind} (95 %: {low}{unit} to {high}{unit})")
     }
 }

@@ -9,7 +9,7 @@ use super::goal::ImproveGoal;
 use super::loaded::Loaded;
 use crate::contact::{Edges, Line, LocalLaw, tangential};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{mapped, numbered, unit};
+use crate::numerics::{mapped, numbered, unit, vector_of};
 use crate::prelude::*;
 
 /// Identifies a condition of a contact, also after the contact has moved.
@@ -132,7 +132,7 @@ impl Pressed<'_> {
     /// Slip events under a force of given size and any direction. Column k of `influence` is the contact force under this force along axis k.
     fn under_any_force(&self, influence: &[SVector<f64, 3>]) -> Vec<SlipEvent> {
         let felt = |row: &SVector<f64, 3>, by: &dyn Fn(usize) -> SVector<f64, 3>| {
-            DVector::from_fn(influence.len(), |k, _| row.dot(&by(k)))
+            vector_of(influence.len(), &|k| row.dot(&by(k)))
         };
         let known = |k: usize| influence[k];
         // The worst direction reduces the margin by the norm of its gradient.
@@ -165,8 +165,9 @@ pub(super) fn events(
         if loaded.any.is_some() {
             all.extend(pressed.under_any_force(&by_loads));
         } else {
-            let each = by_loads.into_iter().enumerate();
-            all.extend(each.flat_map(|(load, rate)| pressed.under(load, rate)));
+            for (load, rate) in by_loads.into_iter().enumerate() {
+                all.extend(pressed.under(load, rate));
+            }
         }
     }
     (all, constraints)

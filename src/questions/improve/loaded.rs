@@ -6,7 +6,7 @@ use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::{Onset, Ramp};
-use crate::numerics::numbered;
+use crate::numerics::{Each, numbered};
 use crate::prelude::*;
 use crate::squeeze::{Loads, WeakestDirection};
 
@@ -27,7 +27,7 @@ impl Loaded {
             Loads::Each(list) => Self { base, loads: list.clone(), goal, any: None },
             Loads::AnyForce { base: beside, size, point } => {
                 let axis = |axis: usize| {
-                    let force = core::array::from_fn(|k| if k == axis { *size } else { 0.0 });
+                    let force = [0, 1, 2].each(|k| if k == axis { *size } else { 0.0 });
                     Wrench::force_through(&(*point).into(), &force.into())
                 };
                 Self { base: base + *beside, loads: numbered(axes, &axis), goal, any: Some((*point, *size)) }

@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use super::surface::Shape;
-use crate::numerics::{largest, numbered};
+use crate::numerics::{Each, largest, numbered};
 use crate::prelude::*;
 
 pub(super) fn unit_direction(to: &SVector<f64, 3>) -> [f64; 3] {
@@ -94,7 +94,7 @@ impl Shape {
     pub(super) fn there(&self, part: usize, at: [f64; 3]) -> There {
         let [a, b, c] = at;
         let between = |axis: usize, at: f64, length: f64| {
-            let row = |sign: f64| core::array::from_fn(|k| if k == axis { sign } else { 0.0 });
+            let row = |sign: f64| [0, 1].each(|k| if k == axis { sign } else { 0.0 });
             [(row(1.0), length - at), (row(-1.0), at)]
         };
         match self {
@@ -131,7 +131,7 @@ impl Shape {
                 There { point, normal, along, bends, rooms }
             }
             Shape::Rectangle { corner, sides } => {
-                let along = sides.map(|side| side.normalize());
+                let along = sides.each(|side| side.normalize());
                 let mut rooms = Vec::from(between(0, a, sides[0].norm()));
                 rooms.extend(between(1, b, sides[1].norm()));
                 let point = corner + along[0] * a + along[1] * b;

@@ -1,5 +1,7 @@
 //! A cubic spline through points with a continuous second derivative, so that normals and curvatures have no jumps.
 
+use crate::numerics::IntoList;
+use crate::numerics::by_axis;
 use nalgebra::{DMatrix, SVector};
 
 use crate::prelude::*;
@@ -54,7 +56,7 @@ impl Spline {
             known.set_row(n - 1, &((slope(0) - slope(last)) * 6.0).transpose());
         }
         if let Some(bends) = rows.lu().solve(&known) {
-            self.bends = bends.row_iter().map(|row| SVector::from_fn(|axis, _| row[axis])).collect();
+            self.bends = bends.row_iter().map(|row| by_axis(|axis| row[axis])).list();
         }
     }
 

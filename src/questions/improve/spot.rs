@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::places::unit_direction;
 use super::surface::Shape;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{Draw, mapped, numbered};
+use crate::numerics::{Draw, IntoList, mapped, numbered};
 use crate::prelude::*;
 
 /// A place on a part of a surface. Its coordinates `at` are those of the part: lengths or angles, and on a sphere a unit direction.
@@ -108,7 +108,7 @@ impl Spot {
         let others = (0..surface.parts()).filter(|part| *part != self.part);
         let there =
             others.map(|part| Self::new(surface, part, surface.nearest_of(part, &self.point), self.side));
-        there.filter(|spot| (spot.point - self.point).norm() <= near).collect()
+        there.filter(|spot| (spot.point - self.point).norm() <= near).list()
     }
 
     /// A uniformly random place on the whole surface, on the same side.

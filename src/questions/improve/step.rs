@@ -10,8 +10,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::lcp::{Settings, quadratic_program};
-use crate::numerics::mapped;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
+use crate::numerics::{IntoList, mapped, vector_of};
 use crate::prelude::*;
 
 /// A program in numbers near one: factors relative to the present value, variables in their units.
@@ -85,8 +85,8 @@ impl StepProgram {
     /// Solves the program with unknowns that are counted from the lower ends of the box.
     fn solved(&self, radius: f64, curvature: &DMatrix<f64>) -> Option<Solved> {
         let n = self.reach.len();
-        let low = DVector::from_fn(n, |j, _| (-radius).max(self.reach[j][0].min(0.0)));
-        let high = DVector::from_fn(n, |j, _| radius.min(self.reach[j][1].max(0.0)));
+        let low = vector_of(n, &|j| (-radius).max(self.reach[j][0].min(0.0)));
+        let high = vector_of(n, &|j| radius.min(self.reach[j][1].max(0.0)));
         let ends = |g: &DVector<f64>| {
             (0..n).fold([0.0; 2], |[least, most], j| {
                 let [a, b] = [g[j] * low[j], g[j] * high[j]];
@@ -102,7 +102,7 @@ impl StepProgram {
             return None;
         }
         // Events that stay above `top` in the whole box cannot be the least.
-        let mut near: Vec<usize> = (0..ranges.len()).collect();
+        let mut near: Vec<usize> = (0..ranges.len()).list();
         near.retain(|k| self.factors[*k] + ranges[*k][0] < top);
         if near.is_empty() {
             near.push(0);
@@ -130,7 +130,7 @@ impl StepProgram {
         let cost = (curvature * &low).insert_row(n, 1.0);
         let solve = |settings: Settings| quadratic_program(Some(&bends), &cost, &rows, &left, &settings);
         let [z, y] = solve(Settings::one_path()).or_else(|| solve(Settings::default()))?;
-        let d = DVector::from_fn(n, |j, _| (z[j] + low[j]).clamp(low[j], high[j]));
+        let d = vector_of(n, &|j| (z[j] + low[j]).clamp(low[j], high[j]));
         let share: f64 = y.rows(0, m).sum();
         let share = if share > 0.0 { share } else { 1.0 };
         let mut events = vec![0.0; self.factors.len()];

@@ -1,5 +1,7 @@
 //! Curves and surfaces that contacts may move along.
 
+use crate::numerics::Each;
+use crate::numerics::IntoList;
 use nalgebra::SVector;
 
 use super::spline::Spline;
@@ -65,7 +67,7 @@ impl Surface<2> {
     /// Straight edges from point to point, m. A contact moves from one edge to the next where that increases the value.
     #[must_use]
     pub fn polyline(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
-        Self(Shape::polyline(&points.into_iter().map(in_space).collect::<Vec<_>>()))
+        Self(Shape::polyline(&points.into_iter().map(in_space).list()))
     }
 
     /// A circle: centre and radius, m.
@@ -83,7 +85,7 @@ impl Surface<2> {
     /// A cubic spline through points, m, with the distances of points as parameters; its curvature at the ends is zero unless it is closed.
     #[must_use]
     pub fn spline(points: impl IntoIterator<Item = [f64; 2]>, closed: bool) -> Self {
-        Self(Shape::spline(points.into_iter().map(in_space).collect(), closed))
+        Self(Shape::spline(points.into_iter().map(in_space).list(), closed))
     }
 }
 
@@ -96,7 +98,7 @@ impl Surface<3> {
     /// A plane rectangle: a corner and the two sides from there, at a right angle, m.
     #[must_use]
     pub fn rectangle(corner: impl Into<[f64; 3]>, sides: [[f64; 3]; 2]) -> Self {
-        Self(Shape::Rectangle { corner: corner.into().into(), sides: sides.map(SVector::from) })
+        Self(Shape::Rectangle { corner: corner.into().into(), sides: sides.each(SVector::from) })
     }
 
     /// A cylinder over its whole circumference, between the ends of its axis, m.
@@ -115,7 +117,7 @@ impl Surface<3> {
     /// next where that increases the value.
     #[must_use]
     pub fn triangles(corners: impl IntoIterator<Item = [[f64; 3]; 3]>) -> Self {
-        Self(Shape::Triangles(corners.into_iter().map(|corners| corners.map(SVector::from)).collect()))
+        Self(Shape::Triangles(corners.into_iter().map(|corners| corners.each(SVector::from)).list()))
     }
 }
 
@@ -153,7 +155,7 @@ struct NoSurface {
 
 impl Shape {
     pub(crate) fn polyline(points: &[SVector<f64, 3>]) -> Self {
-        Self::Segments(points.windows(2).map(|ends| [ends[0], ends[1]]).collect())
+        Self::Segments(points.windows(2).map(|ends| [ends[0], ends[1]]).list())
     }
 
     pub(crate) fn spline(points: Vec<SVector<f64, 3>>, closed: bool) -> Self {
@@ -219,8 +221,7 @@ impl Shape {
     fn is_one(&self) -> Result<(), NoSurface> {
         let refused = |field, value, allowed| Err(NoSurface { field, value, allowed });
         let wrong = |points: &[SVector<f64, 3>]| {
-            let mut numbers = points.iter().flat_map(nalgebra::Matrix::as_slice);
-            numbers.find(|x| !is_moderate(**x)).copied()
+            points.iter().find_map(|point| point.iter().find(|x| !is_moderate(**x)).copied())
         };
         let size = "finite, above 0 and at most 1e50 m";
         let long = |length: f64| length > 0.0 && is_moderate(length);
@@ -247,7 +248,7 @@ impl Shape {
                 (wrong(spline.points()), ("least distance of points of its spline", least))
             }
             Shape::Rectangle { corner, sides } => {
-                let [a, b] = sides.map(|side| side.norm());
+                let [a, b] = sides.each(|side| side.norm());
                 let skew = sides[0].dot(&sides[1]) / (a * b);
                 if skew.abs() > NEGLIGIBLE {
                     return refused("cosine between the sides of its rectangle", skew, "0, a right angle");

@@ -5,6 +5,7 @@
 //! converge to
 //! `(e_{n+m+1} - Σ c_j e_{n+j+1}) / (1 - Σ c_j)` (minimal polynomial extrapolation).
 
+use crate::numerics::{IntoList, Singular, matrix_of};
 use nalgebra::{DMatrix, DVector};
 
 use super::cycle::Scale;
@@ -28,14 +29,13 @@ impl<'p> Recurrence<'p> {
         // If more than eight modes contribute, cycles are followed until some modes have died out.
         (1..=8.min(n.saturating_sub(2))).find_map(|modes| {
             let places = &places[n - modes - 2..];
-            let changes: Vec<_> = numbers[n - modes - 2..].windows(2).map(|two| &two[1] - &two[0]).collect();
+            let changes: Vec<_> = numbers[n - modes - 2..].windows(2).map(|two| &two[1] - &two[0]).list();
             let (last, others) = changes.split_last()?;
-            let decomposed = DMatrix::from_columns(others).svd(true, true);
-            let rank = SOLVED_ROUNDING * decomposed.singular_values.max();
-            let coefficients = decomposed.solve(last, rank).ok()?;
+            let decomposed = Singular::new(&DMatrix::from_columns(others));
+            let coefficients = decomposed.solve(last, SOLVED_ROUNDING * decomposed.values[0]);
             let told = others.iter().zip(coefficients.iter());
             let left = told.fold(last.clone(), |left, (change, weight)| left - change * *weight);
-            let coefficients = coefficients.iter().copied().collect();
+            let coefficients = coefficients.iter().copied().list();
             (left.amax() <= error).then_some(Self { places, changes, coefficients })
         })
     }
@@ -72,7 +72,7 @@ impl<'p> Recurrence<'p> {
     pub(super) fn after(&self, cycles: usize) -> (CycleState, DVector<f64>) {
         let modes = self.coefficients.len();
         // The companion matrix of the recurrence: in each cycle, changes move up by one, and the last row gives the new one.
-        let next = DMatrix::from_fn(modes, modes, |i, j| {
+        let next = matrix_of(modes, modes, &|i, j| {
             if i + 1 == modes { self.coefficients[j] } else { f64::from(u8::from(j == i + 1)) }
         });
         let (power, sum) = power_and_sum(&next, cycles);

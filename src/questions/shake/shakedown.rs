@@ -6,7 +6,7 @@
 //! force, the bound is reached: the grasp does come to rest (Melan's theorem for friction), unless friction falls as contacts slide. Elsewhere the
 //! path decides, which [`shake`](super) follows.
 
-use nalgebra::{DMatrix, DVector, Matrix, SVector};
+use nalgebra::{DMatrix, Matrix, SVector};
 
 use crate::contact::{Edges, Fit, PolygonCone};
 use crate::equilibrium::StickingResponse;
@@ -14,7 +14,7 @@ use crate::error::Error;
 use crate::grasp::{Engine, WholeContact, Wrench};
 use crate::lcp::{self, quadratic_program};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{indexed, largest, mapped};
+use crate::numerics::{IntoList, indexed, largest, mapped, matrix_of, vector_of};
 use crate::prelude::*;
 use crate::search::Settings;
 #[cfg(feature = "serde")]
@@ -102,12 +102,7 @@ impl Engine {
             let Ok(answer) = sticking.forces(&offsets, &nothing) else { return Ok(None) };
             slips.push(((i, axis), answer.of));
         }
-        let program = Program::new(
-            &sticking.edges,
-            &rest.of,
-            &under,
-            &slips.iter().map(|(_, f)| f).collect::<Vec<_>>(),
-        );
+        let program = Program::new(&sticking.edges, &rest.of, &under, &slips.iter().map(|(_, f)| f).list());
         let Some((factor, sizes, multipliers)) = program.solved() else { return Ok(None) };
         let mut told = none;
         for (((i, axis), _), size) in slips.iter().zip(&sizes) {
@@ -196,9 +191,9 @@ impl Program {
             k if k <= slips => self.s[(r, k - 1)],
             k => -self.s[(r, k - 1 - slips)],
         };
-        let matrix = DMatrix::from_fn(rows + 1, columns, entry);
-        let right = DVector::from_fn(rows + 1, |r, _| if r < rows { self.b[r] } else { farthest });
-        let cost = DVector::from_fn(columns, |k, _| if k == 0 { -1.0 } else { 0.0 });
+        let matrix = matrix_of(rows + 1, columns, &entry);
+        let right = vector_of(rows + 1, &|r| if r < rows { self.b[r] } else { farthest });
+        let cost = vector_of(columns, &|k| if k == 0 { -1.0 } else { 0.0 });
         let [z, multipliers] = quadratic_program(None, &cost, &matrix, &right, &lcp::Settings::default())?;
         let size = |k: usize| z[1 + k] - z[1 + slips + k];
         let kept = |r: usize| {
@@ -210,6 +205,6 @@ impl Program {
         }
         let factor = if z[0] >= farthest * (1.0 - NEGLIGIBLE) { f64::INFINITY } else { z[0] * self.units.0 };
         let sizes = indexed(&self.units.1, &|(k, unit)| size(k) * unit);
-        Some((factor, sizes, multipliers.iter().take(rows).copied().collect()))
+        Some((factor, sizes, multipliers.iter().take(rows).copied().list()))
     }
 }

@@ -1,5 +1,6 @@
 //! Bounds of the errors of commands and loads.
 
+use crate::numerics::IntoList;
 use nalgebra::SVector;
 
 use crate::error::{Error, Field, is_moderate};
@@ -33,7 +34,7 @@ impl<const C: usize> Bounds<C> {
     /// Bounds of the finger commands, one list of components a contact, along the axes of its frame, m.
     #[must_use]
     pub fn with_commands(mut self, bounds: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
-        self.commands = Some(bounds.into_iter().map(|bound| SVector::from(bound.into())).collect());
+        self.commands = Some(bounds.into_iter().map(|bound| SVector::from(bound.into())).list());
         self
     }
 
@@ -66,7 +67,7 @@ impl Bounds<3> {
         }
         let Some(commands) = &self.commands else { return Ok(()) };
         grasp.check_commands(commands, "bounds of the commands", Field::Command)?;
-        match commands.iter().flat_map(|bounds| bounds.iter()).find(is_bad) {
+        match commands.iter().find_map(|bounds| bounds.iter().find(is_bad)) {
             Some(&value) => Err(Error::Argument { what: "bound of a command", value, allowed }),
             None => Ok(()),
         }

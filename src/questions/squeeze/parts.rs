@@ -6,7 +6,7 @@ use super::loads::Loads;
 use crate::contact::{Edges, ZERO_SLACK, is_broken};
 use crate::equilibrium::{ContactForces, Influence, StickingResponse, push};
 use crate::grasp::{Motion, Wrench};
-use crate::numerics::{Harmonic, Vector, mapped, moved, summed};
+use crate::numerics::{Each, Harmonic, IntoList, Vector, mapped, moved, summed};
 use crate::prelude::*;
 
 /// A condition `row·F >= 0`, its value under a load, and the size of the summed forces, which bounds their rounding.
@@ -93,7 +93,7 @@ impl<'l> Parts<'l> {
                     let size = self.squeeze.sizes[contact] * factor + base.sizes[contact];
                     at(&(base.of[contact] + squeeze), size, *load)
                 };
-                list.iter().zip(&self.base).filter_map(under).collect()
+                list.iter().zip(&self.base).filter_map(under).list()
             }
             Loads::AnyForce { base, size, point } => {
                 let (force, influence) = (self.base[0].of[contact] + squeeze, &self.influences[contact]);
@@ -107,10 +107,10 @@ impl<'l> Parts<'l> {
                 moved(edges.on_a_sphere(&force, &influence.of, *size), &condition)
             }
             Loads::Turn(turn) => {
-                let mut force = Harmonic::new(core::array::from_fn(|k| self.base[k].of[contact]));
+                let mut force = Harmonic::new([0, 1, 2].each(|k| self.base[k].of[contact]));
                 force.constant += squeeze;
                 let angles = edges.on_a_turn(&force, turn.whole_angle()).into_iter();
-                angles.filter_map(|angle| at(&force.at(angle), pressed, turn.load_at(angle))).collect()
+                angles.filter_map(|angle| at(&force.at(angle), pressed, turn.load_at(angle))).list()
             }
         }
     }

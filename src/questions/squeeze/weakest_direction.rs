@@ -1,5 +1,6 @@
 //! The least force, of all directions, at which a contact slides.
 
+use crate::numerics::IntoList;
 use core::f64::consts::FRAC_PI_2;
 
 use nalgebra::SVector;
@@ -110,7 +111,7 @@ impl Least {
         // First cuts: all facets, or on a round cone those towards and against the friction force, and across it.
         let begin = force[2].atan2(force[1]);
         let quarters = |quarter: u8| begin + f64::from(quarter) * FRAC_PI_2;
-        let mut size = cut(edges.rows(&|_| (0..4).map(quarters).collect()));
+        let mut size = cut(edges.rows(&|_| (0..4).map(quarters).list()));
         // Each further cut lowers the force, with quadratic convergence; beyond this number cuts only follow rounding.
         for _ in 0..200 {
             // A force that changes no condition at four angles changes none, as three vectors determine the change at every angle.

@@ -16,7 +16,7 @@ use crate::contact::{LocalLaw, Mode, Polygon};
 use crate::error::Error;
 use crate::grasp::{BodyMotion, Engine, Twist};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Orthogonal, Vector, largest, mapped, moved, numbered, unit};
+use crate::numerics::{IntoList, Orthogonal, Vector, largest, mapped, moved, numbered, unit};
 use crate::object::{Load, Problem};
 use crate::prelude::*;
 use crate::proofs::{Generator, NearestForces, nearest_forces, round_generators, straight_generators};
@@ -51,7 +51,7 @@ impl Engine {
         self.refuse_joints("force_closure")?;
         let problem = self.without_load(settings);
         let axes = |(i, local): (usize, LocalLaw<'_>)| (0..local.springs.axes()).map(move |axis| (i, axis));
-        let axes: Vec<_> = problem.locals().enumerate().flat_map(axes).collect();
+        let axes: Vec<_> = problem.locals().enumerate().flat_map(axes).list();
         // Without a load every contact has a cone of forces, so that the generators exist.
         let straight = straight_generators(&problem).unwrap_or_default();
         let inside = |forces: &[SVector<f64, 3>]| {
@@ -62,7 +62,7 @@ impl Engine {
                     .is_none_or(|(row, value)| value > NEGLIGIBLE * row.norm())
             })
         };
-        let closure = self.closure(&axes, &straight, &|v| round_generators(&problem, v).collect(), &inside);
+        let closure = self.closure(&axes, &straight, &|v| round_generators(&problem, v).list(), &inside);
         self.whatever_vacuums_hold(closure, "force_closure")
     }
 
@@ -70,7 +70,7 @@ impl Engine {
     pub(crate) fn form_closure(&self) -> Result<Closure<3>, Error> {
         self.refuse_joints("form_closure")?;
         let axes: Vec<_> = numbered(self.len(), &|i| (i, 0));
-        let normals: Vec<_> = self.normals().collect();
+        let normals: Vec<_> = self.normals().list();
         let inside = |forces: &[SVector<f64, 3>]| forces.iter().all(|force| force[0] > NEGLIGIBLE);
         let closure = self.closure(&axes, &normals, &|_| Vec::new(), &inside);
         self.whatever_vacuums_hold(closure, "form_closure")
@@ -98,10 +98,8 @@ impl Engine {
         inside: &dyn Fn(&[SVector<f64, 3>]) -> bool,
     ) -> Closure<3> {
         let sites = self.sites();
-        let factor = Orthogonal::new(
-            self.size(),
-            &axes.iter().map(|&(i, axis)| sites[i].map.column(axis)).collect::<Vec<_>>(),
-        );
+        let factor =
+            Orthogonal::new(self.size(), &axes.iter().map(|&(i, axis)| sites[i].map.column(axis)).list());
         if let Some(motion) = factor.null_space().first() {
             return self.open(motion);
         }

@@ -10,7 +10,7 @@ use super::wrench_set::WrenchSet;
 use crate::error::Error;
 use crate::grasp::{Engine, Twist, Wrench};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{RayExit, Size, Vector, Vertex, shoot, simplex};
+use crate::numerics::{Each, RayExit, Size, Vector, Vertex, shoot, simplex};
 use crate::prelude::*;
 use crate::search::Settings;
 
@@ -53,7 +53,7 @@ impl Engine {
         direction.check_in(self.space(), "load direction")?;
         let scale = WrenchScale::of(self.contacts());
         let set = self.wrench_set(budget, &scale, settings, "load_limit")?;
-        let [base, rate] = [base, direction].map(|load| -set.inside(load));
+        let [base, rate] = [base, direction].each(|load| -set.inside(load));
         let size = rate.norm();
         if size == 0.0 {
             let allowed = "more than 0";

@@ -7,7 +7,7 @@ use super::margin::{Effect, LOOKED_AT, effect};
 use crate::equilibrium::{Cone, StickingResponse};
 use crate::error::Error;
 use crate::grasp::{Space, Wrench};
-use crate::numerics::{Size, Vector, largest, numbered};
+use crate::numerics::{Each, IntoList, Size, Vector, largest, numbered};
 use crate::object::PieceState;
 use crate::prelude::*;
 
@@ -31,8 +31,7 @@ impl Course {
     /// The course of a load, from those of its components.
     pub(super) fn of(by_component: &[Self], space: Space, load: &Wrench<3>) -> Self {
         let none = by_component[0].off.iter().map(|sites| vec![Effect::default(); sites.len()]);
-        let mut sum =
-            Self { known: vec![SVector::zeros(); by_component[0].known.len()], off: none.collect() };
+        let mut sum = Self { known: vec![SVector::zeros(); by_component[0].known.len()], off: none.list() };
         for (by, x) in by_component.iter().zip(load.coordinates(space).iter()).filter(|(_, x)| **x != 0.0) {
             sum.add(*x, by);
         }
@@ -64,7 +63,7 @@ pub(super) fn courses(
         }
         for (source, Course { known, off }) in courses.iter_mut().enumerate() {
             let change = |k: usize, i: usize| seen[k][source][i] - known[i];
-            off.push(numbered(known.len(), &|i| effect([0, 1, 2, 3].map(|k| change(k, i)))));
+            off.push(numbered(known.len(), &|i| effect([0, 1, 2, 3].each(|k| change(k, i)))));
         }
     }
     Ok(courses)

@@ -15,7 +15,7 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::contact::rubs;
 use crate::numerics::tolerances::SUFFICIENT_DECREASE;
-use crate::numerics::{dot, normal_density, normal_tail};
+use crate::numerics::{Each, dot, normal_density, normal_tail};
 use crate::prelude::*;
 
 /// The effect of a datum is evaluated at these multiples of `sigmas`, the standard deviations in reserve.
@@ -77,7 +77,7 @@ impl UncertainForce<'_> {
             margin.start_over(self.changes.len());
         }
         margin.parts.clear();
-        margin.parts.extend(self.changes.iter().map(|change| change.each_ref().map(|c| parts(facet, c))));
+        margin.parts.extend(self.changes.iter().map(|change| change.each_ref().each(|c| parts(facet, c))));
         let known = parts(facet, &self.force);
         // Failures five standard deviations beyond those in reserve are too rare to count.
         let farthest = self.sigmas + 5.0;
@@ -124,7 +124,7 @@ impl UncertainForce<'_> {
         margin: &mut FacetMargin,
         (value, along): (f64, f64),
     ) -> f64 {
-        let [from, to] = [&margin.from, &margin.fails_at].map(|z| dot(z, z));
+        let [from, to] = [&margin.from, &margin.fails_at].each(|z| dot(z, z));
         // The weight c, large enough that a step to the zero of the linearised margin lowers the merit function.
         let dear = 2.0 * from.max(to).sqrt() / margin.steepness;
         let here = 0.5 * from + dear * value.abs();
@@ -157,7 +157,7 @@ impl UncertainForce<'_> {
         let mut steepness = 0.0;
         for (coefficients, z) in parts.iter().zip(fails_at.iter()) {
             let x = z / self.sigmas;
-            let [of_normal, of_other] = [0, 1].map(|part| Beyond::of(coefficients.map(|c| c[part]), x));
+            let [of_normal, of_other] = [0, 1].each(|part| Beyond::of(coefficients.each(|c| c[part]), x));
             normal += of_normal.value;
             other += of_other.value;
             let by_sigma = (factor * of_normal.slope + of_other.slope) / self.sigmas;
@@ -178,7 +178,7 @@ impl UncertainForce<'_> {
         }
         let (mut mixed, mut rates, mut rate) = (0.0, 0.0, turned.dot(&self.force));
         for ((change, z), g) in self.changes.iter().zip(&margin.linearised_at).zip(&margin.gradient) {
-            let there = Beyond::of(change.each_ref().map(|c| turned.dot(c)), z / self.sigmas);
+            let there = Beyond::of(change.each_ref().each(|c| turned.dot(c)), z / self.sigmas);
             let by_sigma = there.slope / self.sigmas;
             rate += there.value;
             mixed += g * by_sigma;

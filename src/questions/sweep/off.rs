@@ -1,5 +1,6 @@
 //! A contact with errors in its data.
 
+use crate::numerics::Each;
 use nalgebra::SVector;
 
 use crate::equilibrium::Parameter;
@@ -21,12 +22,12 @@ pub(super) struct ContactErrors {
 impl ContactErrors {
     pub(super) fn times(&self, z: f64) -> Self {
         let Self { friction, stiffness, squeeze, moved, tilt } = *self;
-        let [friction, stiffness, squeeze] = [friction, stiffness, squeeze].map(|log| log * z);
+        let [friction, stiffness, squeeze] = [friction, stiffness, squeeze].each(|log| log * z);
         Self { friction, stiffness, squeeze, moved: moved * z, tilt: tilt * z }
     }
 
     pub(super) fn applied_to(&self, contact: &Contact<3>) -> Contact<3> {
-        let [friction, stiffness, squeeze] = [self.friction, self.stiffness, self.squeeze].map(factor);
+        let [friction, stiffness, squeeze] = [self.friction, self.stiffness, self.squeeze].each(factor);
         let mut off = contact.clone();
         off.set_friction(off.friction * friction);
         off.command[0] *= squeeze;

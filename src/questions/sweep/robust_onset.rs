@@ -17,7 +17,7 @@ use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::{Engine, face_of_struct, same_on_both_sides};
 use crate::load_path::{Leaver, Onset, OnsetEvent, OnsetMargins, Ramp};
-use crate::numerics::{moved, summed};
+use crate::numerics::{IntoList, moved, summed};
 use crate::prelude::*;
 
 /// An onset of sliding with its spread.
@@ -104,7 +104,7 @@ impl Engine {
             .into_iter()
             .enumerate()
             .map(|(j, leaving)| LeaverSpread { leaving, deviation: norm(&|g| g[j]) })
-            .collect();
+            .list();
         let (mean, deviation) = match &leaving[..] {
             [one] => (Some(event.factor), Some(one.deviation)),
             [one, other] => {

@@ -11,7 +11,7 @@ use super::tolerances::PRECISE_FACTOR;
 use crate::contact::Edges;
 use crate::grasp::{Space, Wrench};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{dot, largest, normal_tail};
+use crate::numerics::{Each, IntoList, dot, largest, normal_tail};
 use crate::prelude::*;
 
 /// A grasp that sticks under its base load.
@@ -48,7 +48,7 @@ impl StuckGrasp {
         let by_base_load = Course::of(&by_component, space, load);
         let mut base = by_base_load.clone();
         base.add(1.0, &courses[0]);
-        let load = LOOKED_AT.map(|part| (load_spread * sigmas * part).exp_m1());
+        let load = LOOKED_AT.each(|part| (load_spread * sigmas * part).exp_m1());
         let fails_at_base = Vec::new();
         let mut sticking = Self {
             space,
@@ -66,7 +66,7 @@ impl StuckGrasp {
         let alone = |(i, edges): (usize, &Edges)| {
             failure(edges, &sticking.spread(i, None, &mut memory), None, &mut margins)
         };
-        sticking.fails_at_base = sticking.edges.iter().enumerate().map(alone).collect();
+        sticking.fails_at_base = sticking.edges.iter().enumerate().map(alone).list();
         sticking
     }
 
@@ -156,7 +156,7 @@ impl StuckGrasp {
             of_load += rate.known[i] * factor;
         }
         if self.load.iter().any(|more| *more != 0.0) {
-            changes.push(effect(self.load.map(|more| of_load * more)));
+            changes.push(effect(self.load.each(|more| of_load * more)));
         }
         UncertainForce { force, changes, sigmas: self.sigmas, friction: self.friction }
     }

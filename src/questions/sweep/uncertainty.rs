@@ -1,15 +1,13 @@
 //! Grasps with uncertain data, and samples of these data, the same for the same
 //! seed.
 
-use nalgebra::SVector;
-
 use super::caught::each_answered;
 use super::off::{ContactErrors, factor};
 use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::Engine;
 use crate::load_path::{Onset, Ramp};
-use crate::numerics::Draw;
+use crate::numerics::{Draw, Each, IntoList, by_axis};
 use crate::prelude::*;
 
 /// Uncertainty of the data of a grasp and of its load. Each friction, stiffness and squeeze of each
@@ -141,9 +139,9 @@ impl Engine {
             let mut draw = Draw::new([uncertainty.seed, number, i as u64]);
             let [friction, stiffness, squeeze] =
                 [uncertainty.friction, uncertainty.stiffness, uncertainty.squeeze]
-                    .map(|sigma| sigma * draw.normal());
+                    .each(|sigma| sigma * draw.normal());
             // Drawn last, and also with σ = 0, so that the other data do not depend on these σ.
-            let mut displaced = |sigma: f64| SVector::from_fn(|_, _| sigma * draw.normal());
+            let mut displaced = |sigma: f64| by_axis(|_| sigma * draw.normal());
             let (moved, tilt) = (displaced(uncertainty.position), displaced(uncertainty.normal));
             ContactErrors { friction, stiffness, squeeze, moved, tilt }
         };
@@ -165,7 +163,7 @@ impl Engine {
         samples: u64,
         settings: &Settings,
     ) -> Vec<Result<Onset<3>, Error>> {
-        let numbers: Vec<u64> = (0..samples).collect();
+        let numbers: Vec<u64> = (0..samples).list();
         each_answered(&numbers, &|number| {
             let sample = self.sample(uncertainty, *number)?;
             if uncertainty.load == 0.0 {

@@ -44,6 +44,8 @@ pub mod reduced_program;
 pub mod samples;
 pub mod scene;
 pub mod shaken;
+pub mod siconos;
+mod siconos_matrix;
 pub mod soft_tips;
 pub mod spatial_piles;
 pub mod splitmix;

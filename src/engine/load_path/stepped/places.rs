@@ -1,6 +1,7 @@
 //! States at the ends of a step.
 
 use super::one_step::SteppedState;
+use crate::numerics::Each;
 
 /// The states of a step made twice: in two halves, which the path takes, and at once.
 #[derive(Debug)]
@@ -14,7 +15,7 @@ pub(super) struct Places {
 
 impl Places {
     pub(super) fn nowhere() -> Self {
-        let [middle, to, at_once, beside] = [(); 4].map(|()| SteppedState::nowhere());
+        let [middle, to, at_once, beside] = [(); 4].each(|()| SteppedState::nowhere());
         Self { middle, to, at_once, beside }
     }
 }

@@ -19,7 +19,7 @@ use nalgebra::SVector;
 
 use super::one_step::{StepProblem, SteppedState};
 use crate::contact::{Mode, Slide, tangential, tangential_norm};
-use crate::numerics::Vector;
+use crate::numerics::{Each, Vector};
 
 impl StepProblem<'_> {
     /// Largest error of a contact force at the end of a step in two halves, N, that its difference from the step made at once does not show.
@@ -73,6 +73,6 @@ impl StepProblem<'_> {
             let (a, c) = (across(&(chord + bend * part)), 8.0 * across(&bend));
             if c < 0.0 && a.abs() < 0.25 * -c { 0.5 * a * a / -c } else { 0.0 }
         };
-        [(from, -4.0), (middle, 0.0), (to, 4.0)].map(stops).into_iter().fold(worst, f64::max)
+        [(from, -4.0), (middle, 0.0), (to, 4.0)].each(stops).into_iter().fold(worst, f64::max)
     }
 }

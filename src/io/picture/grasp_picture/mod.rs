@@ -3,7 +3,6 @@
 mod names;
 
 use nalgebra::{Matrix2, Vector2};
-use plotters::style::{Color, RGBColor};
 
 use crate::grasp::{ContactPoints, inside, outside};
 use crate::numerics::{mapped, tried};
@@ -15,7 +14,7 @@ use crate::picture::fingertip::Resultant;
 use crate::picture::force_scale::metres_per_newton;
 use crate::picture::layout::PLANAR;
 use crate::picture::painting::{Painting, flat};
-use crate::picture::palette::{GREY, VERMILION};
+use crate::picture::palette::{GREY, Rgb, VERMILION};
 use crate::picture::planar_link::PlanarLink;
 use crate::picture::planar_load::{LoadOnPaper, PlanarLoad};
 use crate::picture::planar_picture::PlanarPicture;
@@ -218,7 +217,7 @@ impl<'a> Picture<'a> {
             }
         }
         for outline in self.of.outlines.iter().filter(|outline| outline.len() > 2) {
-            painting.area(outline.iter().map(place), GREY.mix(0.12), -3.0);
+            painting.area(outline.iter().map(place).collect(), GREY.mix(0.12), -3.0);
             for (k, corner) in outline.iter().enumerate() {
                 let next = &outline[(k + 1) % outline.len()];
                 painting.line([corner, next].map(|end| flat(place(end))), GREY, 1.0);
@@ -231,7 +230,11 @@ impl<'a> Picture<'a> {
         if let Some(link) = &tip.link {
             link.paint(axes, painting);
         } else if self.of.grasp.contacts()[tip.of.range.start].against.is_none() {
-            painting.area(self.finger(tip).map(place), RGBColor(176, 176, 176).to_rgba(), -2.0);
+            painting.area(
+                mapped(&self.finger(tip), &|corner| place(*corner)),
+                Rgb(176, 176, 176).into(),
+                -2.0,
+            );
         }
         let Some(does) = &tip.does else {
             painting.dot(flat(place(tip.middle)), 4.0, GREY, true);
@@ -239,7 +242,7 @@ impl<'a> Picture<'a> {
         };
         let Resultant { at, force, word: what, .. } = *does;
         if let Some(cone) = self.cone(tip, does) {
-            painting.area(cone.map(place), ink(what).mix(0.16), -1.0);
+            painting.area(mapped(&cone, &|corner| place(*corner)), ink(what).mix(0.16), -1.0);
             for edge in [cone[1], cone[2]] {
                 painting.line([cone[0], edge].map(|end| flat(place(end))), ink(what), 1.0);
             }

@@ -1,5 +1,6 @@
 //! Geometry that page and still share: points in the coordinates of the grasp, and the scales of forces, moments and displacements.
 
+use crate::numerics::IntoList;
 use nalgebra::{Vector3, Vector6};
 
 use super::frame::Frame;
@@ -154,7 +155,7 @@ impl<'p> Drawing<'p> {
     /// The scale of forces of the answer that needs the smallest one, m/N.
     fn force_scale<'s>(&self, states: impl Iterator<Item = &'s Equilibrium>, largest: f64) -> f64 {
         let grasp = &self.page.grasp;
-        let frames: Vec<_> = grasp.frames().collect();
+        let frames: Vec<_> = grasp.frames().list();
         let scale = |state: &Equilibrium| {
             let push = |tip: &ContactPoints| {
                 let pushed = tip.resultant(grasp.contacts(), state).normal_force;

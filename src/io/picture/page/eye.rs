@@ -1,5 +1,6 @@
 //! The eye: the direction from which a grasp is seen, and the projection of its points onto paper.
 
+use crate::numerics::Each;
 use std::f64::consts::FRAC_PI_2;
 
 use nalgebra::{Vector2, Vector3};
@@ -101,10 +102,10 @@ impl Eye {
                 (low[k], high[k]) = (low[k].min(along), high[k].max(along));
             }
         }
-        let [wide, tall] = [0, 1].map(|k| high[k] - low[k]);
+        let [wide, tall] = [0, 1].each(|k| high[k] - low[k]);
         let metres = (wide / window.wide).max(tall / window.high).max(span / window.wide.max(window.high));
         let scale = 1.0 / metres;
-        let middle = [0, 1, 2].map(|k| axes[k] * (low[k] / 2.0 + high[k] / 2.0));
+        let middle = [0, 1, 2].each(|k| axes[k] * (low[k] / 2.0 + high[k] / 2.0));
         let target = middle[0] + middle[1] + middle[2];
         if !(drawable && scale.is_finite() && scale > 0.0 && target.iter().all(|x| x.is_finite())) {
             return Err(PictureError("a length is too large or too small to be drawn".into()));
@@ -118,7 +119,7 @@ impl Eye {
         let (x, y) = self.window.middle();
         let away = point - self.target;
         let [right, up, towards] =
-            [self.right, self.up, self.towards].map(|axis| self.scale * axis.dot(&away));
+            [self.right, self.up, self.towards].each(|axis| self.scale * axis.dot(&away));
         Vector3::new(x + right, y - up, towards)
     }
 

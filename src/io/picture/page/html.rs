@@ -1,5 +1,6 @@
 //! A page as an HTML file.
 
+use crate::numerics::Each;
 use std::fmt::Write;
 
 use super::drawing::Drawing;
@@ -74,7 +75,7 @@ pub(super) fn opened(title: &str) -> String {
 /// The colours of legend and table as variables of the style.
 fn colours() -> String {
     let mut rule = String::from(":root {");
-    let states = STATES.map(|state| (state, ink(state)));
+    let states = STATES.each(|state| (state, ink(state)));
     for (name, ink) in states.into_iter().chain([("displacement", PINK), ("free", SKY)]) {
         let _ = write!(rule, " --{}: {};", name.replace(' ', "-"), hex(ink));
     }

@@ -5,7 +5,7 @@ use nalgebra::{Point3, Vector3};
 use super::drawing::Drawing;
 use super::spatial_page::MovingLine;
 use crate::grasp::Motion;
-use crate::numerics::{largest, mapped};
+use crate::numerics::{IntoList, largest, mapped};
 use crate::spatial::{Contact, Twist};
 
 /// Lines on the object after the motion, and arrows from the old to the new places.
@@ -28,7 +28,7 @@ impl Drawing<'_> {
         let contacts =
             || contacts.zip(std::iter::repeat(of_object)).filter_map(|(point, twist)| Some((point, twist?)));
         let points: Vec<(Vector3<f64>, Twist)> =
-            if lines.is_empty() { contacts().collect() } else { lines.concat() };
+            if lines.is_empty() { contacts().list() } else { lines.concat() };
         let speed =
             |(point, twist): &(Vector3<f64>, Twist)| Vector3::from(twist.displacement_at(*point)).norm();
         let fastest = largest(&points, &speed);
@@ -42,7 +42,7 @@ impl Drawing<'_> {
         let every = points.len().div_ceil(6).max(1);
         MovedLines {
             lines: mapped(&lines, &|line| mapped(line, &next)),
-            arrows: points.iter().step_by(every).map(|at| [at.0, next(at)]).collect(),
+            arrows: points.iter().step_by(every).map(|at| [at.0, next(at)]).list(),
         }
     }
 }

@@ -1,7 +1,5 @@
 //! The legend of a still picture: the meaning of its marks, and its scales in words.
 
-use plotters::style::{Color, RGBColor, colors::BLACK};
-
 use super::drawing::{Drawing, LoadArrow};
 use super::frame::Frame;
 use crate::grasp::ContactPoints;
@@ -10,7 +8,7 @@ use crate::picture::contact_look::{STATES, ink, word};
 use crate::picture::fingertip::Resultant;
 use crate::picture::layout::{LEGEND, SPATIAL};
 use crate::picture::painting::{Painting, flat};
-use crate::picture::palette::{BROWN, GREY, PINK, SKY, VERMILION};
+use crate::picture::palette::{BLACK, BROWN, GREY, PINK, Rgb, SKY, VERMILION};
 use crate::picture::round_numbers::round_down;
 use crate::picture::sheet::{Place, Sheet};
 use crate::picture::words::{lines, short};
@@ -18,17 +16,17 @@ use crate::spatial::Equilibrium;
 
 enum Sample {
     None,
-    Contact { ink: RGBColor, open: bool, cone: bool },
-    Point { ink: RGBColor, open: bool },
-    Arrow { ink: RGBColor, width: f64, heads: usize, long: f64 },
-    Dashes { ink: RGBColor },
+    Contact { ink: Rgb, open: bool, cone: bool },
+    Point { ink: Rgb, open: bool },
+    Arrow { ink: Rgb, width: f64, heads: usize, long: f64 },
+    Dashes { ink: Rgb },
 }
 
 struct Entry {
     sample: Sample,
     words: String,
     size: f64,
-    ink: RGBColor,
+    ink: Rgb,
 }
 
 pub(super) struct Legend(Vec<Entry>);
@@ -185,7 +183,7 @@ fn draw_sample(paper: &mut Sheet, sample: &Sample, y: f64) {
         Sample::Contact { ink, open, cone } => {
             if cone {
                 let rim = [(ends[1].0, y - 9.0), (ends[1].0, y + 9.0)];
-                drawn.area([from, rim[0], rim[1]], ink.mix(0.24), -1.0);
+                drawn.area(vec![from, rim[0], rim[1]], ink.mix(0.24), -1.0);
             }
             if !open {
                 drawn.arrow([from, ends[1]].map(flat), ink, 3.0, 1);

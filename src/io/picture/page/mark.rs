@@ -2,12 +2,10 @@
 
 use std::fmt::Write;
 
-use nalgebra::Vector3;
-use plotters::style::RGBColor;
-
 use super::json::{json_list, json_row, json_string};
 use crate::picture::error::PictureError;
-use crate::picture::palette::hex;
+use crate::picture::palette::{Rgb, hex};
+use nalgebra::Vector3;
 
 /// The parts of a picture that the page shows or hides.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,14 +50,14 @@ pub(super) struct Mark {
 pub(super) enum MarkShape {
     Line {
         corners: Vec<Vector3<f64>>,
-        ink: RGBColor,
+        ink: Rgb,
         width: f64,
         dashes: Option<(f64, f64)>,
     },
     Arrow {
         from: Vector3<f64>,
         along: Vector3<f64>,
-        ink: RGBColor,
+        ink: Rgb,
         width: f64,
         heads: usize,
     },
@@ -68,7 +66,7 @@ pub(super) enum MarkShape {
         apex: Vector3<f64>,
         middle: Vector3<f64>,
         radii: [Vector3<f64>; 2],
-        ink: RGBColor,
+        ink: Rgb,
     },
     /// The arrow of a load. It is lengthened, and so not to scale, if it would be too short to be visible.
     Load {
@@ -92,7 +90,7 @@ pub(super) enum MarkShape {
     Dot {
         at: Vector3<f64>,
         radius: f64,
-        ink: RGBColor,
+        ink: Rgb,
         open: bool,
     },
     Name {
@@ -176,6 +174,6 @@ fn row(point: &Vector3<f64>) -> Result<String, PictureError> {
     json_row(point.as_slice())
 }
 
-fn stroke(ink: RGBColor, width: f64) -> String {
+fn stroke(ink: Rgb, width: f64) -> String {
     format!("\"ink\":\"{}\",\"width\":{width}", hex(ink))
 }

@@ -1,7 +1,6 @@
 //! The marks of a spatial picture, in the coordinates of the grasp: those of the grasp alone, and those of each answer.
 
 use nalgebra::{Matrix3, Vector3};
-use plotters::style::RGBColor;
 
 use super::drawing::{Drawing, goes};
 use super::frame::Frame;
@@ -13,7 +12,7 @@ use crate::numerics::mapped;
 use crate::picture::contact_look::{cone_size, ink, slope, word};
 use crate::picture::fingertip::Resultant;
 use crate::picture::layout::{MARKS, SPATIAL};
-use crate::picture::palette::{BROWN, FIXTURE, GREY, PINK, SKY, VERMILION};
+use crate::picture::palette::{BROWN, FIXTURE, GREY, PINK, Rgb, SKY, VERMILION};
 use crate::picture::words::short;
 use crate::spatial::{Contact, ContactState, Equilibrium, Wrench};
 
@@ -140,7 +139,7 @@ fn dots(contacts: &[Contact], state: &Equilibrium, tip: &ContactPoints) -> Vec<M
 }
 
 /// The rim of a soft fingertip: the convex hull of its points, seen along its normal.
-fn rim(contacts: &[Contact], frame: &Matrix3<f64>, tip: &ContactPoints, ink: RGBColor) -> Option<Mark> {
+fn rim(contacts: &[Contact], frame: &Matrix3<f64>, tip: &ContactPoints, ink: Rgb) -> Option<Mark> {
     if !tip.is_soft() || tip.label.link.is_some() {
         return None;
     }
@@ -205,6 +204,6 @@ fn closed(mut corners: Vec<Vector3<f64>>) -> Option<Vec<Vector3<f64>>> {
     Some(corners)
 }
 
-fn line(corners: Vec<Vector3<f64>>, ink: RGBColor, dashes: Option<(f64, f64)>) -> MarkShape {
+fn line(corners: Vec<Vector3<f64>>, ink: Rgb, dashes: Option<(f64, f64)>) -> MarkShape {
     MarkShape::Line { corners, ink, width: 1.0, dashes }
 }

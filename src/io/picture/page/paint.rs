@@ -2,15 +2,13 @@
 
 use std::f64::consts::TAU;
 
-use nalgebra::Vector3;
-use plotters::style::{Color, RGBColor, colors::BLACK};
-
 use super::eye::Eye;
 use super::mark::{Mark, MarkShape};
-use crate::numerics::{increasing, mapped, moved, summed};
+use crate::numerics::{Each, IntoList, increasing, mapped, moved, summed};
 use crate::picture::layout::MARKS;
 use crate::picture::painting::{EyePoint, Painting};
-use crate::picture::palette::{CONTOUR, FACE};
+use crate::picture::palette::{BLACK, CONTOUR, FACE, Rgb};
+use nalgebra::Vector3;
 
 /// The painting of these marks, without names.
 pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
@@ -50,7 +48,7 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
                     let (sin, cos) = (TAU * f64::from(k % sides) / f64::from(sides)).sin_cos();
                     eye.see(&(middle + a * cos + b * sin))
                 });
-                let rim: Vec<_> = rim.collect();
+                let rim: Vec<_> = rim.list();
                 for ends in pairs(&rim) {
                     painting.line(ends, *ink, 1.0);
                 }
@@ -59,10 +57,10 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
             MarkShape::Dot { at, radius, ink, open } => painting.dot(eye.see(at), *radius, *ink, *open),
             MarkShape::Body { corners } => {
                 let corners = corners.iter().map(|corner| eye.see(corner)).map(|seen| (seen.x, seen.y));
-                let corners = hull(corners.collect());
+                let corners = hull(corners.list());
                 // Bodies are behind all other marks. Faces hide contours, of which only the outer half, outside all bodies, remains visible.
                 painting.contour(corners.clone(), CONTOUR, 2.4, f64::NEG_INFINITY);
-                painting.area(corners, FACE.to_rgba(), f64::MIN);
+                painting.area(corners, FACE.into(), f64::MIN);
             }
             MarkShape::Name { .. } => {}
         }
@@ -82,30 +80,36 @@ pub(super) fn load_ends(eye: &Eye, from: &Vector3<f64>, along: &Vector3<f64>) ->
 }
 
 /// The grey of an edge of the object as a function of its depth.
-fn shades(eye: &Eye, marks: &[Mark]) -> impl Fn(f64) -> RGBColor + use<> {
-    let edges = marks.iter().filter(|mark| matches!(mark.shape, MarkShape::Edge { .. }));
-    let depths = edges.flat_map(Mark::points).map(|point| eye.see(&point).z);
-    let (far, near) = depths.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), z| (l.min(z), h.max(z)));
+fn shades(eye: &Eye, marks: &[Mark]) -> impl Fn(f64) -> Rgb + use<> {
+    let (mut far, mut near) = (f64::INFINITY, f64::NEG_INFINITY);
+    for mark in marks {
+        if matches!(mark.shape, MarkShape::Edge { .. }) {
+            for point in mark.points() {
+                let depth = eye.see(&point).z;
+                (far, near) = (far.min(depth), near.max(depth));
+            }
+        }
+    }
     move |depth| {
         let part = if near > far { (depth - far) / (near - far) } else { 1.0 };
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a part of a byte")]
         // Edges near the eye are darker.
         let grey = (200.0 + (90.0 - 200.0) * part.clamp(0.0, 1.0)).round() as u8;
-        RGBColor(grey, grey, grey)
+        Rgb(grey, grey, grey)
     }
 }
 
 /// Paints a cone as two faces, a near one and a far one, so that the arrow of the force is drawn between them. More and smaller faces would show seams.
-fn cone(painting: &mut Painting, apex: &EyePoint, rim: &[EyePoint], ink: RGBColor) {
+fn cone(painting: &mut Painting, apex: &EyePoint, rim: &[EyePoint], ink: Rgb) {
     let sides = rim.len();
     let next = |k: usize| (k + 1) % sides;
     let clockwise = |k: usize| {
         let (a, b) = (rim[k] - apex, rim[next(k)] - apex);
         a.x * b.y - a.y * b.x > 0.0
     };
-    let ends: Vec<usize> = (0..sides).filter(|k| clockwise(*k) != clockwise(next(*k))).map(next).collect();
+    let ends: Vec<usize> = (0..sides).filter(|k| clockwise(*k) != clockwise(next(*k))).map(next).list();
     let mut face = |corners: Vec<EyePoint>, depth: f64| {
-        painting.area(corners.iter().map(|corner| (corner.x, corner.y)), ink.mix(0.12), depth);
+        painting.area(corners.iter().map(|corner| (corner.x, corner.y)).list(), ink.mix(0.12), depth);
     };
     let depth = |part: &[EyePoint]| {
         let mean = summed(part, &|corner| corner.z) / part.len() as f64;
@@ -117,9 +121,9 @@ fn cone(painting: &mut Painting, apex: &EyePoint, rim: &[EyePoint], ink: RGBColo
     for (k, first) in ends.iter().enumerate() {
         let last = ends[(k + 1) % ends.len()];
         let count = (last + sides - first) % sides;
-        let part: Vec<EyePoint> = (0..=count).map(|step| rim[(first + step) % sides]).collect();
+        let part: Vec<EyePoint> = (0..=count).map(|step| rim[(first + step) % sides]).list();
         let depth = depth(&part);
-        face(part.into_iter().chain([*apex]).collect(), depth);
+        face(part.into_iter().chain([*apex]).list(), depth);
     }
 }
 
@@ -135,7 +139,7 @@ pub(super) fn hull(mut places: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
         |[a, b]: [(f64, f64); 2], c: (f64, f64)| (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0) <= 0.0;
     let (there, back) = (places.iter().copied(), places.iter().rev().skip(1).copied());
     let mut first = 0;
-    for way in [there.collect::<Vec<_>>(), back.collect()] {
+    for way in [there.list(), back.list()] {
         for place in way {
             while corners.len() >= first + 2
                 && turns_back([corners[corners.len() - 2], corners[corners.len() - 1]], place)
@@ -150,7 +154,7 @@ pub(super) fn hull(mut places: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
 }
 
 fn pairs(corners: &[EyePoint]) -> Vec<[EyePoint; 2]> {
-    corners.windows(2).map(|ends| [ends[0], ends[1]]).collect()
+    corners.windows(2).map(|ends| [ends[0], ends[1]]).list()
 }
 
 /// Cuts a line into dashes that continue around its corners.
@@ -165,7 +169,7 @@ fn dashed(corners: &[Vector3<f64>], on: f64, off: f64) -> Vec<[EyePoint; 2]> {
         while dash < stop {
             let (from, to) = (dash.max(start), (dash + on).min(stop));
             if from < to {
-                dashes.push([from, to].map(|at| ends[0].lerp(&ends[1], (at - start) / size)));
+                dashes.push([from, to].each(|at| ends[0].lerp(&ends[1], (at - start) / size)));
             }
             dash += on + off;
         }

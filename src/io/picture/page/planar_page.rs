@@ -1,5 +1,6 @@
 //! A planar grasp and its answers as a page: pictures at one scale, selected by a slider.
 
+use crate::numerics::IntoList;
 use std::fmt::Write;
 
 use super::frame::{Frame, change_last};
@@ -55,7 +56,7 @@ impl PlanarPage {
     /// Draws the outline of the object, or of each of [several bodies](crate::grasp::Bodies) in order; an empty outline omits a body.
     #[must_use]
     pub fn outlines<'o>(mut self, outlines: impl IntoIterator<Item = Outline<'o>>) -> Self {
-        self.outlines = outlines.into_iter().map(<[_]>::to_vec).collect();
+        self.outlines = outlines.into_iter().map(<[_]>::to_vec).list();
         self
     }
 
@@ -110,7 +111,7 @@ impl PlanarPage {
             page.push_str(super::html::POINTS_CHOICE);
         }
         let pictures: Vec<_> =
-            self.frames.iter().zip(&self.grasps).map(|(frame, grasp)| self.picture(frame, grasp)).collect();
+            self.frames.iter().zip(&self.grasps).map(|(frame, grasp)| self.picture(frame, grasp)).list();
         for (k, picture) in stills_of_a_page(&pictures)?.iter().enumerate() {
             // Within HTML an SVG element needs no namespace.
             let picture = picture.replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1);

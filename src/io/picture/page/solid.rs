@@ -1,6 +1,7 @@
 //! Convex parts of the object between its outlines, so that it looks like a solid instead of a wire frame.
 
 use super::spatial_page::MovingLine;
+use crate::numerics::IntoList;
 use crate::numerics::mapped;
 
 /// Convex parts of the object: every ring, and the convex hull of two consecutive rings of at least eight corners. A ring is an outline, or a part of
@@ -8,7 +9,7 @@ use crate::numerics::mapped;
 pub(super) fn bodies(outlines: &[MovingLine]) -> Vec<Vec<[f64; 3]>> {
     // No convex part spans two bodies.
     let of_one_body = outlines.chunk_by(|a, b| a.body == b.body);
-    of_one_body.map(solids).collect::<Vec<_>>().concat()
+    of_one_body.map(solids).list().concat()
 }
 
 fn solids(outlines: &[MovingLine]) -> Vec<Vec<[f64; 3]>> {
@@ -16,7 +17,7 @@ fn solids(outlines: &[MovingLine]) -> Vec<Vec<[f64; 3]>> {
     // A ring of fewer than eight corners may be a face of a polyhedron or the line of a handle, and the space up to
     // the next ring may be empty.
     let between = rings.windows(2).filter(|pair| pair.iter().all(|ring| ring.len() >= 8));
-    let mut solids: Vec<_> = between.map(<[Vec<_>]>::concat).collect();
+    let mut solids: Vec<_> = between.map(<[Vec<_>]>::concat).list();
     solids.extend(rings);
     solids
 }

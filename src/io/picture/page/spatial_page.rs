@@ -2,7 +2,7 @@
 
 use super::frame::{Frame, change_last};
 use crate::grasp::Motion;
-use crate::numerics::mapped;
+use crate::numerics::{Each, IntoList, mapped};
 use crate::picture::actuators::Actuators;
 use crate::spatial::{Equilibrium, Grasp, Outcome, Wrench};
 
@@ -77,7 +77,7 @@ impl SpatialPage {
             grasp: grasp.clone(),
             title: title.into(),
             outlines: Vec::new(),
-            fixtures: mapped(grasp.links(), &|bone| bone.map(<[f64; 3]>::from).to_vec()),
+            fixtures: mapped(grasp.links(), &|bone| bone.each(<[f64; 3]>::from).to_vec()),
             frames: Vec::new(),
             actuators: Actuators::of(grasp),
         }
@@ -99,14 +99,14 @@ impl SpatialPage {
         body: usize,
         corners: impl IntoIterator<Item = impl Into<[f64; 3]>>,
     ) -> Self {
-        self.outlines.push(MovingLine { body, corners: corners.into_iter().map(Into::into).collect() });
+        self.outlines.push(MovingLine { body, corners: corners.into_iter().map(Into::into).list() });
         self
     }
 
     /// Adds a closed line on something at rest, such as a fingertip or a table, corner by corner, m; otherwise as [`Self::outline`].
     #[must_use]
     pub fn fixture(mut self, corners: impl IntoIterator<Item = impl Into<[f64; 3]>>) -> Self {
-        self.fixtures.push(corners.into_iter().map(Into::into).collect());
+        self.fixtures.push(corners.into_iter().map(Into::into).list());
         self
     }
 

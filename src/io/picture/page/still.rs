@@ -1,8 +1,5 @@
 //! One answer of a page as a still picture.
 
-use nalgebra::Vector2;
-use plotters::style::colors::BLACK;
-
 use super::drawing::Drawing;
 use super::eye::{Eye, View};
 use super::legend::Legend;
@@ -10,14 +7,15 @@ use super::mark::{Mark, MarkLayer, MarkShape};
 use super::marks::{marks_of_the_answer, marks_of_the_grasp};
 use super::paint::{load_ends, painting};
 use super::spatial_page::SpatialPage;
-use crate::numerics::mapped;
+use crate::numerics::{Each, mapped};
 use crate::picture::error::PictureError;
 use crate::picture::labels::Labels;
 use crate::picture::layout::{LEGEND, MARKS, STILL};
-use crate::picture::palette::GREY;
+use crate::picture::palette::{BLACK, GREY};
 use crate::picture::sheet::{Place, Sheet, sheet};
 use crate::picture::window::Window;
 use crate::picture::words::{caution, lines};
+use nalgebra::Vector2;
 
 impl SpatialPage {
     /// Draws one of the answers from one side, as the page shows it, with a legend. `answer` is its index from 0 in the order of adding; `None` draws
@@ -117,11 +115,11 @@ impl SpatialPage {
 
 /// The coordinate axes, in a corner without other marks.
 fn draw_axes(paper: &mut Sheet, eye: &Eye, (x, y): Place) {
-    let axes = [0, 1, 2].map(|axis| eye.along(axis));
+    let axes = [0, 1, 2].each(|axis| eye.along(axis));
     let mut named: Vec<Vector2<f64>> = Vec::new();
     for (axis, name) in axes.iter().zip(["x", "y", "z"]) {
         let end = axis * 32.0;
-        paper.line([(x, y), (x + end.x, y + end.y)], GREY, 1.5);
+        paper.line(&[(x, y), (x + end.x, y + end.y)], GREY, 1.5);
         // An axis along the line of sight is a point; its name is written opposite to the other axes.
         let way = if axis.norm() > 0.2 { *axis } else { axis - axes.iter().sum::<Vector2<f64>>() };
         // The distance of the letters from the ends of the axes.

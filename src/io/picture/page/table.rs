@@ -7,7 +7,7 @@ use super::frame::Frame;
 use crate::ask::Grasp;
 use crate::equilibrium::{ContactAnswer, Equilibrium, WholeAnswer};
 use crate::grasp::{Contact, Hold};
-use crate::numerics::{Space, mapped};
+use crate::numerics::{Each, Space, mapped};
 use crate::picture::actuators::Actuators;
 use crate::picture::contact_look::word;
 use crate::picture::error::PictureError;
@@ -163,7 +163,7 @@ fn write_row(
     if numbers.iter().any(|x| x.is_nan()) {
         return Err("a number is not a number");
     }
-    let mut words = numbers.map(short);
+    let mut words = numbers.each(short);
     if contact.hold == Hold::Bonded || contact.link.is_some() {
         // A bonded contact has no friction to use.
         (words[2], words[3]) = ("–".into(), contact.link.map_or("bonded", LinkKind::name).into());

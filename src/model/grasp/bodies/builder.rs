@@ -12,7 +12,7 @@ use crate::grasp::contact::Contact;
 use crate::grasp::face::Face;
 use crate::grasp::hand::{Finger, Hand};
 use crate::grasp::wrench::Wrench;
-use crate::numerics::{mapped, summed};
+use crate::numerics::{IntoList, mapped, summed};
 use crate::prelude::*;
 
 /// Several bodies that touch each other, the ground and fingers. [`Bodies::grasp`] makes a grasp, which answers the same questions as any other.
@@ -59,7 +59,7 @@ impl<const C: usize> Bodies<C> {
     /// A set of bodies with different names.
     pub fn new(bodies: impl IntoIterator<Item = Body<C>>) -> Self {
         Self {
-            list: bodies.into_iter().collect(),
+            list: bodies.into_iter().list(),
             hand: Hand::new([]),
             links: Vec::new(),
             gravity: SVector::zeros(),

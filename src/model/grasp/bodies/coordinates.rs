@@ -9,7 +9,7 @@ use super::place::{BodyPlace, PlacedBodies};
 use crate::error::Error;
 use crate::grasp::engine::Engine;
 use crate::grasp::wrench::{Twist, Wrench};
-use crate::numerics::{Size, Vector, indexed};
+use crate::numerics::{IntoList, Size, Vector, indexed};
 use crate::prelude::*;
 
 impl Engine {
@@ -76,7 +76,7 @@ impl Engine {
     pub(crate) fn growing_from_nothing(&self, base: &Wrench<3>) -> Option<Self> {
         let bodies = self.bodies()?;
         let shared = bodies.shared(base);
-        let loads = bodies.loads.iter().zip(shared).map(|(own, base)| *own + base).collect();
+        let loads = bodies.loads.iter().zip(shared).map(|(own, base)| *own + base).list();
         Some(self.with_bodies(bodies.growing_together(loads)))
     }
 
@@ -120,7 +120,7 @@ impl Engine {
     pub(crate) fn body_loads(&self) -> Vec<BodyLoad<3>> {
         let Some(bodies) = self.bodies() else { return Vec::new() };
         let named = bodies.names.iter().zip(&bodies.put_on).filter(|(_, load)| **load != Wrench::ZERO);
-        named.map(|(body, load)| BodyLoad { body: body.clone(), load: *load }).collect()
+        named.map(|(body, load)| BodyLoad { body: body.clone(), load: *load }).list()
     }
 
     /// Motion of each body in the user's coordinates, from a vector of all coordinates in the user's units.

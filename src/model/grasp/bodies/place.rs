@@ -10,7 +10,7 @@ use crate::grasp::engine::space_of;
 use crate::grasp::hand::Columns;
 use crate::grasp::wrench::Wrench;
 use crate::numerics::Space;
-use crate::numerics::{Size, Vector, dot, mapped, numbered, paired};
+use crate::numerics::{IntoList, Size, Vector, dot, mapped, numbered, paired};
 use crate::prelude::*;
 use crate::words::printable;
 
@@ -170,7 +170,7 @@ impl PlacedBodies {
         let at_centres: Vec<_> =
             mapped(list, &|(part, centre)| Wrench::force_through(centre, &(force * *part)));
         let left = at_centres.iter().fold(*load, |left, wrench| left - *wrench);
-        at_centres.iter().zip(list).map(|(wrench, (part, _))| *wrench + left * *part).collect()
+        at_centres.iter().zip(list).map(|(wrench, (part, _))| *wrench + left * *part).list()
     }
 
     /// Wrenches on all bodies other than the object, with moments about the user's origin.

@@ -11,7 +11,7 @@ use super::positive::squares;
 use crate::error::{Error, LARGEST, is_moderate};
 use crate::grasp::bodies::{PlacedBodies, refuse_sides};
 use crate::grasp::engine::Engine;
-use crate::numerics::{Size, Vector, mapped};
+use crate::numerics::{IntoList, Size, Vector, mapped, paired};
 use crate::prelude::*;
 use crate::words::printable;
 
@@ -28,7 +28,10 @@ impl Hand<3> {
         let most = Size::of(self.coordinates_in(space) + others * space.of_the_object());
         let used = self.joints();
         let Self { fingers, tendons } = self;
-        let joints: Vec<Joint<3>> = fingers.iter().flat_map(|finger| finger.joints.iter().cloned()).collect();
+        let mut joints: Vec<Joint<3>> = Vec::with_capacity(used);
+        for finger in &fingers {
+            joints.extend_from_slice(&finger.joints);
+        }
         let mut assembly = Assembly {
             space,
             contacts: Vec::new(),
@@ -65,8 +68,8 @@ impl Hand<3> {
             named_tendons.push(assembly.add_tendon(tendon, number)?);
         }
         let pressed = assembly.pressed(&fingers)?;
-        let commands = assembly.joints.iter().zip(pressed).map(|(joint, more)| joint.command + more);
-        let commands = commands.chain(tendons.iter().map(|tendon| tendon.pull)).collect();
+        let mut commands = paired(&assembly.joints, &pressed, &|(joint, more)| joint.command + more);
+        commands.extend(mapped(&tendons, &|tendon| tendon.pull));
         assembly.grasp(named_tendons, commands, bodies)
     }
 }
@@ -76,8 +79,12 @@ impl Assembly {
     /// causes no rounding.
     fn measure(&mut self) -> Result<(), Error> {
         for k in 0..self.used {
-            let columns = self.motions.iter().flatten().filter(|(coordinate, _)| *coordinate == k);
-            let longest = columns.map(|(_, column)| column.norm()).fold(0.0, f64::max);
+            let mut longest = 0.0_f64;
+            for (coordinate, column) in self.motions.iter().flatten() {
+                if *coordinate == k {
+                    longest = longest.max(column.norm());
+                }
+            }
             if longest * LARGEST < 1.0 {
                 if k >= self.joints.len() {
                     continue;
@@ -132,7 +139,7 @@ impl Assembly {
             .or_else(|fault| refuse(fault, format!("finger {number}"), "stiffness matrix"))?;
         for column in columns {
             let arms: Vec<_> =
-                (0..count).map(|j| (first + j, column[j])).filter(|(_, arm)| *arm != 0.0).collect();
+                (0..count).map(|j| (first + j, column[j])).filter(|(_, arm)| *arm != 0.0).list();
             let (spring, unit) = self.over(&arms, 1.0);
             let drive = Drive {
                 owner: Owner::Nobody,
@@ -174,7 +181,7 @@ impl Assembly {
             let allowed = "one that saturates: a tendon that slips would have to push as well";
             return Self::fault(label, "limit", bound, allowed);
         }
-        let arms: Vec<_> = tendon.arms.iter().copied().enumerate().filter(|(_, arm)| *arm != 0.0).collect();
+        let arms: Vec<_> = tendon.arms.iter().copied().enumerate().filter(|(_, arm)| *arm != 0.0).list();
         if arms.is_empty() {
             return Self::fault(label, "arm over every joint", 0.0, "more than nothing over one of them");
         }

@@ -9,7 +9,7 @@ use super::finger::{ContactMover, Finger};
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::contact::Contact;
 use crate::grasp::of_axes;
-use crate::numerics::numbered;
+use crate::numerics::{IntoList, numbered, vector_of};
 use crate::prelude::*;
 
 impl Assembly {
@@ -71,7 +71,7 @@ impl Assembly {
         }
         let joints = &finger.joints[..link];
         let corners: Vec<_> =
-            joints.iter().filter_map(|joint| joint.motion.centre()).chain([contact.point]).collect();
+            joints.iter().filter_map(|joint| joint.motion.centre()).chain([contact.point]).list();
         self.bones.extend(corners.windows(2).map(|pair| [pair[0], pair[1]]));
         let mut columns = Columns::new();
         for (j, joint) in joints.iter().enumerate() {
@@ -115,7 +115,7 @@ impl Assembly {
         let mut first = 0;
         for finger in fingers {
             let count = finger.joints.len();
-            let torque = DVector::from_fn(count, |j, _| torques[first + j]);
+            let torque = vector_of(count, &|j| torques[first + j]);
             if torque.amax() != 0.0 {
                 let mut stiffness = finger.coupling.clone().unwrap_or_else(|| DMatrix::zeros(count, count));
                 for j in 0..count {

@@ -9,6 +9,7 @@
 //!
 //! Only half of the least eigenvalue becomes springs of contacts. With all of it V would lose rank, and rounding would decide in which column.
 
+use crate::numerics::matrix_of;
 use nalgebra::{DMatrix, DVector};
 
 use super::positive::{NotPositive, checked, least_eigenvalue, squares};
@@ -26,7 +27,7 @@ pub(super) fn split(
         return Err(NotPositive::Eigenvalue(least_eigenvalue(compliance)));
     }
     let root = whole.map(f64::sqrt);
-    let scaled = DMatrix::from_fn(size, size, |i, j| compliance[(i, j)] / (root[i] * root[j]));
+    let scaled = matrix_of(size, size, &|i, j| compliance[(i, j)] / (root[i] * root[j]));
     let least = least_eigenvalue(&scaled);
     // A least eigenvalue below this limit, after scaling to unit diagonal, is zero up to rounding. The contacts would then be rigid along some
     // direction.

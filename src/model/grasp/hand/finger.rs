@@ -1,5 +1,6 @@
 //! A finger: a serial chain of joints, and the contacts that they move.
 
+use crate::numerics::IntoList;
 use nalgebra::DMatrix;
 
 use super::joint::Joint;
@@ -54,7 +55,7 @@ pub struct Finger<const C: usize> {
 impl<const C: usize> Finger<C> {
     /// A finger with these joints, from the palm outwards.
     pub fn new(joints: impl IntoIterator<Item = Joint<C>>) -> Self {
-        Self { joints: joints.into_iter().collect(), coupling: None, compliance: None, contacts: Vec::new() }
+        Self { joints: joints.into_iter().list(), coupling: None, compliance: None, contacts: Vec::new() }
     }
 
     /// A finger without joints: one contact with its springs.

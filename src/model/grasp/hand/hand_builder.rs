@@ -3,6 +3,7 @@
 use super::finger::Finger;
 use super::joint::Limit;
 use super::tendon::Tendon;
+use crate::numerics::IntoList;
 use crate::numerics::Space;
 use crate::prelude::*;
 
@@ -37,7 +38,7 @@ pub struct Hand<const C: usize> {
 impl<const C: usize> Hand<C> {
     /// A hand of these fingers.
     pub fn new(fingers: impl IntoIterator<Item = Finger<C>>) -> Self {
-        Self { fingers: fingers.into_iter().collect(), tendons: Vec::new() }
+        Self { fingers: fingers.into_iter().list(), tendons: Vec::new() }
     }
 
     /// Adds a finger.

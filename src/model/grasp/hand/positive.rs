@@ -3,8 +3,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::grasp::tolerances::NEGATIVE_REMAINDER;
-use crate::numerics::chosen;
 use crate::numerics::tolerances::{LINEARLY_DEPENDENT, NEGLIGIBLE};
+use crate::numerics::{chosen, symmetric_eigen};
 use crate::prelude::*;
 
 /// The reason why a matrix is not symmetric positive semidefinite.
@@ -94,7 +94,7 @@ pub(super) fn checked(matrix: &DMatrix<f64>, size: usize) -> Result<(), NotPosit
 /// The least eigenvalue of a symmetric matrix.
 pub(super) fn least_eigenvalue(matrix: &DMatrix<f64>) -> f64 {
     let symmetric = (matrix + matrix.transpose()) * 0.5;
-    symmetric.symmetric_eigenvalues().min()
+    symmetric_eigen(&symmetric).0.last().copied().unwrap_or(0.0)
 }
 
 #[cfg(test)]

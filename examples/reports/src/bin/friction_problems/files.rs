@@ -1,10 +1,11 @@
 //! Solves problems from files of Siconos, alone or compared with Siconos.
 
 use super::timed;
-use grasp_lcp::friction::{FrictionProblem, ReadProblem, Solution};
+use grasp_lcp::friction::{FrictionProblem, Solution};
 use grasp_lcp::lcp::Outcome;
 use std::path::Path;
 use std::process::Command;
+use support::siconos::ReadProblem;
 
 pub(super) fn print(names: &[String]) -> Result<(), support::Failure> {
     let siconos = std::env::var("SICONOS").ok();

@@ -1,10 +1,48 @@
-//! Reading the files of Siconos: dimension, number of contacts, matrices in [one of three forms](super::siconos_matrix), vectors and μ.
+//! Reading the files of Siconos: dimension, number of contacts, matrices in one of three forms, vectors and μ.
 
-use super::error::Error;
-use super::problem::{FrictionProblem, PlanarContacts, SpatialContacts};
-use super::siconos_matrix::{Tokens, matrix};
-use crate::prelude::*;
+use crate::siconos_matrix::{Tokens, matrix};
+use grasp_lcp::friction::{self, FrictionProblem, PlanarContacts, SpatialContacts};
 use nalgebra::{DMatrix, DVector};
+
+/// Why a file could not be read.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Error {
+    /// A word of a file is not of the required kind.
+    Word {
+        /// Its position, counted from 1.
+        at: usize,
+        /// The word; `None` at the end of the file.
+        word: Option<String>,
+        /// The required kind of word.
+        allowed: &'static str,
+    },
+    /// The mass matrix of a file has no inverse.
+    Masses,
+    /// The numbers do not describe a frictional contact problem.
+    Numbers(friction::Error),
+}
+
+impl From<friction::Error> for Error {
+    fn from(error: friction::Error) -> Self {
+        Self::Numbers(error)
+    }
+}
+
+impl std::error::Error for Error {}
+
+impl std::fmt::Display for Error {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Word { at, word, allowed } => {
+                let named =
+                    word.as_ref().map_or("missing".to_owned(), |word| format!("`{}`", word.escape_default()));
+                write!(f, "word {at} of the file is {named}, but must be {allowed}")
+            }
+            Self::Masses => write!(f, "M is not square or singular, but must have an inverse"),
+            Self::Numbers(error) => error.fmt(f),
+        }
+    }
+}
 
 /// A problem read from a file, which determines the number of components of its contacts.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,17 +56,6 @@ pub enum ReadProblem {
 impl ReadProblem {
     /// Reads a problem from a file of Siconos (`FrictionContactProblem`), one of its tests or written by it. Text after μ is ignored.
     ///
-    /// ```
-    /// use grasp_lcp::friction::ReadProblem;
-    ///
-    /// // One contact in space, W dense.
-    /// let text = "3 1  0 3 3 3 3  2 0 0  0 2 0  0 0 2  -1 0.3 0  0.5";
-    /// let ReadProblem::Spatial(problem) = ReadProblem::from_siconos(text)? else { panic!("three components") };
-    /// let outcome = problem.solve();
-    /// assert_eq!(outcome.solution().expect("it sticks").r.as_slice(), [0.5, -0.15, 0.0]);
-    /// # Ok::<(), grasp_lcp::friction::Error>(())
-    /// ```
-    ///
     /// # Errors
     ///
     /// [`Error::Word`] for a word that is not of the required kind, and the errors of [`FrictionProblem::new`].
@@ -38,16 +65,6 @@ impl ReadProblem {
 
     /// Reads a problem from a file of Siconos that contains the bodies (`GlobalFrictionContactProblem`): M v = H r + f and u = Hᵀ v + b. Hence
     /// W = Hᵀ M⁻¹ H and q = Hᵀ M⁻¹ f + b.
-    ///
-    /// ```
-    /// use grasp_lcp::friction::ReadProblem;
-    ///
-    /// // A body of half a kilogram at one contact.
-    /// let body = "3 1  0 3 3 3 3  .5 0 0  0 .5 0  0 0 .5   0 3 3 3 3  1 0 0  0 1 0  0 0 1";
-    /// let read = ReadProblem::from_siconos_global(&format!("{body}  -0.5 0.15 0  0 0 0  0.5"))?;
-    /// assert_eq!(read, ReadProblem::from_siconos("3 1  0 3 3 3 3  2 0 0  0 2 0  0 0 2  -1 0.3 0  0.5")?);
-    /// # Ok::<(), grasp_lcp::friction::Error>(())
-    /// ```
     ///
     /// # Errors
     ///
@@ -77,7 +94,7 @@ fn local<const C: usize>(words: &mut Tokens<'_>) -> Result<FrictionProblem<C>, E
     let size = n.saturating_mul(C);
     let w = matrix(words, Some(size), Some(size))?;
     let q = DVector::from_vec(words.entries(size, "an entry of q")?);
-    FrictionProblem::new(w, q, words.entries(n, "the friction of a contact")?)
+    Ok(FrictionProblem::new(w, q, words.entries(n, "the friction of a contact")?)?)
 }
 
 fn global<const C: usize>(words: &mut Tokens<'_>) -> Result<FrictionProblem<C>, Error> {
@@ -92,7 +109,7 @@ fn global<const C: usize>(words: &mut Tokens<'_>) -> Result<FrictionProblem<C>, 
         return Err(Error::Masses);
     }
     let (moved, free) = moved_by(masses, &h, &f).ok_or(Error::Masses)?;
-    FrictionProblem::new(h.tr_mul(&moved), h.tr_mul(&free) + b, mu)
+    Ok(FrictionProblem::new(h.tr_mul(&moved), h.tr_mul(&free) + b, mu)?)
 }
 
 /// M⁻¹ H and M⁻¹ f. The mass matrix of rigid bodies is usually diagonal, for which no factorisation is needed.

@@ -6,15 +6,14 @@
 //! | `1` | in blocks, row by row; each block column by column |
 //! | `2` | sparse, as CSparse prints it, in columns or in triplets of row, column and entry |
 
-use super::error::Error;
-use crate::prelude::*;
-use core::str::{FromStr, SplitWhitespace};
+use crate::siconos::Error;
 use nalgebra::DMatrix;
+use std::str::{FromStr, SplitWhitespace};
 
 const ENTRY: &str = "an entry of a matrix";
 
 /// Reads the next matrix. Given numbers of rows or columns must match those of the file.
-pub(super) fn matrix(
+pub(crate) fn matrix(
     words: &mut Tokens<'_>,
     rows: Option<usize>,
     columns: Option<usize>,
@@ -137,13 +136,13 @@ fn sparse(words: &mut Tokens<'_>, rows: usize, columns: usize) -> Result<DMatrix
 }
 
 /// The words of a text, and the number of words read.
-pub(super) struct Tokens<'a> {
+pub(crate) struct Tokens<'a> {
     rest: SplitWhitespace<'a>,
     read: usize,
 }
 
 impl<'a> Tokens<'a> {
-    pub(super) fn of(text: &'a str) -> Self {
+    pub(crate) fn of(text: &'a str) -> Self {
         Self { rest: text.split_whitespace(), read: 0 }
     }
 
@@ -156,12 +155,12 @@ impl<'a> Tokens<'a> {
         word.parse().map_err(|_| self.wrong(word.to_owned(), allowed))
     }
 
-    pub(super) fn number<T: FromStr>(&mut self, allowed: &'static str) -> Result<T, Error> {
+    pub(crate) fn number<T: FromStr>(&mut self, allowed: &'static str) -> Result<T, Error> {
         let word = self.word(allowed)?;
         self.parse(word, allowed)
     }
 
-    pub(super) fn entries<T: FromStr>(
+    pub(crate) fn entries<T: FromStr>(
         &mut self,
         count: usize,
         allowed: &'static str,
@@ -175,7 +174,7 @@ impl<'a> Tokens<'a> {
     }
 
     /// The error for the last word read, which is not of the required kind.
-    pub(super) fn wrong(&self, word: String, allowed: &'static str) -> Error {
+    pub(crate) fn wrong(&self, word: String, allowed: &'static str) -> Error {
         Error::Word { at: self.read, word: Some(word), allowed }
     }
 }

@@ -1,0 +1,154 @@
+//! Singular values, and eigenvalues of symmetric matrices, by Jacobi's rotations of columns.
+//!
+//! Columns are turned in pairs until they are orthogonal (Hestenes): then they are the left vectors times the singular values, and the product of the
+//! rotations has the right vectors. Small values keep their own digits. One function serves matrices of every shape.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::increasing::increasing;
+use super::mapped::{mapped, numbered};
+use super::tolerances::FEW_ROUNDINGS;
+#[cfg(not(feature = "std"))]
+use super::without_std::FloatFunctions;
+use crate::prelude::*;
+
+/// `M = U diag(values) Vᵀ`, from the largest value to the smallest, with as many values and right vectors as M has columns.
+#[derive(Debug, Clone)]
+pub(crate) struct Singular {
+    pub(crate) values: Vec<f64>,
+    /// The left vectors times their values.
+    scaled_left: DMatrix<f64>,
+    /// The right vectors, as columns.
+    pub(crate) right: DMatrix<f64>,
+}
+
+impl Singular {
+    pub(crate) fn new(matrix: &DMatrix<f64>) -> Self {
+        let columns = matrix.ncols();
+        let mut turned = matrix.clone();
+        let mut right = DMatrix::identity(columns, columns);
+        // Rotations converge quadratically within some ten sweeps; the limit ends those of matrices that are not finite.
+        for _ in 0..60 {
+            let mut all_orthogonal = true;
+            for i in 1..columns {
+                for j in 0..i {
+                    if let Some(tangent) = rotation(&turned, i, j) {
+                        all_orthogonal = false;
+                        rotate(&mut turned, i, j, tangent);
+                        rotate(&mut right, i, j, tangent);
+                    }
+                }
+            }
+            if all_orthogonal {
+                break;
+            }
+        }
+        let lengths: Vec<f64> = numbered(columns, &|j| turned.column(j).norm());
+        let order = increasing(&mapped(&lengths, &|length| -length));
+        Self {
+            values: numbered(columns, &|k| lengths[order[k]]),
+            scaled_left: turned.select_columns(&order),
+            right: right.select_columns(&order),
+        }
+    }
+
+    /// The parts of a vector along the left vectors; zero along those without a value.
+    pub(crate) fn along(&self, vector: &DVector<f64>) -> Vec<f64> {
+        numbered(self.values.len(), &|k| {
+            if self.values[k] > 0.0 { self.scaled_left.column(k).dot(vector) / self.values[k] } else { 0.0 }
+        })
+    }
+
+    /// The least-squares solution of least norm; values up to `least` count as zero.
+    pub(crate) fn solve(&self, vector: &DVector<f64>, least: f64) -> DVector<f64> {
+        let mut solution = DVector::zeros(self.values.len());
+        for (k, part) in self.along(vector).into_iter().enumerate() {
+            if self.values[k] > least {
+                solution.axpy(part / self.values[k], &self.right.column(k), 1.0);
+            }
+        }
+        solution
+    }
+
+    /// The shortest x with `Mᵀ x = b` and the y with `x = M y`, of a matrix whose columns are independent.
+    pub(crate) fn of_transpose(&self, b: &DVector<f64>) -> (DVector<f64>, DVector<f64>) {
+        let mut y = self.right.tr_mul(b);
+        let mut x = DVector::zeros(self.scaled_left.nrows());
+        for (k, part) in y.iter_mut().enumerate() {
+            *part /= self.values[k] * self.values[k];
+            x.axpy(*part, &self.scaled_left.column(k), 1.0);
+        }
+        (x, &self.right * y)
+    }
+}
+
+/// The tangent of the angle by which two columns are turned to be orthogonal; `None` where they are.
+fn rotation(columns: &DMatrix<f64>, i: usize, j: usize) -> Option<f64> {
+    let (a, b) = (columns.column(i), columns.column(j));
+    let (a2, b2, ab) = (a.norm_squared(), b.norm_squared(), a.dot(&b));
+    // The rounding of a sum grows with the root of its length.
+    let clear = ab.abs() > FEW_ROUNDINGS * (columns.nrows() as f64 * a2 * b2).sqrt();
+    if !clear {
+        return None;
+    }
+    let zeta = (b2 - a2) / (2.0 * ab);
+    Some(if zeta.is_infinite() { 0.5 / zeta } else { zeta.signum() / (zeta.abs() + zeta.hypot(1.0)) })
+}
+
+fn rotate(columns: &mut DMatrix<f64>, i: usize, j: usize, tangent: f64) {
+    let cosine = tangent.hypot(1.0).recip();
+    let sine = cosine * tangent;
+    for row in 0..columns.nrows() {
+        let (a, b) = (columns[(row, i)], columns[(row, j)]);
+        columns[(row, i)] = cosine * a - sine * b;
+        columns[(row, j)] = sine * a + cosine * b;
+    }
+}
+
+/// The eigenvalues of a symmetric matrix, from the largest to the smallest, with their unit vectors as columns.
+pub(crate) fn symmetric_eigen(matrix: &DMatrix<f64>) -> (Vec<f64>, DMatrix<f64>) {
+    // No eigenvalue is larger than a sum of sizes along a row, so that the matrix with this sum added has its eigenvalues as singular values.
+    let mut shift = 0.0_f64;
+    for row in matrix.row_iter() {
+        shift = shift.max(row.lp_norm(1));
+    }
+    let mut moved = matrix.clone();
+    for k in 0..matrix.nrows() {
+        moved[(k, k)] += shift;
+    }
+    let parts = Singular::new(&moved);
+    (numbered(parts.values.len(), &|k| parts.values[k] - shift), parts.right)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The decomposition gives the matrix back, with orthonormal right vectors and falling values, for tall, wide and singular matrices.
+    #[test]
+    fn factors_give_the_matrix_back() {
+        for (rows, columns) in [(1, 1), (5, 3), (3, 5), (6, 6)] {
+            let matrix = DMatrix::from_fn(rows, columns, |i, j| {
+                ((i * 7 + j * j) as f64).sin() * 0.1_f64.powf(j as f64)
+            });
+            let found = Singular::new(&matrix);
+            let back = &found.scaled_left * found.right.transpose();
+            assert!((back - &matrix).amax() < 1e-14);
+            let unit = found.right.tr_mul(&found.right);
+            assert!((unit - DMatrix::identity(columns, columns)).amax() < 1e-14);
+            assert!(found.values.is_sorted_by(|a, b| a >= b));
+            let x = found.solve(&(&matrix * DVector::from_element(columns, 1.0)), 1e-13 * found.values[0]);
+            assert!((&matrix * x - matrix.column_sum()).amax() < 1e-13);
+        }
+    }
+
+    /// Eigenvalues of [[2, 1], [1, −3]]: −½ ± √29/2.
+    #[test]
+    fn eigenvalues_of_both_signs() {
+        let matrix = DMatrix::from_row_slice(2, 2, &[2.0, 1.0, 1.0, -3.0]);
+        let (values, vectors) = symmetric_eigen(&matrix);
+        let half = 29_f64.sqrt() / 2.0;
+        assert!((values[0] - (half - 0.5)).abs() < 1e-14 && (values[1] + half + 0.5).abs() < 1e-14);
+        assert!((&matrix * vectors.column(1) - vectors.column(1) * values[1]).amax() < 1e-14);
+    }
+}
