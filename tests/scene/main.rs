@@ -25,6 +25,7 @@ mod planar_still;
 mod questions;
 mod rounding_in_pictures;
 mod said_in_digits;
+mod shared_by_mass;
 mod soft_still;
 mod spatial_page;
 mod spatial_still;

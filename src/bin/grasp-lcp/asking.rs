@@ -20,7 +20,7 @@ use grasp_lcp::{planar, spatial};
 use crate::arguments::{Ask, Command, LoadArguments, Numbers};
 use crate::failure::{EXIT_UNDECIDED, Failure};
 use crate::loads::{direction, loads, point, pull_of_mass, weight_of};
-use crate::own_masses::{of_own_masses, refuse_mass, tilted};
+use crate::own_masses::{of_own_masses, refuse_mass, shared_centre, tilted};
 use crate::words::Style;
 use crate::{files, report};
 
@@ -32,6 +32,11 @@ pub(crate) fn ask(ask: &Ask, asked: Command) -> Result<ExitCode, Failure> {
 /// The same about a scene that is already read; messages name its file.
 pub(crate) fn ask_of(mut scene: Scene, ask: &Ask, mut asked: Command) -> Result<ExitCode, Failure> {
     asked.lengths_to_metres(ask.unit.unwrap_or(scene.unit));
+    let centre = match &scene.space {
+        Space::Planar(setup) => shared_centre(setup),
+        Space::Spatial(setup) => shared_centre(setup),
+    };
+    centre.iter().for_each(|centre| asked.act_at(centre));
     let (given, asked) = (scene.clone(), &asked);
     match &mut scene.space {
         Space::Planar(setup) => {
