@@ -126,7 +126,8 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
         return Ok(Amount::Any { to: plan.start, until: None, tried: None });
     }
     let is_squeeze = matches!(need.sought, Sought::Squeeze);
-    let at_rest = |does: f64| if is_squeeze { presses(grasp, does) } else { Ok(Default::default()) };
+    let at_rest =
+        |does: f64| if is_squeeze { presses(grasp, does, need.base) } else { Ok(Default::default()) };
     let far_end = |edge: Threshold| {
         let Threshold { does, does_not: (does_not, trial), .. } = edge;
         let (Trial::DoesNot { says: otherwise, .. } | Trial::Unknown(otherwise)) = trial else {
@@ -212,30 +213,48 @@ fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], is_proved: bool) -> A
 }
 
 /// The normal force of each contact at rest with its squeeze multiplied by `squeeze`, N, and the joints and tendons whose drives are at their limit.
-fn presses(grasp: &Grasp<3>, squeeze: f64) -> Result<(Vec<Press>, Vec<String>), Error> {
+///
+/// Where nothing that is set presses without a load, it presses beside the load at rest. A contact that is held by a force presses with it in any
+/// case, even if no equilibrium is known.
+fn presses(grasp: &Grasp<3>, squeeze: f64, base: Wrench<3>) -> Result<(Vec<Press>, Vec<String>), Error> {
     let squeezed = grasp.squeezed(squeeze)?;
-    let Outcome::Equilibrium(state) = squeezed.solve(Wrench::ZERO)? else { return Ok(Default::default()) };
     let parts = WholeContacts::of(grasp.contacts());
-    let forces = parts.sum(&|i| state.contacts[i].force[0]);
-    let mut presses = Vec::new();
-    for part in parts.with(&|_| true) {
-        let force = forces[part.contact];
-        let points = parts.ranges()[part.contact].clone();
-        let pressure = pressure_of_cup(&squeezed.contacts()[points.clone()]);
-        let is_set = points.into_iter().any(|point| grasp.is_set_by_itself(point));
-        presses.push(Press { part, force, is_set, pressure });
-    }
-    // Contacts held by a constant force are at their limit by design and are not listed.
-    let mut at_their_limit = Vec::new();
-    for joint in &state.joints {
-        if joint.state == DriveState::Yields {
-            at_their_limit.push(joint.joint.text());
+    let list = |force: &dyn Fn(usize) -> f64| {
+        let forces = parts.sum(force);
+        let mut presses = Vec::new();
+        for part in parts.with(&|_| true) {
+            let force = forces[part.contact];
+            let points = parts.ranges()[part.contact].clone();
+            let pressure = pressure_of_cup(&squeezed.contacts()[points.clone()]);
+            let is_set = points.into_iter().any(|point| grasp.is_set_by_itself(point));
+            presses.push(Press { part, force, is_set, pressure });
         }
-    }
-    for tendon in &state.tendons {
-        if tendon.state == DriveState::Yields {
-            at_their_limit.push(tendon.tendon.text());
+        presses
+    };
+    let loads = [Wrench::ZERO, base];
+    for load in &loads[usize::from(base == Wrench::ZERO)..] {
+        let Outcome::Equilibrium(state) = squeezed.solve(load)? else { continue };
+        let presses = list(&|i| state.contacts[i].force[0]);
+        let mut set = presses.iter().filter(|press| press.is_set).peekable();
+        if *load != base && set.peek().is_some() && set.all(|press| press.force == 0.0) {
+            continue;
         }
+        // Contacts held by a constant force are at their limit by design and are not listed.
+        let mut at_their_limit = Vec::new();
+        for joint in &state.joints {
+            if joint.state == DriveState::Yields {
+                at_their_limit.push(joint.joint.text());
+            }
+        }
+        for tendon in &state.tendons {
+            if tendon.state == DriveState::Yields {
+                at_their_limit.push(tendon.tendon.text());
+            }
+        }
+        return Ok((presses, at_their_limit));
     }
-    Ok((presses, at_their_limit))
+    let held = |i: usize| squeezed.contacts()[i].force.unwrap_or(0.0);
+    let mut set = (0..grasp.contacts().len()).filter(|i| grasp.is_set_by_itself(*i)).peekable();
+    let all_held = set.peek().is_some() && set.all(|i| held(i) != 0.0);
+    Ok((if all_held { list(&held) } else { Vec::new() }, Vec::new()))
 }
