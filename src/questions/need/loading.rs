@@ -181,7 +181,7 @@ impl Loading {
         Ok(if factor > 1.0 {
             Trial::Does { carried: factor, other }
         } else {
-            Trial::DoesNot { says: String::new(), carried: factor, other }
+            Trial::DoesNot { says: String::new(), carried: factor, other, is_too_far: false }
         })
     }
 
@@ -270,7 +270,9 @@ impl Loading {
                     _ if demand == Demand::Sticks => part.min(first_slip),
                     _ => part,
                 };
-                Trial::DoesNot { says, carried, other }
+                let is_too_far =
+                    verdict.lost.as_ref().is_some_and(|lost| lost.too_far.is_some() && !lost.is_gross_slip);
+                Trial::DoesNot { says, carried, other, is_too_far }
             }
             None => Trial::Unknown(self.said(verdict)),
         }

@@ -68,8 +68,13 @@ impl Need<3> {
             _ if asked.quantity().is_least() => does / worse,
             _ => does * worse,
         });
+        let far = match &amount {
+            Amount::Bound { until: Some(end), .. } if !quantity.is_least() => Some([end.does, end.does_not]),
+            _ => None,
+        };
+        let look = Look::Everywhere(far);
         let safe = (safety != Safety::NONE)
-            .then(|| self::amount(&Tried::new(grasp, &asked, safety, begin), asked.demand, Look::Everywhere));
+            .then(|| self::amount(&Tried::new(grasp, &asked, safety, begin), asked.demand, look));
         Ok(Needed {
             quantity: asked.quantity(),
             demand: asked.demand,
@@ -159,14 +164,17 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
     }
     let is_too_much = |(at, trial): &(f64, Trial)| *at > does && matches!(trial, Trial::DoesNot { .. });
     plan.is_monotone &= !plan.is_least || !tried.known(demand).iter().any(is_too_much);
-    let otherwise = match &bound.does_not.1 {
+    let (otherwise, is_too_far) = match &bound.does_not.1 {
         Trial::Unknown(doubt) => return Ok(Amount::Undecided { at: does_not, doubt: doubt.clone() }),
-        Trial::DoesNot { says, .. } => says.clone(),
-        Trial::Does { .. } => String::new(),
+        Trial::DoesNot { says, is_too_far, .. } => (says.clone(), *is_too_far),
+        Trial::Does { .. } => (String::new(), false),
     };
     let is_far = is_squeeze || matches!(need.sought, Sought::Force { .. });
-    let Around { changes, until, elsewhere } =
+    let Around { changes, mut until, elsewhere } =
         Around::of(&bound, scan, is_far, &plan, &tried.known(demand), tries)?;
+    if let (Look::Everywhere(Some(far)), None) = (look, &until) {
+        until = far_end_near(far, does, tries)?;
+    }
     let until = until.map(far_end).transpose()?.flatten();
     let (presses, at_their_limit) = at_rest(does)?;
     let unknown = bound.unknown.map(|(at, _)| at);
@@ -176,6 +184,7 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
         does,
         does_not,
         otherwise,
+        is_too_far,
         unknown,
         changes,
         until,
@@ -184,6 +193,23 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
         at_their_limit,
         tried,
     })
+}
+
+/// The far end of the sufficient amounts that begin at `does`. For other data it is at the first of the amounts `far`, the second being insufficient.
+fn far_end_near(far: [f64; 2], does: f64, tries: Tries<'_>) -> Result<Option<Threshold>, Error> {
+    let mut inner = does;
+    for amount in far {
+        match tries.at(amount)? {
+            Trial::Does { .. } => inner = amount,
+            Trial::Unknown(_) => return Ok(None),
+            trial @ Trial::DoesNot { .. } => {
+                let measures = tries.at(inner)?.measures();
+                let edge = Threshold { does: inner, does_not: (amount, trial), unknown: None };
+                return edge.beside(tries, measures).map(Some);
+            }
+        }
+    }
+    Ok(None)
 }
 
 /// The answer where no amount suffices. Without a proof the first undecided trial decides; otherwise `best` is the one that carries most, the first
