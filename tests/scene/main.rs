@@ -17,6 +17,7 @@ mod links;
 mod load_arrows;
 mod messages;
 mod names_apart;
+mod need_at_rest;
 mod own_weight;
 mod pads_in_pictures;
 mod picture_paper;

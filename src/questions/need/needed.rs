@@ -49,6 +49,7 @@ impl Need<3> {
     fn answered_by(&self, grasp: &Grasp<3>) -> Result<Needed, Error> {
         let grasp = &self.growing(grasp)?;
         let posed = self.posed(grasp.space())?;
+        self.check_acts(grasp.is_loaded_at_rest())?;
         let quantity = posed.quantity();
         let asked = posed.on(grasp)?;
         let is_squeezed = grasp.is_squeezed();
