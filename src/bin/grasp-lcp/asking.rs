@@ -14,12 +14,14 @@ use grasp_lcp::load_path::{Leg, Turn};
 use grasp_lcp::need::Amount;
 use grasp_lcp::scene::{Answer, Answers, OnsetAnswer, PathOutcome, Question, Scene, Setup, Space};
 use grasp_lcp::shake::Repeats;
+use grasp_lcp::squeeze::Loads;
 use grasp_lcp::words::Words;
 use grasp_lcp::{planar, spatial};
 
 use crate::arguments::{Ask, Command, LoadArguments, Numbers};
 use crate::failure::{EXIT_UNDECIDED, Failure};
 use crate::loads::{direction, loads, point, pull_of_mass, weight_of};
+use crate::of_the_scene::SceneLoads;
 use crate::own_masses::{of_own_masses, refuse_mass, shared_centre, tilted};
 use crate::words::Style;
 use crate::{files, report};
@@ -159,7 +161,10 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Command, words: &Meaning<C>
     };
     match question {
         Some(question) => setup.questions = vec![question],
-        None => setup.questions.retain(|question| is_of_kind(question, asked)),
+        None if setup.questions.iter().any(|question| is_of_kind(question, asked)) => {
+            setup.questions.retain(|question| is_of_kind(question, asked));
+        }
+        None => setup.questions = of_the_scene(setup, asked),
     }
     if setup.questions.is_empty()
         && let Some(rest) = at_rest(asked)
@@ -190,6 +195,18 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Command, words: &Meaning<C>
         return Err(Failure::Usage(message.to_owned()));
     }
     Ok(())
+}
+
+/// The questions whether the object holds the loads of the scene's other questions.
+fn of_the_scene<const C: usize>(setup: &Setup<C>, asked: &Command) -> Vec<Question<C>> {
+    let loads = if matches!(asked, Command::Hold { .. }) { SceneLoads::of(setup) } else { None };
+    match loads {
+        Some(SceneLoads { base, loads: Loads::Each(list), together_with }) => {
+            let hold = |load| Question::Hold { base, load, together_with: together_with.clone() };
+            list.into_iter().map(hold).collect()
+        }
+        _ => Vec::new(),
+    }
 }
 
 /// The question whether the object stands, without any load: where neither the command line nor the scene has one.
