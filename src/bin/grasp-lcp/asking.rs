@@ -197,10 +197,12 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Command, words: &Meaning<C>
     Ok(())
 }
 
-/// The questions whether the object holds the loads of the scene's other questions.
+/// The questions whether the object holds the loads of the scene's question `need`.
 fn of_the_scene<const C: usize>(setup: &Setup<C>, asked: &Command) -> Vec<Question<C>> {
-    let loads = if matches!(asked, Command::Hold { .. }) { SceneLoads::of(setup) } else { None };
-    match loads {
+    let is_needed =
+        |question: &Question<C>| matches!(question, Question::Need(_)) && question.loads().is_some();
+    let is_held = matches!(asked, Command::Hold { .. }) && setup.questions.iter().any(is_needed);
+    match is_held.then(|| SceneLoads::of(setup)).flatten() {
         Some(SceneLoads { base, loads: Loads::Each(list), together_with }) => {
             let hold = |load| Question::Hold { base, load, together_with: together_with.clone() };
             list.into_iter().map(hold).collect()

@@ -42,7 +42,9 @@ impl AllBodies {
                 *moment += one * body["centre_of_mass"][axis].as_f64().unwrap_or(0.0);
             }
         }
-        centre.iter_mut().for_each(|moment| *moment /= mass);
+        for moment in &mut centre {
+            *moment /= mass;
+        }
         let acts_on_all = share || bodies.len() == 1;
         (acts_on_all && mass > 0.0).then(|| Self {
             mass,
