@@ -4,4 +4,5 @@ mod both_sides;
 mod brute_force;
 mod closed_forms;
 mod repeated;
+mod said_in_full;
 mod windows;

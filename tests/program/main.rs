@@ -10,6 +10,7 @@ mod grip;
 mod mistakes;
 mod names;
 mod new;
+mod of_the_scene;
 mod own_masses;
 mod pads;
 mod readme;

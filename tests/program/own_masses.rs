@@ -52,3 +52,20 @@ fn a_weight_twice_is_refused() {
     let output = run_on(jaws.as_bytes(), &["hold", "-", "--acceleration", "1,0"]);
     assert!(text(&output.stderr).contains("--acceleration without --mass"), "{}", text(&output.stderr));
 }
+
+/// Two boxes of 1 kg on each other, 0.2 m wide, with their centre of mass 0.2 m up: 20 N of them tip at 0.1/0.2 of their weight.
+#[test]
+fn a_force_that_is_shared_acts_at_the_centre_of_mass() {
+    let boxes = r#"{"format": "grasp-lcp/1", "planar": {"gravity": [0, -10], "shared_by_mass": true,
+        "bodies": [{"name": "lower", "mass": 1, "centre_of_mass": [0, 0.1]}, {"name": "upper", "mass": 1, "centre_of_mass": [0, 0.3]}],
+        "contacts": [{"on": "lower", "point": [0, 0], "normal": [0, 1], "friction": 0.8, "stiffness": 1e6, "soft": {"pair": {"width": 0.2}}},
+            {"on": "upper", "against": "lower", "point": [0, 0.2], "normal": [0, 1], "friction": 0.8, "stiffness": 1e6, "soft": {"pair": {"width": 0.2}}}]}}"#;
+    for (more, says) in [
+        (&[][..], "TIPS OVER at 10 N of 20 N"),
+        (&["--at", "0,0.2"], "TIPS OVER at 10 N of 20 N"),
+        (&["--at", "0,0"], "SLIPS OUT at 16 N of 20 N"),
+    ] {
+        let output = run_on(boxes.as_bytes(), &[&["hold", "-", "--force", "20,0"], more].concat());
+        assert!(text(&output.stdout).starts_with(says), "{more:?}: {}", text(&output.stdout));
+    }
+}

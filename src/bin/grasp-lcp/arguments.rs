@@ -69,7 +69,8 @@ pub(crate) enum Command {
     Ask(Ask),
     /// Does the grasp hold the load? The load grows from zero beside the base load; the answer is a sentence.
     ///
-    /// Without a load on the command line, the scene's own questions are asked; without such a question, whether it stands at rest.
+    /// Without a load on the command line, the scene's own questions are asked; without such a question, whether it holds the load of its question `need`,
+    /// or else whether it stands at rest.
     Hold {
         #[command(flatten)]
         load: LoadArguments,
@@ -87,6 +88,8 @@ pub(crate) enum Command {
         ask: Ask,
     },
     /// How much clamping force, friction, load, lever arm or tilt angle does the grasp need, or allow?
+    ///
+    /// Without a load on the command line, that of the scene's questions is taken.
     Need {
         #[command(flatten)]
         ask: Ask,

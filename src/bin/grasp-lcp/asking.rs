@@ -14,13 +14,15 @@ use grasp_lcp::load_path::{Leg, Turn};
 use grasp_lcp::need::Amount;
 use grasp_lcp::scene::{Answer, Answers, OnsetAnswer, PathOutcome, Question, Scene, Setup, Space};
 use grasp_lcp::shake::Repeats;
+use grasp_lcp::squeeze::Loads;
 use grasp_lcp::words::Words;
 use grasp_lcp::{planar, spatial};
 
 use crate::arguments::{Ask, Command, LoadArguments, Numbers};
 use crate::failure::{EXIT_UNDECIDED, Failure};
 use crate::loads::{direction, loads, point, pull_of_mass, weight_of};
-use crate::own_masses::{of_own_masses, refuse_mass, tilted};
+use crate::of_the_scene::SceneLoads;
+use crate::own_masses::{of_own_masses, refuse_mass, shared_centre, tilted};
 use crate::words::Style;
 use crate::{files, report};
 
@@ -32,6 +34,11 @@ pub(crate) fn ask(ask: &Ask, asked: Command) -> Result<ExitCode, Failure> {
 /// [`ask`] for a scene that is already read; messages name the file `ask.scene`.
 pub(crate) fn ask_of(mut scene: Scene, ask: &Ask, mut asked: Command) -> Result<ExitCode, Failure> {
     asked.lengths_to_metres(ask.unit.unwrap_or(scene.unit));
+    let centre = match &scene.space {
+        Space::Planar(setup) => shared_centre(setup),
+        Space::Spatial(setup) => shared_centre(setup),
+    };
+    centre.iter().for_each(|centre| asked.act_at(centre));
     let (given, asked) = (scene.clone(), &asked);
     match &mut scene.space {
         Space::Planar(setup) => {
@@ -154,7 +161,10 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Command, words: &Meaning<C>
     };
     match question {
         Some(question) => setup.questions = vec![question],
-        None => setup.questions.retain(|question| is_of_kind(question, asked)),
+        None if setup.questions.iter().any(|question| is_of_kind(question, asked)) => {
+            setup.questions.retain(|question| is_of_kind(question, asked));
+        }
+        None => setup.questions = of_the_scene(setup, asked),
     }
     if setup.questions.is_empty()
         && let Some(rest) = at_rest(asked)
@@ -185,6 +195,20 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Command, words: &Meaning<C>
         return Err(Failure::Usage(message.to_owned()));
     }
     Ok(())
+}
+
+/// The questions whether the object holds the loads of the scene's question `need`.
+fn of_the_scene<const C: usize>(setup: &Setup<C>, asked: &Command) -> Vec<Question<C>> {
+    let is_needed =
+        |question: &Question<C>| matches!(question, Question::Need(_)) && question.loads().is_some();
+    let is_held = matches!(asked, Command::Hold { .. }) && setup.questions.iter().any(is_needed);
+    match is_held.then(|| SceneLoads::of(setup)).flatten() {
+        Some(SceneLoads { base, loads: Loads::Each(list), together_with }) => {
+            let hold = |load| Question::Hold { base, load, together_with: together_with.clone() };
+            list.into_iter().map(hold).collect()
+        }
+        _ => Vec::new(),
+    }
 }
 
 /// The question whether the object is at rest without any load, if neither the command line nor the scene has a question.

@@ -40,6 +40,35 @@ impl Command {
     }
 }
 
+impl Command {
+    /// Lets forces act at this point where the command line names none.
+    pub(crate) fn act_at(&mut self, centre: &[f64]) {
+        let is_pulled = |load: &LoadArguments| load.force.is_some() || load.mass.is_some();
+        let (at, acts) = match self {
+            Self::Hold { load, base, .. } | Self::Compare { load, base, .. } => {
+                let acts = is_pulled(load) || base.is_some();
+                (&mut load.at, acts)
+            }
+            Self::Need { wanted: Wanted { load, base, any_force, .. }, .. }
+            | Self::Improve { load, base, any_force, .. } => {
+                let acts = is_pulled(load) || base.is_some() || any_force.is_some();
+                (&mut load.at, acts)
+            }
+            Self::Solve { load, .. } | Self::Onset { load, .. } => {
+                let acts = is_pulled(load);
+                (&mut load.at, acts)
+            }
+            Self::Turn { at, mass, weight, .. } => (at, mass.is_some() || weight.is_some()),
+            Self::Follow { at, to, .. } => (at, !to.is_empty()),
+            Self::Shake { shakes, .. } => (&mut shakes.at, !shakes.force.is_empty() || shakes.mass.is_some()),
+            _ => return,
+        };
+        if acts && at.is_none() {
+            *at = Some(Numbers(centre.to_vec()));
+        }
+    }
+}
+
 impl LoadArguments {
     fn lengths_to_metres(&mut self, unit: Unit) {
         to_metres(&mut self.at, unit);

@@ -13,7 +13,7 @@ pub(crate) struct LoadArguments {
     /// The moment, N m: one number in the plane, three in space.
     #[arg(long, allow_hyphen_values = true, value_name = "M")]
     pub(crate) moment: Option<Numbers>,
-    /// The point where force and weight act, m; the origin if left out.
+    /// The point where force and weight act, m; the origin if left out, or the centre of mass of bodies that share by mass.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
     pub(crate) at: Option<Numbers>,
     /// With several bodies: a force on one of them that grows with the load, and its point; give one for each body.

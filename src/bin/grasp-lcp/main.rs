@@ -21,6 +21,7 @@ mod map;
 mod needs;
 mod new;
 mod numbers;
+mod of_the_scene;
 mod own_masses;
 mod report;
 mod shakes;

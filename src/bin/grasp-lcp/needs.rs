@@ -1,14 +1,17 @@
 //! The command `need`: the amount of a quantity that the grasp needs.
 
+use std::collections::BTreeMap;
+
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::need::Need;
-use grasp_lcp::scene::Setup;
+use grasp_lcp::scene::{Question, Setup};
 use grasp_lcp::words::printable;
 
 use crate::arguments::{Numbers, SoughtQuantity, Wanted};
 use crate::asking::Meaning;
 use crate::failure::Failure;
 use crate::loads::{direction, loads, point, total_force};
+use crate::of_the_scene::{SceneLoads, own_need};
 use crate::own_masses::{accelerated, of_own_masses, tilted};
 
 impl<const C: usize> Meaning<C> {
@@ -16,7 +19,12 @@ impl<const C: usize> Meaning<C> {
     pub(crate) fn need(&self, wanted: &Wanted, setup: &mut Setup<C>) -> Result<Option<Need<C>>, Failure> {
         let Some(sought) = wanted.quantity else { return Ok(None) };
         refuse_others(wanted, sought)?;
-        let (mut need, weight) = self.sought(wanted, sought, setup)?;
+        let own = own_need(setup, wanted, sought);
+        let is_own = own.is_some();
+        let (mut need, weight) = match own {
+            Some(need) => (need, None),
+            None => self.sought(wanted, sought, setup)?,
+        };
         if let Some(times) = wanted.safety {
             need = need.with_safety(times);
         }
@@ -34,6 +42,7 @@ impl<const C: usize> Meaning<C> {
             need = need.together_with(body, load);
         }
         Ok(Some(match (wanted.repeats, wanted.may_slide) {
+            (false, false) if is_own && !wanted.sticks => need,
             (false, _) if wanted.sticks => need.to_stick(),
             (false, _) => need.to_hold(),
             (true, false) => need.to_rest(),
@@ -58,6 +67,7 @@ impl<const C: usize> Meaning<C> {
         let at = point(given.at.as_ref())?;
         let load = self.wrench(given, beside)?;
         let missing = || Failure::Usage("say for which load: --mass, --force or --moment".to_owned());
+        let mut together_with = BTreeMap::new();
         let (loads, weight) = match (sought, to_and_fro) {
             (SoughtQuantity::Arm, _) => {
                 let along = wanted.along.as_ref().ok_or_else(|| {
@@ -91,12 +101,16 @@ impl<const C: usize> Meaning<C> {
                 let mass = wanted.load.mass.unwrap_or(0.0);
                 (self.to_and_fro(mass, acceleration, at)?.into(), load)
             }
+            (_, None) if load.is_none() && !beside => match SceneLoads::of(setup) {
+                Some(of_scene) => {
+                    together_with = of_scene.together_with;
+                    (of_scene.loads, Some(of_scene.base))
+                }
+                // What acts at rest is to be held, if anything does.
+                None => (Vec::new().into(), None),
+            },
             (SoughtQuantity::Load, None) if load.is_none() && wanted.any_force.is_none() => {
                 return Err(missing());
-            }
-            (_, None) if load.is_none() && !beside => {
-                eprintln!("warning: no load is given: what it needs at rest is asked");
-                (Wrench::ZERO.into(), None)
             }
             (_, None) => (loads(load, wanted.any_force, given.at.as_ref())?, None),
         };
@@ -110,7 +124,12 @@ impl<const C: usize> Meaning<C> {
             (SoughtQuantity::Load, ..) => Need::load(loads),
             _ => Need::squeeze(loads),
         };
-        Ok((need, weight))
+        let need = together_with.into_iter().fold(need, |need, (body, load)| need.together_with(body, load));
+        if load.is_none() && !beside && to_and_fro.is_none() {
+            let asked = weight.iter().fold(need.clone(), |need, base| need.on_top_of(*base));
+            setup.check(&Question::Need(Box::new(asked))).map_err(|_| missing())?;
+        }
+        Ok((need, weight.filter(|weight| *weight != Wrench::ZERO)))
     }
 }
 

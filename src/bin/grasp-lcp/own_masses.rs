@@ -36,6 +36,13 @@ pub(crate) fn accelerated<const C: usize>(
     Ok(own)
 }
 
+/// The common centre of mass of bodies that share loads by mass, with gravity or without.
+pub(crate) fn shared_centre<const C: usize>(setup: &Setup<C>) -> Option<Vec<f64>> {
+    let mut setup = setup.shared_by_mass.then(|| setup.clone())?;
+    setup.gravity = Some([1.0; C].into());
+    setup.own_mass().map(|(_, centre)| centre.to_vec())
+}
+
 /// Refuses `--mass` for a body that has a mass in the scene.
 pub(crate) fn refuse_mass<const C: usize>(setup: &Setup<C>, mass: Option<f64>) -> Result<(), Failure> {
     match mass.and_then(|_| setup.weighty_body(None)) {

@@ -8,7 +8,7 @@ use super::question::Question;
 use super::setup::Setup;
 use crate::ask::Grasp;
 use crate::error::{Error, check_contact};
-use crate::grasp::{inside, outside};
+use crate::grasp::{Wrench, inside, outside};
 use crate::identify::{Identify, LAYOUTS_OF_HANDS};
 use crate::improve::Improve;
 use crate::load_path::{self, Leg};
@@ -61,7 +61,11 @@ impl Setup<3> {
             | Question::Solve { .. }
             | Question::Compare { .. }
             | Question::OnsetOfTurn(_) => Ok(()),
-            Question::Need(asked) => asked.check(self.space, self.entries().count()),
+            Question::Need(asked) => {
+                let is_loaded = self.bodies.iter().any(|body| body.load != Wrench::ZERO);
+                asked.check(self.space, self.entries().count())?;
+                asked.check_acts(is_loaded || self.gravity.is_some())
+            }
             Question::Improve(asked) => asked.given_loads().map(drop),
             Question::Onset { .. } => question.ramp()?.check_changes(self.lengths()),
             Question::Follow { legs, in_steps, .. } => {

@@ -5,6 +5,9 @@ use crate::grasp::{ArmMotion, Payload, Space, Wrench};
 use crate::numerics::Each;
 use crate::serial::{Few, Given, Number};
 
+/// What a load without a mass needs for its acceleration.
+pub(super) const ALONE: &str = "needs a `mass` beside it; without one it is that of all bodies by their own masses, in a scene with \"gravity\" and \"shared_by_mass\": true";
+
 /// The rotation of the arm.
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -42,6 +45,7 @@ impl WrittenMass<'_> {
                 ("turning", self.turning.is_some()),
             ];
             return match others.iter().find(|(_, given)| *given) {
+                Some(("accelerated", _)) => Err(format!("accelerated: {ALONE}")),
                 Some((name, _)) => Err(format!("{name}: of a load with a mass, which is missing")),
                 None => Ok(None),
             };

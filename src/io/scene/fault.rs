@@ -4,6 +4,8 @@ use std::fmt;
 
 use serde::Deserialize;
 
+use super::carried::ALONE;
+use super::centre_of_mass::with_centre_of_mass;
 use super::field_path::faulty_field;
 use super::lengths::in_metres;
 use super::plain_words::in_plain_words;
@@ -152,11 +154,21 @@ impl Scene {
     /// # Errors
     /// A [`Fault`] with the field, its place in the text and the allowed values.
     pub fn from_json(text: &[u8]) -> Result<Self, Fault> {
-        let InItsUnit(mut scene) =
-            serde_json::from_slice(text).map_err(|error| Fault::of_reader(text, &error))?;
-        if scene.unit != Unit::Metre {
-            scene = in_metres(text, scene.unit)?;
+        let read = |text: &[u8]| {
+            let InItsUnit(scene) =
+                serde_json::from_slice(text).map_err(|error| Fault::of_reader(text, &error))?;
+            if scene.unit == Unit::Metre { Ok(scene) } else { in_metres(text, scene.unit) }
+        };
+        let mut scene = read(text);
+        let acts_on_all = match &scene {
+            Ok(scene) => scene.shares_by_mass(),
+            Err(fault) => fault.message.contains(ALONE),
+        };
+        if let Some(completed) = acts_on_all.then(|| with_centre_of_mass(text)).flatten() {
+            // A place in the completed text is none in the text that was given.
+            scene = read(&completed).map_err(|fault| Fault { at: None, ..fault });
         }
+        let scene = scene?;
         scene.refuse_weights_twice(text)?;
         Ok(scene)
     }

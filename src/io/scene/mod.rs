@@ -35,7 +35,7 @@
 //! | `links` | a list of hinges, slides, springs, cables between bodies or to the ground, see below | none |
 //! | `gravity` | acceleration on the masses of bodies, m/s², beside the loads of questions | none |
 //! | `loaded` | the name of the body that loads of questions act on | the first |
-//! | `shared_by_mass` | `true`: loads of questions act on all bodies, on each with the share of its mass | `false` |
+//! | `shared_by_mass` | `true`: loads of questions act on all bodies, on each with the share of its mass; see wrenches | `false` |
 //! | `outline` | corners of the object in order, m, a closed line that may go over itself; only drawn | none |
 //! | `part` | the grasped part as a mesh, in space, see below (feature `mesh`) | none |
 //! | `robot` | a robot from its description file, in space, see below (feature `urdf`) | none |
@@ -159,6 +159,9 @@
 //! | `accelerated` | acceleration of the arm; of a turning arm, that of the point about which it turns | m/s² | none |
 //! | `turning` | `about` a point (m) with `velocity_deg` and `acceleration_deg` or `…_rad`: a number in the plane, in space three along the axis | degrees or rad a second, and a second squared | none |
 //! | `inertia` | about its centre: a number in the plane, in space three about axes along the coordinates | kg m² | an error if the load depends on it |
+//!
+//! `Scene::from_json` (feature `json`) lets a force, weight or mass without `at` and `moment` act at the common centre of mass if it is `shared_by_mass`: then each
+//! body's part acts at its own centre of mass. There, or on a single body under `gravity`, `accelerated` without a `mass` accelerates the bodies by their own masses.
 //!
 //! A question is an object with one field:
 //!
@@ -321,6 +324,8 @@ mod at_rest;
 mod body;
 mod brief;
 mod carried;
+#[cfg(feature = "json")]
+mod centre_of_mass;
 mod compared;
 mod cup;
 mod face;

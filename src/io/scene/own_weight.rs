@@ -6,6 +6,8 @@ use nalgebra::SVector;
 
 use super::question::Question;
 use super::setup::Setup;
+#[cfg(feature = "json")]
+use super::written::{Scene, Space};
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
@@ -113,5 +115,16 @@ impl Setup<3> {
         };
         let tilts = turn.is_some_and(|turn| turn.tilts_bodies_about.is_some());
         tilts.then(|| self.with_gravity_as_load().grasp_checked()).transpose()
+    }
+}
+
+#[cfg(feature = "json")]
+impl Scene {
+    /// Whether the loads of questions act on all bodies.
+    pub(super) fn shares_by_mass(&self) -> bool {
+        match &self.space {
+            Space::Planar(setup) => setup.shared_by_mass,
+            Space::Spatial(setup) => setup.shared_by_mass,
+        }
     }
 }

@@ -13,6 +13,7 @@ use crate::improve::Improve;
 use crate::load_path::{Leg, Ramp, Turn};
 use crate::need::Need;
 use crate::serial::{AsGiven, object};
+use crate::squeeze::Loads;
 
 /// One question, `{"hold": …}`, `{"need": …}`, `{"improve": …}`, `{"solve": …}`, `{"compare": …}`, `{"onset": …}`, `{"onset_of_turn": …}`, `{"follow": …}`, `{"shake": …}`, `{"shakedown": …}` or `{"identify": …}`.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -140,6 +141,18 @@ impl<const C: usize> Serialize for Question<C> {
 }
 
 impl<const C: usize> Question<C> {
+    /// The load at rest, the loads, and loads of other bodies that grow with them, of the questions `hold`, `solve` and `need`; `None` for other questions
+    /// and without a load.
+    #[must_use]
+    pub fn loads(&self) -> Option<(Wrench<C>, Loads<C>, &BTreeMap<String, Wrench<C>>)> {
+        match self {
+            Self::Hold { base, load, together_with } => Some((*base, (*load).into(), together_with)),
+            Self::Solve { load, together_with } => Some((Wrench::ZERO, (*load).into(), together_with)),
+            Self::Need(asked) => asked.loads().map(|loads| (asked.base(), loads, &asked.together_with)),
+            _ => None,
+        }
+    }
+
     /// The equilibrium under a load.
     #[must_use]
     pub fn solve(load: Wrench<C>) -> Self {

@@ -191,7 +191,11 @@ impl<const C: usize> JsonSchema for Wrench<C> {
         }
         let mut schema = by_parts::<Given, C>(generator, parts);
         let at = list::<Given>(C, C);
-        let at = told(generator, at, "Where the force acts, m; at the origin if left out.");
+        let at = told(
+            generator,
+            at,
+            "Where the force acts, m; at the origin if left out, or at the common centre of mass if shared by mass.",
+        );
         if let Some(properties) = schema.get_mut("properties").and_then(Value::as_object_mut) {
             properties.insert("at".to_owned(), at.into());
             let turns = Space::of::<C>().planes().len();
@@ -199,7 +203,11 @@ impl<const C: usize> JsonSchema for Wrench<C> {
                 ("mass", number::<Given>(), "Of a body that an arm carries, kg; its centre is `at`."),
                 ("inertia", angular::<Given>(turns), "Of the body about its centre, kg m²."),
                 ("gravity", list::<Given>(C, C), "m/s²; 9.81 down the last axis if left out."),
-                ("accelerated", list::<Given>(C, C), "Acceleration of the arm, m/s²."),
+                (
+                    "accelerated",
+                    list::<Given>(C, C),
+                    "Acceleration of the arm, m/s². Without a mass, of all bodies that share by mass.",
+                ),
                 ("turning", turning::<C>(generator), "How the arm turns."),
             ];
             for (name, part, description) in body {

@@ -68,8 +68,13 @@ impl Setup<3> {
             match name.as_str() {
                 "mass" if !no_gravity => {
                     let Some(body) = self.weighty_body(body) else { continue };
+                    let accelerated = if self.shared_by_mass || self.bodies.len() == 1 {
+                        "`accelerated` without `mass`"
+                    } else {
+                        "this load with \"gravity\" all zeros"
+                    };
                     let message = format!(
-                        "the scene's gravity already pulls at {}, which has a mass: what lies on it besides is said by its weight as a force, and what accelerates it by this load with \"gravity\" all zeros",
+                        "the scene's gravity already pulls at {}, which has a mass: what lies on it besides is said by its weight as a force, and what accelerates it by {accelerated}",
                         called(body)
                     );
                     return Some((path, message));

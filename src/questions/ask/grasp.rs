@@ -260,6 +260,11 @@ impl<const C: usize> Grasp<C> {
         self.engine.is_proportional()
     }
 
+    /// Whether bodies have loads or weights beside the loads of questions.
+    pub(crate) fn is_loaded_at_rest(&self) -> bool {
+        self.engine.bodies().is_some_and(|bodies| bodies.loads.iter().any(|load| *load != Wrench::ZERO))
+    }
+
     /// Names of the bodies that have loads of their own beside their weights.
     pub(crate) fn loaded_bodies(&self) -> Vec<String> {
         self.engine.loaded_bodies()

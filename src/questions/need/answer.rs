@@ -119,6 +119,9 @@ pub enum Amount {
         does_not: f64,
         /// The verdict for `does_not`, in a sentence.
         otherwise: String,
+        /// Whether the object is held with `does_not`, too, but moves farther than small motions: the bound is then one of this theory.
+        #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
+        is_too_far: bool,
         /// An amount between both whose trial is undecided; `None` if all were decided.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         unknown: Option<f64>,

@@ -151,9 +151,10 @@ impl Loading {
                 continue;
             }
             let (verdict, farthest) = self.grasp.hold_and_measure(ramps[which].clone())?;
-            held = held.or_worse(self.judged((&verdict, 1.0 - farthest), Demand::Held));
+            let of_this = |trial| self.said_of(which, &ramps[which].direction, trial);
+            held = held.or_worse(of_this(self.judged((&verdict, 1.0 - farthest), Demand::Held)));
             let at_rest = self.grasp.sticking_margin(&verdict.base).unwrap_or(f64::INFINITY);
-            sticks = sticks.or_worse(self.judged((&verdict, at_rest), Demand::Sticks));
+            sticks = sticks.or_worse(of_this(self.judged((&verdict, at_rest), Demand::Sticks)));
             let wanted = if demand == Demand::Sticks { &sticks } else { &held };
             if let Trial::DoesNot { .. } = wanted {
                 first.set(which);
@@ -180,7 +181,7 @@ impl Loading {
         Ok(if factor > 1.0 {
             Trial::Does { carried: factor, other }
         } else {
-            Trial::DoesNot { says: String::new(), carried: factor, other }
+            Trial::DoesNot { says: String::new(), carried: factor, other, is_too_far: false }
         })
     }
 
@@ -231,6 +232,16 @@ impl Loading {
         format!("{what:.digits$}")
     }
 
+    /// The trial with the number, from 1, and the components of its load in the sentence, if the question has several loads.
+    fn said_of(&self, which: usize, load: &Wrench<3>, mut trial: Trial) -> Trial {
+        if let (Loads::Each(list), Trial::DoesNot { says, .. }) = (&self.loads, &mut trial)
+            && list.len() > 1
+        {
+            *says = format!("under load {}, {}: {says}", which + 1, self.words.load(load));
+        }
+        trial
+    }
+
     /// A trial from its verdict and a second margin: for holding that of small motions, for sticking that at rest.
     fn judged(&self, (verdict, other): (&Verdict<3>, f64), demand: Demand) -> Trial {
         let does = match demand {
@@ -259,7 +270,9 @@ impl Loading {
                     _ if demand == Demand::Sticks => part.min(first_slip),
                     _ => part,
                 };
-                Trial::DoesNot { says, carried, other }
+                let is_too_far =
+                    verdict.lost.as_ref().is_some_and(|lost| lost.too_far.is_some() && !lost.is_gross_slip);
+                Trial::DoesNot { says, carried, other, is_too_far }
             }
             None => Trial::Unknown(self.said(verdict)),
         }

@@ -14,7 +14,7 @@ use crate::ask::Grasp;
 use crate::equilibrium::{DriveState, Outcome};
 use crate::error::Error;
 use crate::grasp::{ContactPoints, Wrench, inside};
-use crate::numerics::{largest, mapped, summed};
+use crate::numerics::{largest, mapped};
 use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
@@ -49,6 +49,7 @@ impl Need<3> {
     fn answered_by(&self, grasp: &Grasp<3>) -> Result<Needed, Error> {
         let grasp = &self.growing(grasp)?;
         let posed = self.posed(grasp.space())?;
+        self.check_acts(grasp.is_loaded_at_rest())?;
         let quantity = posed.quantity();
         let asked = posed.on(grasp)?;
         let is_squeezed = grasp.is_squeezed();
@@ -68,8 +69,13 @@ impl Need<3> {
             _ if asked.quantity().is_least() => does / worse,
             _ => does * worse,
         });
+        let far = match &amount {
+            Amount::Bound { until: Some(end), .. } if !quantity.is_least() => Some([end.does, end.does_not]),
+            _ => None,
+        };
+        let look = Look::Everywhere(far);
         let safe = (safety != Safety::NONE)
-            .then(|| self::amount(&Tried::new(grasp, &asked, safety, begin), asked.demand, Look::Everywhere));
+            .then(|| self::amount(&Tried::new(grasp, &asked, safety, begin), asked.demand, look));
         Ok(Needed {
             quantity: asked.quantity(),
             demand: asked.demand,
@@ -126,7 +132,8 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
         return Ok(Amount::Any { to: plan.start, until: None, tried: None });
     }
     let is_squeeze = matches!(need.sought, Sought::Squeeze);
-    let at_rest = |does: f64| if is_squeeze { presses(grasp, does) } else { Ok(Default::default()) };
+    let at_rest =
+        |does: f64| if is_squeeze { presses(grasp, does, need.base) } else { Ok(Default::default()) };
     let far_end = |edge: Threshold| {
         let Threshold { does, does_not: (does_not, trial), .. } = edge;
         let (Trial::DoesNot { says: otherwise, .. } | Trial::Unknown(otherwise)) = trial else {
@@ -158,14 +165,17 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
     }
     let is_too_much = |(at, trial): &(f64, Trial)| *at > does && matches!(trial, Trial::DoesNot { .. });
     plan.is_monotone &= !plan.is_least || !tried.known(demand).iter().any(is_too_much);
-    let otherwise = match &bound.does_not.1 {
+    let (otherwise, is_too_far) = match &bound.does_not.1 {
         Trial::Unknown(doubt) => return Ok(Amount::Undecided { at: does_not, doubt: doubt.clone() }),
-        Trial::DoesNot { says, .. } => says.clone(),
-        Trial::Does { .. } => String::new(),
+        Trial::DoesNot { says, is_too_far, .. } => (says.clone(), *is_too_far),
+        Trial::Does { .. } => (String::new(), false),
     };
     let is_far = is_squeeze || matches!(need.sought, Sought::Force { .. });
-    let Around { changes, until, elsewhere } =
+    let Around { changes, mut until, elsewhere } =
         Around::of(&bound, scan, is_far, &plan, &tried.known(demand), tries)?;
+    if let (Look::Everywhere(Some(far)), None) = (look, &until) {
+        until = far_end_near(far, does, tries)?;
+    }
     let until = until.map(far_end).transpose()?.flatten();
     let (presses, at_their_limit) = at_rest(does)?;
     let unknown = bound.unknown.map(|(at, _)| at);
@@ -175,6 +185,7 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
         does,
         does_not,
         otherwise,
+        is_too_far,
         unknown,
         changes,
         until,
@@ -183,6 +194,23 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
         at_their_limit,
         tried,
     })
+}
+
+/// The far end of the sufficient amounts that begin at `does`. For other data it is at the first of the amounts `far`, the second being insufficient.
+fn far_end_near(far: [f64; 2], does: f64, tries: Tries<'_>) -> Result<Option<Threshold>, Error> {
+    let mut inner = does;
+    for amount in far {
+        match tries.at(amount)? {
+            Trial::Does { .. } => inner = amount,
+            Trial::Unknown(_) => return Ok(None),
+            trial @ Trial::DoesNot { .. } => {
+                let measures = tries.at(inner)?.measures();
+                let edge = Threshold { does: inner, does_not: (amount, trial), unknown: None };
+                return edge.beside(tries, measures).map(Some);
+            }
+        }
+    }
+    Ok(None)
 }
 
 /// The answer where no amount suffices. Without a proof the first undecided trial decides; otherwise `best` is the one that carries most, the first
@@ -212,30 +240,47 @@ fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], is_proved: bool) -> A
 }
 
 /// The normal force of each contact at rest with its squeeze multiplied by `squeeze`, N, and the joints and tendons whose drives are at their limit.
-fn presses(grasp: &Grasp<3>, squeeze: f64) -> Result<(Vec<Press>, Vec<String>), Error> {
+///
+/// If the contacts that are set press with nothing without a load, their forces are those beside the load at rest. A contact held by a force presses
+/// with this force even if no equilibrium is known.
+fn presses(grasp: &Grasp<3>, squeeze: f64, base: Wrench<3>) -> Result<(Vec<Press>, Vec<String>), Error> {
     let squeezed = grasp.squeezed(squeeze)?;
-    let Outcome::Equilibrium(state) = squeezed.solve(Wrench::ZERO)? else { return Ok(Default::default()) };
-    let press = |contact: &ContactPoints| {
-        let points = contact.range.clone();
-        Press {
-            part: contact.with(points.len()),
-            force: summed(&state.contacts[points.clone()], &|point| point.force[0]),
-            pressure: pressure_of_cup(&squeezed.contacts()[points.clone()]),
-            is_set: points.into_iter().any(|point| grasp.is_set_by_itself(point)),
-        }
+    let list = |force: &dyn Fn(usize) -> f64| {
+        let press = |contact: &ContactPoints| {
+            let points = contact.range.clone();
+            Press {
+                part: contact.with(points.len()),
+                force: points.clone().fold(0.0, |sum, point| sum + force(point)),
+                pressure: pressure_of_cup(&squeezed.contacts()[points.clone()]),
+                is_set: points.into_iter().any(|point| grasp.is_set_by_itself(point)),
+            }
+        };
+        mapped(grasp.engine.wholes(), &press)
     };
-    let presses = mapped(grasp.engine.wholes(), &press);
-    // Contacts held by a constant force are at their limit by design and are not listed.
-    let mut at_their_limit = Vec::new();
-    for joint in &state.joints {
-        if joint.state == DriveState::Yields {
-            at_their_limit.push(joint.joint.text());
+    let loads = [Wrench::ZERO, base];
+    for load in &loads[usize::from(base == Wrench::ZERO)..] {
+        let Outcome::Equilibrium(state) = squeezed.solve(load)? else { continue };
+        let presses = list(&|i| state.contacts[i].force[0]);
+        let mut set = presses.iter().filter(|press| press.is_set).peekable();
+        if *load != base && set.peek().is_some() && set.all(|press| press.force == 0.0) {
+            continue;
         }
-    }
-    for tendon in &state.tendons {
-        if tendon.state == DriveState::Yields {
-            at_their_limit.push(tendon.tendon.text());
+        // Contacts held by a constant force are at their limit by design and are not listed.
+        let mut at_their_limit = Vec::new();
+        for joint in &state.joints {
+            if joint.state == DriveState::Yields {
+                at_their_limit.push(joint.joint.text());
+            }
         }
+        for tendon in &state.tendons {
+            if tendon.state == DriveState::Yields {
+                at_their_limit.push(tendon.tendon.text());
+            }
+        }
+        return Ok((presses, at_their_limit));
     }
-    Ok((presses, at_their_limit))
+    let held = |i: usize| squeezed.contacts()[i].force.unwrap_or(0.0);
+    let mut set = (0..grasp.contacts().len()).filter(|i| grasp.is_set_by_itself(*i)).peekable();
+    let all_held = set.peek().is_some() && set.all(|i| held(i) != 0.0);
+    Ok((if all_held { list(&held) } else { Vec::new() }, Vec::new()))
 }

@@ -238,17 +238,33 @@ impl Need<3> {
         }
     }
 
-    /// The loads, or an error unless they are given in exactly one way.
+    /// The loads, or an error unless they are given in exactly one way. Without any, what acts at rest is to be held.
     fn given_loads(&self) -> Result<Loads<3>, Error> {
         let others = self.load.is_some() || !self.loads.is_empty() || self.any_force.is_some();
         match self.turn {
             Some(turn) if !others => Ok(Loads::Turn(turn)),
             Some(_) => Err(wrong("load", "is given twice, must be one of load, loads, any_force and turn")),
             None if others => Loads::of_fields("need", (self.load, &self.loads), (self.any_force, self.at)),
-            None => Err(wrong("load", "is missing, must be one of load, loads, any_force and turn")),
+            None if self.quantity == Quantity::Load => Err(NO_LOAD),
+            None => Ok(Wrench::ZERO.into()),
         }
     }
+
+    /// Refuses a question without a load unless something acts at rest: the load at rest of the question, or loads and weights of bodies.
+    pub(crate) fn check_acts(&self, is_loaded: bool) -> Result<(), Error> {
+        let is_nothing = self.base() == Wrench::ZERO && !is_loaded;
+        let has_no_load =
+            self.load.is_none() && self.loads.is_empty() && self.any_force.is_none() && self.turn.is_none();
+        if is_nothing && has_no_load { Err(NO_LOAD) } else { Ok(()) }
+    }
 }
+
+/// The error of a question without a load where nothing acts at rest.
+const NO_LOAD: Error = Error::Question {
+    question: "need",
+    field: "load",
+    fault: "is missing, must be one of load, loads, any_force and turn",
+};
 
 fn wrong(field: &'static str, fault: &'static str) -> Error {
     Error::Question { question: "need", field, fault }

@@ -367,6 +367,20 @@ impl<const C: usize> Need<C> {
         self.load
     }
 
+    /// The quantity that is sought.
+    #[must_use]
+    pub fn quantity(&self) -> Quantity {
+        self.quantity
+    }
+
+    /// The loads; `None` if the question has none, or several where one is allowed.
+    pub(crate) fn loads(&self) -> Option<Loads<C>> {
+        match self.turn {
+            Some(turn) => Some(Loads::Turn(turn)),
+            None => Loads::of_fields("need", (self.load, &self.loads), (self.any_force, self.at)).ok(),
+        }
+    }
+
     /// The loads given as wrenches.
     #[cfg(feature = "serde")]
     pub(crate) fn wrenches(&self) -> impl Iterator<Item = &Wrench<C>> {

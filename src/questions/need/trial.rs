@@ -22,6 +22,8 @@ pub(super) enum Trial {
         carried: f64,
         /// The same margin. It falls below 0 continuously at a bound where the carried part jumps.
         other: f64,
+        /// Whether the object is held, but moves farther than small motions.
+        is_too_far: bool,
     },
     /// Undecided, with the reason in a sentence.
     Unknown(String),
@@ -35,7 +37,7 @@ impl Trial {
 
     /// A refutation with this carried part.
     pub(super) fn does_not(says: impl Into<String>, carried: f64) -> Self {
-        Self::DoesNot { says: says.into(), carried, other: f64::INFINITY }
+        Self::DoesNot { says: says.into(), carried, other: f64::INFINITY, is_too_far: false }
     }
 
     /// A sufficient amount with this carried part.

@@ -21,8 +21,9 @@ use crate::prelude::*;
 pub(super) enum Look {
     /// Searches in both directions, then scans around the bound.
     Around,
-    /// Searches in both directions.
-    Everywhere,
+    /// Searches in both directions, then for the far end of the sufficient amounts if there is one for the data as given: the last sufficient amount
+    /// and the insufficient one beside it.
+    Everywhere(Option<[f64; 2]>),
     /// Tries a few amounts in the direction of more.
     Towards,
 }

@@ -44,6 +44,7 @@ impl Needed {
                 unknown,
                 changes,
                 until,
+                is_too_far,
                 elsewhere,
                 presses,
                 at_their_limit,
@@ -52,11 +53,14 @@ impl Needed {
             } => {
                 let much = self.much(words, *does, presses);
                 match until {
+                    _ if self.ends_small_motions(how, *is_too_far) => {
+                        write!(f, "HOLDS {}", self.in_small_motions(words, until.as_ref(), *does))?;
+                    }
                     _ if is_least => write!(f, "NEEDS {much} so that {aim}")?,
                     Some(end) => write!(f, "TAKES {} and {aim}", self.between_ends(words, end.does, *does))?,
                     None => write!(f, "TAKES {much} and {aim}")?,
                 }
-                let is_one_amount = self.beside(f, *does)?;
+                let is_one_amount = self.beside(f, *does)? && !self.ends_small_motions(how, *is_too_far);
                 self.safe_amount(f, (*does, presses), is_one_amount)?;
                 write!(f, ". With {} {otherwise}", if is_least { "less:" } else { "more:" })?;
                 if let Some(unknown) = unknown {
@@ -198,6 +202,20 @@ impl Needed {
         Ok(false)
     }
 
+    /// Whether a bound of an arm is only that of small motions: a longer arm is held, too.
+    fn ends_small_motions(&self, demand: Demand, is_too_far: bool) -> bool {
+        is_too_far && self.quantity == Quantity::Arm && demand == Demand::Held
+    }
+
+    /// "from an arm of 0.25 m on (small motions: up to 54 m)", for the amounts from `until` to `does`.
+    fn in_small_motions(&self, words: Words, until: Option<&FarEnd>, does: f64) -> String {
+        let from = match until {
+            Some(end) => format!("from {} on", self.much(words, end.does, &[])),
+            None => format!("with any {}", self.quantity),
+        };
+        format!("{from} (small motions: up to {})", self.short(Words::with_digits(2), does, &[]))
+    }
+
     /// The safe amount, for reduced friction and squeeze or larger loads.
     fn safe_amount(
         &self,
@@ -215,7 +233,13 @@ impl Needed {
         }
         let (if_less, takes) = (listed(&less), if self.quantity.is_least() { "needs" } else { "takes" });
         match &self.safe {
-            Some(Amount::Bound { does: safe, presses: safe_presses, .. }) => {
+            Some(Amount::Bound { does: safe, until, is_too_far, .. })
+                if self.ends_small_motions(self.demand, *is_too_far) =>
+            {
+                let much = self.in_small_motions(words, until.as_ref(), *safe);
+                write!(f, ". If {if_less} it holds {much}")
+            }
+            Some(Amount::Bound { does: safe, presses: safe_presses, until, .. }) => {
                 let much = match (press::alike(presses), press::alike(safe_presses)) {
                     // Drives at their limit press no harder under a larger command.
                     (Some(one), Some(other))
@@ -226,7 +250,10 @@ impl Needed {
                     (None, _) if !presses.is_empty() => {
                         format!("{} times as much", words.number(safe / does))
                     }
-                    _ => self.short(words, *safe, safe_presses),
+                    _ => match until {
+                        Some(end) if !self.quantity.is_least() => self.range(words, end.does, *safe),
+                        _ => self.short(words, *safe, safe_presses),
+                    },
                 };
                 // An amount that is safe for reduced data may be too much, or too little, for the data as given.
                 let beside = if self.amount.takes(*safe, self.quantity.is_least()) {

@@ -1,0 +1,78 @@
+//! Loads of the scene's questions, for a question of the command line that has none.
+
+use std::collections::BTreeMap;
+
+use grasp_lcp::grasp::Wrench;
+use grasp_lcp::need::{Need, Quantity};
+use grasp_lcp::scene::{Question, Setup};
+use grasp_lcp::squeeze::Loads;
+
+use crate::arguments::{SoughtQuantity, Wanted};
+
+/// Loads with the load at rest, and with the loads of other bodies that grow with them.
+pub(crate) struct SceneLoads<const C: usize> {
+    pub(crate) base: Wrench<C>,
+    pub(crate) loads: Loads<C>,
+    pub(crate) together_with: BTreeMap<String, Wrench<C>>,
+}
+
+impl<const C: usize> SceneLoads<C> {
+    /// The loads of the scene's first question `need`; without one those of all its questions `hold` that have the same load at rest, or of its first
+    /// `solve`. A warning says which.
+    pub(crate) fn of(setup: &Setup<C>) -> Option<Self> {
+        let kinds: [fn(&Question<C>) -> bool; 3] = [
+            |question| matches!(question, Question::Need(_)),
+            |question| matches!(question, Question::Hold { .. }),
+            |question| matches!(question, Question::Solve { .. }),
+        ];
+        let questions = || setup.questions.iter().enumerate();
+        let of_kind = |is: &fn(&Question<C>) -> bool| {
+            questions().find_map(|(k, question)| question.loads().filter(|_| is(question)).zip(Some(k)))
+        };
+        let ((base, mut loads, together_with), first) = kinds.iter().find_map(of_kind)?;
+        let is_alone = |question: &Question<C>| match question {
+            Question::Hold { base: other, load, together_with } => {
+                (*other == base && together_with.is_empty()).then_some(*load)
+            }
+            _ => None,
+        };
+        let alike: Vec<_> = setup.questions.iter().filter_map(is_alone).collect();
+        if is_alone(&setup.questions[first]).is_some() && alike.len() > 1 {
+            eprintln!(
+                "warning: no load is given: those of the scene's questions `hold` are taken, one at a time"
+            );
+            loads = alike.into();
+        } else {
+            eprintln!("warning: no load is given: that of the scene's question {} is taken", first + 1);
+        }
+        Some(Self { base, loads, together_with: together_with.clone() })
+    }
+}
+
+/// The scene's own question for the quantity that is sought without a load.
+pub(crate) fn own_need<const C: usize>(
+    setup: &Setup<C>,
+    wanted: &Wanted,
+    sought: SoughtQuantity,
+) -> Option<Need<C>> {
+    let given = [&wanted.load.force, &wanted.load.moment, &wanted.load.acceleration, &wanted.base];
+    let others = [&wanted.along, &wanted.axis, &wanted.load.at];
+    let is_given = given.iter().chain(&others).any(|given| given.is_some())
+        || wanted.load.mass.is_some()
+        || wanted.any_force.is_some();
+    if is_given || wanted.contact.is_some() || wanted.of.is_some() {
+        return None;
+    }
+    let quantity = match sought {
+        SoughtQuantity::Squeeze => Quantity::Squeeze,
+        SoughtQuantity::Friction => Quantity::Friction,
+        SoughtQuantity::Load => Quantity::Load,
+        SoughtQuantity::Arm => Quantity::Arm,
+        SoughtQuantity::Angle => Quantity::Angle,
+        SoughtQuantity::Force => Quantity::Force,
+    };
+    setup.questions.iter().find_map(|question| match question {
+        Question::Need(asked) if asked.quantity() == quantity => Some((**asked).clone()),
+        _ => None,
+    })
+}

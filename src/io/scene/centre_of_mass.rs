@@ -1,0 +1,98 @@
+//! Loads of all bodies in the text of a scene (feature `json`): a force that is shared by mass acts at the common centre of mass unless a point is given,
+//! and an acceleration without a mass is that of all bodies.
+
+use serde_json::{Map, Value};
+
+/// The text of a scene whose loads have the mass and the centre of mass that they leave out; `None` if none leaves them out.
+pub(super) fn with_centre_of_mass(text: &[u8]) -> Option<Vec<u8>> {
+    let mut scene: Value = serde_json::from_slice(text).ok()?;
+    let mut is_written = false;
+    for (space, axes) in [("planar", 2), ("spatial", 3)] {
+        let setup = scene.get_mut(space).and_then(Value::as_object_mut);
+        let Some((all, setup)) = setup.and_then(|setup| AllBodies::of(setup, axes).zip(Some(setup))) else {
+            continue;
+        };
+        if let Some(questions) = setup.get_mut("questions") {
+            is_written |= all.write_into(questions);
+        }
+    }
+    serde_json::to_vec(&scene).ok().filter(|_| is_written)
+}
+
+/// The mass of all bodies and its centre, in the unit of the text.
+struct AllBodies {
+    mass: f64,
+    centre: Vec<f64>,
+    /// Whether loads are shared by mass.
+    share: bool,
+    /// Whether the scene's gravity pulls at the bodies, so that an acceleration needs no mass.
+    are_heavy: bool,
+}
+
+impl AllBodies {
+    /// `None` unless loads act on all bodies and these have a mass.
+    fn of(setup: &Map<String, Value>, axes: usize) -> Option<Self> {
+        let bodies = setup.get("bodies")?.as_array()?;
+        let share = setup.get("shared_by_mass").and_then(Value::as_bool).unwrap_or(false);
+        let (mut mass, mut centre) = (0.0, vec![0.0; axes]);
+        for body in bodies {
+            let one = body["mass"].as_f64().unwrap_or(0.0);
+            mass += one;
+            for (axis, moment) in centre.iter_mut().enumerate() {
+                *moment += one * body["centre_of_mass"][axis].as_f64().unwrap_or(0.0);
+            }
+        }
+        for moment in &mut centre {
+            *moment /= mass;
+        }
+        let acts_on_all = share || bodies.len() == 1;
+        (acts_on_all && mass > 0.0).then(|| Self {
+            mass,
+            centre,
+            share,
+            are_heavy: setup.contains_key("gravity"),
+        })
+    }
+
+    /// Completes the loads of a question; returns whether one was incomplete.
+    fn write_into(&self, value: &mut Value) -> bool {
+        let mut is_written = false;
+        match value {
+            Value::Array(list) => {
+                for value in list {
+                    is_written |= self.write_into(value);
+                }
+            }
+            Value::Object(fields) => {
+                is_written = self.complete(fields);
+                for (name, value) in fields {
+                    // These loads act on one body each.
+                    let is_on_one = matches!(&**name, "together_with" | "body_loads_by" | "body_loads_to");
+                    is_written |= !is_on_one && self.write_into(value);
+                }
+            }
+            _ => {}
+        }
+        is_written
+    }
+
+    fn complete(&self, load: &mut Map<String, Value>) -> bool {
+        let has = |name: &str| load.contains_key(name);
+        if has("at") {
+            return false;
+        }
+        let accelerates = self.are_heavy && has("accelerated") && !has("mass");
+        // A force beside a moment is a wrench about the origin, as answers write it.
+        let pulls =
+            self.share && !has("moment") && ["force", "weight", "mass", "any_force"].into_iter().any(has);
+        if accelerates {
+            load.insert("mass".to_owned(), self.mass.into());
+            let axes = self.centre.len();
+            load.entry("gravity").or_insert_with(|| vec![0.0; axes].into());
+        }
+        if accelerates || pulls {
+            load.insert("at".to_owned(), self.centre.clone().into());
+        }
+        accelerates || pulls
+    }
+}

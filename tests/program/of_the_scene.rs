@@ -1,0 +1,63 @@
+//! Without a load on the command line `need` and `hold` take that of the scene's questions.
+
+use crate::{run_on, text};
+
+/// Two jaws that press with 10 N, μ = 0.5: they carry 10 N.
+fn pinch(questions: &str) -> String {
+    let jaw = |x: f64| {
+        format!(
+            r#"{{"point": [{x}, 0], "normal": [{}, 0], "friction": 0.5, "stiffness": 1e4, "pressed_with": 10}}"#,
+            -x
+        )
+    };
+    format!(
+        r#"{{"format": "grasp-lcp/1", "planar": {{"contacts": [{}, {}], "questions": [{questions}]}}}}"#,
+        jaw(-0.03),
+        jaw(0.03)
+    )
+}
+
+/// The answer, and what is said beside it.
+fn told(questions: &str, arguments: &[&str]) -> (String, String) {
+    let output = run_on(pinch(questions).as_bytes(), arguments);
+    (text(&output.stdout), text(&output.stderr))
+}
+
+const NEED: &str = r#"{"need": {"quantity": "friction", "demand": "sticks", "load": {"force": [0, -6]}, "friction_less": 0, "squeeze_less": 0}}"#;
+const HOLD: &str = r#"{"hold": {"base": {"force": [0, -2]}, "load": {"force": [0, -4]}}}"#;
+
+#[test]
+fn the_scenes_own_question_is_asked_whole() {
+    let questions = format!("{HOLD}, {NEED}");
+    let (answer, warned) = told(&questions, &["need", "-", "friction"]);
+    assert!(
+        answer.starts_with("NEEDS a coefficient of friction of 0.3 so that nothing slides. ")
+            && warned.is_empty()
+    );
+    let (safe, _) = told(&questions, &["need", "-", "friction", "--safety", "1.5"]);
+    assert!(safe.contains(", 0.45 if the load is 1.5 times as large"), "{safe}");
+}
+
+#[test]
+fn loads_of_other_questions_are_taken() {
+    // 6 N take 6 N / (2 · 0.5) on each side.
+    let (answer, warned) = told(NEED, &["need", "-", "squeeze"]);
+    assert!(answer.starts_with("NEEDS 6 N at ") && warned.contains("question 1 "), "{answer} {warned}");
+    let (answer, _) = told(HOLD, &["need", "-", "squeeze"]);
+    assert!(answer.starts_with("NEEDS 6 N at "), "{answer}");
+    // The larger one of two loads decides, beside 2 N at rest.
+    let both = format!("{HOLD}, {}", HOLD.replace("-4", "-7"));
+    let (answer, warned) = told(&both, &["need", "-", "squeeze"]);
+    assert!(answer.starts_with("NEEDS 9 N at ") && warned.contains("one at a time"), "{answer} {warned}");
+    let (answer, warned) = told(NEED, &["hold", "-"]);
+    assert!(
+        answer.contains("10 N (1.66667 times this load)") && warned.contains("question 1 "),
+        "{answer} {warned}"
+    );
+}
+
+#[test]
+fn without_any_load_it_is_refused() {
+    let (answer, warned) = told("", &["need", "-", "squeeze"]);
+    assert!(answer.is_empty() && warned.starts_with("say for which load"), "{answer} {warned}");
+}
