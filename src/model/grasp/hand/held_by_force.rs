@@ -9,6 +9,9 @@ use crate::error::Error;
 use crate::grasp::contact::Contact;
 use crate::prelude::*;
 
+/// The beginning of the name of such a slide; the name of its contact follows.
+pub(crate) const SLIDE_OF: &str = "slide of ";
+
 impl<const C: usize> Finger<C> {
     /// Number of slides for its contacts; the points of one soft fingertip share a slide.
     pub(super) fn slides(&self) -> usize {
@@ -44,7 +47,7 @@ impl Assembly {
         if begins_a_slide(contact) {
             let whole = self.contacts.iter().filter(|before| before.begins_a_whole()).count();
             let name = contact.whole_name().map_or_else(|| format!("contact {whole}"), str::to_owned);
-            self.joints.push(Joint::prismatic(along).name(format!("slide of {name}")));
+            self.joints.push(Joint::prismatic(along).name(format!("{SLIDE_OF}{name}")));
         }
         let slide = self.joints.len() - 1;
         self.joints[slide].torque += force;
