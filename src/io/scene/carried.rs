@@ -41,7 +41,7 @@ impl WrittenMass<'_> {
                 ("turning", self.turning.is_some()),
             ];
             return match others.iter().find(|(_, given)| *given) {
-                Some((name, _)) => Err(format!("{name}: of a load with a mass, which is missing")),
+                Some((name, _)) => Err(format!("{name}: needs a `mass` beside it")),
                 None => Ok(None),
             };
         };

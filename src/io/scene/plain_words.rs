@@ -26,6 +26,9 @@ pub(super) fn in_plain_words(message: &str, here: Option<u8>) -> String {
             };
             let meant = match name {
                 "comment" | "unit" => " (it stands beside `planar` or `spatial`)".to_owned(),
+                "mass" => {
+                    " (it stands in a load, `\"load\": {\"mass\": 2}`, or in one of `bodies`)".to_owned()
+                }
                 _ => meant.map_or(String::new(), |meant| format!(" (`{meant}`?)")),
             };
             return format!("{what}{name}`{meant}, must be {allowed}");
@@ -38,6 +41,9 @@ pub(super) fn in_plain_words(message: &str, here: Option<u8>) -> String {
         return format!("the text ends within {}: something is missing, perhaps a bracket", wanted(what));
     }
     match message {
+        "expected value" | "expected ident" | "key must be a string" if here == Some(b',') => {
+            "a comma in a row with another one, or with nothing in front of it"
+        }
         "expected value" | "expected ident" | "key must be a string" if here == Some(b'\'') => {
             "names and texts stand in double quotes, not in single ones"
         }
@@ -72,7 +78,7 @@ fn given(what: &str) -> &str {
         "sequence" => "a list",
         "unit variant" => "a name alone",
         "newtype variant" | "struct variant" | "tuple variant" => "a name with something",
-        // A number or a text is shown as it stands there, the one between backquotes, the other behind the word.
+        // Serde writes a number as "integer `5`" and a text as `string "abc"`; only the value is kept.
         other => {
             let quoted = other.split_once('`').and_then(|(_, rest)| rest.strip_suffix('`'));
             quoted.or_else(|| other.strip_prefix("string ")).unwrap_or(other)
