@@ -76,8 +76,8 @@ pub(super) enum MarkShape {
         along: Vector3<f64>,
         width: f64,
         heads: usize,
-        /// Its name where the arrow is to scale; empty if another arrow has the name.
-        name: &'static str,
+        /// Its name and size where the arrow is to scale.
+        name: String,
         /// Its name and size where the arrow is not to scale.
         otherwise: String,
     },
@@ -148,9 +148,10 @@ impl Mark {
                 format!("\"cone\":{apex},\"middle\":{middle},\"radii\":{radii},\"ink\":\"{}\"", hex(*ink))
             }
             MarkShape::Load { from, along, width, heads, name, otherwise } => {
-                let (from, along, otherwise) = (row(from)?, row(along)?, json_string(otherwise));
+                let (from, along, name, otherwise) =
+                    (row(from)?, row(along)?, json_string(name), json_string(otherwise));
                 format!(
-                    "\"load\":{from},\"along\":{along},\"width\":{width},\"heads\":{heads},\"name\":\"{name}\",\"otherwise\":{otherwise}"
+                    "\"load\":{from},\"along\":{along},\"width\":{width},\"heads\":{heads},\"name\":{name},\"otherwise\":{otherwise}"
                 )
             }
             MarkShape::Edge { corners } => format!("\"edge\":{}", line(corners)?),
