@@ -140,7 +140,7 @@ impl Trigonometric {
     }
 }
 
-/// The first fall of a polynomial in (0, end].
+/// The first zero in (0, end] at which the polynomial changes from positive to negative, or else touches zero to within `rounding`.
 fn fall_of(p: &[f64; 5], end: f64, rounding: f64) -> Option<FirstZero> {
     // The constant exceeds all that the negative terms can subtract.
     if p[0] + summed(&p[1..], &|p| p.min(0.0)) > rounding {

@@ -180,8 +180,8 @@ pub struct Loss<const C: usize> {
     /// `None` if those states do not determine one.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub motion: Option<Motion<C>>,
-    /// Contacts that begin to slide with less friction than at rest, with their slips until nothing caught the object any more, all at this load.
-    /// Empty where no friction fell.
+    /// The jump of slip at this load: contacts whose friction falls from the static to the kinetic value, and how far each slides before no further
+    /// equilibrium exists. Empty where no friction falls.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub jumped: Vec<JumpSlip<C>>,
     /// The virtual motion against which contacts can resist least there, in inside coordinates.

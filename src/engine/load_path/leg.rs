@@ -131,13 +131,13 @@ impl<const C: usize> Leg<C> {
         Self { load: LegLoad::Straight(LegGoal::To(load)), ..self }
     }
 
-    /// Meanwhile the finger commands change by this much.
+    /// Along this leg the finger commands also change by this much: one displacement a contact, each in its contact frame (m).
     #[must_use]
     pub fn and_commands_by(self, change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         Self { commands: LegGoal::By(vectors(change)), ..self }
     }
 
-    /// Meanwhile the finger commands change to these.
+    /// Along this leg the finger commands also change to these: one displacement a contact, each in its contact frame (m).
     #[must_use]
     pub fn and_commands_to(self, commands: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         Self { commands: LegGoal::To(vectors(commands)), ..self }
