@@ -133,8 +133,8 @@ fn the_page_of_fields_is_that_of_the_schema() {
     let example = HEAD.split("```json").nth(1).and_then(|rest| rest.split("```").next()).expect("a scene");
     let answers: Value =
         serde_json::from_slice(&run_on(example.as_bytes(), &["ask", "-", "--json"]).stdout).expect("JSON");
-    assert_eq!(answers[0]["hold"]["verdict"]["holding"], "sticks");
-    let squeeze = answers[1]["need"]["needed"]["amount"]["bound"]["does"].as_f64().expect("a bound");
+    assert_eq!(answers[0]["hold"]["holding"], "sticks");
+    let squeeze = answers[1]["need"]["amount"]["bound"]["does"].as_f64().expect("a bound");
     assert!((squeeze - 9.81 / 8.0).abs() < 1e-9, "{squeeze}");
     // Each section stands there once.
     let heads: Vec<_> = kept.lines().filter(|line| line.starts_with("## ")).collect();
