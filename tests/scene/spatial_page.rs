@@ -192,10 +192,10 @@ fn a_pad_is_one_row_of_the_table() -> Result<(), Failure> {
         .collect();
     assert_eq!(cells.len(), 8, "{row}");
     let points = || grasp.contacts()[..12].iter().zip(&state.contacts[..12]);
-    let middle = points().map(|(contact, _)| contact.point / 12.0).sum::<nalgebra::Vector3<f64>>();
+    let middle = points().map(|(contact, _)| contact.point() / 12.0).sum::<nalgebra::Vector3<f64>>();
     let about: nalgebra::Vector3<f64> =
-        points().map(|(contact, answer)| (contact.point - middle).cross(&answer.force_world)).sum();
-    let moment = about.dot(&grasp.frames()[0].column(0));
+        points().map(|(contact, answer)| (contact.point() - middle).cross(&answer.force_world)).sum();
+    let moment = about.dot(&grasp.frames().next().ok_or("a frame")?.column(0));
     assert!((cells[2] - moment).abs() < 1e-4 * moment.abs().max(1e-4), "{} {moment}", cells[2]);
     let moves =
         1e3 * points().map(|(_, answer)| answer.body_core / 12.0).sum::<nalgebra::Vector3<f64>>().norm();
