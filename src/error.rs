@@ -46,7 +46,7 @@ pub enum Error {
     #[error("a grasp needs at least one contact, none was given")]
     EmptyGrasp,
     /// One number of one contact is out of range.
-    #[error("contact {contact}: {field} is {value}, must be {allowed}")]
+    #[error("contact {contact}: {field} {} {value}, must be {allowed}", field.is())]
     Contact {
         /// The contact at fault.
         contact: ContactLabel,
@@ -352,6 +352,13 @@ pub enum Field {
     Suction,
     /// Initial clearance along the normal, m.
     Clearance,
+}
+
+impl Field {
+    /// The word between a datum and its value: of a tangent the length is reported.
+    pub(crate) fn is(self) -> &'static str {
+        if self == Self::Tangent { "of length" } else { "is" }
+    }
 }
 
 impl fmt::Display for Field {

@@ -178,6 +178,12 @@ CASES: list[tuple[Callable[[], object], type[Exception], str]] = [
     (lambda: pinch().least_squeeze(), TypeError, "least_squeeze: give one of loads, any_force and turn"),
     (lambda: pinch().least_squeeze(any_force=-1), ValueError, "any_force is -1, must be zero, or more and at most 1e50"),
     (lambda: pinch().weakest_direction(at=[0, 0, 0]), ValueError, "at: 3 numbers given, must be 2"),
+    (
+        lambda: pinch().need("squeze", [0, -1]),  # type: ignore[arg-type]
+        ValueError,
+        "quantity: 'squeze' (squeeze?), must be one of squeeze, friction, load, arm, angle, force",
+    ),
+    (lambda: pinch().need(3, [0, -1]), ValueError, "quantity: 3, must be one of squeeze, friction"),  # type: ignore[arg-type]
     # Scenes.
     (lambda: Grasp.from_json("{"), ValueError, "line 1, column 1: the text ends within an object: something is missing, perhaps a bracket"),
     (lambda: answers({"format": "grasp-lcp/1"}), ValueError, "missing field `planar` or `spatial`"),

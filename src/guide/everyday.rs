@@ -19,7 +19,7 @@
 //!
 //! ```text
 //! $ grasp-lcp hold box_on_table.json
-//! TIPS OVER at 6.53333 N of 8 N beside the load at rest: the object tips over about right edge, left edge opens. Nothing holds all of it, wherever the object goes
+//! TIPS OVER at 6.53333 N of 8 N beside the load at rest: the object tips over about right edge, left edge opens
 //! ```
 //!
 //! The weight of 19.6 N has an arm of 50 mm about the right edge, the push an arm of 150 mm. Sliding would take 0.4 · 19.6 = 7.84 N.
@@ -28,7 +28,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need wedge.json
-//! NEEDS a coefficient of friction of 0.131653 so that it holds and nothing slides, 0.146281 if friction is 10 % less. With less: GOES TOO FAR at rest already: right face slips by more than 1 mm, and all this is good for small motions. Tried were 8 amounts from 0.04 to 0.5
+//! NEEDS a coefficient of friction of 0.131653 so that it holds and nothing slides, 0.146281 if friction is 10 % less. With less: GOES TOO FAR at rest already: right face slips by more than 1 mm; beyond this, results for small motions no longer apply. Tried were 8 amounts from 0.04 to 0.5
 //! ```
 //!
 //! The value is tan 7.5°, however hard the wedge is driven in.
@@ -47,7 +47,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need ladder.json
-//! TAKES an arm of 1.98101 m and holds, and something slides with every amount that was tried. With more: TURNS OUT at once, under any part of 950 N: the object turns about (0, 4.532) m. Nothing holds all of it within 0.691007 mm and 0.0158355° of there
+//! TAKES an arm of 1.98101 m and holds, and something slides with every amount that was tried. With more: TURNS OUT at once, under any part of 950 N: the object turns about (0, 4.532) m
 //! ```
 //!
 //! The arm is the horizontal distance from the foot, 4.69 m along the 5 m of the ladder. There friction of foot and wall is used up at the same time.
@@ -56,7 +56,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need fixture.json
-//! NEEDS 152.135 N at upper clamp and 95.0846 N at side clamp (0.190169 times the squeeze given) so that it holds, 0.534872 times the squeeze given so that nothing slides. It needs 1.09912 times as much if friction is 10 % less and the squeeze is 5 % less. With less: TURNS OUT at 100 N of 100 N: the object turns about (-0.03, 0) m, lower left, side, upper clamp and side clamp slide (gross slip). Nothing holds all of it within 15.0896 mm and 20.0253° of there
+//! NEEDS 152.135 N at upper clamp and 95.0846 N at side clamp (0.190169 times the squeeze given) so that it holds, 0.534872 times the squeeze given so that nothing slides. It needs 1.09912 times as much if friction is 10 % less and the squeeze is 5 % less. With less: TURNS OUT at 100 N of 100 N: the object turns about (-0.03, 0) m, lower left, side, upper clamp and side clamp slide (gross slip)
 //! ```
 //!
 //! # How hard do three fingers have to press to carry a full mug of 400 g?
@@ -77,7 +77,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need book.json
-//! TAKES 7 times the load, 7 N, and holds, and nothing slides. With more: SLIPS OUT at 7 N of 7 N: the object moves along −y, left front, left back, right front and right back slide (gross slip). Nothing holds all of it within 0.86424 mm and 0.919513° of there
+//! TAKES 7 times the load, 7 N, and holds, and nothing slides. With more: SLIPS OUT at 7 N of 7 N: the object moves along −y, left front, left back, right front and right back slide (gross slip)
 //! ```
 //!
 //! The book is held at four places with 5 N each and friction 0.35; the load of the scene is 1 N.

@@ -10,7 +10,7 @@
 //!
 //! ```text
 //! $ grasp-lcp hold wedge.json
-//! SLIPS OUT at 1902.12 N of 2000 N: machine moves along +y and wedge moves along −x; floor, incline and wall slide (gross slip). Nothing holds all of it within a kilometre of there
+//! SLIPS OUT at 1902.12 N of 2000 N: machine moves along +y and wedge moves along −x; floor, incline and wall slide (gross slip)
 //! ```
 //!
 //! The limit is `W tan(α + 2φ)` with W = 1800 N, α = 8° and tan φ = 0.35. At the limit friction alone determines the forces, for any stiffness.
@@ -30,7 +30,7 @@
 //!
 //! ```text
 //! $ grasp-lcp hold tongs.json
-//! SLIPS OUT at 47.8723 N of 60 N: bar moves along −y; left jaw and right jaw slide. Nothing holds all of it within a kilometre of there
+//! SLIPS OUT at 47.8723 N of 60 N: bar moves along −y; left jaw and right jaw slide
 //! ```
 //!
 //! The limit is `2 μ P a / (b - μ c)`, with P = 50 N on each handle and the arms a = 0.3 m, b = 0.2 m and c = 0.04 m: the bar hangs on the jaws and
@@ -40,7 +40,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need scissor.json
-//! NEEDS a coefficient of friction of 0.6 so that it holds and nothing slides, 0.666667 if friction is 10 % less. With less: SLIPS OUT at once, under any part of 200 N: block moves along −y. Nothing holds all of it within 0.0333333 mm and 0.00763944° of there
+//! NEEDS a coefficient of friction of 0.6 so that it holds and nothing slides, 0.666667 if friction is 10 % less. With less: SLIPS OUT at once, under any part of 200 N: block moves along −y
 //! ```
 //!
 //! Ropes at 45° pull each lever upwards with W/2, and inwards with the same force. About the pin the arms are 0.2 m and 0.15 m above it, 0.15 m and

@@ -31,7 +31,6 @@ each! {
     3: a b c;
     4: a b c d;
     5: a b c d e;
-    7: a b c d e f g;
 }
 
 /// The vector with the component `f(axis)` along each axis.

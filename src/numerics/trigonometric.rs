@@ -140,7 +140,7 @@ impl Trigonometric {
     }
 }
 
-/// The first zero in (0, end] at which the polynomial changes from positive to negative, or touches zero to within `rounding`.
+/// The first zero in (0, end] at which the polynomial changes from positive to negative, or else touches zero to within `rounding`.
 fn fall_of(p: &[f64; 5], end: f64, rounding: f64) -> Option<FirstZero> {
     // No zero exists if the constant exceeds the sum of all negative coefficients.
     if p[0] + summed(&p[1..], &|p| p.min(0.0)) > rounding {

@@ -32,6 +32,7 @@ fn a_position_at_the_place_of_the_slide_carries_the_same() -> Tested {
     assert!((total / 12.0 - 1.0).abs() < 1e-13, "{total}");
     let [slide] = &held.joints[..] else { return Err("several slides".into()) };
     assert_eq!(slide.joint.text(), "slide of left");
+    assert!(slide.to_string().starts_with("left presses with a constant 12 N"), "{slide}");
     assert!(slide.kind == JointKind::Slides && (slide.torque / 12.0 - 1.0).abs() < 1e-13);
 
     let moved = jaw(-0.03).command([slide.displacement, 0.0, 0.0]);

@@ -1,9 +1,12 @@
 //! Commands give the answers of the library, and write the requested pictures.
 
-use grasp_lcp::planar;
-use serde_json::Value;
+use std::io::{BufRead, BufReader, Write};
+use std::process::{Command, Stdio};
 
-use crate::{folder, run, run_on, scene, text};
+use grasp_lcp::planar;
+use serde_json::{Value, json};
+
+use crate::{PROGRAM, folder, run, run_on, scene, text};
 
 fn json(arguments: &[&str]) -> Value {
     let output = run(arguments);
@@ -202,4 +205,38 @@ fn thousands_of_equal_slips() {
     std::fs::write(&table, format!("fx,fy\n{}", "0,-8.2\n".repeat(3000))).expect("a folder");
     let told = text(&run(&["identify", &scene("box.json"), &table]).stdout);
     assert!(told.starts_with("friction 0.5125 ± ") && told.contains("from 3000 slips"), "{told}");
+}
+
+/// Two jaws of 144 points each, whose second question takes long: the first answer stands there before, and what is waited for is told.
+#[test]
+fn each_answer_is_printed_when_it_is_ready() {
+    let jaw = |side: f64| {
+        json!({
+            "point": [0.03 * side, 0, 0], "normal": [-side, 0, 0], "tangent": [0, 1, 0], "friction": 0.5, "stiffness": 1e5, "pressed_with": 20,
+            "soft": { "rectangle": { "sides": [0.02, 0.03], "strips": [6, 6] } }
+        })
+    };
+    let questions = json!([
+        { "solve": { "load": { "force": [0, 0, -1] } } },
+        { "need": { "quantity": "squeeze", "load": { "force": [0, 0, -5] }, "any_force": 3, "at": [0, 0.01, 0] } }
+    ]);
+    let scene = json!({ "format": "grasp-lcp/1", "spatial": { "contacts": [jaw(1.0), jaw(-1.0)], "questions": questions } });
+    let mut program = Command::new(&*PROGRAM)
+        .args(["ask", "-", "--progress"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("starts");
+    program.stdin.take().expect("piped").write_all(scene.to_string().as_bytes()).expect("is read");
+    let lines = |from: Box<dyn std::io::Read>| BufReader::new(from).lines().map_while(Result::ok);
+    let first = lines(Box::new(program.stdout.take().expect("piped"))).next();
+    let told =
+        lines(Box::new(program.stderr.take().expect("piped"))).find(|line| line.contains("question 2 of 2"));
+    let is_at_work = program.try_wait().expect("can be asked").is_none();
+    program.kill().expect("ends");
+    program.wait().expect("ends");
+    assert!(is_at_work, "the second question is answered before anything can be seen");
+    assert!(first.as_deref().is_some_and(|line| line.starts_with("EQUILIBRIUM")), "{first:?}");
+    assert!(told.as_deref().is_some_and(|line| line.ends_with(" s")), "{told:?}");
 }

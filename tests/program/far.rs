@@ -15,7 +15,7 @@ fn told(arguments: &[&str]) -> String {
 
 #[test]
 fn every_command_says_so() {
-    let (far, lost) = ("5.7°, beyond", "5.7°, and");
+    let (far, lost) = ("5.7°: results for small motions no longer apply", "5.7°; beyond this, results");
     for (arguments, label) in [
         (&["ask"][..], far),
         (&["onset", "--moment", "1"], far),

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use serde_json::{Map, Value};
 
-use crate::{ROOT, run, text};
+use crate::{ROOT, run, run_on, text};
 
 /// The name of a definition without the number that marks its spatial version.
 fn base(name: &str) -> &str {
@@ -65,17 +65,52 @@ fn fields(page: &mut String, of: &Value) {
     }
 }
 
+/// Lines of the words of an enumeration, or the kind of another value without fields.
+fn values(page: &mut String, of: &Value) {
+    let each = of["oneOf"].as_array().map_or(&[][..], Vec::as_slice);
+    if each.is_empty() {
+        writeln!(page, "* {}", kind(of)).expect("text");
+    }
+    for value in each {
+        let about = value["description"].as_str().map(|about| format!(": {about}")).unwrap_or_default();
+        writeln!(page, "* {}{about}", kind(value)).expect("text");
+    }
+}
+
+const HEAD: &str = r#"# Fields of a scene
+
+Made from the JSON Schema (`grasp-lcp schema`). Vectors have two numbers in the plane and three in space. Units are SI. `grasp-lcp new gripper` writes a scene to begin with.
+
+A scene with two contacts and two questions:
+
+```json
+{"format": "grasp-lcp/1", "planar": {
+  "contacts": [
+    {"name": "left", "point": [-0.04, 0], "normal": [1, 0], "stiffness": [2000, 1500], "friction": 0.5, "pressed_with": 8},
+    {"name": "right", "point": [0.04, 0], "normal": [-1, 0], "stiffness": [2000, 1500], "friction": 0.5, "pressed_with": 8}],
+  "questions": [
+    {"hold": {"load": {"mass": 0.5}}},
+    {"need": {"quantity": "squeeze", "load": {"force": [0, -9.81]}}}]}}
+```
+
+## Scene
+
+"#;
+
 fn page(schema: &Value) -> String {
-    let mut page = "# Fields of a scene\n\nMade from the JSON Schema (`grasp-lcp schema`). Vectors have two numbers in the plane and three in space. Units are SI. `grasp-lcp new gripper` writes a scene to begin with.\n\n## Scene\n\n".to_owned();
+    let mut page = HEAD.to_owned();
     fields(&mut page, schema);
     let definitions: &Map<String, Value> = schema["$defs"].as_object().expect("definitions");
     let mut told = BTreeSet::new();
     for (name, of) in definitions {
         let mut own = String::new();
         fields(&mut own, of);
+        if own.is_empty() {
+            values(&mut own, of);
+        }
         // The spatial version has the same fields, or more.
         let is_first = definitions.contains_key(&format!("{name}2"));
-        if own.is_empty() || is_first || !told.insert(own.clone()) {
+        if is_first || !told.insert(own.clone()) {
             continue;
         }
         let about = of["description"].as_str().map(|about| format!("{about}\n\n")).unwrap_or_default();
@@ -94,8 +129,26 @@ fn the_page_of_fields_is_that_of_the_schema() {
     }
     let kept = std::fs::read_to_string(place).expect("is there");
     assert!(made == kept);
+    // The example at the top holds 8 N, and 0.5 kg weigh 4.905 N.
+    let example = HEAD.split("```json").nth(1).and_then(|rest| rest.split("```").next()).expect("a scene");
+    let answers: Value =
+        serde_json::from_slice(&run_on(example.as_bytes(), &["ask", "-", "--json"]).stdout).expect("JSON");
+    assert_eq!(answers[0]["hold"]["holding"], "sticks");
+    let squeeze = answers[1]["need"]["amount"]["bound"]["does"].as_f64().expect("a bound");
+    assert!((squeeze - 9.81 / 8.0).abs() < 1e-9, "{squeeze}");
+    // Each section stands there once.
+    let heads: Vec<_> = kept.lines().filter(|line| line.starts_with("## ")).collect();
+    assert_eq!(heads.iter().collect::<BTreeSet<_>>().len(), heads.len(), "{heads:?}");
     let help = text(&run(&["help", "scene"]).stdout);
-    for field in ["`pressed_with`", "`stiffness_matrix`", "`arms`", "`sides`"] {
+    for field in [
+        "* `stiffness` (Springs)",
+        "* `kept_closed`: ",
+        "* `gross`: ",
+        "`pressed_with`",
+        "`stiffness_matrix`",
+        "`arms`",
+        "`sides`",
+    ] {
         assert!(kept.contains(field) && help.contains(field), "{field}");
     }
 }

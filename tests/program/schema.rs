@@ -33,8 +33,9 @@ impl Judge {
 
 /// All scenes of the examples, by name.
 fn scenes() -> Vec<(String, Value)> {
-    let folder = std::fs::read_dir(scene("")).expect("scenes");
-    let paths = folder.map(|entry| entry.expect("an entry").path());
+    let folders = ["", "bodies"];
+    let folders = folders.into_iter().flat_map(|name| std::fs::read_dir(scene(name)).expect("scenes"));
+    let paths = folders.map(|entry| entry.expect("an entry").path());
     let scenes = paths.filter(|path| path.extension().is_some_and(|end| end == "json"));
     let read = |path: std::path::PathBuf| {
         let scene = serde_json::from_slice(&std::fs::read(&path).expect("a scene")).expect("JSON");

@@ -42,8 +42,8 @@ fn an_arm_that_turns_throws_it_outwards() {
 #[test]
 fn what_does_not_fit_is_refused_with_a_reason() {
     let cases = [
-        (json!({ "turning": { "velocity_deg": 90 } }), "turning: ", "a mass"),
-        (json!({ "gravity": [0, -9] }), "gravity: ", "a mass"),
+        (json!({ "turning": { "velocity_deg": 90 } }), "turning: ", "needs a `mass`"),
+        (json!({ "gravity": [0, -9] }), "gravity: ", "needs a `mass`"),
         (json!({ "mass": -1 }), "mass ", "is -1"),
         (json!({ "mass": 1, "turning": { "acceleration_deg": 90 } }), "payload: inertia", "missing"),
         (

@@ -184,6 +184,22 @@ fn a_pad_is_one_row_of_the_table() -> Result<(), Failure> {
     let first: f64 =
         row.split("<td>").nth(1).and_then(|rest| rest.split('<').next()).ok_or("a number")?.parse()?;
     assert!((first - pressed).abs() < 1e-4 * pressed, "{first} {pressed}");
+    // The third number is the moment about the normal of the forces of its points; the last is how far they go on average, in mm.
+    let cells: Vec<f64> = row
+        .split("<td>")
+        .skip(1)
+        .filter_map(|cell| cell.split('<').next()?.replace('−', "-").parse().ok())
+        .collect();
+    assert_eq!(cells.len(), 8, "{row}");
+    let points = || grasp.contacts()[..12].iter().zip(&state.contacts[..12]);
+    let middle = points().map(|(contact, _)| contact.point() / 12.0).sum::<nalgebra::Vector3<f64>>();
+    let about: nalgebra::Vector3<f64> =
+        points().map(|(contact, answer)| (contact.point() - middle).cross(&answer.force_world)).sum();
+    let moment = about.dot(&grasp.frames().next().ok_or("a frame")?.column(0));
+    assert!((cells[2] - moment).abs() < 1e-4 * moment.abs().max(1e-4), "{} {moment}", cells[2]);
+    let moves =
+        1e3 * points().map(|(_, answer)| answer.body_core / 12.0).sum::<nalgebra::Vector3<f64>>().norm();
+    assert!((cells[7] - moves).abs() < 1e-3 * moves, "{} {moves}", cells[7]);
     Ok(())
 }
 

@@ -19,7 +19,13 @@ fn scene(stiffness: &[Value; 2], question: &Value) -> Scene {
 
 fn told(scene: &Scene) -> Option<Warning> {
     let Space::Planar(setup) = &scene.space else { panic!("in the plane") };
-    setup.stiffness_left_out().unwrap()
+    let told = setup.stiffness_left_out().unwrap();
+    // What takes no answers and what takes some are all warnings together, each once.
+    let all = scene.warnings().unwrap();
+    assert_eq!([scene.warnings_at_once().unwrap(), told.clone()].concat(), all);
+    assert_eq!(scene.stiffness_left_out().unwrap(), told);
+    assert!(told.len() < 2, "{told:?}");
+    told.into_iter().next()
 }
 
 fn push(height: f64) -> Value {

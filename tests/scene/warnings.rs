@@ -132,9 +132,12 @@ fn locators_need_no_friction() {
 fn contacts_that_stand_there_twice() {
     let twice =
         JAWS.replace("0.04, 0], \"normal\": [-1, 0]", "-0.04, 0], \"normal\": [-1, 0]").replace("--", "-");
-    let (contacts, names) = (both().0.to_vec(), both().1.to_vec());
-    let told = warnings(&twice);
-    assert!(told.contains(&Warning::OnePlace { contacts, names }), "{told:?}");
+    for opposite in [true, false] {
+        let (contacts, names) = (both().0.to_vec(), both().1.to_vec());
+        let given = if opposite { twice.clone() } else { twice.replace("[-1, 0]", "[1, 0]") };
+        let told = warnings(&given);
+        assert!(told.contains(&Warning::OnePlace { contacts, names, opposite }), "{told:?}");
+    }
 }
 
 /// A bracket on a round post that its load jams needs no pressing finger. A pinch without a squeeze has a warning.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
+from difflib import get_close_matches
 from typing import Any
 
 import numpy as np
@@ -47,6 +48,15 @@ def finite(name: str, given: ArrayLike) -> Array:
         where = f"[{place}]" if place else ""
         raise ValueError(f"{name}{where} is {found[tuple(bad[0])]}, must be finite")
     return found
+
+
+def one_of(name: str, given: Any, allowed: Sequence[str]) -> Any:
+    """The given word, if it is one of the allowed ones; else an error that names them, and the nearest."""
+    if given in allowed:
+        return given
+    near = get_close_matches(given, allowed, 1) if isinstance(given, str) else []
+    meant = f" ({near[0]}?)" if near else ""
+    raise ValueError(f"{name}: {given!r}{meant}, must be one of {', '.join(allowed)}")
 
 
 def listed(name: str, given: Any, what: str) -> list[Any]:

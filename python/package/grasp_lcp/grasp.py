@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import json
 from collections.abc import Hashable, Mapping, Sequence
-from typing import Any, TypedDict
+from typing import Any, TypedDict, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _grasp_lcp, drake, mujoco
 from ._bodies import bodies_in_scene
-from ._columns import STIFFNESSES, as_written, columns, dumped, finite, floats, listed, one_each, plain, with_arrays, wrench_json
+from ._columns import STIFFNESSES, as_written, columns, dumped, finite, floats, listed, one_each, one_of, plain, with_arrays, wrench_json
 from ._drawing import draw_into
 from ._hands import scene_of_hand
 from ._mesh import scene_of_mesh
@@ -570,7 +570,7 @@ class Grasp:
         :param friction_less, squeeze_less: relative reductions of friction and squeeze for the safe amount; by default 0.1 and 0.05, and 0 with
             ``safety``.
         """
-        asked: dict[str, Any] = {"quantity": quantity}
+        asked: dict[str, Any] = {"quantity": one_of("quantity", quantity, get_args(Quantity))}
         for name, part in (("safety", safety), ("friction_less", friction_less), ("squeeze_less", squeeze_less), ("of", of)):
             if part is not None:
                 asked[name] = part

@@ -307,6 +307,9 @@ pub(crate) struct Ask {
     /// not change their units.
     #[arg(long, value_parser = unit, value_name = "UNIT")]
     pub(crate) unit: Option<Unit>,
+    /// Where no terminal shows it, tells every second on standard error which question is being answered.
+    #[arg(long)]
+    pub(crate) progress: bool,
 }
 
 /// The question of `need`.

@@ -23,6 +23,7 @@ use crate::failure::{EXIT_UNDECIDED, Failure};
 use crate::loads::{direction, loads, point, pull_of_mass, weight_of};
 use crate::of_the_scene::SceneLoads;
 use crate::own_masses::{of_own_masses, refuse_mass, shared_centre, tilted};
+use crate::waiting::Waiting;
 use crate::words::Style;
 use crate::{files, report};
 
@@ -38,7 +39,9 @@ pub(crate) fn ask_of(mut scene: Scene, ask: &Ask, mut asked: Command) -> Result<
         Space::Planar(setup) => shared_centre(setup),
         Space::Spatial(setup) => shared_centre(setup),
     };
-    centre.iter().for_each(|centre| asked.act_at(centre));
+    if let Some(centre) = &centre {
+        asked.act_at(centre);
+    }
     let (given, asked) = (scene.clone(), &asked);
     match &mut scene.space {
         Space::Planar(setup) => {
@@ -50,26 +53,26 @@ pub(crate) fn ask_of(mut scene: Scene, ask: &Ask, mut asked: Command) -> Result<
             put(setup, asked, &Meaning { force_at: spatial::Wrench::force_at, moment, turn: spatial_turn })?;
         }
     }
-    files::warn_beside(&ask.scene, &scene, Some(&given))?;
-    let answers = scene
-        .answers_in(Words::with_digits(ask.digits.into()))
-        .map_err(|error| files::refused(&ask.scene, &error))?;
-    let mut out = io::stdout().lock();
-    if ask.json {
+    files::warn_at_once(&ask.scene, &scene, Some(&given))?;
+    let is_decided = if ask.json {
+        let answers = Waiting::during("answers", ask.progress, || scene.answers_in(style(ask).words));
+        let answers = answers.map_err(|error| files::refused(&ask.scene, &error))?;
+        let mut out = io::stdout().lock();
         serde_json::to_writer_pretty(&mut out, &answers).map_err(io::Error::from)?;
         writeln!(out)?;
-    } else {
-        let style = Style { words: Words::with_digits(ask.digits.into()), points: ask.points };
-        match (&scene.space, &answers) {
-            (Space::Planar(setup), Answers::Planar(answers)) => {
-                report::print(&mut out, style, setup, answers)?;
-            }
-            (Space::Spatial(setup), Answers::Spatial(answers)) => {
-                report::print(&mut out, style, setup, answers)?;
-            }
-            _ => {}
+        match &answers {
+            Answers::Planar(list) => !list.iter().any(is_undecided),
+            Answers::Spatial(list) => !list.iter().any(is_undecided),
         }
-    }
+    } else {
+        match &scene.space {
+            Space::Planar(setup) => one_by_one(setup, ask)?,
+            Space::Spatial(setup) => one_by_one(setup, ask)?,
+        }
+    };
+    Waiting::during("whether the stiffness left out matters", ask.progress, || {
+        files::warn_of_stiffness(&ask.scene, &scene)
+    })?;
     if matches!(asked, Command::Hold { vary_stiffness: true, .. }) {
         let depends = match &scene.space {
             Space::Planar(setup) => setup.depends_on_tangential_stiffness(),
@@ -81,11 +84,34 @@ pub(crate) fn ask_of(mut scene: Scene, ask: &Ask, mut asked: Command) -> Result<
             "stiffness: what it holds {said} 5 % with a tenth or ten times the stiffness along tangents"
         );
     }
-    let undecided = match &answers {
-        Answers::Planar(list) => list.iter().any(is_undecided),
-        Answers::Spatial(list) => list.iter().any(is_undecided),
-    };
-    Ok(if undecided { ExitCode::from(EXIT_UNDECIDED) } else { ExitCode::SUCCESS })
+    Ok(if is_decided { ExitCode::SUCCESS } else { ExitCode::from(EXIT_UNDECIDED) })
+}
+
+fn style(ask: &Ask) -> Style {
+    Style { words: Words::with_digits(ask.digits.into()), points: ask.points }
+}
+
+/// Prints the answer to each question as soon as it is ready. Returns whether all are decided.
+fn one_by_one<const C: usize>(setup: &Setup<C>, ask: &Ask) -> Result<bool, Failure> {
+    let refused = |error| files::refused(&ask.scene, &error);
+    // A malformed question is an error before any answer.
+    setup.questions.iter().try_for_each(|question| setup.check(question)).map_err(refused)?;
+    let (mut one, mut is_decided) = (setup.clone(), true);
+    for (k, question) in setup.questions.iter().enumerate() {
+        one.questions = vec![question.clone()];
+        let what = format!("question {} of {}", k + 1, setup.questions.len());
+        let answers = Waiting::during(&what, ask.progress, || one.answers_in(style(ask).words));
+        let mut out = io::stdout().lock();
+        for answer in answers.map_err(refused)? {
+            if k > 0 {
+                writeln!(out)?;
+            }
+            report::print(&mut out, style(ask), setup, (question, &answer))?;
+            is_decided &= !is_undecided(&answer);
+        }
+        out.flush()?;
+    }
+    Ok(is_decided)
 }
 
 /// Makes a turning load from a weight, N, the point where it acts, m, and the axis of the turn.
@@ -169,6 +195,9 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Command, words: &Meaning<C>
     if setup.questions.is_empty()
         && let Some(rest) = at_rest(asked)
     {
+        eprintln!(
+            "warning: the scene has no such question, and no load is given: what stands at rest is asked"
+        );
         setup.questions.push(rest);
     }
     if setup.questions.is_empty() {

@@ -51,23 +51,35 @@ pub(crate) fn name(path: &Path) -> String {
 
 /// Prints warnings about a scene and its questions on standard error.
 pub(crate) fn warn(path: &Path, scene: &Scene) -> Result<(), Failure> {
-    warn_beside(path, scene, None)
+    warn_at_once(path, scene, None)?;
+    warn_of_stiffness(path, scene)
 }
 
-/// [`warn`], also about loads of the scene as `given`, before the command line has replaced its questions.
-pub(crate) fn warn_beside(path: &Path, scene: &Scene, given: Option<&Scene>) -> Result<(), Failure> {
-    let mut warnings = scene.warnings().map_err(|error| refused(path, &error))?;
+/// Prints the warnings that need no answers, also about loads of the scene as `given`, before the command line has replaced its questions.
+pub(crate) fn warn_at_once(path: &Path, scene: &Scene, given: Option<&Scene>) -> Result<(), Failure> {
+    let mut warnings = scene.warnings_at_once().map_err(|error| refused(path, &error))?;
     let of_loads =
         |warning: &Warning| matches!(warning, Warning::ManyMetres { .. } | Warning::HeavyLoad { .. });
-    for warning in given.into_iter().flat_map(|given| given.warnings().unwrap_or_default()).filter(of_loads) {
+    let given = given.into_iter().flat_map(|given| given.warnings_at_once().unwrap_or_default());
+    for warning in given.filter(of_loads) {
         if !warnings.contains(&warning) {
             warnings.push(warning);
         }
     }
-    for warning in &warnings {
+    tell(path, &warnings);
+    Ok(())
+}
+
+/// Prints the warnings about stiffness that is left out. They take several answers to each question.
+pub(crate) fn warn_of_stiffness(path: &Path, scene: &Scene) -> Result<(), Failure> {
+    tell(path, &scene.stiffness_left_out().map_err(|error| refused(path, &error))?);
+    Ok(())
+}
+
+fn tell(path: &Path, warnings: &[Warning]) {
+    for warning in warnings {
         eprintln!("warning: {}: {warning}", name(path));
     }
-    Ok(())
 }
 
 /// The error of a scene whose question is refused.

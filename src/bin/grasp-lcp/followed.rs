@@ -59,7 +59,7 @@ impl Report<'_> {
     fn small_motions_end(&mut self, far: &EndOfSmallMotions) -> io::Result<()> {
         let (leg, fraction, what) = (far.leg, self.number(far.fraction), &far.what);
         self.line(&format!(
-            "leg {leg} at {fraction}: CAUTION, from here on {what}, beyond the small motions that this is good for"
+            "leg {leg} at {fraction}: CAUTION, from here on {what}: results for small motions no longer apply"
         ))
     }
 

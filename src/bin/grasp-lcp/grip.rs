@@ -90,7 +90,7 @@ impl Grip {
             return Ok(ExitCode::SUCCESS);
         }
         let of = self.mesh.clone().unwrap_or_default();
-        let ask = Ask { scene: of, json: false, points: false, digits: 6, unit: None };
+        let ask = Ask { scene: of, json: false, points: false, digits: 6, unit: None, progress: false };
         asking::ask_of(scene, &ask, Command::Ask(ask.clone()))
     }
 

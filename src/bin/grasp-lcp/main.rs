@@ -27,6 +27,7 @@ mod report;
 mod shakes;
 mod table;
 mod values;
+mod waiting;
 mod words;
 
 use std::ffi::OsString;

@@ -17,12 +17,21 @@ impl std::str::FromStr for Numbers {
     fn from_str(text: &str) -> Result<Self, String> {
         let number = |part: &str| match part.trim().parse::<f64>() {
             Ok(number) if number.is_finite() => Ok(number),
+            _ if has_unit(part) => {
+                Err(format!("`{part}` has a unit, must be a number; of lengths write --unit mm beside them"))
+            }
             _ => Err(format!(
                 "`{part}` is no finite number; write numbers with commas between them, such as 0,0,-1"
             )),
         };
         text.split(',').map(number).collect::<Result<_, _>>().map(Self)
     }
+}
+
+/// Whether it is a number with a unit of length behind it.
+fn has_unit(part: &str) -> bool {
+    let number = part.trim().trim_end_matches(char::is_alphabetic);
+    number.trim().parse::<f64>().is_ok() && Unit::of(&part.trim()[number.len()..]).is_some()
 }
 
 impl Numbers {

@@ -6,6 +6,7 @@ use std::io::{self, Write};
 
 use grasp_lcp::equilibrium::{ContactState, Equilibrium, WholeAnswer};
 use grasp_lcp::grasp::Wrench;
+use grasp_lcp::hold::Verdict;
 use grasp_lcp::improve::Improved;
 use grasp_lcp::load_path::{Beyond, Departure, EdgeOf, Leaving, PartChange};
 use grasp_lcp::scene::{Angle, Answer, Factor, OnsetAnswer, OnsetAt, Question, Setup, TurnAnswer};
@@ -14,24 +15,17 @@ use grasp_lcp::words::printable;
 use crate::table::{compared, table};
 use crate::words::{NO_WORDS, Style};
 
-/// Prints the answers to the questions of a scene: the first line of each, then its tables and details.
+/// Prints the answer to a question of a scene: its first line, then its tables and details.
 pub(crate) fn print<const C: usize>(
     out: &mut dyn Write,
     style: Style,
     setup: &Setup<C>,
-    answers: &[Answer<C>],
+    (question, answer): (&Question<C>, &Answer<C>),
 ) -> io::Result<()> {
-    let mut report = Report { out, style, said: String::new() };
-    for (k, (question, answer)) in setup.questions.iter().zip(answers).enumerate() {
-        let question = &*setup.meant(question).unwrap_or(Cow::Borrowed(question));
-        if k > 0 {
-            writeln!(report.out)?;
-        }
-        report.said = question.first_line(answer, style.words);
-        writeln!(report.out, "{}", report.said)?;
-        report.details(question, answer)?;
-    }
-    Ok(())
+    let question = &*setup.meant(question).unwrap_or(Cow::Borrowed(question));
+    let said = question.first_line(answer, style.words);
+    writeln!(out, "{said}")?;
+    Report { out, style, said }.details(question, answer)
 }
 
 /// Loads with the names of the bodies on which they act.
@@ -89,11 +83,17 @@ impl Report<'_> {
     /// Tables and details below the first line of an answer.
     fn details<const C: usize>(&mut self, question: &Question<C>, answer: &Answer<C>) -> io::Result<()> {
         match (question, answer) {
-            (_, Answer::Hold(answer)) => self.state(answer.verdict.state.as_deref()),
+            (_, Answer::Hold(answer)) => {
+                self.proved(&answer.verdict)?;
+                self.state(answer.verdict.state.as_deref())
+            }
             (_, Answer::Shake(answer)) => self.state(answer.shaken.state.as_deref()),
             (_, Answer::Compare(answer)) => compared(self.out, self.style, &answer.comparison),
             (_, Answer::Improve(answer)) => self.improved(&answer.improved),
-            (_, Answer::Solve(answer)) => self.state(answer.outcome.equilibrium()),
+            (_, Answer::Solve(answer)) => {
+                answer.from_rest.iter().try_for_each(|held| self.proved(&held.verdict))?;
+                self.state(answer.outcome.equilibrium())
+            }
             (
                 Question::Onset { base, direction, command_change, joint_change, together_with },
                 Answer::Onset(onset),
@@ -129,6 +129,17 @@ impl Report<'_> {
             }
             (_, Answer::Follow(path)) => self.followed(path),
             _ => Ok(()),
+        }
+    }
+
+    /// The neighbourhood of a loss that the proof covers.
+    fn proved<const C: usize>(&mut self, verdict: &Verdict<C>) -> io::Result<()> {
+        let near = verdict.lost.as_ref().and_then(|lost| lost.nothing_near);
+        let digits = self.style.digits();
+        // A radius of the size of an atom is not worth a sentence.
+        match near.filter(|near| near.translation > 1e-10) {
+            Some(near) => self.line(&format!("proved: {near:.digits$}")),
+            None => Ok(()),
         }
     }
 

@@ -7,7 +7,7 @@ use super::contact_answer::{ContactAnswer, ContactState};
 use super::hand_answer::{DriveState, JointAnswer, TendonAnswer};
 use super::no_equilibrium::{NoEquilibrium, Proof};
 use super::pad_answer::WholeAnswer;
-use crate::grasp::{JointKind, vacuum_is_gone};
+use crate::grasp::{JointKind, SLIDE_OF, vacuum_is_gone};
 use crate::numerics::mapped;
 use crate::prelude::*;
 use crate::search::Doubt;
@@ -77,8 +77,12 @@ impl fmt::Display for JointAnswer {
             JointKind::Slides => ("force", "N"),
             JointKind::Given => ("torque or force", "N m or N"),
         };
-        let words = Words::of(f);
-        write!(f, "{}: {what} {} {unit}", self.joint.text(), words.number(self.torque))?;
+        let (words, name) = (Words::of(f), self.joint.text());
+        let force = words.number(self.torque);
+        match name.strip_prefix(SLIDE_OF).filter(|_| self.state == DriveState::Absent) {
+            Some(contact) => write!(f, "{contact} presses with a constant {force} N")?,
+            None => write!(f, "{name}: {what} {force} {unit}")?,
+        }
         left_of_limit(f, words, (self.margin, unit), self.state)
     }
 }
@@ -126,7 +130,7 @@ impl<const C: usize> Equilibrium<C> {
     /// A warning if a motion [is not small](Self::too_far); otherwise `None`.
     #[must_use]
     pub fn caution(&self) -> Option<String> {
-        self.too_far.as_ref().map(|far| format!("{far}, beyond the small motions that this is good for"))
+        self.too_far.as_ref().map(|far| format!("{far}: results for small motions no longer apply"))
     }
 
     /// The [motions that nothing resists](Self::free_motions): "nothing resists turning about …".
@@ -188,7 +192,7 @@ impl<const C: usize> fmt::Display for Proof<C> {
                 f.write_str("the only combination of contact states fails")
             }
             Self::EveryCaseContradicted { cases: 1, .. } => {
-                f.write_str("the only case of contact states and directions of friction contradicts itself")
+                f.write_str("no forces of the contacts balance it, whether they stick, slide or open")
             }
             Self::EveryStateTried { combinations } => {
                 write!(f, "all {combinations} combinations of contact states fail")
@@ -196,7 +200,7 @@ impl<const C: usize> fmt::Display for Proof<C> {
             Self::EveryCaseContradicted { cases, .. } => {
                 write!(
                     f,
-                    "all {cases} cases of contact states and directions of friction contradict themselves"
+                    "no forces of the contacts balance it in any of {cases} cases of sticking, sliding and opening"
                 )
             }
         }

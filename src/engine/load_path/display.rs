@@ -6,6 +6,7 @@ use super::beyond::Beyond;
 use super::drive_change::{DriveChange, PartChange};
 use super::event::{Change, Loss, LossKind, PathEnd};
 use super::onset::{Departure, Leaving, Onset, OnsetEvent};
+use crate::equilibrium::Proof;
 use crate::grasp::vacuum_is_gone;
 use crate::words::{Words, opens};
 
@@ -121,7 +122,15 @@ impl<const C: usize> fmt::Display for Beyond<C> {
             Self::Continues(_) => f.write_str("the grasp holds on"),
             Self::LimitLoad => f.write_str("no equilibrium; it is the limit load"),
             Self::Snap => f.write_str("another equilibrium; the grasp snaps over or is lost"),
-            Self::Ends { reason } => write!(f, "this equilibrium ends: {reason:.digits$}"),
+            Self::Ends { reason } => {
+                f.write_str("it is lost, unless another equilibrium catches it")?;
+                match reason.proof {
+                    Proof::FreeMotion { .. } | Proof::SeparatingMotion { .. } => {
+                        write!(f, ": {reason:.digits$}")
+                    }
+                    _ => Ok(()),
+                }
+            }
             Self::WithoutVacuum { cups } => {
                 write!(f, "{}; what is left is another grasp", vacuum_is_gone(cups))
             }

@@ -132,13 +132,13 @@ impl<const C: usize> Leg<C> {
         Self { load: LegLoad::Straight(LegGoal::To(load)), ..self }
     }
 
-    /// This leg, along which the finger commands also change by `change`, m.
+    /// This leg, along which the finger commands also change by `change`: one displacement a contact, each in its contact frame, m.
     #[must_use]
     pub fn and_commands_by(self, change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         Self { commands: LegGoal::By(vectors(change)), ..self }
     }
 
-    /// This leg, at whose end the finger commands are also `commands`, m.
+    /// This leg, at whose end the finger commands are also `commands`: one displacement a contact, each in its contact frame, m.
     #[must_use]
     pub fn and_commands_to(self, commands: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         Self { commands: LegGoal::To(vectors(commands)), ..self }

@@ -9,6 +9,12 @@ use crate::numerics::{largest, mapped, summed};
 /// The middle of a rectangle, and its width and height, pixels.
 type Plate = (Place, (f64, f64));
 
+/// Distance of a name from its point, pixels, beyond which a line joins them; a name farther away could be that of another point.
+const NEAR: f64 = 16.0;
+
+/// Cost of a name beside its point from which it covers too much, so that places farther away are tried: an arrow, or the edges of a cone.
+const COVERS_MUCH: f64 = 60.0;
+
 pub(super) struct Labels {
     window: Window,
     /// Places of strokes that names should not cover, with the cost of covering each.
@@ -53,17 +59,23 @@ impl Labels {
         self.left_out += 1;
     }
 
-    /// The best place beside the point, or the best place anywhere with a line to the point; `None` if the paper is full.
+    /// The best place beside the point, or anywhere where that covers much, with a line to a point that is not near; `None` if the paper is full.
     fn place(&mut self, paper: &mut Sheet, point: Place, size: (f64, f64)) -> Option<Place> {
-        let plate = if let Some(plate) = self.best(point, self.beside(point, size)) {
-            plate
-        } else {
-            let plate = self.best(point, self.anywhere(size))?;
-            let ((x, y), (wide, high)) = plate;
-            let end = |at: f64, middle: f64, size: f64| at.clamp(middle - size / 2.0, middle + size / 2.0);
-            paper.line(&[point, (end(point.0, x, wide), end(point.1, y, high))], GREY, 0.75);
-            plate
+        let beside = self.best(point, self.beside(point, size));
+        let is_clear = |plate: &Plate| self.cost(point, plate) <= COVERS_MUCH;
+        let plate = match beside {
+            Some(plate) if is_clear(&plate) => plate,
+            _ => {
+                let all = self.anywhere(size).into_iter().chain(beside);
+                self.best(point, all.collect())?
+            }
         };
+        let ((x, y), (wide, high)) = plate;
+        let end = |at: f64, middle: f64, size: f64| at.clamp(middle - size / 2.0, middle + size / 2.0);
+        let end = (end(point.0, x, wide), end(point.1, y, high));
+        if (end.0 - point.0).hypot(end.1 - point.1) > NEAR {
+            paper.line(&[point, end], GREY, 0.75);
+        }
         self.taken.push(plate);
         Some(plate.0)
     }

@@ -165,7 +165,10 @@ impl Painting {
                 Shape::Area { corners, ink } if ink.opacity == 1.0 => {
                     inked.extend(corners.iter().map(|corner| (*corner, 20.0)));
                 }
-                Shape::Area { .. } => {}
+                // A cone that is only tinted counts by its edges.
+                Shape::Area { corners, .. } => {
+                    inked.extend(corners.windows(2).flat_map(|ends| along(ends[0], ends[1], 1.0)));
+                }
                 Shape::Dot { at, radius, .. } => {
                     let around = [(0.0, 0.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)];
                     inked.extend(around.each(|(x, y)| ((at.0 + radius * x, at.1 + radius * y), 40.0)));

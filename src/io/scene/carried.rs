@@ -46,7 +46,7 @@ impl WrittenMass<'_> {
             ];
             return match others.iter().find(|(_, given)| *given) {
                 Some(("accelerated", _)) => Err(format!("accelerated: {ALONE}")),
-                Some((name, _)) => Err(format!("{name}: of a load with a mass, which is missing")),
+                Some((name, _)) => Err(format!("{name}: needs a `mass` beside it")),
                 None => Ok(None),
             };
         };

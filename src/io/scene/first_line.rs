@@ -117,7 +117,7 @@ fn solved<const C: usize>(under: &str, answer: &SolveAnswer<C>, words: Words) ->
 
 /// A warning that the answer belongs to motions that are no longer small.
 fn beyond_small_motions(far: &TooFar) -> String {
-    format!(". CAUTION: {far}, beyond the small motions that this is good for")
+    format!(". CAUTION: {far}: results for small motions no longer apply")
 }
 
 /// Names the contacts that slide, or says that everything sticks.
@@ -213,7 +213,10 @@ fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
     let slip = match (first, step) {
         (Some(event), _) => format!("first slip at {}", place(event.leg, event.fraction, &event.load)),
         (None, Some(step)) => format!("first slip by {}", place(step.leg, step.fraction, &step.load)),
-        (None, None) => "no contact begins to slide on the way".to_owned(),
+        (None, None) => match &path.end {
+            PathOutcome::Lost { state: Some(state), .. } => format!("{} there", in_short(state)),
+            _ => "no contact begins to slide on the way".to_owned(),
+        },
     };
     let said = match &path.end {
         PathOutcome::Completed { .. } => format!("HELD to the end: {slip}"),
@@ -232,7 +235,7 @@ fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
         Some(far) => {
             let (fraction, what) = (words.number(far.fraction), &far.what);
             format!(
-                "{said}. CAUTION: from {fraction} of leg {} on {what}, beyond the small motions that this is good for",
+                "{said}. CAUTION: from {fraction} of leg {} on {what}: results for small motions no longer apply",
                 far.leg
             )
         }

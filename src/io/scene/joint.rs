@@ -41,6 +41,7 @@ struct WrittenJoint<const C: usize> {
 /// The axis of a revolute joint.
 #[derive(serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(rename = "JointAxis"))]
 #[serde(deny_unknown_fields)]
 struct Hinge<const C: usize> {
     /// A point on the axis, m.

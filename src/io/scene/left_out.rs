@@ -19,19 +19,25 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 pub(super) const DEFAULT_STIFFNESS: f64 = 1e4;
 
 impl<const C: usize> Setup<C> {
-    /// A warning about contacts without a stiffness if an answer depends on it. Springs between a tenth and ten times the default, different for each
-    /// contact and direction, are tried in their place. Every `solve` is listed, since motions always depend on the stiffness.
+    /// Warnings about contacts and about links without a stiffness if an answer depends on it. Springs between a tenth and ten times the default,
+    /// different for each of them and for each direction, are tried in their place: each question is answered several times. Motions always depend
+    /// on the stiffness of contacts, so that every `solve` is listed.
     ///
     /// # Errors
     /// As for [`Self::answers`].
-    pub fn stiffness_left_out(&self) -> Result<Option<Warning>, Error> {
-        inside(self).springs_left_out()
+    pub fn stiffness_left_out(&self) -> Result<Vec<Warning>, Error> {
+        inside(self).all_left_out()
     }
 }
 
 impl Setup<3> {
     /// [`Self::stiffness_left_out`] of a setup whose vectors have three components, even if it is planar.
-    pub(super) fn springs_left_out(&self) -> Result<Option<Warning>, Error> {
+    pub(super) fn all_left_out(&self) -> Result<Vec<Warning>, Error> {
+        Ok(self.springs_left_out()?.into_iter().chain(self.stiffness_of_links_left_out()?).collect())
+    }
+
+    /// A warning about contacts without a stiffness if an answer depends on it.
+    fn springs_left_out(&self) -> Result<Option<Warning>, Error> {
         let (mut contacts, mut names) = (Vec::new(), Vec::new());
         for (i, entry) in self.entries().enumerate() {
             if entry.no_stiffness {
@@ -50,11 +56,8 @@ impl Setup<3> {
         Ok(depends.then_some(Warning::StiffnessLeftOut { contacts, names, stiffness, questions }))
     }
 
-    /// A warning about links without a stiffness if trial stiffnesses, a tenth to ten times the default, change an answer by more than a thousandth.
-    ///
-    /// # Errors
-    /// As for [`Self::answers`].
-    pub(super) fn stiffness_of_links_left_out(&self) -> Result<Option<Warning>, Error> {
+    /// A warning about links without a stiffness if an answer depends on it by more than a thousandth, found in the same way.
+    fn stiffness_of_links_left_out(&self) -> Result<Option<Warning>, Error> {
         let first = self.entries().count();
         let (mut contacts, mut names) = (Vec::new(), Vec::new());
         for (number, LinkSetup { link, .. }) in self.links.iter().enumerate() {

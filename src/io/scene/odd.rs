@@ -76,7 +76,8 @@ impl Setup<3> {
             let is_there = |j: &usize| is_in_place_of(entries[*j], entry, size);
             if let Some(twice) = (0..i).find(is_there) {
                 let contacts = vec![twice, i];
-                warnings.push(Warning::OnePlace { names: names(&contacts), contacts });
+                let opposite = entries[twice].contact.normal.dot(&entry.contact.normal) < 0.0;
+                warnings.push(Warning::OnePlace { names: names(&contacts), contacts, opposite });
             }
         }
         for (contact, entry) in self.entries().enumerate() {

@@ -28,6 +28,9 @@ pub(super) fn in_plain_words(message: &str, here: Option<u8>) -> String {
             };
             let meant = match name {
                 "comment" | "unit" => " (it stands beside `planar` or `spatial`)".to_owned(),
+                "mass" => {
+                    " (it stands in a load, `\"load\": {\"mass\": 2}`, or in one of `bodies`)".to_owned()
+                }
                 _ => meant.map_or(String::new(), |meant| format!(" (`{meant}`?)")),
             };
             return format!("{what}{name}`{meant}, must be {allowed}");
@@ -40,6 +43,9 @@ pub(super) fn in_plain_words(message: &str, here: Option<u8>) -> String {
         return format!("the text ends within {}: something is missing, perhaps a bracket", wanted(what));
     }
     match message {
+        "expected value" | "expected ident" | "key must be a string" if here == Some(b',') => {
+            "a comma in a row with another one, or with nothing in front of it"
+        }
         "expected value" | "expected ident" | "key must be a string" if here == Some(b'\'') => {
             "names and texts stand in double quotes, not in single ones"
         }

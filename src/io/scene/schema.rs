@@ -243,8 +243,22 @@ impl<const C: usize> JsonSchema for Springs<C> {
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        // One number holds for all directions; two numbers are normal and tangential.
-        json_schema!({ "anyOf": [number::<SpringStiffness>(), list::<SpringStiffness>(1, C)] })
+        json_schema!({
+            "description": "One stiffness for all directions, or a list: normal and tangential; in space also normal, first and second tangent.",
+            "anyOf": [number::<SpringStiffness>(), list::<SpringStiffness>(1, C)]
+        })
+    }
+}
+
+/// Adds the other name of `series_stiffness` to a contact, which the derive does not know.
+pub(super) fn with_stiffness(contact: &mut Schema) {
+    let fields = contact.get_mut("properties").and_then(Value::as_object_mut);
+    if let Some((fields, mut other)) = fields.and_then(|fields| {
+        let other = fields.get("series_stiffness")?.clone();
+        Some((fields, other))
+    }) {
+        other["description"] = "Another name of `series_stiffness`.".into();
+        fields.insert("stiffness".to_owned(), other);
     }
 }
 

@@ -148,6 +148,8 @@ pub enum Warning {
         contacts: Vec<usize>,
         /// The names of the contacts in messages.
         names: Vec<String>,
+        /// Whether the normals are opposite, so that the object has no thickness there.
+        opposite: bool,
     },
     /// A normal points out of the object's outline.
     PointsOut {
@@ -228,6 +230,11 @@ impl fmt::Display for Warning {
             Self::MissesInPart { name, missing, .. } => misses(f, words, name, *missing),
             #[cfg(feature = "mesh")]
             Self::OverAnEdge { name, angle, .. } => lies_over_an_edge(f, words, name, *angle),
+            Self::OnePlace { names, opposite: true, .. } => write!(
+                f,
+                "{} press against each other in one place: the object has no thickness there; are their points right?",
+                all(names)
+            ),
             Self::OnePlace { names, .. } => write!(
                 f,
                 "{} are in one place, with parallel normals: a finger that is there twice is twice as stiff",
@@ -238,11 +245,12 @@ impl fmt::Display for Warning {
                 write!(f, "{} are called {}: answers do not tell which is meant", listed(&numbers), printable(name))
             }
             Self::StiffnessLeftOut { names, stiffness, questions, .. } => {
-                let have = if names.len() == 1 { "has" } else { "have" };
-                let numbers: Vec<_> = mapped(questions, &|question| format!("question {question}"));
+                let (have, taken) =
+                    if names.len() == 1 { ("has", "taken") } else { ("have", "taken for each") };
+                let numbers: Vec<_> = mapped(questions, &|question| format!("question {}", question + 1));
                 write!(
                     f,
-                    "{} {have} no stiffness, and it is taken that each gives way by {} N/m in all directions: the answer to {} depends on it; say `stiffness`",
+                    "{} {have} no `stiffness`: {} N/m is {taken}, and the answer to {} depends on it",
                     all(names),
                     words.number(*stiffness),
                     listed(&numbers)
@@ -289,6 +297,28 @@ impl Scene {
             Space::Spatial(setup) => setup.warnings(),
         }
     }
+
+    /// Probable mistakes that show before any question is answered: all but [`Self::stiffness_left_out`].
+    ///
+    /// # Errors
+    /// As for [`Setup::warnings`].
+    pub fn warnings_at_once(&self) -> Result<Vec<Warning>, Error> {
+        match &self.space {
+            Space::Planar(setup) => inside(setup).warnings_at_once(),
+            Space::Spatial(setup) => setup.warnings_at_once(),
+        }
+    }
+
+    /// Contacts and links without a stiffness on which an answer depends; see [`Setup::stiffness_left_out`].
+    ///
+    /// # Errors
+    /// As for [`Setup::warnings`].
+    pub fn stiffness_left_out(&self) -> Result<Vec<Warning>, Error> {
+        match &self.space {
+            Space::Planar(setup) => setup.stiffness_left_out(),
+            Space::Spatial(setup) => setup.stiffness_left_out(),
+        }
+    }
 }
 
 impl<const C: usize> Setup<C> {
@@ -304,6 +334,13 @@ impl<const C: usize> Setup<C> {
 impl Setup<3> {
     /// [`Self::warnings`] of a setup whose vectors have three components, even if it is planar.
     pub(crate) fn all_warnings(&self) -> Result<Vec<Warning>, Error> {
+        let mut warnings = self.warnings_at_once()?;
+        warnings.extend(self.all_left_out()?);
+        Ok(warnings)
+    }
+
+    /// [`Scene::warnings_at_once`] in the plane or in space.
+    fn warnings_at_once(&self) -> Result<Vec<Warning>, Error> {
         let grasp = self.grasp_checked()?;
         let mut warnings = self.odd_contacts(&grasp)?;
         #[cfg(feature = "mesh")]
@@ -314,8 +351,6 @@ impl Setup<3> {
         }
         warnings.extend(self.otherwise_at_rest(&grasp)?);
         warnings.extend(self.same_names());
-        warnings.extend(self.springs_left_out()?);
-        warnings.extend(self.stiffness_of_links_left_out()?);
         Ok(warnings)
     }
 

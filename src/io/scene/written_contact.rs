@@ -25,6 +25,7 @@ use crate::serial::{AsGiven, AxisRow, Friction, Given, Number, space_of_text};
     all(feature = "schema", feature = "mesh"),
     schemars(extend("oneOf" = [{ "required": ["point", "normal"] }, { "required": ["touches"] }]))
 )]
+#[cfg_attr(feature = "schema", schemars(transform = super::schema::with_stiffness))]
 #[serde(deny_unknown_fields)]
 struct Written<const C: usize> {
     /// The name of the contact in messages and answers.
@@ -58,7 +59,7 @@ struct Written<const C: usize> {
     /// The finger's normal and tangential stiffness, N/m; rigid if left out and the object is not.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     finger_stiffness: Option<Springs<C>>,
-    /// The stiffness of object and finger in series, N/m, instead of the two.
+    /// The stiffness of object and finger in series, N/m, instead of the two; 1e4 in all directions if there is none at all.
     #[serde(default, alias = "stiffness", skip_serializing_if = "Option::is_none")]
     series_stiffness: Option<Springs<C>>,
     /// The coefficient of friction; 0 if left out.
@@ -277,7 +278,7 @@ impl<const C: usize> Fingertip<C> {
         // The index of the contact in its list is unknown here, so that the message has the name alone.
         let fault = |error| match error {
             Error::Contact { contact: ContactLabel { name, .. }, field, value, allowed } => {
-                format!("{}{field} is {value}, must be {allowed}", named(name.as_deref()))
+                format!("{}{field} {} {value}, must be {allowed}", named(name.as_deref()), field.is())
             }
             other => format!("{}{other}", named(contact.name.as_deref())),
         };

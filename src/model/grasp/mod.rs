@@ -68,7 +68,7 @@ pub(crate) use face::{
 pub use fingertip::SoftFingertip;
 #[cfg(feature = "serde")]
 pub(crate) use hand::JointMotion;
-pub(crate) use hand::{Drive, Linkage, Named, Owner, Role};
+pub(crate) use hand::{Drive, Linkage, Named, Owner, Role, SLIDE_OF};
 pub use hand::{Finger, Hand, HandPart, Joint, JointKind, Limit, PartLabel, Tendon};
 pub use motion::Motion;
 pub use payload::{ArmMotion, Payload};

@@ -39,6 +39,7 @@ impl<const C: usize> Contact<C> {
             frame.set_column(1, &t);
             return Ok(frame);
         }
+        let given = self.tangent.as_ref().map_or(1.0, SVector::norm);
         let hint = if let Some(hint) = &self.tangent {
             unit(hint)
                 .ok_or_else(|| fault(Field::Tangent, length_or_culprit(hint), "of positive, finite length"))?
@@ -51,7 +52,7 @@ impl<const C: usize> Contact<C> {
         let flat = hint - n * n.dot(&hint);
         let flat = flat - n * n.dot(&flat);
         if flat.norm() <= SOLVED_ROUNDING {
-            return Err(fault(Field::Tangent, flat.norm(), "not along the normal"));
+            return Err(fault(Field::Tangent, given, "not along the normal"));
         }
         let t1 = flat.normalize();
         let mut t2 = SVector::zeros();

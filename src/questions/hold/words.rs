@@ -13,13 +13,20 @@ use crate::numerics::{Space, mapped};
 use crate::prelude::*;
 use crate::words::{LinkKind, MOST_NAMES, Words, listed, open, opens, printable};
 
+/// The clause behind a motion that is too large.
+const NO_LONGER_SMALL: &str = "; beyond this, results for small motions no longer apply";
+
 impl<const C: usize> fmt::Display for Verdict<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, digits) = (Words::of(f), Words::of(f).precision());
         match &self.holding {
             Holding::Sticks => {
                 f.write_str("HOLDS, everything sticks")?;
-                if self.is_nothing() { f.write_str(", where nothing is put on") } else { self.margins(f) }?;
+                match (self.is_nothing(), self.base == Wrench::ZERO) {
+                    (true, true) => f.write_str(", without any load"),
+                    (true, false) => f.write_str(", under the load at rest alone"),
+                    (false, _) => self.margins(f),
+                }?;
                 self.cables(f)
             }
             Holding::Slides { contacts } => {
@@ -64,11 +71,12 @@ impl<const C: usize> fmt::Display for Verdict<C> {
             Holding::Lost => self.told_lost(f),
             Holding::NoRest(none) => write!(f, "DOES NOT HOLD even at rest: {none:.digits$}"),
             Holding::LostAtRest { at_rest: lost } => {
-                let factor = words.number(lost.factor);
-                write!(
-                    f,
-                    "DOES NOT HOLD even at rest: of the load there {factor} is held, then {lost:.digits$}"
-                )
+                f.write_str("DOES NOT HOLD even at rest, before any load: ")?;
+                if lost.factor > NEGLIGIBLE {
+                    let factor = words.number(lost.factor);
+                    write!(f, "only {factor} of the load at rest is carried, then ")?;
+                }
+                write!(f, "{lost:.digits$}")
             }
             Holding::Undecided { doubt } => {
                 write!(f, "UNDECIDED beyond {}: {doubt}", self.part(self.held_to, words))
@@ -122,7 +130,7 @@ impl<const C: usize> Verdict<C> {
         let amount = |factor: f64| amount_of(self.load.measure(), factor, words);
         match self.everything_slides {
             _ if lost.factor <= NEGLIGIBLE => {
-                write!(f, "GOES TOO FAR at rest already: {far}, and all this is good for small motions")
+                write!(f, "GOES TOO FAR at rest already: {far}{NO_LONGER_SMALL}")
             }
             // Gross slip within 1 % of the limit counts as the same event. A larger fraction would hide how far the object is held after gross slip.
             Some(all) if all >= lost.factor * (1.0 - 0.01) => {
@@ -135,7 +143,7 @@ impl<const C: usize> Verdict<C> {
             }
             None => {
                 let part = self.part(lost.factor, words);
-                write!(f, "GOES TOO FAR at {part}: {far}, and all this is good for small motions")
+                write!(f, "GOES TOO FAR at {part}: {far}{NO_LONGER_SMALL}")
             }
         }
     }
@@ -267,7 +275,7 @@ impl<const C: usize> Lost<C> {
     }
 }
 
-/// The motion of the loss, and the radius within which the proof excludes an equilibrium.
+/// The motion of the loss.
 impl<const C: usize> fmt::Display for Lost<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let digits = Words::of(f).precision();
@@ -282,28 +290,26 @@ impl<const C: usize> fmt::Display for Lost<C> {
         if self.snaps {
             f.write_str(". Another equilibrium holds slightly more: it may snap over to that one")?;
         }
-        match &self.nothing_near {
-            // A radius of the size of an atom is not worth a sentence.
-            Some(near) if near.translation > 1e-10 => write!(f, ". {near:.digits$}"),
-            _ => Ok(()),
-        }
+        Ok(())
     }
 }
 
+/// "no equilibrium under the whole load within 12 mm and 22.9° of this position", that of the loss.
 impl fmt::Display for NothingNear {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("no equilibrium under the whole load")?;
         if self.translation.is_infinite() {
-            return f.write_str("Nothing holds all of it, wherever the object goes");
+            return f.write_str(", wherever the object goes");
         }
         if self.translation > 1e3 {
-            return f.write_str("Nothing holds all of it within a kilometre of there");
+            return f.write_str(" within a kilometre of this position");
         }
         let words = Words::of(f);
         let (length, angle) = (words.length(self.translation), words.angle(self.rotation));
         if self.rotation >= core::f64::consts::PI {
-            return write!(f, "Nothing holds all of it within {length} of there, however it turns");
+            return write!(f, " within {length} of this position, however the object turns");
         }
-        write!(f, "Nothing holds all of it within {length} and {angle} of there")
+        write!(f, " within {length} and {angle} of this position")
     }
 }
 

@@ -14,7 +14,9 @@ impl fmt::Display for Needed {
         self.amount(f)?;
         match &self.of {
             _ if !self.in_place_of_squeeze => Ok(()),
-            None => f.write_str(". Nothing presses by command: what does is sought as a force, by its name"),
+            None => f.write_str(
+                ". Nothing presses by command; ask for what presses by its name: `need … force --of NAME`",
+            ),
             Some(of) => {
                 f.write_str(". Nothing presses by command, so that there is no squeeze to seek; the load ")?;
                 match &of.part {

@@ -90,7 +90,7 @@ struct Least {
 }
 
 impl Least {
-    /// Lowers the force to the least that breaks a condition of a contact. Returns whether it was found before cuts ran out.
+    /// Lowers the force to the least that breaks a condition of a contact. Returns whether that was found within the allowed number of cutting planes.
     fn lowered_to(
         &mut self,
         site: usize,

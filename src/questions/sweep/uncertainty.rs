@@ -84,7 +84,7 @@ impl Uncertainty {
         self
     }
 
-    /// This uncertainty with the σ of the normal commands.
+    /// This uncertainty with the σ of the squeeze: of the commands along the normals, relative.
     #[must_use]
     pub const fn with_squeeze(mut self, sigma: f64) -> Self {
         self.squeeze = sigma;

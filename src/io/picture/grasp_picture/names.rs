@@ -43,12 +43,6 @@ impl Picture<'_> {
         for tip in named {
             self.write_tip(tip, axes, paper, &mut labels);
         }
-        for (motion, outline) in self.of.state.iter().flat_map(|state| &state.bodies).zip(&self.of.outlines) {
-            if outline.len() > 2 {
-                let middle = outline.iter().sum::<Vector2<f64>>() / outline.len() as f64;
-                labels.write(paper, axes.place(middle), &[&printable(&motion.body)], PLANAR.letters);
-            }
-        }
         if let Some(load) = load {
             load.write(paper, &mut labels, PLANAR.letters);
         }
@@ -58,6 +52,13 @@ impl Picture<'_> {
         if let Some(at) = leaves {
             labels.write(paper, at, &["where it goes, not to scale"], PLANAR.letters);
         }
+        // A body has room for its name, which gives way to all others.
+        for (motion, outline) in self.of.state.iter().flat_map(|state| &state.bodies).zip(&self.of.outlines) {
+            if outline.len() > 2 {
+                let middle = outline.iter().sum::<Vector2<f64>>() / outline.len() as f64;
+                labels.write(paper, axes.place(middle), &[&printable(&motion.body)], PLANAR.letters);
+            }
+        }
         let unnamed = labels.left_out + self.tips.len() - named.len();
         if unnamed > 0 {
             let words = format!("{unnamed} names have no room here");
@@ -65,9 +66,11 @@ impl Picture<'_> {
         }
     }
 
-    /// Writes the name, state and force of a fingertip at the outer end of the finger.
+    /// Writes name, state and force of a fingertip at the outer end of the finger; between two bodies, where no finger is drawn, at the contact.
     fn write_tip(&self, tip: &Tip, axes: &EqualScales, paper: &mut Sheet, labels: &mut Labels) {
-        let at = axes.place(tip.middle - tip.frame.column(0) * (PLANAR.finger * self.span));
+        let is_between = self.of.grasp.contacts()[tip.of.range.start].against.is_some();
+        let behind = if is_between { 0.0 } else { PLANAR.finger * self.span };
+        let at = axes.place(tip.middle - tip.frame.column(0) * behind);
         let name = tip.of.text();
         match &tip.does {
             // Beyond this number of fingertips only names are written, without state and force.

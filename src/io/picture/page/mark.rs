@@ -74,9 +74,9 @@ pub(super) enum MarkShape {
         along: Vector3<f64>,
         width: f64,
         heads: usize,
-        /// The name of an arrow that is to scale; empty if another arrow has the name.
-        name: &'static str,
-        /// Name and size of an arrow that is not to scale.
+        /// The name and size of an arrow that is to scale; empty if another arrow has the name.
+        name: String,
+        /// The name and size of an arrow that is not to scale.
         otherwise: String,
     },
     /// An edge of the object, darker where it is nearer to the eye.
@@ -146,9 +146,10 @@ impl Mark {
                 format!("\"cone\":{apex},\"middle\":{middle},\"radii\":{radii},\"ink\":\"{}\"", hex(*ink))
             }
             MarkShape::Load { from, along, width, heads, name, otherwise } => {
-                let (from, along, otherwise) = (row(from)?, row(along)?, json_string(otherwise));
+                let (from, along, name, otherwise) =
+                    (row(from)?, row(along)?, json_string(name), json_string(otherwise));
                 format!(
-                    "\"load\":{from},\"along\":{along},\"width\":{width},\"heads\":{heads},\"name\":\"{name}\",\"otherwise\":{otherwise}"
+                    "\"load\":{from},\"along\":{along},\"width\":{width},\"heads\":{heads},\"name\":{name},\"otherwise\":{otherwise}"
                 )
             }
             MarkShape::Edge { corners } => format!("\"edge\":{}", line(corners)?),

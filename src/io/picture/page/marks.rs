@@ -159,18 +159,19 @@ fn rim(contacts: &[Contact], frame: &Matrix3<f64>, tip: &ContactPoints, ink: Rgb
 fn marks_of_the_load(drawing: &Drawing, load: &Wrench) -> Vec<Mark> {
     let load = drawing.load(load);
     let [force, moment] = [load.force.norm(), load.moment.norm()];
-    let arrow = |along: Vector3<f64>, size: f64, heads, unit: &str, [name, otherwise]: [&'static str; 2]| {
+    let arrow = |along: Vector3<f64>, size: f64, heads, name: &str, unit: &str| {
         let width = if heads == 1 { 3.0 } else { 2.0 };
-        let otherwise = format!("{otherwise} {} {unit}, not to scale", short(size));
+        let name = format!("{name} {} {unit}", short(size));
+        let otherwise = format!("{name}, not to scale");
         MarkShape::Load { from: load.at, along, width, heads, name, otherwise }.on(MarkLayer::Load)
     };
     let mut marks = Vec::new();
     if force > 0.0 {
-        marks.push(arrow(load.force * drawing.force, force, 1, "N", ["load", "load"]));
+        marks.push(arrow(load.force * drawing.force, force, 1, "load", "N"));
     }
     if moment > 0.0 {
-        let names = if force == 0.0 { ["load", "load"] } else { ["", "moment"] };
-        marks.push(arrow(load.moment * drawing.moment, moment, 2, "N m", names));
+        let name = if force == 0.0 { "load" } else { "moment" };
+        marks.push(arrow(load.moment * drawing.moment, moment, 2, name, "N m"));
     }
     marks
 }

@@ -92,7 +92,7 @@ impl SpatialPage {
                     }
                     MarkShape::Load { from, along, name, otherwise, .. } => {
                         let ([_, tip], is_to_scale) = load_ends(&eye, from, along);
-                        (tip, if is_to_scale { *name } else { otherwise.as_str() })
+                        (tip, if is_to_scale { name.as_str() } else { otherwise.as_str() })
                     }
                     _ => continue,
                 };

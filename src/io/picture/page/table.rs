@@ -6,8 +6,8 @@ use std::ops::Range;
 use super::frame::Frame;
 use crate::ask::Grasp;
 use crate::equilibrium::{ContactAnswer, Equilibrium, WholeAnswer};
-use crate::grasp::{Contact, Hold};
-use crate::numerics::{Each, Space, mapped};
+use crate::grasp::{Contact, ContactPoints, Hold};
+use crate::numerics::{Space, mapped};
 use crate::picture::actuators::Actuators;
 use crate::picture::contact_look::word;
 use crate::picture::error::PictureError;
@@ -16,17 +16,21 @@ use crate::picture::words::{caution, escaped, short};
 use crate::words::{LinkKind, Words};
 
 /// Headings of the table's columns, and their explanations.
-const TABLE_COLUMNS: [(&str, &str); 9] = [
+const TABLE_COLUMNS: [(&str, &str); 10] = [
     ("contact", "name"),
     ("state", "what the contact does"),
     ("F_n (N)", "normal force; positive pushes"),
     ("|F_t| (N)", "friction force"),
+    ("M_n (N m)", "moment of a pad about its normal; in the plane its moment"),
     ("|F_t|/F_n", "friction used"),
     ("μ", "coefficient of friction"),
     ("μF_n − |F_t| (N)", "friction in reserve"),
-    ("gap, slip (m)", "gap of an open contact; slip of the finger over the object"),
-    ("|u_c| (m)", "displacement of the object at the contact"),
+    ("gap, slip (mm)", "gap of an open contact; slip of the finger over the object"),
+    ("|u_c| (mm)", "displacement of the object at the contact"),
 ];
+
+/// Column of the moment of pads among the numbers of a row, which begin with the third column of the table; only tables with pads have it.
+const MOMENT: usize = 2;
 
 /// Writes the sentences of each answer, at the top of the page.
 pub(super) fn write_says(page: &mut String, frames: &[Frame<3>]) {
@@ -110,7 +114,10 @@ fn write_rows(
 ) -> Result<(), PictureError> {
     // A table wider than a narrow screen scrolls by itself instead of the page.
     page.push_str("<div class=\"scrolls\">\n<table>\n<thead><tr>");
-    for (heading, meaning) in TABLE_COLUMNS {
+    let has_pads = grasp.engine.wholes().iter().any(ContactPoints::is_soft);
+    let shown = |column: &usize| has_pads || *column != 2 + MOMENT;
+    for column in (0..TABLE_COLUMNS.len()).filter(shown) {
+        let (heading, meaning) = TABLE_COLUMNS[column];
         let _ = write!(page, "<th title=\"{}\">{}</th>", escaped(meaning), escaped(heading));
     }
     page.push_str("</tr></thead>\n<tbody>\n");
@@ -121,9 +128,9 @@ fn write_rows(
             |class: &str, name: &str, points: Range<usize>, answer: WholeAnswer<'_, 3>, look, moves: f64| {
                 let contact = &grasp.contacts()[points.start];
                 let friction = frame.friction(points.start, contact.friction_coefficient());
-                let numbers = numbers(answer, &state.contacts[points], friction, moves, state);
+                let numbers = numbers(grasp.space(), answer, &state.contacts[points], friction, moves, state);
                 let _ = write!(page, "<tr data-contact=\"{number}\"{class}><th>{}</th>", escaped(name));
-                write_row(page, contact, answer, look, numbers)
+                write_row(page, contact, answer, look, numbers, has_pads)
                     .map_err(|fault| PictureError(format!("{fault} of {name}")))
             };
         row("", &name, tip.range.clone(), whole, resultant.word, resultant.displacement.norm())?;
@@ -137,19 +144,32 @@ fn write_rows(
     Ok(())
 }
 
-/// The numbers of a row in the order of the columns. The gap or slip is the largest one among the points of the fingertip.
+/// The numbers of a row in the order of the columns, lengths in mm. The gap or slip is the largest one among the points of the fingertip.
 fn numbers(
+    space: Space,
     answer: WholeAnswer<'_, 3>,
     points: &[ContactAnswer<3>],
     friction: f64,
     moves: f64,
     state: &Equilibrium<3>,
-) -> [f64; 7] {
+) -> [f64; 8] {
     let force = |newtons| without_rounding(newtons, state);
     let (pushes, rubs) = (force(answer.force()[0]), force(answer.friction_force()));
     let used = if rubs == 0.0 { 0.0 } else { rubs / pushes };
-    let moved = points.iter().map(|point| if point.gap > 0.0 { point.gap } else { point.slip.norm() });
-    [pushes, rubs, used, friction, force(answer.margin()), moved.fold(0.0, f64::max), moves]
+    let moment = match (answer, space) {
+        (WholeAnswer::Pad(pad), Space::Spatial) => pad.moment()[0],
+        (WholeAnswer::Pad(pad), Space::Planar) => pad.moment()[pad.moment().len() - 1],
+        (WholeAnswer::Point(_), _) => 0.0,
+    };
+    // The arm of a moment that is no rounding, m: pads are larger than a millimetre.
+    let arm = 1e-3;
+    let moment = Words::default().beside(moment, arm * state.largest_force());
+    let moved = |point: &ContactAnswer<3>| if point.gap > 0.0 { point.gap } else { point.slip.norm() };
+    let most = |points: &[ContactAnswer<3>]| points.iter().map(moved).fold(0.0, f64::max);
+    // A length that is rounding beside those of all contacts is zero.
+    let largest = state.contacts.iter().map(|one| one.body_core.norm()).fold(most(&state.contacts), f64::max);
+    let length = |metres: f64| 1e3 * Words::default().beside(metres, largest);
+    [pushes, rubs, moment, used, friction, force(answer.margin()), length(most(points)), length(moves)]
 }
 
 /// Writes the state of a contact, in the colour of `look`, and its numbers.
@@ -158,15 +178,16 @@ fn write_row(
     contact: &Contact<3>,
     answer: WholeAnswer<'_, 3>,
     look: &str,
-    numbers: [f64; 7],
+    numbers: [f64; 8],
+    has_pads: bool,
 ) -> Result<(), &'static str> {
     if numbers.iter().any(|x| x.is_nan()) {
         return Err("a number is not a number");
     }
-    let mut words = numbers.each(short);
+    let mut words = numbers.map(short);
     if contact.hold == Hold::Bonded || contact.link.is_some() {
         // A bonded contact has no friction to use.
-        (words[2], words[3]) = ("–".into(), contact.link.map_or("bonded", LinkKind::name).into());
+        (words[3], words[4]) = ("–".into(), contact.link.map_or("bonded", LinkKind::name).into());
     }
     let state = match contact.link {
         Some(LinkKind::Cable) if look == "separated" => "slack".to_owned(),
@@ -174,7 +195,7 @@ fn write_row(
         None => answer.doing(),
     };
     let _ = write!(page, "<td class=\"{}\">{state}</td>", look.replace(' ', "-"));
-    for words in words {
+    for (_, words) in words.iter().enumerate().filter(|(column, _)| has_pads || *column != MOMENT) {
         let _ = write!(page, "<td>{words}</td>");
     }
     page.push_str("</tr>\n");

@@ -8,6 +8,9 @@ use super::joint::Joint;
 use crate::error::Error;
 use crate::grasp::contact::Contact;
 
+/// The beginning of the name of such a slide; the name of its contact follows.
+pub(crate) const SLIDE_OF: &str = "slide of ";
+
 impl<const C: usize> Finger<C> {
     /// Number of slides of the finger's contacts; the points of a soft fingertip share one slide.
     pub(super) fn slides(&self) -> usize {
@@ -43,7 +46,7 @@ impl Assembly {
         if begins_a_slide(contact) {
             let whole = self.contacts.iter().filter(|before| before.begins_a_whole()).count();
             let name = contact.whole_name().unwrap_or_else(|| format!("contact {whole}").into());
-            self.joints.push(Joint::prismatic(along).name(format!("slide of {name}")));
+            self.joints.push(Joint::prismatic(along).name(format!("{SLIDE_OF}{name}")));
         }
         let slide = self.joints.len() - 1;
         self.joints[slide].torque += force;

@@ -37,6 +37,7 @@ pub(crate) use drive::{Drive, Owner, Role};
 pub use finger::Finger;
 pub use hand_builder::Hand;
 #[cfg(feature = "serde")]
+pub(crate) use held_by_force::SLIDE_OF;
 pub(crate) use joint::JointMotion;
 pub use joint::{Joint, JointKind, Limit};
 pub use linkage::{HandPart, PartLabel};

@@ -1,0 +1,54 @@
+//! The question that is being answered, on standard error while its answer takes long.
+
+use std::io::{self, IsTerminal, Write};
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::thread::{self, JoinHandle};
+use std::time::{Duration, Instant};
+
+/// Time between two lines; a shorter answer shows none.
+const INTERVAL: Duration = Duration::from_secs(1);
+
+/// A line of progress each second until it is dropped. A terminal shows one line, which is cleared at the end.
+pub(crate) struct Waiting(Option<(Sender<()>, JoinHandle<()>)>);
+
+impl Waiting {
+    /// The result of `work`. Meanwhile lines tell `what` is waited for, without a terminal only if they are asked for.
+    pub(crate) fn during<R>(what: &str, lines: bool, work: impl FnOnce() -> R) -> R {
+        let _waiting = Self::begin(what.to_owned(), lines);
+        work()
+    }
+
+    fn begin(what: String, lines: bool) -> Self {
+        let is_seen = io::stderr().is_terminal();
+        if !is_seen && !lines {
+            return Self(None);
+        }
+        let (stop, stopped) = channel();
+        let start = Instant::now();
+        let tell = move || {
+            let mut shown = 0;
+            while stopped.recv_timeout(INTERVAL) == Err(RecvTimeoutError::Timeout) {
+                let line = format!("{what}: {} s", start.elapsed().as_secs());
+                if is_seen {
+                    shown = line.chars().count();
+                    let _ = write!(io::stderr(), "\r{line}");
+                } else {
+                    eprintln!("{line}");
+                }
+            }
+            if shown > 0 {
+                let _ = write!(io::stderr(), "\r{:shown$}\r", "");
+            }
+        };
+        Self(thread::Builder::new().spawn(tell).ok().map(|thread| (stop, thread)))
+    }
+}
+
+impl Drop for Waiting {
+    fn drop(&mut self) {
+        if let Some((stop, thread)) = self.0.take() {
+            drop(stop);
+            let _ = thread.join();
+        }
+    }
+}
