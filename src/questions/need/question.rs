@@ -374,6 +374,7 @@ impl<const C: usize> Need<C> {
     }
 
     /// The loads; `None` if the question has none, or several where one is allowed.
+    #[cfg(feature = "serde")]
     pub(crate) fn loads(&self) -> Option<Loads<C>> {
         match self.turn {
             Some(turn) => Some(Loads::Turn(turn)),

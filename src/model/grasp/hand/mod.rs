@@ -36,8 +36,8 @@ pub(super) use draft::{Assembly, Columns};
 pub(crate) use drive::{Drive, Owner, Role};
 pub use finger::Finger;
 pub use hand_builder::Hand;
-#[cfg(feature = "serde")]
 pub(crate) use held_by_force::SLIDE_OF;
+#[cfg(feature = "serde")]
 pub(crate) use joint::JointMotion;
 pub use joint::{Joint, JointKind, Limit};
 pub use linkage::{HandPart, PartLabel};
