@@ -8,9 +8,9 @@ use grasp_lcp::scene::{Question, Setup};
 use grasp_lcp::words::{Unit, printable};
 
 use crate::arguments::Numbers;
-use crate::asking::Meaning;
 use crate::failure::Failure;
 use crate::files::{bytes, name};
+use crate::meaning::Meaning;
 use crate::needs::named;
 
 /// The unknowns, and the table of observed slips.

@@ -18,6 +18,7 @@ mod in_units;
 mod load_arguments;
 mod loads;
 mod map;
+mod meaning;
 mod needs;
 mod new;
 mod numbers;

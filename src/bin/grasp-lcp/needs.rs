@@ -8,9 +8,9 @@ use grasp_lcp::scene::{Question, Setup};
 use grasp_lcp::words::printable;
 
 use crate::arguments::{Numbers, SoughtQuantity, Wanted};
-use crate::asking::Meaning;
 use crate::failure::Failure;
 use crate::loads::{direction, loads, point, total_force};
+use crate::meaning::Meaning;
 use crate::of_the_scene::{SceneLoads, own_need};
 use crate::own_masses::{accelerated, of_own_masses, tilted};
 

@@ -4,9 +4,9 @@ use grasp_lcp::grasp::Wrench;
 use grasp_lcp::scene::{Question, Setup};
 
 use crate::arguments::Numbers;
-use crate::asking::Meaning;
 use crate::failure::Failure;
 use crate::loads::{direction, point, weight_of};
+use crate::meaning::Meaning;
 use crate::own_masses::{accelerated, refuse_mass};
 
 /// The loads that are applied and removed in turn, and the constant load.

@@ -1,0 +1,325 @@
+//! The questions of the command line, with its numbers as loads in the plane or in space.
+
+use crate::arguments::{Command, LoadArguments, Numbers};
+use crate::failure::Failure;
+use crate::loads::{direction, loads, point, pull_of_mass, weight_of};
+use crate::of_the_scene::SceneLoads;
+use crate::own_masses::{of_own_masses, refuse_mass, tilted};
+use grasp_lcp::grasp::Wrench;
+use grasp_lcp::improve::{Improve, ImproveGoal};
+use grasp_lcp::load_path::{Leg, Turn};
+use grasp_lcp::scene::{Question, Setup};
+use grasp_lcp::squeeze::Loads;
+use grasp_lcp::{planar, spatial};
+use std::collections::BTreeMap;
+
+/// Makes a turning load from a weight, N, the point where it acts, m, and the axis of the turn.
+type TurnOf<const C: usize> = fn([f64; C], Option<&Numbers>, Option<&Numbers>) -> Result<Turn<C>, Failure>;
+
+/// Conversions of the command line's numbers to loads, in the plane or in space.
+pub(crate) struct Meaning<const C: usize> {
+    pub(crate) force_at: fn([f64; C], [f64; C]) -> Wrench<C>,
+    /// The load of a moment, N m: one component in the plane, three in space.
+    pub(crate) moment: fn(&[f64]) -> Wrench<C>,
+    pub(crate) turn: TurnOf<C>,
+}
+
+/// Replaces the scene's questions by that of the command line. If the command line has no load, the scene's questions of the same kind are kept.
+pub(crate) fn put<const C: usize>(
+    setup: &mut Setup<C>,
+    asked: &Command,
+    words: &Meaning<C>,
+) -> Result<(), Failure> {
+    let question = match asked {
+        Command::Hold { load, base, safety, .. } => {
+            let asked = &*of_own_masses(load, base.is_some(), setup)?;
+            words.hold(asked, base.as_ref(), *safety)?
+        }
+        Command::Need { wanted, .. } => {
+            words.need(wanted, setup)?.map(|asked| Question::Need(Box::new(asked)))
+        }
+        Command::Improve { load, base, any_force, at_most, reserve, .. } => {
+            let load = &*of_own_masses(load, base.is_some() || any_force.is_some(), setup)?;
+            words.improve(load, base.as_ref(), *any_force, *at_most, *reserve)?
+        }
+        Command::Turn { mass: None, weight: None, at: None, base: None, axis: None, .. }
+            if setup.own_mass().is_none()
+                || setup.questions.iter().any(|question| is_of_kind(question, asked)) =>
+        {
+            None
+        }
+        Command::Solve { load, .. } => {
+            let asked = &*of_own_masses(load, false, setup)?;
+            let together_with = words.together_with(asked)?;
+            words.wrench(asked, false)?.map(|load| Question::Solve { load, together_with })
+        }
+        Command::Compare { load, base, .. } => {
+            let asked = &*of_own_masses(load, base.is_some(), setup)?;
+            if !asked.together_with.is_empty() {
+                let message = "--together-with: given, must be left out of a comparison";
+                return Err(Failure::Usage(message.to_owned()));
+            }
+            let load = words.wrench(asked, base.is_some())?;
+            let base = words.base(base.as_ref(), asked.at.as_ref())?;
+            load.map(|load| Question::Compare { base, load })
+        }
+        Command::Onset { load, .. } => {
+            let asked = &*of_own_masses(load, false, setup)?;
+            let together_with = words.together_with(asked)?;
+            let (base, command_change, joint_change) = (Wrench::ZERO, None, None);
+            let along =
+                |direction| Question::Onset { base, direction, command_change, joint_change, together_with };
+            words.wrench(asked, false)?.map(along)
+        }
+        Command::Turn { mass, weight, at, base, axis, .. } => {
+            refuse_mass(setup, *mass)?;
+            let own = if mass.is_none() && weight.is_none() { tilted(setup) } else { None };
+            let (weight, centre) = match (weight, mass, own) {
+                (_, _, Some(own)) => (own.weight, Some(own.at)),
+                (Some(weight), ..) => (weight.array("weight").map_err(Failure::Usage)?, at.clone()),
+                (None, Some(mass), _) => (weight_of(*mass)?, at.clone()),
+                (None, None, _) => return Err(Failure::Usage("--mass is missing, or --weight".to_owned())),
+            };
+            let turn = (words.turn)(weight, centre.as_ref(), axis.as_ref())?;
+            Some(Question::OnsetOfTurn(turn.beside(words.base(base.as_ref(), at.as_ref())?)))
+        }
+        Command::Follow { to, from, at, .. } => words.follow(to, from.as_ref(), at.as_ref())?,
+        Command::Shake { shakes, .. } => words.shake(shakes, setup)?,
+        Command::Identify { slips, .. } => words.identify(slips, setup)?,
+        _ => None,
+    };
+    match question {
+        Some(question) => setup.questions = vec![question],
+        None if setup.questions.iter().any(|question| is_of_kind(question, asked)) => {
+            setup.questions.retain(|question| is_of_kind(question, asked));
+        }
+        None => setup.questions = of_the_scene(setup, asked),
+    }
+    if setup.questions.is_empty()
+        && let Some(rest) = at_rest(asked)
+    {
+        eprintln!(
+            "warning: the scene has no such question, and no load is given: what stands at rest is asked"
+        );
+        setup.questions.push(rest);
+    }
+    if setup.questions.is_empty() {
+        let message = match asked {
+            Command::Compare { .. } | Command::Onset { .. } => {
+                "the scene has no such question: say --mass, --force or --moment"
+            }
+            Command::Need { .. } => {
+                "the scene has no such question: say what is needed, such as `squeeze --mass 0.4`"
+            }
+            Command::Improve { .. } => "the scene has no such question: say --mass, --force or --any-force",
+            Command::Turn { .. } => "the scene has no such question: say --mass or --weight",
+            Command::Follow { .. } => "the scene has no such question: say --to",
+            Command::Identify { .. } => {
+                "the scene has no such question: say a table of slips behind the scene"
+            }
+            Command::Shake { .. } => {
+                "the scene has no such question: say --force, or --mass and --acceleration"
+            }
+            _ => {
+                "the scene asks nothing: use `hold`, `need`, `improve`, `onset`, `solve`, `compare`, `turn`, `follow` or `shake` with a load"
+            }
+        };
+        return Err(Failure::Usage(message.to_owned()));
+    }
+    Ok(())
+}
+
+/// The questions whether the object holds the loads of the scene's question `need`.
+fn of_the_scene<const C: usize>(setup: &Setup<C>, asked: &Command) -> Vec<Question<C>> {
+    let is_needed =
+        |question: &Question<C>| matches!(question, Question::Need(_)) && question.loads().is_some();
+    let is_held = matches!(asked, Command::Hold { .. }) && setup.questions.iter().any(is_needed);
+    match is_held.then(|| SceneLoads::of(setup)).flatten() {
+        Some(SceneLoads { base, loads: Loads::Each(list), together_with }) => {
+            let hold = |load| Question::Hold { base, load, together_with: together_with.clone() };
+            list.into_iter().map(hold).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// The question whether the object is at rest without any load, if neither the command line nor the scene has a question.
+fn at_rest<const C: usize>(asked: &Command) -> Option<Question<C>> {
+    let (load, together_with) = (Wrench::ZERO, BTreeMap::new());
+    match asked {
+        Command::Hold { .. } => Some(Question::Hold { base: Wrench::ZERO, load, together_with }),
+        Command::Solve { .. } => Some(Question::Solve { load, together_with }),
+        _ => None,
+    }
+}
+
+fn is_of_kind<const C: usize>(question: &Question<C>, asked: &Command) -> bool {
+    matches!(
+        (asked, question),
+        (Command::Ask(_), _)
+            | (Command::Hold { .. }, Question::Hold { .. })
+            | (Command::Need { .. }, Question::Need(_))
+            | (Command::Improve { .. }, Question::Improve(_))
+            | (Command::Solve { .. }, Question::Solve { .. })
+            | (Command::Compare { .. }, Question::Compare { .. })
+            | (Command::Onset { .. }, Question::Onset { .. })
+            | (Command::Turn { .. }, Question::OnsetOfTurn(_))
+            | (Command::Follow { .. }, Question::Follow { .. })
+            | (Command::Identify { .. }, Question::Identify(_))
+            | (Command::Shake { .. }, Question::Shake { .. } | Question::Shakedown { .. })
+    )
+}
+
+impl<const C: usize> Meaning<C> {
+    /// The load of the command line, if there is one. `beside` says whether another force acts at the same point, for which `--at` may be given alone.
+    pub(crate) fn wrench(&self, load: &LoadArguments, beside: bool) -> Result<Option<Wrench<C>>, Failure> {
+        let LoadArguments { force, moment, at, mass, .. } = load;
+        if force.is_none() && mass.is_none() && at.is_some() && !beside {
+            return Err(Failure::Usage("--at without --force or --mass: a moment acts anywhere".to_owned()));
+        }
+        let mut all = Wrench::ZERO;
+        if let Some(force) = force {
+            all = self.push(force, "force", at.as_ref())?;
+        }
+        if mass.is_some() {
+            all = all + pull_of_mass(load)?;
+        }
+        if let Some(moment) = moment {
+            let (given, expected) = (moment.0.len(), C * (C - 1) / 2);
+            if given != expected {
+                let space = if C == 3 { "three numbers in space" } else { "one number in the plane" };
+                return Err(Failure::Usage(format!("--moment: {given} given, must be {space}")));
+            }
+            all = all + (self.moment)(&moment.0);
+        }
+        Ok((force.is_some() || moment.is_some() || mass.is_some()).then_some(all))
+    }
+
+    /// Loads on other bodies that grow in proportion to the load of the command line.
+    pub(crate) fn together_with(&self, load: &LoadArguments) -> Result<BTreeMap<String, Wrench<C>>, Failure> {
+        if !load.together_with.is_empty()
+            && load.force.is_none()
+            && load.moment.is_none()
+            && load.mass.is_none()
+        {
+            let message =
+                "--together-with without --force, --moment or --mass: there is no load to grow with";
+            return Err(Failure::Usage(message.to_owned()));
+        }
+        let mut all = BTreeMap::new();
+        for push in &load.together_with {
+            let wrench = self.push(&push.force, "together-with", push.at.as_ref())?;
+            let sum = all.entry(push.body.clone()).or_insert(Wrench::ZERO);
+            *sum = *sum + wrench;
+        }
+        Ok(all)
+    }
+
+    /// The question whether the grasp holds a load multiplied by `safety`; if there is only a base load, whether it holds this.
+    fn hold(
+        &self,
+        load: &LoadArguments,
+        base: Option<&Numbers>,
+        safety: Option<f64>,
+    ) -> Result<Option<Question<C>>, Failure> {
+        let wrench = self.wrench(load, base.is_some())?;
+        let (wrench, times) = match (wrench, safety) {
+            (None, Some(_)) => {
+                let message = "--safety: of a load, say --mass, --force or --moment";
+                return Err(Failure::Usage(message.to_owned()));
+            }
+            (wrench, times) => (wrench.or(base.map(|_| Wrench::ZERO)), times.unwrap_or(1.0)),
+        };
+        let (base, mut together_with) = (self.base(base, load.at.as_ref())?, self.together_with(load)?);
+        for load in together_with.values_mut() {
+            *load = *load * times;
+        }
+        Ok(wrench.map(|load| Question::Hold { base, load: load * times, together_with }))
+    }
+
+    /// The question for better places of the fingers.
+    fn improve(
+        &self,
+        load: &LoadArguments,
+        base: Option<&Numbers>,
+        any_force: Option<f64>,
+        at_most: Option<f64>,
+        reserve: bool,
+    ) -> Result<Option<Question<C>>, Failure> {
+        if !load.together_with.is_empty() {
+            let message = "--together-with: given, must be left out where fingers are improved";
+            return Err(Failure::Usage(message.to_owned()));
+        }
+        let wrench = self.wrench(load, base.is_some() || any_force.is_some())?;
+        if wrench.is_none() && any_force.is_none() {
+            let given = base.is_some() || at_most.is_some() || reserve;
+            let missing =
+                "say which load is to slide late: --mass, --force, --moment or --any-force".to_owned();
+            return if given { Err(Failure::Usage(missing)) } else { Ok(None) };
+        }
+        let loads = loads(wrench, any_force, load.at.as_ref())?;
+        let mut question = Improve::new(loads).on_top_of(self.base(base, load.at.as_ref())?);
+        if let Some(force) = at_most {
+            question = question.pressing_at_most(force);
+        }
+        if reserve {
+            question = question.with_goal(ImproveGoal::Reserve);
+        }
+        Ok(Some(Question::Improve(Box::new(question))))
+    }
+
+    /// A force that acts at a point.
+    pub(crate) fn push(
+        &self,
+        force: &Numbers,
+        option: &str,
+        at: Option<&Numbers>,
+    ) -> Result<Wrench<C>, Failure> {
+        let force = force.array(option).map_err(Failure::Usage)?;
+        Ok((self.force_at)(force, point(at)?))
+    }
+
+    /// The constant load; zero if left out.
+    pub(crate) fn base(&self, base: Option<&Numbers>, at: Option<&Numbers>) -> Result<Wrench<C>, Failure> {
+        base.map_or(Ok(Wrench::ZERO), |base| self.push(base, "base", at))
+    }
+
+    fn follow(
+        &self,
+        to: &[Numbers],
+        from: Option<&Numbers>,
+        at: Option<&Numbers>,
+    ) -> Result<Option<Question<C>>, Failure> {
+        if to.is_empty() {
+            let missing = from.map_or(Ok(None), |_| Err(Failure::Usage("--from without --to".to_owned())));
+            return missing;
+        }
+        let start = from.map_or(Ok(Wrench::ZERO), |from| self.push(from, "from", at))?;
+        let leg = |force| self.push(force, "to", at).map(Leg::load_to);
+        let legs = to.iter().map(leg).collect::<Result<_, _>>()?;
+        Ok(Some(Question::Follow { start, legs, in_steps: None }))
+    }
+}
+
+pub(crate) fn planar_turn(
+    weight: [f64; 2],
+    at: Option<&Numbers>,
+    axis: Option<&Numbers>,
+) -> Result<Turn<2>, Failure> {
+    if axis.is_some() {
+        return Err(Failure::Usage("--axis: there is none in the plane".to_owned()));
+    }
+    Ok(planar::Turn::tilting(weight, point(at)?))
+}
+
+pub(crate) fn spatial_turn(
+    weight: [f64; 3],
+    at: Option<&Numbers>,
+    axis: Option<&Numbers>,
+) -> Result<Turn<3>, Failure> {
+    let axis = axis.ok_or_else(|| {
+        Failure::Usage("--axis is missing: about which the grasp is tilted, such as --axis 1,0,0".to_owned())
+    })?;
+    let axis: [f64; 3] = direction(axis, "axis")?;
+    Ok(spatial::Turn::tilting(weight, point(at)?, axis)?)
+}
