@@ -8,7 +8,7 @@
 //! ```
 //!
 //! and (γ, λ') is the null vector of the rates of all margins `μ F_n - |F_t|` of sliding contacts: one equation a sliding contact, where an
-//! [arc](super::arc) has one a coordinate. Whatever is not plain sailing gives no answer and is left to a path: an onset that does not begin from
+//! [arc](super::arc) has one a coordinate. The following are left to a path, and give no answer here: an onset that does not begin from
 //! clear sticking, a slip that ends, a contact that opens, events that coincide, and several continuations.
 
 use nalgebra::SVector;

@@ -1,9 +1,8 @@
 //! Scenes: grasps, and questions about them, as text (feature `serde`).
 //!
-//! A [`Scene`] is read and written by serde, from JSON or from any other format that describes
-//! itself; its [answers](Scene::answers) are written the same way. Input that cannot be read
-//! unambiguously is refused: unknown fields, unknown versions, lists of the wrong length, numbers
-//! out of range. Units are those of the crate: SI, or any consistent ones.
+//! A [`Scene`] is read and written by serde, from JSON or from any other format that describes itself; its [answers](Scene::answers) are written the
+//! same way. Input that cannot be read unambiguously is refused: unknown fields, unknown versions, lists of the wrong length, numbers out of range.
+//! Units are those of the crate: SI, or any consistent ones.
 //!
 //! # The format, version `grasp-lcp/1`
 //!

@@ -33,6 +33,7 @@ mod put_on;
 mod short;
 mod verdict;
 mod way_out;
+mod way_out_words;
 mod words;
 
 pub use caught::{Caught, MovesTo, SlippedBy};

@@ -1,9 +1,10 @@
 //! The answer to the question for an amount.
 
-use crate::error::Error;
+use core::fmt;
 
 use super::press::Press;
 use super::question::Demand;
+use crate::error::Error;
 use crate::prelude::*;
 
 /// The answer to "how much does it need?"; its [`Display`](std::fmt::Display) is a sentence.
@@ -252,5 +253,18 @@ pub(super) fn check_part(what: &'static str, value: f64) -> Result<(), Error> {
         Ok(())
     } else {
         Err(Error::Argument { what, value, allowed: "from 0 to less than 1: 0.1 is ten percent" })
+    }
+}
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Squeeze => "squeeze",
+            Self::Friction => "coefficient of friction",
+            Self::Load => "multiple of the load",
+            Self::Arm => "arm",
+            Self::Angle => "angle",
+            Self::Force => "force",
+        })
     }
 }

@@ -1,13 +1,10 @@
 //! The question for an amount: the sought quantity, the loads and the demand.
 
-use alloc::borrow::Cow;
 use alloc::collections::BTreeMap;
 
 use nalgebra::SVector;
 
 use super::answer::Quantity;
-use crate::ask::Grasp;
-use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::Turn;
 use crate::prelude::*;
@@ -371,32 +368,6 @@ impl<const C: usize> Need<C> {
     #[must_use]
     pub fn quantity(&self) -> Quantity {
         self.quantity
-    }
-
-    /// The loads; `None` if the question has none, or several where one is allowed.
-    #[cfg(feature = "serde")]
-    pub(crate) fn loads(&self) -> Option<Loads<C>> {
-        match self.turn {
-            Some(turn) => Some(Loads::Turn(turn)),
-            None => Loads::of_fields("need", (self.load, &self.loads), (self.any_force, self.at)).ok(),
-        }
-    }
-
-    /// The loads given as wrenches.
-    #[cfg(feature = "serde")]
-    pub(crate) fn wrenches(&self) -> impl Iterator<Item = &Wrench<C>> {
-        self.load.iter().chain(&self.loads)
-    }
-
-    /// The load in proportion to which the loads of other bodies [grow](Self::together_with); `None` if the question has no such load.
-    pub(crate) fn grows(&self) -> Option<Wrench<C>> {
-        let is_alone = self.loads.is_empty() && self.any_force.is_none() && self.turn.is_none();
-        self.load.filter(|_| is_alone && !matches!(self.quantity, Quantity::Arm | Quantity::Angle))
-    }
-
-    /// The grasp with the loads that grow together.
-    pub(super) fn growing<'g>(&self, grasp: &'g Grasp<C>) -> Result<Cow<'g, Grasp<C>>, Error> {
-        grasp.growing("need", self.base(), self.grows(), &self.together_with)
     }
 
     /// The load at rest.

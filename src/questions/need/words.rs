@@ -396,16 +396,3 @@ impl Amount {
         [amount, amount * (1.0 + ALIKE_IN_WORDS), amount * (1.0 - ALIKE_IN_WORDS)].into_iter().any(is_in)
     }
 }
-
-impl fmt::Display for Quantity {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Squeeze => "squeeze",
-            Self::Friction => "coefficient of friction",
-            Self::Load => "multiple of the load",
-            Self::Arm => "arm",
-            Self::Angle => "angle",
-            Self::Force => "force",
-        })
-    }
-}

@@ -1,0 +1,88 @@
+//! The motion of a loss as part of a sentence.
+
+use alloc::borrow::Cow;
+use core::fmt;
+
+use super::way_out::{BodyWay, WayOut};
+use super::words::they_open;
+use crate::grasp::{WholeContact, vacuum_is_gone};
+use crate::numerics::{Space, mapped};
+use crate::prelude::*;
+use crate::words::{Words, listed, printable};
+
+impl<const C: usize> fmt::Display for WayOut<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let words = Words::of(f);
+        match self {
+            Self::LiftsOff { direction } => {
+                let goes = if self.falls(&[], words) { "falls" } else { "lifts" };
+                write!(f, "the object {goes} off along {}", words.along(direction))
+            }
+            Self::SlidesOut { .. } | Self::Turns { .. } | Self::TipsOver { .. } => {
+                write!(f, "the object {}", self.goes(words, false))
+            }
+            Self::TurnsAbout { about } if words.space::<C>() == Space::Spatial && about.len() == 2 => {
+                write!(f, "the object spins about the line {}–{}", about[0].text(), about[1].text())
+            }
+            Self::TurnsAbout { about } => write!(f, "the object turns about {}", listed(about)),
+            Self::LetsGo { cups } => f.write_str(&vacuum_is_gone(cups)),
+            Self::Apart { bodies } => f.write_str(&told_together(bodies, words)),
+            Self::NotKnown => f.write_str("nothing holds on"),
+        }
+    }
+}
+
+/// The motions of several bodies, grouped by motion: "wedge moves along −x, block and lid turn about (0.1, 0) m".
+fn told_together<const C: usize>(bodies: &[BodyWay<C>], words: Words) -> String {
+    let mut ways: Vec<(String, &WayOut<C>, Vec<Cow<'_, str>>)> = Vec::new();
+    for BodyWay { body, way } in bodies {
+        let (told, name) = (way.goes(words, false), printable(body));
+        match ways.iter_mut().find(|(other, ..)| *other == told) {
+            Some((.., names)) => names.push(name),
+            None => ways.push((told, way, vec![name])),
+        }
+    }
+    let told = |(one, way, names): &(String, &WayOut<C>, Vec<_>)| {
+        if names.len() == 1 {
+            format!("{} {one}", names[0])
+        } else {
+            format!("{} {}", listed(names), way.goes(words, true))
+        }
+    };
+    listed(&mapped(&ways, &told))
+}
+
+impl<const C: usize> WayOut<C> {
+    /// The verb of one body or of several that slide or turn: "moves along −x", "turn about (0.1, 0) m".
+    fn goes(&self, words: Words, are_several: bool) -> String {
+        let ending = if are_several { "" } else { "s" };
+        match self {
+            Self::SlidesOut { direction } => format!("move{ending} along {}", words.along(direction)),
+            Self::Turns { centre, axis } => {
+                let axis = match words.space::<C>() {
+                    Space::Planar => String::new(),
+                    Space::Spatial => format!("{} through ", words.along(axis)),
+                };
+                format!("turn{ending} about {axis}{} m", words.vector(centre))
+            }
+            Self::TipsOver { about, opens } => {
+                let edge = |part: &WholeContact| {
+                    if part.is_whole() {
+                        part.text().into_owned()
+                    } else {
+                        format!("an edge of {}", part.text())
+                    }
+                };
+                let about_whole =
+                    |part: &WholeContact| about.iter().all(|other| other.contact != part.contact);
+                let edges: Vec<_> = mapped(about, &edge);
+                let opens: Vec<_> = opens.iter().filter(|part| about_whole(part)).cloned().collect();
+                let they_open =
+                    if opens.is_empty() { String::new() } else { format!(", {}", they_open(&opens)) };
+                format!("tip{ending} over about {}{they_open}", listed(&edges))
+            }
+            Self::TurnsAbout { about } => format!("turn{ending} about {}", listed(about)),
+            _ => format!("move{ending}"),
+        }
+    }
+}
