@@ -222,7 +222,7 @@ impl Chart {
         paper.text((x, y), label, CHART.label, left, GREY);
     }
 
-    /// The size of `count` charts of `each` pixels side by side, in fine pixels ([`FINE`] of them are one pixel).
+    /// Draws the names of the series in the corner in which they hide least.
     fn draw_legend(&self, paper: &mut Sheet, canvas: &Canvas) {
         let (marked, shaded) = (!self.marks.is_empty(), self.shaded.is_some());
         let (side, anchor) = emptiest_corner(canvas.window, &self.series, marked, shaded);
