@@ -64,7 +64,7 @@ fn to_what_touches(problem: &Problem, found: &Found, base: &Vector) -> Vector {
     let (free, normal) = (&found.free_motions, |i: usize| problem.sites[i].map.column(0));
     let rows = matrix_of(open.len(), free.len(), &|r, k| normal(open[r]).dot(&free[k]));
     let gaps = vector_of(open.len(), &|r| problem.stretch(open[r], base)[0]);
-    // Normals along free motions with a singular value below 1e-9 of the largest count as dependent.
+    // Normals along free motions with a singular value below 1e-9 count as dependent.
     let mut motion = Vector::zeros();
     for (v, part) in free.iter().zip(&Singular::new(&rows).solve(&gaps, 1e-9)) {
         motion += v * *part;
