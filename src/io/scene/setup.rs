@@ -239,6 +239,7 @@ impl<const C: usize> Setup<C> {
 
 impl Setup<3> {
     /// Number of point contacts of the grasp: soft fingertips and links count with all their points.
+    #[cfg(feature = "json")]
     pub(crate) fn all_points(&self) -> Result<usize, Error> {
         let points = self.entries().map(Fingertip::count).sum::<Result<usize, _>>()?;
         Ok(points + self.points_of_links()?.len())
