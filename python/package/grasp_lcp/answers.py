@@ -254,7 +254,7 @@ class Verdict(Sentence):
     @property
     def left_out(self) -> float | None:
         """Geometric stiffness that the theory of small motions neglects, relative to the stiffness of the springs along the motion.
-        
+
         The points at which forces at rest act turn with the object, which reduces its resistance (negative) or increases it. None if the change is
         at most a tenth, and for several bodies.
         """
@@ -433,7 +433,7 @@ class Identified(Answer):
     @cached_property
     def assignments(self) -> tuple[tuple[Estimate, ...], ...]:
         """The estimates for each assignment of slips to contacts that fits equally well, the best first; empty if there is only one.
-        
+
         The contact that slips first depends on the quantities. A quantity on which the assignments disagree is not determined.
         """
         return tuple(tuple(Estimate(tree) for tree in each) for each in self._tree.get("assignments", ()))

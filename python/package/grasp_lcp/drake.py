@@ -11,7 +11,7 @@ from ._touching import Touching, drive, hand_of, pressing
 
 def touching(plant: Any, context: Any, body: str) -> list[Touching]:
     """The point contacts that press on a body, in Drake's order.
-    
+
     A contact of Drake has its force on body B and its normal from B to A. The normal changes its sign if the held body is B, the force if the held
     body is A.
     """

@@ -155,7 +155,7 @@ class Body:
 
     def _rounding(self, commands: Commands | None, load: Vector, moved: list[Row], normal: Each, tangential: list[Vector]) -> Each:
         """Bounds of rounding errors: a fraction of each force plus a fraction of the force that the total displacement would give its spring.
-        
+
         The second force is limited by the sum of all forces, since displacements that should cancel leave forces only between several contacts.
         """
         sites, axes = self.sites, self.sites.axes

@@ -138,7 +138,7 @@ class Sites:
 
 def kept(xp: Any, rows: Any) -> Any:
     """The same rows, which the compiler then computes only once. Otherwise it may compute them again for each of their many uses.
-    
+
     A namespace without a compiler has no function ``kept``.
     """
     return xp.kept(rows) if hasattr(xp, "kept") else rows
