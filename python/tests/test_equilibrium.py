@@ -95,4 +95,4 @@ def test_large_motions_are_told() -> None:
     for angle, far in [(0.09, False), (-0.11, True)]:
         state = beam.solve([0, 0, 5 * angle]).equilibrium
         assert state is not None and state.twist[2] == pytest.approx(angle, rel=1e-12)
-        assert state.is_beyond_small_motions == far and ("beyond the small motions" in repr(state)) == far
+        assert state.is_beyond_small_motions == far and ("no longer apply" in repr(state)) == far

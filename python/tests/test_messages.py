@@ -183,7 +183,7 @@ CASES: list[tuple[Callable[[], object], type[Exception], str]] = [
         ValueError,
         "quantity: 'squeze' (squeeze?), must be one of squeeze, friction, load, arm, angle, force",
     ),
-    (lambda: pinch().need(3, [0, -1]), ValueError, "quantity: 3, must be one of squeeze, friction"),  # type: ignore[arg-type]
+    (lambda: pinch().need(3, [0, -1]), ValueError, "quantity: 3, must be one of squeeze, friction, load, arm, angle, force"),  # type: ignore[arg-type]
     # Scenes.
     (lambda: Grasp.from_json("{"), ValueError, "line 1, column 1: the text ends within an object: something is missing, perhaps a bracket"),
     (lambda: answers({"format": "grasp-lcp/1"}), ValueError, "missing field `planar` or `spatial`"),
