@@ -32,7 +32,7 @@ struct FreeWay {
     length: f64,
     /// Sites whose gaps close at the end of the motion.
     closing: Vec<usize>,
-    /// Whether each site stays in place during the motion, although it may be on an edge.
+    /// For each site, a contact or a drive, whether it stays in place during the motion; it may be on the edge of its friction cone.
     still: Vec<bool>,
 }
 

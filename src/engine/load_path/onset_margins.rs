@@ -79,7 +79,7 @@ impl<'g> OnsetMargins<'g> {
         Some(mapped(&self.margins, &|margin| margin.moved(&change.forces, direct(margin))))
     }
 
-    /// The derivative of the factor by a multiple of `load` that is added to the load.
+    /// For each margin, the derivative of the load factor at which it vanishes, by a multiple of `load` added to the load.
     pub(crate) fn by_load(&self, load: &Wrench<3>) -> Option<Vec<f64>> {
         let change = self.response.by_load(load).ok()?;
         Some(mapped(&self.margins, &|margin| margin.moved(&change.of, 0.0)))

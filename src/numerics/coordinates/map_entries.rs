@@ -1,4 +1,4 @@
-//! Entries of a map: for a single object all of them in place, otherwise those of the nonzero rows.
+//! Entries of the wrench map of a contact, from its force to the coordinates of the grasp: all rows for a single object, otherwise the nonzero rows.
 //!
 //! With several bodies a contact acts on two of them, so its map has entries in few rows. Sums over these rows have the same bits as sums over
 //! all rows, since adding zeros changes nothing.

@@ -26,7 +26,7 @@ const MOST_BISECTIONS: usize = 4;
 const MOST_FITS: usize = 12;
 const MOST_LOOKS: usize = 240;
 
-/// A step off a kink, in the logarithm of one unknown.
+/// Step in the logarithm of one unknown away from a value at which another contact begins to slip first: predictions have no derivative there.
 const BESIDE_A_KINK: f64 = 1e-3;
 
 /// The search for other assignments. From each one that is found the search continues.

@@ -10,7 +10,7 @@ use crate::prelude::*;
 pub(super) struct SlipCode {
     /// The factor or the angle (rad), infinite if no contact leaves, or one of the codes below.
     pub(super) code: f64,
-    /// Sum of 2^i over the contacts i that leave there.
+    /// Sum of 2^i over the contacts i that leave at this factor or angle.
     pub(super) leaving: f64,
 }
 

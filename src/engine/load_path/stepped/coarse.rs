@@ -39,7 +39,7 @@ impl Coarse {
         let largest = to.largest_force().max(from.largest_force()).max(f64::MIN_POSITIVE);
         let distance = from.apart(&self.standing);
         let near = &to.twist + &self.standing.twist - &from.twist;
-        // Growth of the distance in one step beyond which the second path counts as lost. With a small factor it would be lost at every change of
+        // Growth of the distance between both paths in one step beyond which the second path is abandoned. With a small factor it would be at each change of
         // states, and errors that decay would be added up.
         let by = 10.0 * distance + to.apart(at_once);
         let step = || along.step(&self.standing, (to.fraction - from.fraction, near), beside);
