@@ -47,8 +47,8 @@ fn they_carry_nothing_and_everything_else_sticks() {
             let force = whole.force();
             let presses = if whole.text().contains("jaw") { SCREW } else { 0.0 };
             if whole.text() != "guide" {
-                assert!((force[0] - presses).abs() <= 1e-9 * SCREW, "{} {force}", whole.text());
-                assert!(force[1].hypot(force[2]) <= 1e-9 * SCREW, "{} {force}", whole.text());
+                assert!((force[0] - presses).abs() <= 1e-12 * SCREW, "{} {force}", whole.text());
+                assert!(force[1].hypot(force[2]) <= 1e-12 * SCREW, "{} {force}", whole.text());
             }
         }
         let verdict = vice.hold(Wrench::new([0.0, 0.0, -1.0], [0.0; 3])).expect("well posed");

@@ -230,7 +230,9 @@ fn each_answer_is_printed_when_it_is_ready() {
         .expect("starts");
     program.stdin.take().expect("piped").write_all(scene.to_string().as_bytes()).expect("is read");
     let lines = |from: Box<dyn std::io::Read>| BufReader::new(from).lines().map_while(Result::ok);
-    let first = lines(Box::new(program.stdout.take().expect("piped"))).next();
+    // The pipe stays open until the end: the program stops when nothing reads the rest of its answer.
+    let mut printed = lines(Box::new(program.stdout.take().expect("piped")));
+    let first = printed.next();
     let told =
         lines(Box::new(program.stderr.take().expect("piped"))).find(|line| line.contains("question 2 of 2"));
     let is_at_work = program.try_wait().expect("can be asked").is_none();

@@ -90,19 +90,18 @@ fn one_by_one<const C: usize>(setup: &Setup<C>, ask: &Ask) -> Result<bool, Failu
     let refused = |error| files::refused(&ask.scene, &error);
     // A malformed question is an error before any answer.
     setup.questions.iter().try_for_each(|question| setup.check(question)).map_err(refused)?;
-    let (mut one, mut is_decided) = (setup.clone(), true);
+    let grasp = setup.grasp().map_err(refused)?;
+    let mut is_decided = true;
     for (k, question) in setup.questions.iter().enumerate() {
-        one.questions = vec![question.clone()];
         let what = format!("question {} of {}", k + 1, setup.questions.len());
-        let answers = Waiting::during(&what, ask.progress, || one.answers_in(style(ask).words));
-        let mut out = io::stdout().lock();
-        for answer in answers.map_err(refused)? {
-            if k > 0 {
-                writeln!(out)?;
-            }
-            report::print(&mut out, style(ask), setup, (question, &answer))?;
-            is_decided &= !is_undecided(&answer);
+        let words = style(ask).words;
+        let answer = Waiting::during(&what, ask.progress, || setup.answer_in(&grasp, question, words));
+        let (answer, mut out) = (answer.map_err(refused)?, io::stdout().lock());
+        if k > 0 {
+            writeln!(out)?;
         }
+        report::print(&mut out, style(ask), setup, (question, &answer))?;
+        is_decided &= !is_undecided(&answer);
         out.flush()?;
     }
     Ok(is_decided)

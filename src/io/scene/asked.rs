@@ -39,6 +39,21 @@ impl<const C: usize> Setup<C> {
     pub fn answers_in(&self, words: Words) -> Result<Vec<Answer<C>>, Error> {
         inside(self).answered(words).map(outside)
     }
+
+    /// The answer to one question, with numbers as in [`Self::answers_in`]. `grasp` is the setup's [grasp](Self::grasp): it remembers its state at rest
+    /// from one question to the next.
+    ///
+    /// # Errors
+    /// As for [`Self::answers`].
+    pub fn answer_in(
+        &self,
+        grasp: &Grasp<C>,
+        question: &Question<C>,
+        words: Words,
+    ) -> Result<Answer<C>, Error> {
+        let setup = inside(self);
+        setup.answer(&inside(grasp), &inside(question), words.in_space(setup.space)).map(outside)
+    }
 }
 
 impl Setup<3> {
