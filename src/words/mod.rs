@@ -4,12 +4,15 @@
 //! `format!("{verdict:.12}")`, asks for others.
 //!
 //! ```
+//! use grasp_lcp::nalgebra::Vector2;
 //! use grasp_lcp::planar::Wrench;
-//! use grasp_lcp::words::{Words, printable};
+//! use grasp_lcp::words::{Unit, Words, printable};
 //!
 //! let words = Words::default();
 //! assert_eq!(words.number(-0.0), "0");
-//! assert_eq!(words.length(0.002_846_12), "2.84612 mm");
+//! assert_eq!((words.length(0.002_846_12), words.length(0.25)), ("2.84612 mm".to_owned(), "0.25 m".to_owned()));
+//! assert_eq!(words.place(&Vector2::new(0.03, -0.0)), "(0.03, 0) m");
+//! assert_eq!(words.in_unit(Unit::Millimetre).place(&Vector2::new(0.03, -0.25)), "(30, -250) mm");
 //! assert_eq!(words.load(&Wrench::new([0.0, -4.905], 0.2)), "(0, -4.905) N and 0.2 N m");
 //! assert_eq!(Words::with_digits(3).angle(0.5), "28.6°");
 //! assert_eq!(printable("left\u{1b}[2J\n"), "left\\u{1b}[2J\\n");

@@ -5,6 +5,7 @@ use core::fmt;
 use nalgebra::SVector;
 
 use super::tolerances::ALIKE_IN_WORDS;
+use super::unit::Unit;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Space, dot, mapped};
 use crate::prelude::*;
@@ -15,17 +16,25 @@ const DEFAULT_DIGITS: usize = 6;
 /// Added to a formatter's precision to mark an answer as planar, although its vectors have three components. It exceeds every number of digits.
 const IN_THE_PLANE: usize = 1 << 14;
 
-/// Format of numbers: significant digits, without trailing zeros, and without a minus sign before zero.
+/// Multiplies the number of the unit of lengths ([`UNITS`]) in a formatter's precision.
+const PER_UNIT: usize = 1 << 12;
+
+/// The units of lengths by their number in a formatter's precision.
+const UNITS: [Unit; 4] = [Unit::Metre, Unit::Centimetre, Unit::Millimetre, Unit::Inch];
+
+/// Format of numbers: significant digits, without trailing zeros, and without a minus sign before zero; and the unit of lengths.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Words {
     digits: usize,
     /// Whether vectors that are stored with three components belong to the plane or to space.
     space: Space,
+    /// Unit of lengths, points and arms; in metres short lengths are written in mm.
+    unit: Unit,
 }
 
 impl Default for Words {
     fn default() -> Self {
-        Self { digits: DEFAULT_DIGITS, space: Space::Spatial }
+        Self { digits: DEFAULT_DIGITS, space: Space::Spatial, unit: Unit::Metre }
     }
 }
 
@@ -37,15 +46,23 @@ impl Words {
         Self { digits: digits.clamp(1, 17), ..Self::default() }
     }
 
-    /// The format that [`Self::precision`] put into a formatter: significant digits, and plane or space.
+    /// The same format with lengths, points and arms in this unit. In metres lengths below 0.1 m are written in mm.
+    #[must_use]
+    pub fn in_unit(self, unit: Unit) -> Self {
+        Self { unit, ..self }
+    }
+
+    /// The format that [`Self::precision`] put into a formatter: significant digits, plane or space, and the unit of lengths.
     pub(crate) fn of(f: &fmt::Formatter<'_>) -> Self {
-        match f.precision() {
-            None => Self::default(),
-            Some(planar) if planar >= IN_THE_PLANE => {
-                Self::with_digits(planar - IN_THE_PLANE).in_space(Space::Planar)
-            }
-            Some(digits) => Self::with_digits(digits),
-        }
+        let Some(precision) = f.precision() else { return Self::default() };
+        let space = if precision >= IN_THE_PLANE { Space::Planar } else { Space::Spatial };
+        let unit = UNITS[precision % IN_THE_PLANE / PER_UNIT];
+        Self::with_digits(precision % PER_UNIT).in_space(space).in_unit(unit)
+    }
+
+    /// The same format with this many significant digits, from 1 to 17.
+    pub(crate) fn rounded_to(self, digits: usize) -> Self {
+        Self { digits: Self::with_digits(digits).digits, ..self }
     }
 
     /// The same format for vectors of the plane or of space.
@@ -59,9 +76,11 @@ impl Words {
         if C == 2 { Space::Planar } else { self.space }
     }
 
-    /// Digits and space as one number, a formatter's precision, for formatting a part of an answer.
-    pub(crate) fn precision(self) -> usize {
-        self.digits + if self.space == Space::Planar { IN_THE_PLANE } else { 0 }
+    /// This format as one number, a formatter's precision, for formatting an answer or a part of it: `format!("{answer:.0$}", words.precision())`.
+    #[must_use]
+    pub fn precision(self) -> usize {
+        let unit = UNITS.iter().position(|unit| *unit == self.unit).unwrap_or_default();
+        self.digits + PER_UNIT * unit + if self.space == Space::Planar { IN_THE_PLANE } else { 0 }
     }
 
     /// Number of significant digits.
@@ -110,14 +129,22 @@ impl Words {
         if x.abs() <= rounding * largest { 0.0 } else { x }
     }
 
-    /// A length in mm, or in m from 0.1 m on.
+    /// A length in the unit of lengths; in metres, those below 0.1 m are written in mm.
     #[must_use]
     pub fn length(self, metres: f64) -> String {
-        if metres.abs() < 0.1 {
-            format!("{} mm", self.number(1e3 * metres))
-        } else {
-            format!("{} m", self.number(metres))
-        }
+        let in_mm = self.unit == Unit::Metre && metres.abs() < 0.1;
+        if in_mm { self.in_unit(Unit::Millimetre).reach(metres) } else { self.reach(metres) }
+    }
+
+    /// A length in the unit of lengths, however short: "0.05 m".
+    pub(crate) fn reach(self, metres: f64) -> String {
+        format!("{} {}", self.number(self.unit.of_metres(metres)), self.unit)
+    }
+
+    /// A point in the unit of lengths: "(0.03, 0) m".
+    #[must_use]
+    pub fn place<const C: usize>(self, point: &SVector<f64, C>) -> String {
+        format!("{} {}", self.vector(&point.map(|x| self.unit.of_metres(x))), self.unit)
     }
 
     /// An angle in degrees.

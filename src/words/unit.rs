@@ -1,4 +1,4 @@
-//! Units of length: of scenes, of meshes (whose files name no unit) and of command lines.
+//! Units of length: of scenes and of the sentences about them, of meshes (whose files name no unit) and of command lines.
 
 use core::fmt;
 
@@ -32,6 +32,16 @@ impl Unit {
             Self::Centimetre => length / 100.0,
             Self::Millimetre => length / 1000.0,
             Self::Inch => length * 0.0254,
+        }
+    }
+
+    /// A length of this many metres, in this unit.
+    pub(crate) fn of_metres(self, metres: f64) -> f64 {
+        match self {
+            Self::Metre => metres,
+            Self::Centimetre => metres * 100.0,
+            Self::Millimetre => metres * 1000.0,
+            Self::Inch => metres / 0.0254,
         }
     }
 

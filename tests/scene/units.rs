@@ -1,8 +1,8 @@
 //! A scene in another unit of length has the same values in metres, field by field. Lengths are marked by hand in the scenes below. Every field that
 //! the page of fields gives in m is marked.
 
-use grasp_lcp::scene::{Scene, Space, Warning};
-use grasp_lcp::words::Unit;
+use grasp_lcp::scene::{Answers, Scene, Space, Warning};
+use grasp_lcp::words::{Unit, Words};
 
 /// Scenes with `@` before every length.
 const MARKED: [&str; 4] = [
@@ -107,6 +107,42 @@ fn lengths_in_mm_or_cm_are_those_in_m() {
                 [&scene, &in_metres].map(|scene| serde_json::to_value(scene).expect("is written"));
             assert_near(&here, &there);
         }
+    }
+}
+
+/// An arm, the motion of the object and a centre of rotation are told in the unit of the scene; the fields of the answers are in m.
+#[test]
+fn sentences_have_the_unit_of_their_scene() {
+    let marked = r#"{"format": "grasp-lcp/1", "planar": {
+        "contacts": [{"name": "left", "point": [@-40, 0], "normal": [1, 0], "stiffness": 2000, "friction": 0.5, "pressed_with": 8, "soft": {"pad": {"width": @20, "strips": 2}}},
+                     {"name": "right", "point": [@40, 0], "normal": [-1, 0], "stiffness": 2000, "friction": 0.5, "pressed_with": 8, "soft": {"pad": {"width": @20, "strips": 2}}}],
+        "questions": [{"need": {"quantity": "arm", "load": {"force": [0, -2]}, "per_metre": {"moment": 2}}},
+                      {"hold": {"load": {"force": [0, -2], "at": [@300, 0]}}}]
+    }}"#;
+    let lines = |unit: &str, divided_by: f64| {
+        let scene = said(marked, unit, divided_by);
+        let Answers::Planar(answers) = scene.answers().expect("answers") else { panic!("in the plane") };
+        let words = Words::default().in_unit(scene.unit);
+        answers.iter().map(|answer| answer.first_line(words)).collect::<Vec<_>>()
+    };
+    let (in_metres, in_mm) = (lines("m", 1000.0), lines("mm", 1.0));
+    // Each number before " m" becomes one a thousand times as large.
+    for (metres, mm) in in_metres.iter().zip(&in_mm) {
+        let numbers = |line: &str, unit: &str| -> Vec<f64> {
+            let parts: Vec<_> = line
+                .split_whitespace()
+                .map(|word| word.trim_matches(|c: char| ",;:()".contains(c)))
+                .collect();
+            let lengths = parts.windows(2).filter(|pair| pair[1] == unit);
+            lengths.map(|pair| pair[0].parse().expect("a number")).collect()
+        };
+        let (long, short) = (numbers(metres, "m"), numbers(metres, "mm"));
+        assert!(!long.is_empty() || !short.is_empty(), "{metres}");
+        assert!(numbers(mm, "m").is_empty(), "{mm}");
+        assert_eq!(numbers(mm, "mm").len(), long.len() + short.len(), "{metres} {mm}");
+        let largest = |list: &[f64]| list.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let all = largest(&[1e3 * largest(&long), largest(&short)]);
+        assert!((largest(&numbers(mm, "mm")) - all).abs() <= 1e-5 * all, "{metres} {mm}");
     }
 }
 

@@ -10,7 +10,7 @@ use grasp_lcp::identify::Ending;
 use grasp_lcp::need::Amount;
 use grasp_lcp::scene::{Answer, Answers, OnsetAnswer, PathOutcome, Scene, Setup, Space};
 use grasp_lcp::shake::Repeats;
-use grasp_lcp::words::Words;
+use grasp_lcp::words::{Unit, Words};
 use grasp_lcp::{planar, spatial};
 
 use crate::arguments::{Ask, Command};
@@ -28,7 +28,8 @@ pub(crate) fn ask(ask: &Ask, asked: Command) -> Result<ExitCode, Failure> {
 
 /// [`ask`] for a scene that is already read; messages name the file `ask.scene`.
 pub(crate) fn ask_of(mut scene: Scene, ask: &Ask, mut asked: Command) -> Result<ExitCode, Failure> {
-    asked.lengths_to_metres(ask.unit.unwrap_or(scene.unit));
+    let unit = ask.unit.unwrap_or(scene.unit);
+    asked.lengths_to_metres(unit);
     let centre = match &scene.space {
         Space::Planar(setup) => shared_centre(setup),
         Space::Spatial(setup) => shared_centre(setup),
@@ -49,7 +50,7 @@ pub(crate) fn ask_of(mut scene: Scene, ask: &Ask, mut asked: Command) -> Result<
     }
     files::warn_at_once(&ask.scene, &scene, Some(&given))?;
     let is_decided = if ask.json {
-        let answers = Waiting::during("answers", ask.progress, || scene.answers_in(style(ask).words));
+        let answers = Waiting::during("answers", ask.progress, || scene.answers_in(style(ask, unit).words));
         let answers = answers.map_err(|error| files::refused(&ask.scene, &error))?;
         let mut out = io::stdout().lock();
         serde_json::to_writer_pretty(&mut out, &answers).map_err(io::Error::from)?;
@@ -60,8 +61,8 @@ pub(crate) fn ask_of(mut scene: Scene, ask: &Ask, mut asked: Command) -> Result<
         }
     } else {
         match &scene.space {
-            Space::Planar(setup) => one_by_one(setup, ask)?,
-            Space::Spatial(setup) => one_by_one(setup, ask)?,
+            Space::Planar(setup) => one_by_one(setup, ask, style(ask, unit))?,
+            Space::Spatial(setup) => one_by_one(setup, ask, style(ask, unit))?,
         }
     };
     Waiting::during("whether the stiffness left out matters", ask.progress, || {
@@ -81,12 +82,12 @@ pub(crate) fn ask_of(mut scene: Scene, ask: &Ask, mut asked: Command) -> Result<
     Ok(if is_decided { ExitCode::SUCCESS } else { ExitCode::from(EXIT_UNDECIDED) })
 }
 
-fn style(ask: &Ask) -> Style {
-    Style { words: Words::with_digits(ask.digits.into()), points: ask.points }
+fn style(ask: &Ask, unit: Unit) -> Style {
+    Style { words: Words::with_digits(ask.digits.into()).in_unit(unit), points: ask.points }
 }
 
 /// Prints the answer to each question as soon as it is ready. Returns whether all are decided.
-fn one_by_one<const C: usize>(setup: &Setup<C>, ask: &Ask) -> Result<bool, Failure> {
+fn one_by_one<const C: usize>(setup: &Setup<C>, ask: &Ask, style: Style) -> Result<bool, Failure> {
     let refused = |error| files::refused(&ask.scene, &error);
     // A malformed question is an error before any answer.
     setup.questions.iter().try_for_each(|question| setup.check(question)).map_err(refused)?;
@@ -94,13 +95,12 @@ fn one_by_one<const C: usize>(setup: &Setup<C>, ask: &Ask) -> Result<bool, Failu
     let mut is_decided = true;
     for (k, question) in setup.questions.iter().enumerate() {
         let what = format!("question {} of {}", k + 1, setup.questions.len());
-        let words = style(ask).words;
-        let answer = Waiting::during(&what, ask.progress, || setup.answer_in(&grasp, question, words));
+        let answer = Waiting::during(&what, ask.progress, || setup.answer_in(&grasp, question, style.words));
         let (answer, mut out) = (answer.map_err(refused)?, io::stdout().lock());
         if k > 0 {
             writeln!(out)?;
         }
-        report::print(&mut out, style(ask), setup, (question, &answer))?;
+        report::print(&mut out, style, setup, (question, &answer))?;
         is_decided &= !is_undecided(&answer);
         out.flush()?;
     }

@@ -11,7 +11,7 @@ use crate::report::Report;
 
 impl Report<'_> {
     pub(crate) fn followed<const C: usize>(&mut self, path: &PathAnswer<C>) -> io::Result<()> {
-        let digits = self.style.digits();
+        let digits = self.style.precision();
         let (mut in_between, mut caution) = (0, path.small_motions_end.as_ref());
         for event in &path.events {
             if let Some(far) = caution.filter(|far| (far.leg, far.fraction) < (event.leg, event.fraction)) {
@@ -83,7 +83,7 @@ impl Report<'_> {
                     self.on_their_edge(loss, state)?;
                     self.table(state)?;
                 }
-                self.line(&format!("beyond: {next:.0$}", self.style.digits()))
+                self.line(&format!("beyond: {next:.0$}", self.style.precision()))
             }
             _ => Ok(()),
         }

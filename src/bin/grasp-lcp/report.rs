@@ -72,10 +72,10 @@ impl Report<'_> {
         let words = self.style.words;
         let largest = improved.contacts.iter().fold(0.0, |most: f64, placed| most.max(placed.normal_force));
         for placed in &improved.contacts {
-            let at = words.numbers(placed.point.as_slice());
+            let at = words.place(&placed.point);
             let normal = words.numbers(placed.normal.as_slice());
             let force = words.number(words.beside(placed.normal_force, largest));
-            self.line(&format!("{} at {at} m, normal {normal}, presses with {force} N", placed.contact))?;
+            self.line(&format!("{} at {at}, normal {normal}, presses with {force} N", placed.contact))?;
         }
         Ok(())
     }
@@ -135,7 +135,7 @@ impl Report<'_> {
     /// The neighbourhood of a loss that the proof covers.
     fn proved<const C: usize>(&mut self, verdict: &Verdict<C>) -> io::Result<()> {
         let near = verdict.lost.as_ref().and_then(|lost| lost.nothing_near);
-        let digits = self.style.digits();
+        let digits = self.style.precision();
         // A radius of the size of an atom is not worth a sentence.
         match near.filter(|near| near.translation > 1e-10) {
             Some(near) => self.line(&format!("proved: {near:.digits$}")),
@@ -187,7 +187,7 @@ impl Report<'_> {
 
     /// Prints the contacts that stop sticking, with their motion.
     fn leaving<const C: usize, At>(&mut self, event: &OnsetAt<C, At>) -> io::Result<()> {
-        let digits = self.style.digits();
+        let digits = self.style.precision();
         if self.style.points {
             for leaving @ Leaving { contact, how, .. } in &event.leaving {
                 let along = match how {

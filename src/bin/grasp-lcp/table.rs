@@ -34,14 +34,14 @@ pub(crate) fn table<const C: usize>(
         let carries = link.carries(style.words, state.largest_force()).unwrap_or_default();
         writeln!(out, "  {} {carries}", link.text())?;
     }
-    let digits = style.digits();
+    let digits = style.precision();
     state.joints.iter().try_for_each(|joint| writeln!(out, "  {joint:.digits$}"))?;
     state.tendons.iter().try_for_each(|tendon| writeln!(out, "  {tendon:.digits$}"))?;
     let residual = Words::with_digits(1).number(state.residuals.worst());
     writeln!(out, "  {}, residual {residual}", state.told_motions(style.words).join("\n  "))?;
     state.told_free_motions(style.words).iter().try_for_each(|free| writeln!(out, "  {free}"))?;
-    let caution = state.too_far.as_ref().filter(|far| !said.contains(&far.to_string()));
-    let caution = caution.and_then(|_| state.caution());
+    let caution = state.too_far.as_ref().filter(|far| !said.contains(&format!("{far:.digits$}")));
+    let caution = caution.and_then(|_| state.caution(style.words));
     state.vacuum_gone().into_iter().chain(caution).try_for_each(|note| writeln!(out, "  CAUTION: {note}"))
 }
 

@@ -1,4 +1,4 @@
-//! The form of answers: number of digits, and whether points of soft fingertips are printed one by one.
+//! The form of answers: number of digits, unit of lengths, and whether points of soft fingertips are printed one by one.
 
 use grasp_lcp::words::Words;
 
@@ -14,8 +14,8 @@ pub(crate) struct Style {
 }
 
 impl Style {
-    /// Number of significant digits in all lines of an answer.
-    pub(crate) fn digits(self) -> usize {
-        self.words.digits()
+    /// The precision with which parts of an answer are formatted.
+    pub(crate) fn precision(self) -> usize {
+        self.words.precision()
     }
 }

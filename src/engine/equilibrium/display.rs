@@ -31,7 +31,7 @@ impl<const C: usize> fmt::Display for Equilibrium<C> {
         let words = Words::of(f);
         let residual = Words::with_digits(1).number(self.residuals.worst());
         write!(f, "{}, residual {residual}", self.told_motions(words).join("; "))?;
-        if let Some(caution) = self.caution() {
+        if let Some(caution) = self.caution(words) {
             write!(f, "; {caution}")?;
         }
         self.told_free_motions(words).iter().try_for_each(|free| write!(f, "; {free}"))?;
@@ -129,8 +129,9 @@ impl<const C: usize> Equilibrium<C> {
 
     /// A warning if a motion [is not small](Self::too_far); otherwise `None`.
     #[must_use]
-    pub fn caution(&self) -> Option<String> {
-        self.too_far.as_ref().map(|far| format!("{far}: results for small motions no longer apply"))
+    pub fn caution(&self, words: Words) -> Option<String> {
+        let digits = words.precision();
+        self.too_far.as_ref().map(|far| format!("{far:.digits$}: results for small motions no longer apply"))
     }
 
     /// The [motions that nothing resists](Self::free_motions): "nothing resists turning about …".

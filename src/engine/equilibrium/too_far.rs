@@ -62,16 +62,15 @@ impl fmt::Display for TooFar {
             Self::Turns { body, .. } => body.as_ref().map_or("it".into(), |body| printable(body)),
             Self::Slips { contact, .. } | Self::Opens { contact, .. } => contact.text(),
         };
-        write!(f, "{name} {}", self.does())
+        write!(f, "{name} {}", self.does(Words::of(f)))
     }
 }
 
 impl TooFar {
-    /// The motion with a verb, without the name of the body or contact: "turns by more than 5.7°".
+    /// The motion with a verb, without the name of the body or contact: "turns by more than 5.7°". Limits have two significant digits.
     #[must_use]
-    pub fn does(&self) -> String {
-        // Significant digits of limits in sentences.
-        let words = Words::with_digits(2);
+    pub fn does(&self, words: Words) -> String {
+        let words = words.rounded_to(2);
         match self {
             Self::Turns { limit, .. } => format!("turns by more than {}", words.angle(*limit)),
             Self::Slips { limit, .. } => format!("slips by more than {}", words.length(*limit)),

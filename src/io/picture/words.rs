@@ -2,6 +2,7 @@
 
 use crate::equilibrium::Equilibrium;
 use crate::numerics::IntoList;
+use crate::words::Words;
 
 /// A text escaped for HTML or XML, as content and as attributes in quotes.
 pub(super) fn escaped(text: &str) -> String {
@@ -68,7 +69,7 @@ pub(super) fn caution<'w, const C: usize>(
     state: Option<&Equilibrium<C>>,
     mut said: impl Iterator<Item = &'w str>,
 ) -> Option<String> {
-    let caution = state?.caution()?;
+    let caution = state?.caution(Words::default())?;
     (!said.any(|sentence| sentence.contains(&caution))).then(|| format!("CAUTION: {caution}"))
 }
 

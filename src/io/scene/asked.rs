@@ -32,7 +32,7 @@ impl<const C: usize> Setup<C> {
         self.answers_in(Words::default())
     }
 
-    /// The answer to every question, in order, with this number of digits in its sentences.
+    /// The answer to every question, in order, with numbers in its sentences of this form.
     ///
     /// # Errors
     /// As for [`Self::answers`].

@@ -98,7 +98,8 @@ fn solved<const C: usize>(under: &str, answer: &SolveAnswer<C>, words: Words) ->
     let digits = words.precision();
     let said = match &answer.outcome {
         Outcome::Equilibrium(state) => {
-            let caution = state.too_far.as_ref().map_or(String::new(), beyond_small_motions);
+            let caution =
+                state.too_far.as_ref().map_or(String::new(), |far| beyond_small_motions(far, words));
             format!("EQUILIBRIUM{under}: {}{caution}", in_short(state))
         }
         Outcome::NoEquilibrium(none) => format!("NO EQUILIBRIUM{under}: {none:.digits$}"),
@@ -116,8 +117,8 @@ fn solved<const C: usize>(under: &str, answer: &SolveAnswer<C>, words: Words) ->
 }
 
 /// A warning that the answer belongs to motions that are no longer small.
-fn beyond_small_motions(far: &TooFar) -> String {
-    format!(". CAUTION: {far}: results for small motions no longer apply")
+fn beyond_small_motions(far: &TooFar, words: Words) -> String {
+    format!(". CAUTION: {far:.0$}: results for small motions no longer apply", words.precision())
 }
 
 /// Names the contacts that slide, or says that everything sticks.
@@ -154,7 +155,8 @@ fn first_slip<const C: usize, At>(
         OnsetAnswer::At(event) => {
             let (what, leaves) = leaving(event, words);
             let (at, beyond) = (place(&event.at), &event.beyond);
-            let caution = event.state.too_far.as_ref().map_or(String::new(), beyond_small_motions);
+            let too_far = event.state.too_far.as_ref();
+            let caution = too_far.map_or(String::new(), |far| beyond_small_motions(far, words));
             format!("{what} at {at}: {leaves}; beyond: {beyond:.digits$}{caution}")
         }
         OnsetAnswer::Never => format!("NOTHING SLIDES {how_far}"),

@@ -139,15 +139,15 @@ fn write_all<S: Serializer>(
 }
 
 impl Scene {
-    /// The answer to every question, in order.
+    /// The answer to every question, in order. Sentences have lengths in the [unit](Self::unit) of the scene, all fields have them in m.
     ///
     /// # Errors
     /// As for [`Setup::answers`].
     pub fn answers(&self) -> Result<Answers, Error> {
-        self.answers_in(Words::default())
+        self.answers_in(Words::default().in_unit(self.unit))
     }
 
-    /// The answer to every question, in order, with this number of digits in its sentences.
+    /// The answer to every question, in order, with numbers in its sentences of this form.
     ///
     /// # Errors
     /// As for [`Setup::answers`].

@@ -113,7 +113,7 @@ impl Reply {
         if options.brief {
             self.brief = Some(setup.answered_briefly().map_err(refused)?);
         } else {
-            let all = setup.answered(Words::default()).map_err(refused)?;
+            let all = setup.answered(Words::default().in_unit(scene.unit)).map_err(refused)?;
             self.answers = Some(AnswersInside(setup.space, all));
         }
         Ok(())

@@ -103,7 +103,7 @@ impl Words {
         // Distance of the points from the axis, m, which scales the rounding of the axis.
         let arm = if spread > 0.0 { spread / omega.size() } else { 1.0 };
         let through = omega.way_to_axis(&along).map(|x| if x.abs() <= NEGLIGIBLE * arm { 0.0 } else { x });
-        let turning = format!("turns {}{} m", self.about(&omega), self.point(&through));
+        let turning = format!("turns {}{}", self.about(&omega), self.point(&through));
         let pitch = omega.along_axis(&along);
         if pitch.norm() <= NEGLIGIBLE * spread.max(mean.norm()) {
             return turning;
@@ -154,7 +154,7 @@ impl Words {
                 Rotation::Plane(_) => "turning".to_owned(),
                 Rotation::Space(_) => format!("turning about {}", self.along(&omega.axis())),
             };
-            let turning = format!("{axis}{} m", self.point(&through));
+            let turning = format!("{axis}{}", self.point(&through));
             if pitch.norm() <= NEGLIGIBLE * along.norm() {
                 turning
             } else {
@@ -174,9 +174,9 @@ impl Words {
         }
     }
 
-    /// Position of the axis: " about (0, 0.03)" in the plane, " through (0, 0.03, 0)" in space.
+    /// Position of the axis: " about (0, 0.03) m" in the plane, " through (0, 0.03, 0) m" in space.
     fn point(self, through: &SVector<f64, 3>) -> String {
         let what = if self.space::<3>() == Space::Planar { "about" } else { "through" };
-        format!(" {what} {}", self.vector(through))
+        format!(" {what} {}", self.place(through))
     }
 }

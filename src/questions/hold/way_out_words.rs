@@ -63,7 +63,7 @@ impl<const C: usize> WayOut<C> {
                     Space::Planar => String::new(),
                     Space::Spatial => format!("{} through ", words.along(axis)),
                 };
-                format!("turn{ending} about {axis}{} m", words.vector(centre))
+                format!("turn{ending} about {axis}{}", words.place(centre))
             }
             Self::TipsOver { about, opens } => {
                 let edge = |part: &WholeContact| {

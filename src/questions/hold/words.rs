@@ -126,24 +126,32 @@ impl<const C: usize> Verdict<C> {
 
     /// The sentence of a load that ends small motions: gross slip before, or the motion that is too large.
     fn told_too_far(&self, lost: &Lost<C>, far: &TooFar, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let words = Words::of(f);
+        let (words, digits) = (Words::of(f), Words::of(f).precision());
         let amount = |factor: f64| amount_of(self.load.measure(), factor, words);
         match self.everything_slides {
             _ if lost.factor <= NEGLIGIBLE => {
-                write!(f, "GOES TOO FAR at rest already: {far}{NO_LONGER_SMALL}")
+                write!(f, "GOES TOO FAR at rest already: {far:.digits$}{NO_LONGER_SMALL}")
             }
             // Gross slip within 1 % of the limit counts as the same event. A larger fraction would hide how far the object is held after gross slip.
             Some(all) if all >= lost.factor * (1.0 - 0.01) => {
                 let from = amount(lost.factor);
-                write!(f, "SLIPS OUT at {}: everything slides, {far} from {from} on", self.part(all, words))
+                write!(
+                    f,
+                    "SLIPS OUT at {}: everything slides, {far:.digits$} from {from} on",
+                    self.part(all, words)
+                )
             }
             Some(all) => {
                 let part = self.part(lost.factor, words);
-                write!(f, "SLIPS OUT at {part}: everything slides from {} on, and then {far}", amount(all))
+                write!(
+                    f,
+                    "SLIPS OUT at {part}: everything slides from {} on, and then {far:.digits$}",
+                    amount(all)
+                )
             }
             None => {
                 let part = self.part(lost.factor, words);
-                write!(f, "GOES TOO FAR at {part}: {far}{NO_LONGER_SMALL}")
+                write!(f, "GOES TOO FAR at {part}: {far:.digits$}{NO_LONGER_SMALL}")
             }
         }
     }

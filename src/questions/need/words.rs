@@ -215,7 +215,7 @@ impl Needed {
             Some(end) => format!("from {} on", self.much(words, end.does, &[])),
             None => format!("with any {}", self.quantity),
         };
-        format!("{from} (small motions: up to {})", self.short(Words::with_digits(2), does, &[]))
+        format!("{from} (small motions: up to {})", self.short(words.rounded_to(2), does, &[]))
     }
 
     /// The safe amount, for reduced friction and squeeze or larger loads.
@@ -286,7 +286,7 @@ impl Needed {
             Quantity::Squeeze => format!("{low} to {high} times the squeeze given"),
             Quantity::Friction => format!("{low} to {high}"),
             Quantity::Load => format!("{low} to {high} times the load"),
-            Quantity::Arm => format!("{low} m to {high} m"),
+            Quantity::Arm => format!("{} to {}", words.reach(from), words.reach(to)),
             Quantity::Angle => format!("{} to {}", words.angle(from), words.angle(to)),
             Quantity::Force => match self.of.as_ref().and_then(PressedBy::unit_size) {
                 Some((size, unit)) => format!(
@@ -320,7 +320,7 @@ impl Needed {
                 }
                 None => self.short(words, amount, &[]),
             },
-            Quantity::Arm => format!("an arm of {} m", words.number(amount)),
+            Quantity::Arm => format!("an arm of {}", words.reach(amount)),
             Quantity::Angle | Quantity::Force => format!("{}{}", self.short(words, amount, &[]), self.at()),
         }
     }
@@ -334,7 +334,7 @@ impl Needed {
             },
             Quantity::Friction => words.number(amount),
             Quantity::Load => format!("{} times the load", words.number(amount)),
-            Quantity::Arm => format!("{} m", words.number(amount)),
+            Quantity::Arm => words.reach(amount),
             Quantity::Angle => format!("{}°", words.number(amount.to_degrees())),
             Quantity::Force => match self.of.as_ref().and_then(PressedBy::unit_size) {
                 Some((size, unit)) => format!("{} {unit}", words.number(amount * size)),

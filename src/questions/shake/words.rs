@@ -23,7 +23,9 @@ impl<const C: usize> fmt::Display for Shaken<C> {
         let at_the_loss =
             || if let Repeats::Lost { lost, .. } = &self.repeats { lost.state.as_ref() } else { None };
         match self.state.as_ref().or_else(at_the_loss) {
-            Some(state) => state.caution().map_or(Ok(()), |caution| write!(f, ". CAUTION: {caution}")),
+            Some(state) => {
+                state.caution(Words::of(f)).map_or(Ok(()), |caution| write!(f, ". CAUTION: {caution}"))
+            }
             None => Ok(()),
         }
     }

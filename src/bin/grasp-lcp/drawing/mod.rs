@@ -6,6 +6,7 @@ mod shown;
 use grasp_lcp::nalgebra::Vector2;
 use grasp_lcp::picture::{Chart, PlanarPage, PlanarPicture, SpatialPage, View};
 use grasp_lcp::scene::{Answer, Scene, Setup, Space};
+use grasp_lcp::words::Words;
 
 use self::charts::{chart, cycles};
 use self::shown::{Shown, What, shown};
@@ -14,16 +15,17 @@ use crate::files::Pictures;
 
 /// Draws a scene.
 pub(crate) fn draw(scene: &Scene, pictures: &Pictures) -> Result<(), Failure> {
+    let words = Words::default().in_unit(scene.unit);
     match &scene.space {
         Space::Planar(setup) => {
-            let answers = setup.answers()?;
+            let answers = setup.answers_in(words)?;
             charts(setup, &answers, pictures)?;
-            planar(setup, answers, pictures)
+            planar(setup, answers, words, pictures)
         }
         Space::Spatial(setup) => {
-            let answers = setup.answers()?;
+            let answers = setup.answers_in(words)?;
             charts(setup, &answers, pictures)?;
-            spatial(setup, answers, pictures)
+            spatial(setup, answers, words, pictures)
         }
     }
 }
@@ -43,7 +45,12 @@ fn said_first(says: &mut Vec<String>) -> String {
 }
 
 /// A picture for each question: its equilibrium, or the grasp alone.
-fn planar(setup: &Setup<2>, answers: Vec<Answer<2>>, pictures: &Pictures) -> Result<(), Failure> {
+fn planar(
+    setup: &Setup<2>,
+    answers: Vec<Answer<2>>,
+    words: Words,
+    pictures: &Pictures,
+) -> Result<(), Failure> {
     let (grasp, title) = (setup.grasp()?, pictures.title());
     let corners = |outline: &Vec<Vector2<f64>>| outline.iter().map(|corner| (*corner).into()).collect();
     let of_bodies = setup.bodies.iter().map(|body| &body.outline);
@@ -59,7 +66,7 @@ fn planar(setup: &Setup<2>, answers: Vec<Answer<2>>, pictures: &Pictures) -> Res
     let mut page = PlanarPage::new(&grasp, &title).outlines(outlines());
     let mut stills = Vec::new();
     for (index, (question, answer)) in setup.questions.iter().zip(answers).enumerate() {
-        let answers = shown(setup, &grasp, question, answer)?;
+        let answers = shown(setup, &grasp, question, answer, words)?;
         let keys = answers.keys();
         for (k, Shown { label, mut says, grasp: other, what }) in answers.0.into_iter().enumerate() {
             let grasp = other.as_ref().unwrap_or(&grasp);
@@ -94,7 +101,12 @@ fn planar(setup: &Setup<2>, answers: Vec<Answer<2>>, pictures: &Pictures) -> Res
 }
 
 /// The page with all answers, and a picture for each question.
-fn spatial(setup: &Setup<3>, answers: Vec<Answer<3>>, pictures: &Pictures) -> Result<(), Failure> {
+fn spatial(
+    setup: &Setup<3>,
+    answers: Vec<Answer<3>>,
+    words: Words,
+    pictures: &Pictures,
+) -> Result<(), Failure> {
     let grasp = setup.grasp()?;
     let mut page = SpatialPage::new(&grasp, pictures.title());
     if !setup.outline.is_empty() {
@@ -109,7 +121,7 @@ fn spatial(setup: &Setup<3>, answers: Vec<Answer<3>>, pictures: &Pictures) -> Re
     }
     let mut stills = Vec::new();
     for (index, (question, answer)) in setup.questions.iter().zip(answers).enumerate() {
-        let answers = shown(setup, &grasp, question, answer)?;
+        let answers = shown(setup, &grasp, question, answer, words)?;
         let keys = answers.keys().into_iter();
         stills.extend(keys.map(|(key, besides)| (ending(index + 1, besides), page.answers() + key)));
         for Shown { label, mut says, grasp: other, what } in answers.0 {

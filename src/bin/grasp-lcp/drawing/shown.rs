@@ -56,17 +56,18 @@ pub(super) fn shown<const C: usize>(
     grasp: &Grasp<C>,
     question: &Question<C>,
     answer: Answer<C>,
+    words: Words,
 ) -> Result<ShownAnswers<C>, Failure> {
     let grasp = &setup.grasp_of(grasp, question)?;
     let question = &*setup.meant(question)?;
-    let says = question.first_line(&answer, Words::default());
+    let says = question.first_line(&answer, words);
     let mut states = match (question, answer) {
         (Question::Hold { .. }, Answer::Hold(answer)) => held(answer.verdict, question.ramp()?.load_at(1.0)),
         (Question::Need(asked), Answer::Need(answer)) => vec![needed(grasp, asked, &answer.needed)?],
         (Question::Improve(asked), Answer::Improve(answer)) => improved(grasp, asked, &answer.improved)?,
         (Question::Solve { load, .. }, Answer::Solve(answer)) => {
             let from_rest = answer.from_rest.map(|held| held.verdict);
-            solved(grasp, load, answer.outcome, from_rest)?
+            solved(grasp, load, answer.outcome, from_rest, words)?
         }
         (Question::Compare { base, load }, Answer::Compare(answer)) => {
             vec![under(answer.comparison.equilibrium, *base + *load)]
@@ -182,12 +183,13 @@ fn solved<const C: usize>(
     load: &Wrench<C>,
     outcome: Outcome<C>,
     from_rest: Option<Verdict<C>>,
+    words: Words,
 ) -> Result<Vec<Shown<C>>, Failure> {
     if let Outcome::Equilibrium(found) = outcome {
         return Ok(vec![state("under the load", *found, None)]);
     }
     let verdict = from_rest.map_or_else(|| grasp.hold(load), Ok)?;
-    let says = format!("Put on from rest: {verdict}");
+    let says = format!("Put on from rest: {verdict:.0$}", words.precision());
     let mut shown = held(verdict, *load).swap_remove(0);
     shown.says.push(says);
     shown.label = match shown.what {
