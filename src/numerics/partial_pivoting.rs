@@ -36,6 +36,19 @@ impl PartialPivoting {
         self.lu.size()
     }
 
+    /// Whether the determinant is positive.
+    pub(crate) fn is_positive(&self) -> bool {
+        let order = self.row_order.as_ref();
+        let mut is_odd = false;
+        for i in 0..order.len() {
+            is_odd ^= self.reciprocal_pivots[i] < 0.0;
+            for j in 0..i {
+                is_odd ^= order[j] > order[i];
+            }
+        }
+        !is_odd
+    }
+
     pub(crate) fn solve(&self, b: &Vector) -> Vector {
         let size = self.size();
         let order = self.row_order.as_ref();

@@ -196,7 +196,8 @@ fn nothing_but_friction_works_on_the_way() {
         let events = told(1.0, 1.0);
         let others = [told(-1.0, 1.0), told(1.0, 0.5)];
         for (k, event) in events.iter().enumerate() {
-            let Some(jump) = event.jump.as_ref() else { continue };
+            // Where the object snaps over, dampers work beside friction.
+            let Some(jump) = event.jump.as_ref().filter(|jump| !jump.snaps) else { continue };
             ways += 1;
             let heat: f64 = jump
                 .slips

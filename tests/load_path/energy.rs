@@ -49,13 +49,17 @@ fn energy_balances<const D: usize, const C: usize>(
             }
         }
         let (Some(first), Some(end)) = (states.first(), states.last()) else { continue };
+        let told = path.energies()[leg];
+        prop_assert!(told.residual().abs() <= 1e-12, "leg {leg}: {told:?}");
+        prop_assert!(told.dissipated >= -1e-12 * turnover, "leg {leg}: {told:?}");
+        // Where the object snaps over, dampers of an unknown history take part of the work.
+        if events.iter().any(|event| event.leg == leg && event.jump.as_ref().is_some_and(|jump| jump.snaps)) {
+            continue;
+        }
         let stored = end.1.stored_energy - first.1.stored_energy;
         turnover += end.1.stored_energy + first.1.stored_energy;
         let excess = load_work + finger_work - stored - heat;
         prop_assert!(excess.abs() <= 1e-12 * turnover, "{leg} {excess:e} {turnover}");
-        let told = path.energies()[leg];
-        prop_assert!(told.residual().abs() <= 1e-12, "leg {leg}: {told:?}");
-        prop_assert!(told.dissipated >= -1e-12 * turnover, "leg {leg}: {told:?}");
         let pairs = [
             (told.load_work, load_work),
             (told.finger_work, finger_work),

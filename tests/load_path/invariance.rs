@@ -164,7 +164,7 @@ macro_rules! in_plane_and_space {
 
             #[test]
             fn in_space() {
-                let t = over(12, &(spatial_scenes(), $other), |(scene, other), tally| $property(&scene, other, tally));
+                let t = over(18, &(spatial_scenes(), $other), |(scene, other), tally| $property(&scene, other, tally));
                 println!("{t:?}");
                 assert_met(&[(t.checked, 8)]);
             }

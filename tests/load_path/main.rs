@@ -33,6 +33,7 @@ mod rings;
 mod round_cone;
 mod sliding_arcs;
 mod small_steps;
+mod snapping_over;
 mod soft_tips;
 mod start_at_rest;
 mod stepped;

@@ -42,8 +42,8 @@ pub enum Beyond<const C: usize> {
     /// states. On the round cone it may be proved only at a distance beyond the end. The distance is at most a hundredth of the whole load, or of all
     /// commands, or of the leg if there is no load yet.
     LimitLoad,
-    /// This equilibrium ends here, but others exist at slightly larger loads: the grasp snaps over to one of them or is lost. Quasi-static analysis
-    /// cannot decide which.
+    /// This equilibrium ends here, but others exist at slightly larger loads. After an onset a load path decides whether the grasp snaps over to one of
+    /// them ([`Jump::snaps`](super::Jump::snaps)). At the end of a path, viscous contacts reach none of them by small motions.
     Snap,
     /// This equilibrium ends here: the rates have no solution. Whether others exist beyond is not known, and no proof was found that there are none.
     /// The cause is too many contacts: more than 32 on the round cone, or else more combinations of states than [`Settings::most_states`].

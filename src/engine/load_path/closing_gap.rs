@@ -17,6 +17,7 @@ use super::journey::Journey;
 use super::letting_go::JumpInProgress;
 use super::pieces::Pieces;
 use crate::contact::{Law, LocalLaw, Mode, Resistance, ZERO_SLACK, tangential};
+use crate::equilibrium::Equilibrium;
 use crate::grasp::Coordinates;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{IntoList, Vector, mapped};
@@ -145,7 +146,8 @@ impl<'g> Pieces<'g> {
         let state = before.or_else(|| self.present_state(journey))?;
         let goal = self.segment.course.at(self.factor);
         let leg = Self::standing(self.segment.at_rest(self.factor), self.node.clone());
-        let mut fall = JumpInProgress::of(leg);
+        let slips = leg.segment.problem.slips.clone();
+        let mut fall = JumpInProgress::after(leg, &slips);
         fall.leg.pace.steps = self.pace.steps + 1;
         let went = fall.go_on_freely(loss, &goal, journey).and_then(|lets_go| {
             let first = core::mem::take(&mut fall.changes);
@@ -154,10 +156,19 @@ impl<'g> Pieces<'g> {
         let changes = went.ok()?;
         // If rounding prevents the state there from being computed, the path ends with the loss.
         let jump = self.land(journey, &goal, fall).ok()?;
-        let jump = Some(Box::new(jump));
         self.at_node = true;
+        Some(Event { jump: Some(Box::new(jump)), ..self.caught(journey, changes, state) })
+    }
+
+    /// The event of a loss from which the path continues, with the changes of states there and the state before them. The jump is still missing.
+    pub(super) fn caught(
+        &self,
+        journey: &Journey<'g>,
+        changes: Vec<(usize, Change<3>)>,
+        state: Equilibrium<3>,
+    ) -> Event<3> {
         let (changes, drives) = journey.grasp.contacts_and_drives(changes);
-        Some(Event {
+        Event {
             leg: journey.program.leg,
             fraction: self.factor,
             load: journey.program.load_at(self.factor),
@@ -166,8 +177,8 @@ impl<'g> Pieces<'g> {
             free_motions: Vec::new(),
             other_continuations: None,
             state,
-            jump,
-        })
+            jump: None,
+        }
     }
 }
 

@@ -24,7 +24,7 @@ face_of_struct! {
     ContactChange { contact, what }
     Loss { leg, fraction, load, kind, contacts, drives, motion, jumped, against, leaves }
     GeometryGradient { leaving, point, normal }
-    Jump { changes, slips, reaches, moved, energy_lost, state }
+    Jump { changes, slips, reaches, snaps, moved, energy_lost, state }
     JumpSlip { contact, slip }
     Leg { load, commands, joints, torques, bodies }
     OnsetEvent { factor, load, leaving, drives, cone, local }

@@ -23,6 +23,9 @@ use crate::words::{Words, listed};
 ///
 /// Or nothing resists the object any more, and it moves until the gap of an open contact closes ([`Self::reaches`]). Every place on this motion is in
 /// balance under the same load. The speed of arrival plays no part.
+///
+/// Or no equilibrium is left near the end of a path, and the object [snaps over](Self::snaps) to another one, as slowly as if every spring had a damper
+/// in proportion to it. The object does not overshoot here either.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -36,6 +39,9 @@ pub struct Jump<const C: usize> {
     /// The contacts whose gaps close after the object has moved without resistance, in order. Empty if contacts that touch already stop the object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub reaches: Vec<ContactLabel>,
+    /// Whether the object snaps over from a fold or a corner of its path ([`LossKind`](super::LossKind)) to another equilibrium.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
+    pub snaps: bool,
     /// The motion of the object, or of each of several bodies, in the jump.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub moved: Vec<BodyMotion<C>>,
@@ -85,6 +91,7 @@ impl<const C: usize> fmt::Display for Jump<C> {
         }
         let told =
             told.iter().map(|(contact, far)| format!("{} slips {}", contact.text(), words.length(*far)));
-        write!(f, "caught after {}", listed(&told.list()))
+        let told = listed(&told.list());
+        if self.snaps { write!(f, "snaps over, and {told}") } else { write!(f, "caught after {told}") }
     }
 }

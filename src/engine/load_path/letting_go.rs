@@ -42,10 +42,13 @@ pub(super) struct JumpInProgress<'g> {
 }
 
 impl<'g> JumpInProgress<'g> {
-    /// A jump at the beginning of its leg.
-    pub(super) fn of(leg: Pieces<'g>) -> Self {
-        let slips = leg.segment.problem.slips.clone();
-        let fallen = Fallen { slid: vec![false; slips.len()], slips, states: Vec::new() };
+    /// A jump at the beginning of its leg, after which contacts have slipped more than before, in `slips`.
+    pub(super) fn after(leg: Pieces<'g>, slips: &[SVector<f64, 3>]) -> Self {
+        let mut slid = vec![false; slips.len()];
+        for (i, slip) in slips.iter().enumerate() {
+            slid[i] = leg.segment.problem.slips[i] != *slip;
+        }
+        let fallen = Fallen { slid, slips: slips.to_vec(), states: Vec::new() };
         Self { leg, fallen, changes: Vec::new(), reaches: Vec::new() }
     }
 
@@ -181,8 +184,7 @@ impl<'g> Pieces<'g> {
             end => end,
         };
         let Some(leg) = self.let_go(&goal, begin, journey).map_err(end_here)? else { return Ok(None) };
-        let mut fall = JumpInProgress::of(leg);
-        fall.fallen.slips.clone_from(&self.segment.problem.slips);
+        let mut fall = JumpInProgress::after(leg, &self.segment.problem.slips);
         fall.note(&[]);
         if let Err(end) = fall.go(&goal, journey) {
             let PathEnd::Lost(loss) = end else { return Err(end_here(end)) };
@@ -235,7 +237,7 @@ impl<'g> Pieces<'g> {
         let (changes, _): (Vec<ContactChange<3>>, _) = journey.grasp.contacts_and_drives(fall.changes);
         let moved = journey.grasp.each_moves(&(&self.node.at.twist - &before.twist));
         let (reaches, _) = journey.grasp.sites_apart(fall.reaches);
-        Ok(Jump { changes, slips, reaches, moved, energy_lost: energy.dissipated, state })
+        Ok(Jump { changes, slips, reaches, snaps: false, moved, energy_lost: energy.dissipated, state })
     }
 
     /// Energies of a jump from these forces and this twist. The work of the load less the energy that springs take up is lost.

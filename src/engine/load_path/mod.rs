@@ -18,7 +18,8 @@
 //! **Beyond.** At an event the contacts on an edge pose a complementarity problem in rates: a gap or a slip grows only where the normal force or the
 //! friction reserve stays zero. A contact inside its cone counts as bonded, an open one as absent. A solution says how the equilibrium continues
 //! ([`Continuation`]); without one the equilibrium ends ([`Loss`]). Whether another equilibrium exists just beyond ([`Beyond`]) is a separate
-//! question: if there is none, the end is a limit load, else a snap.
+//! question: if there is none, the end is a limit load, else a snap. A load path then moves as viscous contacts would, and goes on where they come to
+//! rest.
 //!
 //! **Load programs** ([`Grasp::follow`](crate::ask::Grasp::follow)). The path leads from event to event and remembers slip:
 //! `F_t = K_t (a_t - t·u_c - s)` with the earlier slip s. On polygons and in the plane every piece is straight, or turns with the load. On the round
@@ -92,6 +93,7 @@ mod sensitivity;
 mod slip_rates;
 mod slip_steps;
 mod small_motions;
+mod snapping_over;
 mod stepped;
 mod sticking_path;
 mod stopped;

@@ -105,7 +105,8 @@ impl<'g> Follower<'g> for Pieces<'g> {
     fn go_on(&mut self, journey: &Journey<'g>) -> Result<Advance<Event<3>>, PathEnd<3>> {
         match self.go_unless_lost(journey) {
             Err(PathEnd::Lost(loss)) => {
-                self.caught_by_a_gap(journey, &loss).map(Advance::Reached).ok_or(PathEnd::Lost(loss))
+                let caught = self.caught_by_a_gap(journey, &loss).or_else(|| self.snaps_over(journey, &loss));
+                caught.map(Advance::Reached).ok_or(PathEnd::Lost(loss))
             }
             came => came,
         }

@@ -10,6 +10,31 @@ use crate::contact::ZERO_SLACK;
 /// Smaller, the equilibrium beyond differs from the end by rounding only; larger, a later event decides.
 pub(super) const LITTLE_BEYOND: f64 = 1e-6;
 
+/// An object that has snapped over rests again where its forces balance up to this part of the excess that has set it in motion. What is left is removed
+/// along a leg.
+///
+/// Smaller, slow motions take more steps; larger, the object is still on its way.
+pub(super) const AT_REST_AGAIN: f64 = 1e-3;
+
+/// Most steps in which an object snaps over; dozens suffice as a rule. With fewer, an object that moves slowly away from the end of its path counts as
+/// lost.
+pub(super) const MOST_SNAPPING_STEPS: usize = 3000;
+
+/// A step in which an object snaps over is taken where the imbalance after it differs from the expected one by less than this part of that before it.
+///
+/// Smaller, steps are many; larger, a step passes over changes of contact states.
+pub(super) const AS_EXPECTED: f64 = 0.3;
+
+/// The largest ratio of the imbalances after and before a step in which an object snaps over.
+///
+/// Smaller, steps are many where the motion becomes faster; larger, an implicit step goes back to an equilibrium that is not stable.
+pub(super) const FASTEST_GROWTH: f64 = 4.0;
+
+/// Length of a step in which an object snaps over, as a part of the time in which stuck contacts relax, below which it is taken in any case.
+///
+/// Smaller, steps are many where contacts chatter; larger, they overshoot.
+pub(super) const SHORTEST_SNAPPING_STEP: f64 = 0.25;
+
 /// Largest correction of an event's load factor by the solve at the event, as a part of the factor. A larger one means that the event itself is
 /// wrong.
 ///

@@ -125,8 +125,12 @@ impl Words {
 
     /// Directions of the bodies that move: "wedge moving along −x, block moving along +y".
     fn directions_of(self, bodies: &[BodyMotion<3>]) -> String {
-        let fastest = largest(bodies, &BodyMotion::speed);
-        let moves = bodies.iter().filter(|motion| motion.speed() > SEEN_MOTION * fastest);
+        // Contact points on the axis of a rotation do not move.
+        let still = largest(bodies, &BodyMotion::speed) == 0.0;
+        let speed =
+            |motion: &BodyMotion<3>| if still { motion.twist.parts().1.size() } else { motion.speed() };
+        let fastest = largest(bodies, &speed);
+        let moves = bodies.iter().filter(|motion| speed(motion) > SEEN_MOTION * fastest);
         let told =
             |motion: &BodyMotion<3>| (printable(&motion.body).into_owned(), self.direction(&motion.twist));
         let told: Vec<_> = moves.map(told).list();

@@ -27,6 +27,9 @@ pub struct Caught {
     /// The motion of the object without resistance, until gaps close; `None` where contacts that are closed already catch it.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub moves: Option<MovesTo>,
+    /// Whether the object snaps over from one equilibrium to another ([`Jump::snaps`]).
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
+    pub snaps: bool,
     /// Energy lost in the jump, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub energy_lost: f64,
@@ -119,6 +122,8 @@ impl Caught {
         match (all.len(), &last.moves) {
             (1, Some(moves)) if is_held => write!(f, "; {at} {moves:.digits$}, then holds"),
             (1, Some(moves)) => write!(f, ", after {moves:.digits$} {at}"),
+            (1, None) if is_held && last.snaps => write!(f, "; {at} it {last:.digits$}, and holds"),
+            (1, None) if last.snaps => write!(f, ", after it {last:.digits$} {at}"),
             (1, None) if is_held => write!(f, ", caught {last:.digits$}"),
             (1, None) => write!(f, ", caught {at} {last:.digits$}"),
             (times, Some(moves)) => {
@@ -140,13 +145,13 @@ impl Caught {
                 SlippedBy { distance: distances.fold(0.0, f64::max), contact }
             };
             let (slips, moves) = (whole.map(far).collect(), MovesTo::of(parts, jump));
-            Self { factor, slips, moves, energy_lost: jump.energy_lost }
+            Self { factor, slips, moves, snaps: jump.snaps, energy_lost: jump.energy_lost }
         };
         jumps.map(caught).collect()
     }
 }
 
-/// "after slipping 0.4 mm at left".
+/// "after slipping 0.4 mm at left", "snaps over, slipping 0.4 mm at left".
 impl fmt::Display for Caught {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
@@ -154,6 +159,11 @@ impl fmt::Display for Caught {
         // Slips below this fraction of the longest one count as rounding. A larger fraction would hide contacts that matter.
         let told = self.slips.iter().filter(|slip| slip.distance > 1e-6 * longest);
         let told = told.map(|slip| format!("{} at {}", words.length(slip.distance), slip.contact.text()));
-        write!(f, "after slipping {}", listed(&told.collect::<Vec<_>>()))
+        let told = listed(&told.collect::<Vec<_>>());
+        match (self.snaps, told.is_empty()) {
+            (true, true) => f.write_str("snaps over"),
+            (true, false) => write!(f, "snaps over, slipping {told}"),
+            (false, _) => write!(f, "after slipping {told}"),
+        }
     }
 }

@@ -10,7 +10,7 @@ same_on_both_sides! { Caught, FirstSlip, NothingNear }
 face_of_struct! {
     Verdict { base, load, holding, first_slip, caught, held_to, everything_slides, left_out, lost, state }
     Lost {
-        factor, kind, way_out, too_far, slide, is_gross_slip, falls_at_once, then_takes, snaps, drives, motion, state, nothing_near,
+        factor, kind, way_out, too_far, slide, is_gross_slip, falls_at_once, then_takes, drives, motion, state, nothing_near,
     }
     BodyWay { body, way }
 }

@@ -7,8 +7,8 @@ use crate::equilibrium::{ContactState, Equilibrium, Outcome};
 use crate::error::{Error, is_moderate};
 use crate::grasp::{Coordinates, Engine, Wrench};
 use crate::load_path::{
-    Beyond, Change, ContactChange, Departure, EndOfSmallMotions, Event, Leaving, Leg, LoadPath, Loss,
-    LossKind, Onset, PathEnd, Ramp,
+    Change, ContactChange, Departure, EndOfSmallMotions, Event, Leaving, Leg, LoadPath, Loss, Onset, PathEnd,
+    Ramp,
 };
 use crate::object::Load;
 use crate::proofs::nothing_near;
@@ -112,7 +112,6 @@ impl Engine {
             // The proof assumes that every vacuum lasts.
             if matches!(holding, Holding::Lost) && !matches!(lost.way_out, WayOut::LetsGo { .. }) {
                 lost.nothing_near = self.nothing_near(&lost, loss, ramp, settings);
-                lost.snaps = loss.kind == LossKind::Fold && matches!(path.beyond(), Some(Beyond::Snap));
             }
             lost
         });

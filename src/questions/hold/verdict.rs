@@ -172,9 +172,6 @@ pub struct Lost<const C: usize> {
         serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
     )]
     pub then_takes: Option<f64>,
-    /// Whether the load has a [maximum](LossKind::Fold) and another equilibrium holds slightly more. The object then snaps over to it, or is lost.
-    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
-    pub snaps: bool,
     /// Joints and tendons of a hand that have reached their limit.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub drives: Vec<PartLabel>,

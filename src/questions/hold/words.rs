@@ -295,9 +295,6 @@ impl<const C: usize> fmt::Display for Lost<C> {
         if self.is_gross_slip {
             f.write_str(" (gross slip)")?;
         }
-        if self.snaps {
-            f.write_str(". Another equilibrium holds slightly more: it may snap over to that one")?;
-        }
         Ok(())
     }
 }

@@ -101,7 +101,7 @@ impl Needed {
             Amount::Any { to, tried, .. } => {
                 let amount = if self.quantity == Quantity::Angle { *to } else { roughly(*to, false) };
                 let aim = if how == Demand::Held { "it holds" } else { aim };
-                write!(f, "TAKES any: {aim} up to {}", self.much(words, amount, &[]))?;
+                write!(f, "TAKES any: {aim} up to {}", self.much(words, amount, &[]).trim_end_matches(','))?;
                 self.beside(f, *to)?;
                 self.amounts_tried(f, *tried)?;
             }

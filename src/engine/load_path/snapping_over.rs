@@ -1,0 +1,225 @@
+//! Snapping over: a path ends at a fold or a corner, and the object moves on under the same load until it rests again.
+//!
+//! Other equilibria may exist beyond the end of a path. Which of them the object reaches depends on its motion there. This motion is taken to be that of
+//! viscous contacts, with dampers in proportion to their springs K_i, under a load slightly beyond the end of the path:
+//!
+//! ```text
+//! Σ G_i K_i G_iᵀ dq/dt = R(q),      R(q) = Σ G_i F_i(a_i - s_i - G_iᵀq) + W
+//! ```
+//!
+//! A step of length h solves `(T + D/h) Δq = R`, where D is the matrix on the left and T the tangent stiffness; then every contact remembers what it has
+//! slipped. Steps grow while the imbalance after them is the one expected, D Δq/h. Once forces balance, what is left of R is removed along a leg of its
+//! own, as in [`super::letting_go`], and the path continues from there. A motion that is not small is not made: there the load
+//! is lost.
+
+use nalgebra::SVector;
+
+use super::event::{Change, Event, Loss, LossKind};
+use super::journey::Journey;
+use super::jump::Jump;
+use super::letting_go::JumpInProgress;
+use super::node::{Node, directions};
+use super::pieces::Pieces;
+use super::segment::Segment;
+use super::tolerances::{
+    AS_EXPECTED, AT_REST_AGAIN, FASTEST_GROWTH, LITTLE_BEYOND, MOST_SNAPPING_STEPS, SHORTEST_SNAPPING_STEP,
+};
+use super::trajectory::Trajectory;
+use super::transition::change;
+use crate::contact::ContactResponse;
+use crate::grasp::Engine;
+use crate::numerics::{PartialPivoting, Vector, largest};
+use crate::object::{Problem, tangent_stiffness, uses_band};
+use crate::prelude::*;
+use crate::search::{Found, SmallMotions};
+
+/// A place on the way: the twist, the contacts there, and the sum of their forces and the load.
+struct Place {
+    twist: Vector,
+    contacts: Vec<ContactResponse>,
+    left: Vector,
+}
+
+/// The forces and the twist at which the object rests again.
+pub(super) struct RestsAgain<'g> {
+    /// The problem with the slips of the motion, and the load that these forces balance.
+    problem: Problem<'g>,
+    contacts: Vec<ContactResponse>,
+    twist: Vector,
+}
+
+impl<'g> RestsAgain<'g> {
+    /// Moves the object from a twist at which forces do not balance, contact by contact, until they do. `None` if the motion is not small.
+    pub(super) fn near(
+        grasp: &Engine,
+        small: &SmallMotions,
+        mut problem: Problem<'g>,
+        start: &Vector,
+    ) -> Option<Self> {
+        // Factors of the stiffness of many bodies take longer than the rest of a path.
+        if uses_band(problem.size()) {
+            return None;
+        }
+        let damper = |problem: &Problem, i: usize| {
+            let local = problem.local(i);
+            local.tangent(&local.unjumped()).matrix()
+        };
+        let damping = tangent_stiffness(problem.sites, |i| damper(&problem, i));
+        let none = vec![ContactResponse::open(); problem.len()];
+        // Rounding decides whether a contact on an edge sticks at the start: the first step has dampers alone.
+        let mut here = Place { contacts: none.clone(), ..Place::at(start.clone(), none, &mut problem) };
+        let (at_first, mut length) = (here.left.norm(), 1.0);
+        for _ in 0..MOST_SNAPPING_STEPS {
+            if here.left.norm() <= AT_REST_AGAIN * at_first {
+                problem.wrench -= &here.left;
+                return Some(Self { problem, contacts: here.contacts, twist: here.twist });
+            }
+            let both = |i: usize| {
+                problem.local(i).tangent(&here.contacts[i].state).matrix() + damper(&problem, i) / length
+            };
+            let factors = PartialPivoting::new(&tangent_stiffness(problem.sites, both));
+            // Beyond the length at which the determinant vanishes a step would go back to an equilibrium that is not stable.
+            let Some(factors) = factors.filter(PartialPivoting::is_positive) else {
+                length *= SHORTER;
+                if length < SHORTEST_SNAPPING_STEP {
+                    return None;
+                }
+                continue;
+            };
+            let step = factors.solve(&here.left);
+            let expected = &damping * &step * (1.0 / length);
+            let before = (problem.slips.clone(), problem.offsets.clone(), problem.cones.clone());
+            let next = Place::at(&here.twist + &step, here.contacts.clone(), &mut problem);
+            let is_as_expected = (&next.left - &expected).norm() <= AS_EXPECTED * here.left.norm();
+            let grows = next.left.norm() > FASTEST_GROWTH * here.left.norm() || step.dot(&here.left) <= 0.0;
+            if length > SHORTEST_SNAPPING_STEP && (grows || !is_as_expected) {
+                (problem.slips, problem.offsets, problem.cones) = before;
+                length *= SHORTER;
+                continue;
+            }
+            if !is_small(grasp, small, &(&next.twist - start)) {
+                return None;
+            }
+            length *= LONGER;
+            here = next;
+        }
+        None
+    }
+}
+
+/// Whether no body turns and no contact moves farther than small motions go.
+fn is_small(grasp: &Engine, small: &SmallMotions, moved: &Vector) -> bool {
+    let turns_little =
+        grasp.each_moves(moved).iter().all(|body| body.twist.parts().1.size() <= small.rotation);
+    let most = small.slip * grasp.size_of_grasp();
+    turns_little && grasp.sites()[..grasp.len()].iter().all(|site| site.map.tr_mul(moved).norm() <= most)
+}
+
+/// Factors on the length of a step: after one that was taken, and after one that was not.
+const LONGER: f64 = 2.0;
+const SHORTER: f64 = 0.25;
+
+impl Place {
+    /// The place at a twist, which the contacts of the problem remember. They respond from their last responses.
+    fn at(twist: Vector, mut contacts: Vec<ContactResponse>, problem: &mut Problem) -> Self {
+        let left = problem.yield_to(&twist, &mut contacts);
+        Self { twist, contacts, left }
+    }
+}
+
+impl<'g> Pieces<'g> {
+    /// The event at which the object snaps over to another equilibrium under the load of a loss; the path continues from there. `None` if the object
+    /// comes to rest nowhere near.
+    pub(super) fn snaps_over(&mut self, journey: &Journey<'g>, loss: &Loss<3>) -> Option<Event<3>> {
+        let ends_in_balance = matches!(loss.kind, LossKind::Fold | LossKind::Corner);
+        if !ends_in_balance
+            || self.factor >= 1.0
+            || self.fallen.is_some()
+            || self.pace.steps >= journey.settings.most_steps
+        {
+            return None;
+        }
+        let state = self.state_before_event().or_else(|| self.present_state(journey))?;
+        let beyond = (self.factor + self.a_little()).min(1.0);
+        let goal = self.segment.course.at(beyond);
+        let rests = self.rests_again(beyond)?;
+        let (leg, changes) = self.back_to_balance(rests, beyond);
+        let mut jump = JumpInProgress::after(leg, &self.segment.problem.slips);
+        jump.leg.pace.steps = self.pace.steps + 1;
+        jump.note(&changes);
+        jump.go(&goal, journey).ok()?;
+        let event = self.caught(journey, changes, state);
+        let end = core::mem::replace(&mut self.factor, beyond);
+        match self.land(journey, &goal, jump) {
+            Ok(jump) => {
+                self.at_node = true;
+                let jump = Jump { snaps: true, ..jump };
+                Some(Event { jump: Some(Box::new(jump)), ..event })
+            }
+            Err(_) => {
+                self.factor = end;
+                None
+            }
+        }
+    }
+
+    /// The step of the factor that puts forces out of balance by a small part of the largest one, however long the leg is.
+    fn a_little(&self) -> f64 {
+        let mut rate = self.segment.course.rate_at(self.factor);
+        for (site, change) in self.segment.grasp.sites().iter().zip(&self.segment.change) {
+            site.map.push(&site.springs.force(change), &mut rate);
+        }
+        LITTLE_BEYOND * largest(&self.node.at.forces, &SVector::norm) / rate.norm()
+    }
+
+    /// Where the object rests again under the load at a factor slightly beyond this end of the path.
+    fn rests_again(&self, beyond: f64) -> Option<RestsAgain<'g>> {
+        let Segment { grasp, answer_for, .. } = &self.segment;
+        RestsAgain::near(grasp, &answer_for.small, self.segment.problem_at(beyond), &self.node.at.twist)
+    }
+
+    /// The leg along which what is left of the imbalance is removed at a factor, and the changes of states before it.
+    fn back_to_balance(&self, rests: RestsAgain<'g>, factor: f64) -> (Self, Vec<(usize, Change<3>)>) {
+        let RestsAgain { problem, contacts, twist } = rests;
+        let mut segment = self.segment.at_rest(factor);
+        let (from, goal) = (problem.wrench.clone(), segment.course.at(0.0));
+        segment.course = Trajectory::Straight { rate: goal - &from, from };
+        segment.problem = problem;
+        let forces = contacts.iter().map(|contact| contact.force).collect();
+        let found = Found::new(contacts.iter().map(|contact| contact.state).collect(), forces, twist);
+        let (states, before) = (found.states.clone(), &self.node);
+        let ways = directions(&segment.problem, &found);
+        let node = Node { holds: before.holds.clone(), ..Node::at_start(&mut segment, found) };
+        let changes = (0..states.len()).filter_map(|i| {
+            let was = (before.states[i], before.directions[i]);
+            change(was, (states[i], ways[i])).map(|change| (i, change))
+        });
+        let changes = changes.collect();
+        (Self { at_node: true, ..Self::standing(segment, node) }, changes)
+    }
+}
+
+impl Problem<'_> {
+    /// The responses of the contacts to a twist, after which each remembers its slip. Returns the sum of the forces and the load.
+    fn yield_to(&mut self, twist: &Vector, contacts: &mut [ContactResponse]) -> Vector {
+        let mut left = self.wrench.clone();
+        for i in 0..contacts.len() {
+            let (local, stretch) = (self.local(i), self.stretch(i, twist));
+            let near = contacts[i].state.slide().map_or(0.0, |slide| slide.lambda);
+            let response = local.response(&stretch, near);
+            let springs = local.springs;
+            if !response.state.is_sticking() && springs.resists_tangentially() {
+                let slip = springs.slip(&stretch, &response.force);
+                self.slips[i] += slip;
+                self.offsets[i] -= slip;
+            }
+            if let Some(cone) = self.cones.get_mut(i) {
+                let site = &self.sites[i];
+                *cone = site.kinetic.filter(|_| response.state.slides()).unwrap_or(site.friction);
+            }
+            self.sites[i].map.push(&response.force, &mut left);
+            contacts[i] = response;
+        }
+        left
+    }
+}
