@@ -51,7 +51,7 @@ pub(super) struct Direction {
 
 impl Direction {
     /// Towards a larger factor, with any motion: the transverse row then keeps the factor fixed.
-    pub(super) fn onward() -> Self {
+    pub(super) fn forward() -> Self {
         Self { twist: Vector::zeros(), factor: 1.0 }
     }
 
@@ -328,8 +328,8 @@ impl Segment<'_> {
             there.forces.iter().zip(&at.forces).all(|(f, g)| (f - g).norm() <= 1e-6 * largest)
         };
         let balanced =
-            arc.balanced(at.twist.clone(), factor, &Direction::onward(), &frictions).filter(is_near);
+            arc.balanced(at.twist.clone(), factor, &Direction::forward(), &frictions).filter(is_near);
         let at = balanced.map_or_else(|| at.clone(), |(at, _)| at);
-        Ok(self.here(piece, factor, at.clone(), (&rate, 1.0), (factor, &at)))
+        Ok(self.point_with_rates(piece, factor, at.clone(), (&rate, 1.0), (factor, &at)))
     }
 }

@@ -90,7 +90,7 @@ pub(super) struct BodyLoads(Option<Arc<[Vec<Wrench<3>>; 2]>>);
 
 impl BodyLoads {
     /// Continues to the next leg. It begins with the loads at the end of the last leg, and its goals change them for the bodies with these names.
-    pub(super) fn lead_on(&mut self, names: &[Arc<str>], goals: &[BodyGoal<3>]) {
+    pub(super) fn append(&mut self, names: &[Arc<str>], goals: &[BodyGoal<3>]) {
         if goals.is_empty() && self.0.is_none() {
             return;
         }

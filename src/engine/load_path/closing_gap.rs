@@ -68,7 +68,7 @@ impl<'g> Pieces<'g> {
             let none = NEGLIGIBLE * site.span_moved(&SVector::zeros(), motion.norm());
             let (local, force) = (self.segment.problem.local(i), &self.node.at.forces[i]);
             still.push(velocity.norm() <= none);
-            if self.node.states[i].is_open() || self.node.stands[i].apex && local.may_open() {
+            if self.node.states[i].is_open() || self.node.active_sets[i].apex && local.may_open() {
                 let gap = -site.stretch(&offsets[i], &self.node.at.twist)[0];
                 let shut = ZERO_SLACK * site.span(&offsets[i], &self.node.at.twist);
                 if velocity[0] < -none {
@@ -117,43 +117,43 @@ impl<'g> Pieces<'g> {
     }
 
     /// Moves the object until the gap closes; `None` if rounding prevents the state there from being computed.
-    fn go_free_way(&mut self, motion: &Vector, way: &FreeWay) -> Option<()> {
-        let here = self.node.look(&self.segment.at_rest(self.factor), self.factor, None).ok()?;
+    fn move_to_gap(&mut self, motion: &Vector, way: &FreeWay) -> Option<()> {
+        let point = self.node.point_at(&self.segment.at_rest(self.factor), self.factor, None).ok()?;
         // Forces are solved for in the new states, so that contacts that have opened lose even the rounding of their force.
-        let forces = mapped(&here.lines, &|line| line.force);
+        let forces = mapped(&point.lines, &|line| line.force);
         let twist = &self.node.at.twist + motion * way.length;
-        self.node.arrive(&mut self.segment, &here, self.factor, &PieceState { forces, twist });
+        self.node.move_to_end(&mut self.segment, &point, self.factor, &PieceState { forces, twist });
         let offsets = self.segment.offsets(self.factor);
         for (i, site) in self.segment.grasp.sites().iter().enumerate() {
             if self.node.states[i].is_open() {
                 let gap = -site.stretch(&offsets[i], &self.node.at.twist)[0];
                 let shut = ZERO_SLACK * site.span(&offsets[i], &self.node.at.twist);
-                self.node.stands[i].leave();
-                self.node.stands[i].apex = gap <= shut || way.closing.contains(&i);
+                self.node.active_sets[i].clear();
+                self.node.active_sets[i].apex = gap <= shut || way.closing.contains(&i);
             }
         }
-        (self.here, self.at_node) = (None, true);
+        (self.point, self.at_node) = (None, true);
         Some(())
     }
 
     /// The event at which a gap closes after a free motion from a loss; the path continues from there. `None` if no gap closes.
-    pub(super) fn caught_by_a_gap(&mut self, journey: &Journey<'g>, loss: &Loss<3>) -> Option<Event<3>> {
-        if self.fallen.is_some() || self.pace.steps >= journey.settings.most_steps {
+    pub(super) fn closing_gap_event(&mut self, journey: &Journey<'g>, loss: &Loss<3>) -> Option<Event<3>> {
+        if self.failed_jump.is_some() || self.pace.steps >= journey.settings.most_steps {
             return None;
         }
         let before = self.state_before_event();
         let state = before.or_else(|| self.present_state(journey))?;
         let goal = self.segment.course.at(self.factor);
-        let leg = Self::standing(self.segment.at_rest(self.factor), self.node.clone());
-        let mut fall = JumpInProgress::of(leg);
-        fall.leg.pace.steps = self.pace.steps + 1;
-        let went = fall.go_on_freely(loss, &goal, journey).and_then(|lets_go| {
-            let first = core::mem::take(&mut fall.changes);
-            if lets_go { fall.go(&goal, journey).map(|()| first) } else { Ok(first) }
+        let leg = Self::at_segment_start(self.segment.at_rest(self.factor), self.node.clone());
+        let mut jump = JumpInProgress::of(leg);
+        jump.leg.pace.steps = self.pace.steps + 1;
+        let went = jump.follow_free_motion(loss, &goal, journey).and_then(|lets_go| {
+            let first = core::mem::take(&mut jump.changes);
+            if lets_go { jump.run(&goal, journey).map(|()| first) } else { Ok(first) }
         });
         let changes = went.ok()?;
         // If rounding prevents the state there from being computed, the path ends with the loss.
-        let jump = self.land(journey, &goal, fall).ok()?;
+        let jump = self.end_jump(journey, &goal, jump).ok()?;
         let jump = Some(Box::new(jump));
         self.at_node = true;
         let (changes, drives) = journey.grasp.contacts_and_drives(changes);
@@ -177,7 +177,7 @@ impl<'g> JumpInProgress<'g> {
     ///
     /// # Errors
     /// The loss, if no gap closes.
-    pub(super) fn go_on_freely(
+    pub(super) fn follow_free_motion(
         &mut self,
         loss: &Loss<3>,
         goal: &Vector,
@@ -190,14 +190,14 @@ impl<'g> JumpInProgress<'g> {
         let changes = self.leg.yield_along(&motion, &way, journey);
         let begin = self.leg.begin_to_slide(&changes);
         if !begin.is_empty()
-            && let Some(leg) = self.leg.let_go(goal, &begin, journey)?
+            && let Some(leg) = self.leg.leg_of_release(goal, &begin, journey)?
         {
             self.leg = leg;
             self.note(&changes);
             return Ok(true);
         }
         self.note(&changes);
-        self.leg.go_free_way(&motion, &way).ok_or_else(lost)?;
+        self.leg.move_to_gap(&motion, &way).ok_or_else(lost)?;
         self.reaches.extend(way.closing);
         Ok(false)
     }

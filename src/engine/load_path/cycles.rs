@@ -146,7 +146,7 @@ impl<'g> Cycles<'g> {
     }
 
     /// Follows one cycle; `None` if the path [ends](Self::end) before.
-    pub(crate) fn go(&mut self) -> Option<CycleRecord> {
+    pub(crate) fn follow_cycle(&mut self) -> Option<CycleRecord> {
         if self.gone > 0 && self.path.end().is_some() {
             self.path.journey.program.return_to(self.path.journey.grasp, &self.base);
             self.path.continue_with(&self.legs).ok()?;
@@ -174,7 +174,7 @@ impl<'g> Cycles<'g> {
             // Slips at the end of the piece; those of a jump that follows are added with the jump.
             let next = behind
                 .get(k + 1)
-                .map(|next| next.fallen.as_ref().map_or(&next.problem.slips, |fallen| &fallen.slips));
+                .map(|next| next.jump.as_ref().map_or(&next.problem.slips, |jump| &jump.slips));
             record.add(stretch, next.unwrap_or(slips_at_the_end), first);
         }
         // The state at the end of the cycle is computed from the piece that leads to it.
@@ -183,7 +183,7 @@ impl<'g> Cycles<'g> {
     }
 
     /// The state of the grasp after the cycles so far.
-    pub(crate) fn standing(&self) -> Option<CycleState> {
+    pub(crate) fn cycle_state(&self) -> Option<CycleState> {
         let follower = self.path.follower.as_ref()?;
         let (at, segment) = (&follower.node.at, &follower.segment);
         let offsets = segment.offsets(follower.factor);
@@ -213,11 +213,11 @@ impl CycleRecord {
     /// Adds a piece of the path, with the slips after it.
     fn add(&mut self, piece: &Stretch<'_>, after: &[SVector<f64, 3>], first: usize) {
         let leg = piece.leg.saturating_sub(first);
-        if let Some(fallen) = &piece.fallen {
-            for (i, _) in fallen.slid.iter().enumerate().filter(|(_, slid)| **slid) {
-                self.slid[i] += (piece.problem.slips[i] - fallen.slips[i]).norm();
+        if let Some(jump) = &piece.jump {
+            for (i, _) in jump.slid.iter().enumerate().filter(|(_, slid)| **slid) {
+                self.slid[i] += (piece.problem.slips[i] - jump.slips[i]).norm();
             }
-            fallen.states.iter().for_each(|states| self.note(leg, states));
+            jump.states.iter().for_each(|states| self.note(leg, states));
         }
         let forces = piece.here.lines.iter().map(|line| line.force).chain(piece.there.forces.iter().copied());
         self.largest = forces.map(|force| force.norm()).fold(self.largest, f64::max);

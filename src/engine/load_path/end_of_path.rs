@@ -2,7 +2,7 @@
 
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end, no_rates};
 use super::event::{Loss, LossKind, PathEnd};
-use super::follower::StandAtEdge;
+use super::follower::StateAtEdge;
 use super::rigid_motion::rigid_motion;
 use crate::contact::State;
 use crate::numerics::{Each, Vector};
@@ -15,12 +15,12 @@ use crate::search::{Effort, Settings, Settled};
 /// The object gives way if a motion meets no resistance. Otherwise the end is a corner: in no combination of their states do the contacts on an edge
 /// have rates. If that is not known, a proof suffices that no equilibrium exists beyond.
 pub(super) fn end_of_path(
-    edge: &StandAtEdge<'_>,
+    edge: &StateAtEdge<'_>,
     (settled, effort): (Settled, &Effort),
     loss: Loss<3>,
     settings: &Settings,
 ) -> PathEnd<3> {
-    let StandAtEdge { segment, rates, forces } = edge;
+    let StateAtEdge { segment, rates, forces } = edge;
     if let Settled::FreeMotion(v) = settled {
         let loss = Loss { kind: LossKind::GivesWay, ..loss };
         return PathEnd::Lost(Box::new(loss.leaving(segment.grasp, Some(&v))));

@@ -68,22 +68,22 @@ impl LegEnergy {
         &mut self,
         segment: &Segment,
         states: &[State],
-        here: &PathPoint,
+        point: &PathPoint,
         factor: f64,
         step: f64,
     ) {
-        if let Some(turned) = &here.turned {
+        if let Some(turned) = &point.turned {
             self.add_turned(segment, states, turned, step);
             return;
         }
         let middle = segment.course.at(factor + 0.5 * step);
-        let works = middle.component_mul(&here.twist_rate) * step;
+        let works = middle.component_mul(&point.twist_rate) * step;
         self.load_work += works.sum();
         self.turnover += works.map(f64::abs).sum();
-        for (i, (line, site)) in here.lines.iter().zip(segment.grasp.sites()).enumerate() {
+        for (i, (line, site)) in point.lines.iter().zip(segment.grasp.sites()).enumerate() {
             let force = line.force + line.rate * (0.5 * step);
             let (give, moving) =
-                (site.springs.give(&line.rate), site.stretch(&segment.change[i], &here.twist_rate));
+                (site.springs.give(&line.rate), site.stretch(&segment.change[i], &point.twist_rate));
             let slip =
                 if states[i].slides() { site.springs.slip(&moving, &line.rate) } else { SVector::zeros() };
             for axis in 0..site.springs.axes() {

@@ -55,8 +55,8 @@ impl<'g> Pieces<'g> {
             let rest = problem.sites[i].friction;
             if *cone != rest && !self.node.states[i].slides() {
                 *cone = rest;
-                if !self.node.stands[i].apex {
-                    self.node.stands[i] = ActiveSet::NOWHERE;
+                if !self.node.active_sets[i].apex {
+                    self.node.active_sets[i] = ActiveSet::EMPTY;
                 }
             }
         }
@@ -72,12 +72,12 @@ impl<'g> Pieces<'g> {
     }
 
     /// Puts contacts whose force has all but vanished at the apex of their cones, as if it were zero.
-    pub(super) fn let_run_out(&mut self, standing: &PathState) {
+    pub(super) fn put_at_apex(&mut self, standing: &PathState) {
         let largest = self.segment.largest;
         for (i, _) in standing {
             let force = self.node.at.forces[*i].norm();
             if force <= NEGLIGIBLE * largest {
-                self.node.stands[*i].apex = true;
+                self.node.active_sets[*i].apex = true;
                 self.step_error += force / largest;
             }
         }

@@ -127,24 +127,29 @@ impl FirstToLeave {
         memory: &mut OnsetMemory,
     ) -> Onset<3> {
         let Self { factor, contact, exit, there } = self;
-        let OnsetMemory { states, stands, leaving, sites, .. } = memory;
+        let OnsetMemory { states, active_sets, leaving, sites, .. } = memory;
         cleared_for(states, segment.problem.len());
         states.extend(segment.problem.locals().map(|local| local.unjumped()));
-        stands.iter_mut().for_each(ActiveSet::leave);
-        stands.resize(states.len(), ActiveSet::NOWHERE);
-        stands[contact].reach(segment.problem.space().axes(), &states[contact], &[exit]);
+        active_sets.iter_mut().for_each(ActiveSet::clear);
+        active_sets.resize(states.len(), ActiveSet::EMPTY);
+        active_sets[contact].add_exits(segment.problem.space().axes(), &states[contact], &[exit]);
         let frame = &segment.problem.sites[contact].frame;
         cleared_for(leaving, 1);
-        leaving.push(Leaving::driven_out(contact, &stands[contact], &segment.problem.local(contact), frame));
+        leaving.push(Leaving::driven_out(
+            contact,
+            &active_sets[contact],
+            &segment.problem.local(contact),
+            frame,
+        ));
         cleared_for(sites, 1);
         sites.push(contact);
         let found = Found::new(core::mem::take(states), there.forces, there.twist);
         let leaving = (core::mem::take(leaving), core::mem::take(sites));
-        let stands = core::mem::take(stands);
+        let active_sets = core::mem::take(active_sets);
         memory.lists.laws = core::mem::take(&mut segment.problem.laws);
         let sticks = (found, FoundBy::EverythingSticks);
         let event =
-            OnsetEvent::new(segment, (factor, load), leaving, stands, sticks, &mut memory.coordinates);
+            OnsetEvent::new(segment, (factor, load), leaving, active_sets, sticks, &mut memory.coordinates);
         Onset::At(memory.put(event))
     }
 }

@@ -84,13 +84,13 @@ pub(super) struct HeldTorques(Option<Arc<[Vec<f64>; 2]>>);
 
 impl HeldTorques {
     /// Continues to the next leg. It begins with the torques at the end of the last leg, or with those of the hand, and its goal changes them.
-    pub(super) fn lead_on(&mut self, of_the_hand: &[f64], goal: &LegGoal<Vec<f64>>) {
+    pub(super) fn append(&mut self, of_the_hand: &[f64], goal: &LegGoal<Vec<f64>>) {
         if self.0.is_none() && *goal == LegGoal::Stay {
             return;
         }
         let from = self.0.as_ref().map_or(of_the_hand, |torques| &torques[1]).to_vec();
         let mut both = [Vec::new(), from];
-        goal.lead_on(&mut both);
+        goal.append(&mut both);
         self.0 = Some(Arc::new(both));
     }
 

@@ -282,7 +282,7 @@ impl<const C: usize> LegLoad<C> {
 
 impl<T: Copy + Add<Output = T>> LegGoal<Vec<T>> {
     /// Replaces the commands at both ends of the previous leg by those at both ends of this leg; the beginning comes first.
-    pub(super) fn lead_on(&self, commands: &mut [Vec<T>; 2]) {
+    pub(super) fn append(&self, commands: &mut [Vec<T>; 2]) {
         commands.swap(0, 1);
         let [from, to] = commands;
         to.clear();

@@ -86,7 +86,7 @@ pub(super) struct StickingState {
     pub(super) found: Kept,
     pub(super) rule: FoundBy,
     /// The active set of each site: the edges of its cone that it has reached.
-    pub(super) stands: Vec<ActiveSet>,
+    pub(super) active_sets: Vec<ActiveSet>,
     /// The sites that stop sticking.
     pub(super) leaving: Vec<usize>,
     pub(super) wrench: Coordinates,
@@ -103,7 +103,7 @@ impl OnsetEvent<3> {
         segment: Segment<'_>,
         (factor, load): (f64, Wrench<3>),
         (leaving, sites): (Vec<Leaving<3>>, Vec<usize>),
-        stands: Vec<ActiveSet>,
+        active_sets: Vec<ActiveSet>,
         (found, rule): (Found, FoundBy),
         lists: &mut [Vec<f64>; 3],
     ) -> Self {
@@ -115,7 +115,7 @@ impl OnsetEvent<3> {
         let local = StickingState {
             found: Kept::of(found, list()),
             rule,
-            stands,
+            active_sets,
             leaving: sites,
             wrench: Coordinates::of_in(&course.at(factor), list()),
             wrench_rate: Coordinates::of_in(&course.rate_at(factor), list()),
@@ -137,11 +137,11 @@ impl Leaving<3> {
     /// The departure of a contact that the load drives out of its cone, if no continuation determines its direction.
     pub(super) fn driven_out(
         site: usize,
-        stand: &ActiveSet,
+        active: &ActiveSet,
         local: &LocalLaw<'_>,
         frame: &SMatrix<f64, 3, 3>,
     ) -> Self {
-        let outward = stand.facets.iter().fold(SVector::<f64, 3>::zeros(), |sum, h| sum + h);
+        let outward = active.facets.iter().fold(SVector::<f64, 3>::zeros(), |sum, h| sum + h);
         let how = if outward.norm() > 0.0 {
             Departure::Slides { direction: frame * outward.normalize() }
         } else if local.may_open() {

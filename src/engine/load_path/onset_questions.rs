@@ -122,7 +122,7 @@ impl Engine {
         let change = local.offset_rates.clone();
         let course = Trajectory::Straight { from: local.wrench.to(), rate: local.wrench_rate.to() };
         let segment = Segment { grasp: self, answer_for, problem, change, course, largest: 0.0 };
-        let rates = segment.rates(0.0, segment.laws_of_rates(&local.stands, &local.found.states));
+        let rates = segment.rates(0.0, segment.laws_of_rates(&local.active_sets, &local.found.states));
         let (settled, effort) = match settle(&rates, settings) {
             (Settled::Found(found, rule), _) => return Some(continuation(self, &rates, found, rule)),
             lost => lost,

@@ -29,7 +29,7 @@ pub(super) struct OnsetMemory {
     pub(super) there: PieceState,
     pub(super) offsets: Vec<SVector<f64, 3>>,
     pub(super) states: Vec<State>,
-    pub(super) stands: Vec<ActiveSet>,
+    pub(super) active_sets: Vec<ActiveSet>,
     pub(super) leaving: Vec<Leaving<3>>,
     /// The sites that stop sticking.
     pub(super) sites: Vec<usize>,
@@ -93,7 +93,7 @@ impl OnsetMemory {
         self.coordinates = coordinates.each(Coordinates::take_list);
         self.there.forces = core::mem::take(&mut local.found.forces);
         self.states = core::mem::take(&mut local.found.states);
-        self.stands = core::mem::take(&mut local.stands);
+        self.active_sets = core::mem::take(&mut local.active_sets);
         self.sites = core::mem::take(&mut local.leaving);
         self.leaving = core::mem::take(&mut event.leaving);
         self.place = Some(event);

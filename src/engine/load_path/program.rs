@@ -79,10 +79,10 @@ impl Program {
     pub(super) fn begin_leg(&mut self) -> bool {
         let Some(leg) = self.legs.get(self.leg - self.done) else { return false };
         (self.course, self.goal) = leg.load.course(&self.goal);
-        leg.commands.lead_on(&mut self.commands);
-        leg.joints.lead_on(&mut self.joints);
-        self.bodies.lead_on(&self.names, &leg.bodies);
-        self.torques.lead_on(&self.held, &leg.torques);
+        leg.commands.append(&mut self.commands);
+        leg.joints.append(&mut self.joints);
+        self.bodies.append(&self.names, &leg.bodies);
+        self.torques.append(&self.held, &leg.torques);
         true
     }
 
@@ -105,14 +105,14 @@ impl Program {
             on_bodies(&self.bodies, 0),
             largest_of(&self.held),
         ];
-        let mut goes = gone.goes();
-        while goes {
+        let mut has_leg = gone.has_leg();
+        while has_leg {
             most[0] = most[0].max(size(&gone.goal)).max(size(&gone.course.at(0.5)));
             most[1] = most[1].max(largest(&gone.commands[1], &Matrix::amax));
             most[2] = most[2].max(largest_of(&gone.joints[1]));
             most[3] = most[3].max(on_bodies(&gone.bodies, 1));
             most[4] = most[4].max(largest_of(gone.torques.at_end(1)));
-            goes = gone.next_leg();
+            has_leg = gone.next_leg();
         }
         let off = [
             size(&(gone.goal - load)),
@@ -140,7 +140,7 @@ impl Program {
     }
 
     /// Whether there is a leg to follow.
-    pub(super) fn goes(&self) -> bool {
+    pub(super) fn has_leg(&self) -> bool {
         self.leg - self.done < self.legs.len()
     }
 
@@ -193,7 +193,7 @@ impl Program {
 
     /// The present leg and `fraction`; the end of the last leg once all are done.
     pub(super) fn place(&self, fraction: f64) -> (usize, f64) {
-        if self.goes() || self.leg == 0 { (self.leg, fraction) } else { (self.leg - 1, 1.0) }
+        if self.has_leg() || self.leg == 0 { (self.leg, fraction) } else { (self.leg - 1, 1.0) }
     }
 
     /// The load at a fraction of the present leg.

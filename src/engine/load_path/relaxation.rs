@@ -188,7 +188,7 @@ mod tests {
             let sliding = frictions.iter().map(|friction| State::Round(Slide::new(friction, 0.0)));
             let states: Vec<_> = core::iter::once(State::Sticking).chain(sliding).collect();
             let arc = Arc::new(&segment, &states, [], 0.5);
-            let way = arc.direction(&arc.tangents(frictions.iter().copied()), 0.0, &Direction::onward());
+            let way = arc.direction(&arc.tangents(frictions.iter().copied()), 0.0, &Direction::forward());
             let way = way.expect("one direction");
 
             // Rates of friction forces, twist and factor after a change of the friction forces.

@@ -62,24 +62,24 @@ impl PathPoint {
 
     /// The same state with all rates multiplied by `part`.
     pub(super) fn slowed(&self, part: f64) -> Self {
-        let mut here = self.clone();
-        here.twist_rate *= part;
-        here.factor_rate *= part;
-        here.rate_sizes = here.rate_sizes.each(|size| size * part);
-        for (line, gap) in here.lines.iter_mut().zip(&mut here.gaps) {
+        let mut point = self.clone();
+        point.twist_rate *= part;
+        point.factor_rate *= part;
+        point.rate_sizes = point.rate_sizes.each(|size| size * part);
+        for (line, gap) in point.lines.iter_mut().zip(&mut point.gaps) {
             line.rate *= part;
             line.rate_size *= part;
             gap.rate *= part;
             gap.rate_size *= part;
         }
-        here
+        point
     }
 }
 
 impl<'g> Segment<'g> {
     /// Forces, gaps and their rates at a factor. If the states leave motions free, the twist is the one nearest to `near`, and its rate the one
     /// nearest to `pushed`. No force drives the object along free motions, but a contact that touches without force may push it.
-    pub(super) fn look(
+    pub(super) fn point_at(
         &self,
         states: &[State],
         factor: f64,
@@ -89,7 +89,9 @@ impl<'g> Segment<'g> {
         let piece = self.problem.piece(states);
         let rate = match &self.course {
             Trajectory::Straight { rate, .. } => rate,
-            Trajectory::Turn { load, angle } => return self.look_round(&piece, (load, *angle), factor, near),
+            Trajectory::Turn { load, angle } => {
+                return self.point_on_turn(&piece, (load, *angle), factor, near);
+            }
         };
         let base = piece
             .solve(self.problem.sites, &self.problem.offsets, self.problem.load())
@@ -102,11 +104,11 @@ impl<'g> Segment<'g> {
             forces: paired(&base.forces, &rate.forces, &|(f, df)| f + df * factor),
             twist: &base.twist + &rate.twist * factor,
         });
-        Ok(self.here(piece, factor, at, (&rate, 1.0), (0.0, &base)))
+        Ok(self.point_with_rates(piece, factor, at, (&rate, 1.0), (0.0, &base)))
     }
 
     /// A state on an arc with rates for one unit of arclength, in which the factor changes by `factor_rate`.
-    pub(super) fn along(
+    pub(super) fn point_on_arc(
         &self,
         piece: &alloc::sync::Arc<Piece>,
         factor: f64,
@@ -114,7 +116,7 @@ impl<'g> Segment<'g> {
         rate: &PieceState,
         factor_rate: f64,
     ) -> PathPoint {
-        self.here(piece.clone(), factor, at.clone(), (rate, factor_rate), (factor, at))
+        self.point_with_rates(piece.clone(), factor, at.clone(), (rate, factor_rate), (factor, at))
     }
 
     /// The reason for a loss from a factor on: nothing resists the motion `motion`.
@@ -127,7 +129,7 @@ impl<'g> Segment<'g> {
 
     /// A state at a factor with its rates. The rounding of a quantity that vanishes here is scaled by its terms: the state `base` at the factor
     /// `since`, and the change from there.
-    pub(super) fn here(
+    pub(super) fn point_with_rates(
         &self,
         piece: alloc::sync::Arc<Piece>,
         factor: f64,
@@ -201,16 +203,16 @@ impl<'g> Segment<'g> {
         contact: usize,
         state: &State,
         exit: &Exit,
-        here: &PathPoint,
+        point: &PathPoint,
         factor: f64,
         at: &PieceState,
     ) -> f64 {
         if state.is_open() {
             let offset = self.problem.offsets[contact] + self.change[contact] * factor;
             let gap = -self.grasp.sites()[contact].stretch(&offset, &at.twist)[0];
-            return gap / -here.gaps[contact].rate;
+            return gap / -point.gaps[contact].rate;
         }
-        self.problem.local(contact).way_to(exit, &at.forces[contact], &here.lines[contact].rate)
+        self.problem.local(contact).way_to(exit, &at.forces[contact], &point.lines[contact].rate)
     }
 
     /// The offsets at a factor.
@@ -263,23 +265,23 @@ impl<'g> Segment<'g> {
     }
 
     /// The exits through which a contact may leave its state, with their distances.
-    pub(super) fn ways_out(&self, contact: usize, state: &State, here: &PathPoint) -> Vec<Exit> {
-        self.problem.local(contact).ways_out(state, &here.lines[contact], &here.gaps[contact])
+    pub(super) fn ways_out(&self, contact: usize, state: &State, point: &PathPoint) -> Vec<Exit> {
+        self.problem.local(contact).ways_out(state, &point.lines[contact], &point.gaps[contact])
     }
 
     /// The law of the rates of every contact, from its active set and state.
-    pub(super) fn laws_of_rates(&self, stands: &[ActiveSet], states: &[State]) -> Vec<Law> {
-        let locals = self.problem.locals().zip(stands).zip(states);
-        locals.map(|((local, stand), state)| local.law_of_rates(stand, state)).list()
+    pub(super) fn laws_of_rates(&self, active_sets: &[ActiveSet], states: &[State]) -> Vec<Law> {
+        let locals = self.problem.locals().zip(active_sets).zip(states);
+        locals.map(|((local, active), state)| local.law_of_rates(active, state)).list()
     }
 
     /// The smallest step after which a contact reaches an edge, its apex, a closed gap or a reversal of slip, with all contacts that do so there. For
     /// a load that turns, steps up to `rest` are searched.
-    pub(super) fn first_exits(&self, states: &[State], here: &PathPoint, rest: f64) -> FirstExits {
-        if let Some(turned) = &here.turned {
+    pub(super) fn first_exits(&self, states: &[State], point: &PathPoint, rest: f64) -> FirstExits {
+        if let Some(turned) = &point.turned {
             return turned.first_exits(&self.problem, states, rest);
         }
-        let ways = states.iter().enumerate().map(|(i, state)| (i, self.ways_out(i, state, here)));
+        let ways = states.iter().enumerate().map(|(i, state)| (i, self.ways_out(i, state, point)));
         FirstExits { standing: first_standing(ways.list()), touches: Vec::new() }
     }
 

@@ -29,9 +29,9 @@ pub(super) struct Cycle {
 impl Cycle {
     /// The next cycle; `None` if its path ends before the cycle does.
     pub(super) fn next(engine: &Engine, cycles: &mut Cycles<'_>) -> Option<Self> {
-        let from = cycles.standing()?;
-        let record = cycles.go()?;
-        let to = cycles.standing()?;
+        let from = cycles.cycle_state()?;
+        let record = cycles.follow_cycle()?;
+        let to = cycles.cycle_state()?;
         Some(Self { scale: scale_of(engine, &record, &to), from, to, record })
     }
 

@@ -24,7 +24,7 @@ impl Engine {
         settings: &Settings,
     ) -> Result<Shaken<3>, Error> {
         let cycles = Cycles::at_rest(self, (base, legs), settings)?;
-        let Some(rest) = cycles.standing() else {
+        let Some(rest) = cycles.cycle_state() else {
             let repeats =
                 Repeats::NoRest { rest: Box::new(self.hold(&Ramp::load(*base, Wrench::ZERO), settings)?) };
             return Ok(Shaken {
@@ -261,7 +261,7 @@ impl<'g> Shaking<'g, '_> {
 
     /// The answer, with the motion at the state `at`, or at the end of the path.
     fn shaken(&self, repeats: Repeats<3>, (change, ratio): (f64, f64), at: Option<&CycleState>) -> Shaken<3> {
-        let here = self.cycles.standing();
+        let here = self.cycles.cycle_state();
         let moved = at.or(here.as_ref()).map(|at| self.moves(&self.rest, at)).unwrap_or_default();
         let state = self.cycles.end().is_none().then(|| self.cycles.state()).flatten().map(Box::new);
         Shaken {

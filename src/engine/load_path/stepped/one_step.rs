@@ -75,7 +75,7 @@ impl<'g> StepProblem<'g> {
     }
 
     /// Prepares the next leg, in the same memory.
-    pub(super) fn set_out(&mut self, journey: &Journey<'g>) {
+    pub(super) fn start_leg(&mut self, journey: &Journey<'g>) {
         self.course = journey.program.inside_course(journey.grasp);
         journey.program.offsets_into(journey.grasp, &mut self.offsets);
     }

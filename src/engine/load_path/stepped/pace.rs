@@ -35,7 +35,7 @@ impl StepPace {
     }
 
     /// Restarts the control on the next leg, in the same memory.
-    pub(super) fn set_out<X>(&mut self, course: &Trajectory<X>) {
+    pub(super) fn start_leg<X>(&mut self, course: &Trajectory<X>) {
         self.speeds.forget();
         *self = Self { speeds: core::mem::take(&mut self.speeds), ..Self::along(course) };
     }

@@ -10,7 +10,7 @@ use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::load_path::event::PathEnd;
-use crate::load_path::follower::{Advance, Follower, StandAtEdge};
+use crate::load_path::follower::{Advance, Follower, StateAtEdge};
 use crate::load_path::following::Following;
 use crate::load_path::journey::Journey;
 use crate::load_path::leg::Leg;
@@ -115,15 +115,15 @@ fn at_start(problem: &Problem<'_>, found: Found) -> SteppedState {
 impl<'g> Follower<'g> for Steps<'g> {
     type Report = Step<3>;
 
-    fn set_out(&mut self, journey: &Journey<'g>) -> Result<(), PathEnd<3>> {
-        self.along.set_out(journey);
-        self.pace.set_out(&self.along.course);
+    fn start_leg(&mut self, journey: &Journey<'g>) -> Result<(), PathEnd<3>> {
+        self.along.start_leg(journey);
+        self.pace.start_leg(&self.along.course);
         self.standing.fraction = 0.0;
         self.coarse.standing.fraction = 0.0;
         Ok(())
     }
 
-    fn go_on(&mut self, journey: &Journey<'g>) -> Result<Advance<Step<3>>, PathEnd<3>> {
+    fn advance(&mut self, journey: &Journey<'g>) -> Result<Advance<Step<3>>, PathEnd<3>> {
         if self.standing.fraction >= 1.0 { Ok(Advance::EndOfLeg) } else { self.try_a_step(journey) }
     }
 
@@ -143,7 +143,7 @@ impl<'g> Follower<'g> for Steps<'g> {
         self.coarse.farthest + self.unseen
     }
 
-    fn edge(&self, journey: &Journey<'g>) -> StandAtEdge<'g> {
+    fn edge(&self, journey: &Journey<'g>) -> StateAtEdge<'g> {
         self.standing.edge(journey)
     }
 }
