@@ -167,9 +167,11 @@ impl StickingResponse<'_> {
             let mut offsets = self.at_rest();
             offsets[contact] = change.tr_mul(motion);
             let alone = self.problem.local(contact).springs.stiffest() * change.norm() * motion.norm();
-            let felt = self.state(&offsets, &Vector::zeros());
+            let response = self.state(&offsets, &Vector::zeros());
             // Forces below this part of the force that the whole motion would cause in the stiffest spring are rounding.
-            felt.is_some_and(|felt| felt.forces.iter().all(|force| force.norm() <= NEGLIGIBLE * alone))
+            response.is_some_and(|response| {
+                response.forces.iter().all(|force| force.norm() <= NEGLIGIBLE * alone)
+            })
         };
         self.piece.free_motions().iter().all(stays_free).then_some(change)
     }
@@ -191,7 +193,7 @@ impl StickingResponse<'_> {
         if axis >= local.springs.axes() || state.is_open() {
             return f;
         }
-        let stretch = local.springs.give_along(axis, force[axis]);
+        let stretch = local.springs.deflection_along(axis, force[axis]);
         if state.is_sticking() {
             f[axis] = stretch;
         } else if axis == 0 {

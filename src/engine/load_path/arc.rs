@@ -224,7 +224,7 @@ impl<'s, 'g> Arc<'s, 'g> {
             let tangents = self.tangents(frictions.iter().copied());
             let (bordered, _) = self.bordered(&tangents, factor, across)?;
             let mut forces = self.forces_at(&twist, factor, &frictions);
-            let begun: f64 = forces.iter().map(Matrix::norm).sum();
+            let initial_force: f64 = forces.iter().map(Matrix::norm).sum();
             let mut ended = None;
             // Maximum number of Newton corrections onto the cones. A step violates the cones by its error, and the first correction leaves the square
             // of it.
@@ -258,7 +258,7 @@ impl<'s, 'g> Arc<'s, 'g> {
             }
             // A state whose forces have shrunk by more than this factor during the correction still carries the rounding of the larger ones, and is
             // corrected again.
-            if begun <= 4.0 * carried {
+            if initial_force <= 4.0 * carried {
                 balanced = Some((PieceState { forces, twist: twist.clone() }, factor));
                 if is_on_them {
                     break;

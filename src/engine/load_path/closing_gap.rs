@@ -9,12 +9,12 @@
 //! ```
 //!
 //! From there the path continues at the same load. If friction falls as contacts begin to slide, the force that they lose is removed first
-//! ([`super::letting_go`]), and the gap closes on that leg. A motion too large for linear kinematics is not made.
+//! ([`super::jump_leg`]), and the gap closes on that leg. A motion too large for linear kinematics is not made.
 
 use super::event::{Change, Event, Loss, LossKind, PathEnd};
 use super::follower::Follower;
 use super::journey::Journey;
-use super::letting_go::JumpInProgress;
+use super::jump_leg::JumpInProgress;
 use super::pieces::Pieces;
 use crate::contact::{Law, LocalLaw, Mode, Resistance, ZERO_SLACK, tangential};
 use crate::grasp::Coordinates;
@@ -113,7 +113,7 @@ impl<'g> Pieces<'g> {
         }
         let forces = vec![SVector::zeros(); states.len()];
         let found = Found::new(states, forces, motion.clone());
-        self.node.take_over(&mut self.segment, self.factor, &rates, &found)
+        self.node.apply_rates(&mut self.segment, self.factor, &rates, &found)
     }
 
     /// Moves the object until the gap closes; `None` if rounding prevents the state there from being computed.

@@ -48,7 +48,7 @@ impl LegEnergy {
     /// Adds the energy that the springs take up between two states.
     pub(super) fn store(&mut self, sites: &[Site], from: &[SVector<f64, 3>], to: &[SVector<f64, 3>]) {
         for (site, (from, to)) in sites.iter().zip(from.iter().zip(to)) {
-            self.stored += 0.5 * (to - from).dot(&site.springs.give(&(to + from)));
+            self.stored += 0.5 * (to - from).dot(&site.springs.deflection(&(to + from)));
             // A difference of two energies carries the rounding of both.
             self.turnover += site.springs.stored(to) + site.springs.stored(from);
         }
@@ -83,7 +83,7 @@ impl LegEnergy {
         for (i, (line, site)) in point.lines.iter().zip(segment.grasp.sites()).enumerate() {
             let force = line.force + line.rate * (0.5 * step);
             let (give, moving) =
-                (site.springs.give(&line.rate), site.stretch(&segment.change[i], &point.twist_rate));
+                (site.springs.deflection(&line.rate), site.stretch(&segment.change[i], &point.twist_rate));
             let slip =
                 if states[i].slides() { site.springs.slip(&moving, &line.rate) } else { SVector::zeros() };
             for axis in 0..site.springs.axes() {

@@ -44,7 +44,7 @@ pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) ->
     let load = segment.course.at(factor);
     segment.offsets_into(factor, offsets);
     piece.solve_into(problem.sites, offsets, &load, (solution, there)).ok()?;
-    let more = problem.local(contact).way_to(&exit, &there.forces[contact], &line.rate);
+    let more = problem.local(contact).step_to_exit(&exit, &there.forces[contact], &line.rate);
     if more.abs() > LARGEST_CORRECTION * factor || !is_balanced(problem.sites, &load, &there.forces) {
         return None;
     }
@@ -86,7 +86,7 @@ pub(super) fn first_to_leave_on_turn(
     if !problem.locals().enumerate().all(|(i, local)| clearly_sticks(&local, &at(i))) {
         return None;
     }
-    let mut turned = segment.turned(inside, 1.0, &parts);
+    let mut turned = segment.harmonics(inside, 1.0, &parts);
     // These solutions are not refined and carry the rounding of the largest force everywhere; the sticking path decides cases that this could change.
     let roughly = parts.map(|part| problem.largest_force(&part.forces, &part.twist));
     let roughly = roughly.parts().into_iter().sum::<f64>();
@@ -106,7 +106,7 @@ pub(super) fn first_to_leave_on_turn(
     let load = inside.at(angle);
     let mut there = piece.solve(problem.sites, &problem.offsets, &load).ok()?;
     let rate = turned.waves[*contact][0].of.rate_at(angle);
-    let more = problem.local(*contact).way_to(&exit, &there.forces[*contact], &rate);
+    let more = problem.local(*contact).step_to_exit(&exit, &there.forces[*contact], &rate);
     if more.abs() > LARGEST_CORRECTION * angle || !is_balanced(problem.sites, &load, &there.forces) {
         return None;
     }

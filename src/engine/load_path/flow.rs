@@ -183,7 +183,7 @@ impl<'s, 'g> Flow<'s, 'g> {
                 implicit_step(length, &first, rate, damped, size, tolerance)?
             }
         };
-        let twist = &self.point.twist + self.moved(&y);
+        let twist = &self.point.twist + self.twist_change(&y);
         let factor = self.from + y[load];
         let mut frictions: Vec<_> = self.frictions(&y).list();
         let tangents = self.arc.tangents(frictions.iter().copied());
@@ -232,7 +232,7 @@ impl<'s, 'g> Flow<'s, 'g> {
     }
 
     /// Picks the change of the twist from the variables.
-    fn moved(&self, y: &[f64]) -> Vector {
+    fn twist_change(&self, y: &[f64]) -> Vector {
         let first = self.begin.len() * (2);
         Vector::from_fn(self.size(), |k| y[first + k])
     }
@@ -283,7 +283,7 @@ impl<'s, 'g> Flow<'s, 'g> {
     /// Power of the fingers, `Σ F·a'` per unit of the factor, after these changes of the variables.
     fn power_of_fingers(&self, y: &[f64]) -> f64 {
         let [load, _] = self.places();
-        let (moved, further) = (self.moved(y), y[load]);
+        let (moved, further) = (self.twist_change(y), y[load]);
         let mut frictions = self.frictions(y);
         let mut sum = 0.0;
         for (i, (state, site)) in self.arc.states.iter().zip(self.arc.sites()).enumerate() {

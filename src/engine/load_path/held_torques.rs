@@ -101,7 +101,7 @@ impl HeldTorques {
             let mut inside = Vector::all_zero(grasp.size());
             for (j, torque) in torques[end].iter().enumerate() {
                 let k = grasp.space().of_the_object() + j;
-                inside[k] = (torque - linkage.joints[j].held) / linkage.lengths[k];
+                inside[k] = (torque - linkage.joints[j].held_torque) / linkage.lengths[k];
             }
             inside
         }))
@@ -113,7 +113,7 @@ impl HeldTorques {
     }
 
     /// The grasp with the torques that hold its joints at a fraction of the leg.
-    pub(super) fn put_on<'g>(&self, grasp: Cow<'g, Engine>, fraction: f64) -> Cow<'g, Engine> {
+    pub(super) fn apply<'g>(&self, grasp: Cow<'g, Engine>, fraction: f64) -> Cow<'g, Engine> {
         let Some(torques) = &self.0 else { return grasp };
         let [from, to] = &**torques;
         let now: Vec<f64> = from.iter().zip(to).map(|(from, to)| from + (to - from) * fraction).list();

@@ -81,8 +81,8 @@ impl<'g> Journey<'g> {
     /// The equilibrium found at a fraction of the present leg, in physical quantities.
     pub(super) fn equilibrium(&self, problem: &Problem<'g>, fraction: f64, found: Found) -> Equilibrium<3> {
         let (load, effort) = (self.program.load_at(fraction), Effort::default());
-        let grasp = self.program.bodies.put_on(self.grasp, fraction);
-        let grasp = self.program.torques.put_on(grasp, fraction);
+        let grasp = self.program.bodies.apply(self.grasp, fraction);
+        let grasp = self.program.torques.apply(grasp, fraction);
         grasp.equilibrium(problem, &load, found, FoundBy::LoadPath, &effort, self.answer_for())
     }
 

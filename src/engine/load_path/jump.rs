@@ -75,16 +75,16 @@ impl<const C: usize> fmt::Display for Jump<C> {
                 picked(&moved, &|body| (body.speed() > 1e-6 * farthest).then(|| words.body_motion(body)));
             return write!(f, "{} to {}", listed(&moved), listed(&reached));
         }
-        let mut told: Vec<(ContactLabel, f64)> = Vec::new();
+        let mut slips: Vec<(ContactLabel, f64)> = Vec::new();
         for slip in &self.slips {
             let (whole, far) = (slip.contact.whole(), slip.slip.norm());
-            match told.iter_mut().find(|(known, _)| *known == whole) {
+            match slips.iter_mut().find(|(known, _)| *known == whole) {
                 Some((_, farthest)) => *farthest = farthest.max(far),
-                None => told.push((whole, far)),
+                None => slips.push((whole, far)),
             }
         }
-        let told =
-            told.iter().map(|(contact, far)| format!("{} slips {}", contact.text(), words.length(*far)));
-        write!(f, "caught after {}", listed(&told.list()))
+        let slips =
+            slips.iter().map(|(contact, far)| format!("{} slips {}", contact.text(), words.length(*far)));
+        write!(f, "caught after {}", listed(&slips.list()))
     }
 }

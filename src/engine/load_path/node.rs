@@ -9,7 +9,7 @@ use super::journey::Journey;
 use super::path_state::forces_are_rounding;
 use super::segment::{PathPoint, Segment};
 use super::trajectory::Trajectory;
-use super::transition::{change, nothing_changes, others};
+use super::transition::{change, nothing_changes, other_solutions};
 use crate::contact::{ActiveSet, Law, Mode, State, ZERO_SLACK};
 use crate::equilibrium::{ContactState, site_states};
 use crate::numerics::tolerances::NEGLIGIBLE;
@@ -92,8 +92,8 @@ impl Node {
             let motion = (found.twist.norm() > 0.0).then(|| found.twist.normalize());
             return Err(PathEnd::Lost(Box::new(loss(LossKind::LetsGo, motion.as_ref()))));
         }
-        let other_continuations = others(&rates, &found);
-        let changes = self.take_over(segment, factor, &rates, &found);
+        let other_continuations = other_solutions(&rates, &found);
+        let changes = self.apply_rates(segment, factor, &rates, &found);
         let point = self.point_at(segment, factor, Some(&found.twist));
         let point = point.map_err(|_| journey.undecided(factor, Doubt::Inaccurate))?;
         if self.neither_slides_nor_sticks(segment, &point).is_some() {
@@ -215,7 +215,7 @@ impl Node {
     }
 
     /// Sets the states from a solution in rates, and returns the changes.
-    pub(super) fn take_over(
+    pub(super) fn apply_rates(
         &mut self,
         segment: &mut Segment<'_>,
         factor: f64,

@@ -76,19 +76,19 @@ impl<'g> OnsetMargins<'g> {
             }
             _ => 0.0,
         };
-        Some(mapped(&self.margins, &|margin| margin.moved(&change.forces, direct(margin))))
+        Some(mapped(&self.margins, &|margin| margin.factor_change(&change.forces, direct(margin))))
     }
 
     /// For each margin, the derivative of the load factor at which it vanishes, by a multiple of `load` added to the load.
     pub(crate) fn by_load(&self, load: &Wrench<3>) -> Option<Vec<f64>> {
         let change = self.response.by_load(load).ok()?;
-        Some(mapped(&self.margins, &|margin| margin.moved(&change.of, 0.0)))
+        Some(mapped(&self.margins, &|margin| margin.factor_change(&change.of, 0.0)))
     }
 }
 
 impl Margin {
     /// The change of the factor due to that of the forces, and to the change `direct` of the margin's coefficients.
-    fn moved(&self, forces: &[SVector<f64, 3>], direct: f64) -> f64 {
+    fn factor_change(&self, forces: &[SVector<f64, 3>], direct: f64) -> f64 {
         -(self.row.dot(&forces[self.site]) + direct) / self.slope
     }
 }

@@ -83,8 +83,8 @@ impl OnsetMemory {
     }
 
     /// Takes back the lists of an answer that is no longer needed.
-    pub(super) fn take_back(&mut self, told: Onset<3>) {
-        let Onset::At(mut event) = told else { return };
+    pub(super) fn reclaim(&mut self, returned: Onset<3>) {
+        let Onset::At(mut event) = returned else { return };
         let local = &mut event.local;
         self.lists.offsets = core::mem::take(&mut local.offsets);
         self.lists.slips = core::mem::take(&mut local.slips);

@@ -115,7 +115,7 @@ impl<const C: usize, T: Face> AnyPath<C, T> for AtTheDoor<'_, C, T> {
 
     fn continue_with(&mut self, legs: &[Leg<C>]) -> Result<(), Error> {
         self.legs.clear();
-        self.legs.extend(legs.iter().cloned().map(Face::enter));
+        self.legs.extend(legs.iter().cloned().map(Face::into_inside));
         self.inside.continue_with(&self.legs)?;
         self.end = None;
         self.keep_end();

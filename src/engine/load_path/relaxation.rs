@@ -37,7 +37,7 @@ struct Turning {
     /// The wrench G v.
     push: Vector,
     /// The row c = Cᵀ d, N/m.
-    felt: SVector<f64, 3>,
+    gradient: SVector<f64, 3>,
     /// The wrench G c.
     pull: Vector,
 }
@@ -84,9 +84,18 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
             let [[_, less], [_, more]] =
                 [-small, small].each(|angle| arc.rates(contact, &turned(angle), &way));
             let change = (more - less) / (2.0 * small);
-            let felt = tangent.matrix().tr_mul(&across);
+            let gradient = tangent.matrix().tr_mul(&across);
             let map = &arc.sites()[contact].map;
-            Turning { contact, tangent, size, across, change, push: map * change, felt, pull: map * felt }
+            Turning {
+                contact,
+                tangent,
+                size,
+                across,
+                change,
+                push: map * change,
+                gradient,
+                pull: map * gradient,
+            }
         };
         let contacts = arc.sliding.iter().zip(frictions).zip(tangents).map(turning).list();
         Self { arc, contacts, stiffness, load, way }
@@ -101,9 +110,9 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
             sizes.push(size);
             if turning.size > 0.0 {
                 let push = &turning.push * (length / size);
-                let felt = self.arc.sites()[turning.contact].support.ranges();
-                stiffness.add(&felt, |i, j| push[i] * turning.pull[j]);
-                load += push * turning.felt.dot(&self.arc.segment.change[turning.contact]);
+                let ranges = self.arc.sites()[turning.contact].support.ranges();
+                stiffness.add(&ranges, |i, j| push[i] * turning.pull[j]);
+                load += push * turning.gradient.dot(&self.arc.segment.change[turning.contact]);
             }
         }
         let (bordered, _) = self.arc.factored(stiffness, &load, &self.way)?;
@@ -127,7 +136,7 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
         let entries = frictions.chunks_exact_mut(2).zip(&self.contacts).zip(&damped.sizes);
         for (((entry, turning), size), angle) in entries.zip(angles) {
             let [stretch, force] = self.arc.rates(turning.contact, &turning.tangent, &way);
-            let more = if turning.size > 0.0 { length * turning.felt.dot(&stretch) / size } else { 0.0 };
+            let more = if turning.size > 0.0 { length * turning.gradient.dot(&stretch) / size } else { 0.0 };
             let change = (turning.change * (angle + more) + force) * length;
             (1..3).for_each(|a| entry[a - 1] += change[a]);
         }

@@ -198,7 +198,7 @@ impl<'g> Segment<'g> {
     }
 
     /// The step along a straight piece from the state `at` to the exit of a contact.
-    pub(super) fn way_to(
+    pub(super) fn step_to_exit(
         &self,
         contact: usize,
         state: &State,
@@ -212,7 +212,7 @@ impl<'g> Segment<'g> {
             let gap = -self.grasp.sites()[contact].stretch(&offset, &at.twist)[0];
             return gap / -point.gaps[contact].rate;
         }
-        self.problem.local(contact).way_to(exit, &at.forces[contact], &point.lines[contact].rate)
+        self.problem.local(contact).step_to_exit(exit, &at.forces[contact], &point.lines[contact].rate)
     }
 
     /// The offsets at a factor.

@@ -82,7 +82,7 @@ impl<'g> Pieces<'g> {
         }
         let Some((i, exit)) = clearest else { return step };
         let end = self.state_after(point, step);
-        let more = self.segment.way_to(i, &self.node.states[i], exit, point, self.factor + step, &end);
+        let more = self.segment.step_to_exit(i, &self.node.states[i], exit, point, self.factor + step, &end);
         if more.abs() <= LARGEST_CORRECTION * (self.factor + step) { (step + more).max(0.0) } else { step }
     }
 }

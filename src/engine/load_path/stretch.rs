@@ -16,7 +16,7 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Each, Vector, mapped, paired};
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
-use crate::search::{Effort, Found, FoundBy, told_at_rest};
+use crate::search::{Effort, Found, FoundBy, reported_at_rest};
 
 /// The data from which the state at any fraction of the piece is computed.
 #[derive(Debug)]
@@ -78,7 +78,7 @@ impl<'g> Stretch<'g> {
         let (problem, found) = self.found_at(grasp, answer_for, fraction)?;
         // In a state without any force nothing defines a small force, and contacts keep their states.
         let nothing = forces_are_rounding(&problem, &found.forces, &found.twist);
-        let found = if nothing { found } else { told_at_rest(&problem, found) };
+        let found = if nothing { found } else { reported_at_rest(&problem, found) };
         Some(self.answer(grasp, answer_for, fraction, &problem, found))
     }
 
@@ -101,7 +101,7 @@ impl<'g> Stretch<'g> {
         found: Found,
     ) -> Equilibrium<3> {
         let load = self.load.at(fraction);
-        let grasp = self.torques.put_on(self.bodies.put_on(grasp, fraction), fraction);
+        let grasp = self.torques.apply(self.bodies.apply(grasp, fraction), fraction);
         grasp.equilibrium(problem, &load, found, FoundBy::LoadPath, &Effort::default(), answer_for)
     }
 

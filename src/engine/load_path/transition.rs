@@ -39,7 +39,7 @@ pub(super) fn change(
 
 /// Number of other solutions of the rates, with other forces or with motions that differ by more than free ones. Zero if a P-matrix proves
 /// uniqueness; else all combinations of states are tried if they are few. `None` if they are many.
-pub(super) fn others(rates: &Problem, found: &Found) -> Option<usize> {
+pub(super) fn other_solutions(rates: &Problem, found: &Found) -> Option<usize> {
     // For a round cone, polygons do not decide what happens at its apex.
     if rates.round {
         return None;

@@ -44,6 +44,6 @@ impl Engine {
         }
         let course = Trajectory::Turn { load: turn.load, angle: 1.0 };
         let rest = settle_at_rest(&segment.problem, settings);
-        Ok(self.walked(segment, &rest, (course, turn.angle), settings))
+        Ok(self.onset_with_closing(segment, &rest, (course, turn.angle), settings))
     }
 }

@@ -46,7 +46,7 @@ impl<'g> Pieces<'g> {
         };
         self.point = Some(point.clone());
         if self.slides_away(&point) {
-            return Err(self.lost(journey, LossKind::Asymptote, &point));
+            return Err(self.loss_at_end(journey, LossKind::Asymptote, &point));
         }
         if self.pace.steps >= journey.settings.most_steps {
             return Err(journey.undecided(self.factor, Doubt::OutOfSteps));
@@ -55,7 +55,7 @@ impl<'g> Pieces<'g> {
             && let Some(end) = self.step(&point, (length, 0), Rule::Straight)
         {
             self.node.starts_at_apex = false;
-            return self.arrive_at(journey, &point, &end);
+            return self.finish_step(journey, &point, &end);
         }
         let length = self.pace.length.unwrap_or_else(|| self.first_length(&point));
         let length = length.min(self.way_to_apex(&point)).min(self.part_of_a_turn(&point));
@@ -66,7 +66,7 @@ impl<'g> Pieces<'g> {
             if self.node.release_vanishing(&point) {
                 self.at_node = true;
             } else if self.stops_for_good(tolerance) {
-                return Err(self.lost(journey, LossKind::Corner, &point));
+                return Err(self.loss_at_end(journey, LossKind::Corner, &point));
             } else if !self.pace.loosen(1.0 - self.factor) {
                 let gathered = if self.may_gather() { self.node.gather(&self.segment, &point) } else { None };
                 let Some(apart) = gathered else {
@@ -88,7 +88,7 @@ impl<'g> Pieces<'g> {
             self.pace.refuse(length, f64::INFINITY);
             return Ok(false);
         };
-        self.arrive_at(journey, &point, &end)
+        self.finish_step(journey, &point, &end)
     }
 
     /// The step, shortened to the first condition that it violates, at its end or within it.
@@ -221,7 +221,7 @@ impl<'g> Pieces<'g> {
     }
 
     /// Moves to the end of a step and adds the edges reached there to the active sets. Returns whether the leg is complete.
-    fn arrive_at(
+    fn finish_step(
         &mut self,
         journey: &Journey<'g>,
         point: &PathPoint,
@@ -274,7 +274,7 @@ impl<'g> Pieces<'g> {
         }
         self.at_node = leg_done || stops;
         // A maximum at the end of a leg does not end the path: the next leg may change the load in another direction.
-        let lost = (tops && !leg_done).then(|| self.lost(journey, LossKind::Fold, &next));
+        let lost = (tops && !leg_done).then(|| self.loss_at_end(journey, LossKind::Fold, &next));
         self.point = Some(next);
         lost.map_or(Ok(leg_done), Err)
     }
@@ -292,7 +292,7 @@ impl<'g> Pieces<'g> {
     }
 
     /// The loss at the end of an arc; the object leaves along the arc.
-    fn lost(&self, journey: &Journey<'g>, kind: LossKind, point: &PathPoint) -> PathEnd<3> {
+    fn loss_at_end(&self, journey: &Journey<'g>, kind: LossKind, point: &PathPoint) -> PathEnd<3> {
         let slides = (0..self.node.states.len()).filter(|i| self.node.states[*i].slides());
         let motion = point.twist_rate.normalize();
         PathEnd::Lost(Box::new(journey.loss(self.factor, kind, slides.list(), Some(&motion))))

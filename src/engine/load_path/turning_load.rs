@@ -45,7 +45,7 @@ impl Segment<'_> {
         };
         let at = self.state(piece, factor, near).unwrap_or_else(|| at_start(&parts));
         let mut point = self.point_with_rates(piece.clone(), factor, at.clone(), (&rate, 1.0), (factor, &at));
-        let turned = self.turned(&turned_load, angle, &parts);
+        let turned = self.harmonics(&turned_load, angle, &parts);
         // A quantity that vanishes at some angle still carries the rounding of its size at other angles.
         for ((line, gap), [force, stretch]) in point.lines.iter_mut().zip(&mut point.gaps).zip(&turned.waves)
         {
@@ -68,7 +68,7 @@ impl Segment<'_> {
     }
 
     /// All quantities as harmonics of the load's angle. `parts` are the solutions under the parts of the load; offsets belong to the constant part.
-    pub(super) fn turned(
+    pub(super) fn harmonics(
         &self,
         load: &Harmonic<Vector>,
         angle: f64,

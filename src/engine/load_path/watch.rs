@@ -126,7 +126,7 @@ pub(super) fn watch(
                 let site = &segment.grasp.sites()[contact];
                 let change = segment.change[contact] * point.factor_rate;
                 let moving = site.stretch(&change, &point.twist_rate);
-                let give = tangential(&site.springs.give(&line.rate));
+                let give = tangential(&site.springs.deflection(&line.rate));
                 push(p.dot(&(moving - give)), None, point.gaps[contact].rate_size + give.lp_norm(1));
             }
         }

@@ -140,12 +140,12 @@ impl Limited {
                 let beyond = |j: usize, at: &SVector<f64, 3>| normals[j].dot(at) - limit;
                 let all = 0..normals.len();
                 let j = all.max_by(|i, j| beyond(*i, &friction).total_cmp(&beyond(*j, &friction)))?;
-                let off = beyond(j, &friction);
-                if off <= 0.0 {
+                let violation = beyond(j, &friction);
+                if violation <= 0.0 {
                     return None;
                 }
                 let (count, size) = (normals.len(), normals[j].norm());
-                let nearest = friction - normals[j] * (off / (size * size));
+                let nearest = friction - normals[j] * (violation / (size * size));
                 // Corner j lies between facets j and j + 1.
                 let [before, behind] = [(j + count - 1) % count, (j + 1) % count];
                 let corner = if beyond(behind, &nearest) > 0.0 {

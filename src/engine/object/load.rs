@@ -31,14 +31,14 @@ impl Engine {
     pub(crate) fn load_unchecked(&self, load: &Wrench<3>) -> Vector {
         let mut inside = self.inside_unchecked(load);
         if let Some(bodies) = self.bodies() {
-            inside += self.put_on_each(bodies, &bodies.loads);
+            inside += self.combine_wrenches(bodies, &bodies.loads);
         }
         if let Some(vacuum) = self.vacuum() {
             inside += &vacuum.inside;
         }
         match self.linkage() {
             None => inside,
-            Some(linkage) => inside + &linkage.held + &linkage.pulled,
+            Some(linkage) => inside + &linkage.held_forces + &linkage.external_torques,
         }
     }
 }

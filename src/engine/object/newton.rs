@@ -82,8 +82,8 @@ pub(crate) fn relaxed_on_cones(problem: &Problem, stuck: &Vector) -> Option<Vect
     let mut twist = stuck.clone();
     let (mut last, mut pace): (Option<Vector>, f64) = (None, 1.0);
     for _ in 0..RELAXING_STEPS {
-        let here = respond(problem, (&twist, 0.0), &mut contacts, &on_cones(problem));
-        let step = factors.solve(&here.left);
+        let response_at = respond(problem, (&twist, 0.0), &mut contacts, &on_cones(problem));
+        let step = factors.solve(&response_at.left);
         let size = step.norm();
         // The number of such steps after which a sequence that shrinks by this factor ends. Past an equilibrium that is not stable steps are short, but grow.
         let (mut whole, mut next) = (f64::INFINITY, 1.0);
@@ -128,17 +128,17 @@ pub(crate) fn newton(
 ) -> Option<(Vector, usize, Imbalance)> {
     contacts.clear();
     contacts.resize(problem.len(), ContactResponse::open());
-    let mut here = respond(problem, (&twist, beside), contacts, response);
+    let mut response_at = respond(problem, (&twist, beside), contacts, response);
     // Most Newton steps: the method converges in a few.
     for steps in 0..20 {
-        let norm = here.left.norm();
-        if norm <= settled * here.size {
-            return Some((twist, steps, here));
+        let norm = response_at.left.norm();
+        if norm <= settled * response_at.size {
+            return Some((twist, steps, response_at));
         }
         if !norm.is_finite() {
             break;
         }
-        let step = problem.tangent_factors(&|i| contacts[i].state).solve(&here.left);
+        let step = problem.tangent_factors(&|i| contacts[i].state).solve(&response_at.left);
         let mut at = |part: f64| respond(problem, (&(&twist + &step * part), beside), contacts, response);
         let (mut part, mut next) = (1.0, at(1.0));
         // Sufficient decrease: a part of a step must reduce the imbalance by at least that part times this.
@@ -153,7 +153,7 @@ pub(crate) fn newton(
             next = at(part);
         }
         twist += step * part;
-        here = next;
+        response_at = next;
     }
     None
 }

@@ -246,7 +246,7 @@ impl<'g> Problem<'g> {
                 return 0.0;
             }
             let mut slip = twist.stretch(site, a, self.offsets[contact][a]);
-            slip.subtract(site.springs.precise_give_along(a, DoubleDouble::new(friction[a])));
+            slip.subtract(site.springs.precise_deflection_along(a, DoubleDouble::new(friction[a])));
             slip.value()
         })
     }

@@ -16,7 +16,7 @@
 use nalgebra::SVector;
 
 use super::escape::counts_from_here_on;
-use super::separating_many::{Left, left_of_many};
+use super::separating_many::{Residual, residual_of_many};
 use super::tolerances::{CLEAR_RESIDUAL, ESCAPE, LEAST_WORK, MOST_COORDINATES};
 use crate::contact::{Law, tangential, tangential_norm};
 use crate::grasp::Site;
@@ -66,7 +66,7 @@ pub(crate) fn nearest_forces(
     target: &Vector,
 ) -> NearestForces {
     let mut target = target.clone();
-    target.reach(size);
+    target.grow(size);
     let mut nearest = NearestPoint::new(target.as_slice());
     // Generators of round cones that have joined; their tags follow those of the straight ones.
     let mut joined: Vec<Generator> = Vec::new();
@@ -88,7 +88,9 @@ pub(crate) fn nearest_forces(
         let Some((tag, generator, work)) = worst else { break (v, 0.0) };
         // A generator that works against the residual by less than this part of it does not join.
         let joins = work < -1e-13 * v.norm() && v.norm() > CLEAR_RESIDUAL && !nearest.has(tag);
-        if !joins || joins_left == 0 || !nearest.take_in(tag, generator.wrench.as_slice(), target.as_slice())
+        if !joins
+            || joins_left == 0
+            || !nearest.add_generator(tag, generator.wrench.as_slice(), target.as_slice())
         {
             break (v, -work);
         }
@@ -96,7 +98,7 @@ pub(crate) fn nearest_forces(
         if tag == next {
             joined.push(generator.clone());
         }
-        nearest.settle(target.as_slice());
+        nearest.move_to_closest(target.as_slice());
     };
     let of_tag = |tag: usize| straight.get(tag).unwrap_or_else(|| &joined[tag - straight.len()]).clone();
     let shares = nearest.shares().map(|(tag, share)| (of_tag(tag), share)).list();
@@ -155,10 +157,10 @@ pub(crate) fn separating_motion(problem: &Problem) -> Option<Vector> {
     if !uses_band(problem.size()) {
         return all.separating_motion();
     }
-    match left_of_many(problem, &|v| all.is_proof(v)) {
-        Left::Proof(v) => Some(v.normalize()),
-        Left::Unclear if problem.size().count() <= MOST_COORDINATES => all.separating_motion(),
-        Left::Unclear | Left::Nothing => None,
+    match residual_of_many(problem, &|v| all.is_proof(v)) {
+        Residual::Proof(v) => Some(v.normalize()),
+        Residual::Unclear if problem.size().count() <= MOST_COORDINATES => all.separating_motion(),
+        Residual::Unclear | Residual::Nothing => None,
     }
 }
 

@@ -176,7 +176,8 @@ where
     for case in 0..cases {
         let mut draw = Draw::new([C as u64, count.end as u64 + u64::from(far_apart), case as u64]);
         let number = count.start + case % count.len();
-        let contacts: Vec<_> = (0..number).map(|_| contact::<C>(&mut draw, far_apart).enter()).collect();
+        let contacts: Vec<_> =
+            (0..number).map(|_| contact::<C>(&mut draw, far_apart).into_inside()).collect();
         let Ok(grasp) = Engine::new(contacts) else { continue };
         let mut problem = grasp.on_polygons(&Wrench::ZERO, &PolygonCone::default()).expect("no load");
         problem.wrench = balancing_load(&problem, &mut draw);
@@ -259,8 +260,8 @@ fn symmetric_scenes() {
                         let command = |i: usize| [0.06 / (1 + i % period) as f64, aside];
                         let force = shear * count as f64;
                         let grasp = ring(count, mu, &command);
-                        compare(&grasp, &planar::Wrench::new([0.0, -force], 0.0).enter());
-                        compare(&grasp, &planar::Wrench::new([0.0, 0.0], force).enter());
+                        compare(&grasp, &planar::Wrench::new([0.0, -force], 0.0).into_inside());
+                        compare(&grasp, &planar::Wrench::new([0.0, 0.0], force).into_inside());
                         compare(&pad(count, mu, &command), &Wrench::<3>::force([0.0, force, -0.1]));
                     }
                 }
@@ -279,7 +280,7 @@ fn ring(count: usize, mu: f64, command: &dyn Fn(usize) -> [f64; 2]) -> Engine {
     let contact = |i: usize| {
         let (sin, cos) = (TAU * i as f64 / count as f64).sin_cos();
         let contact = Contact::<2>::new([cos, sin], [-cos, -sin]).series_stiffness(10.0, 5.0);
-        contact.friction(mu).command(command(i)).enter()
+        contact.friction(mu).command(command(i)).into_inside()
     };
     Engine::new((0..count).map(contact).collect()).expect("valid")
 }

@@ -81,7 +81,7 @@ pub(super) fn search_tree(
         }
         cases += 1;
         let mut nearest = Rc::unwrap_or_clone(nearest);
-        nearest.forget(|(contact, _)| divided == Some(contact));
+        nearest.remove_tags(|(contact, _)| divided == Some(contact));
         let (stretches, forces) = match balance.relax(&hulls, &mut nearest) {
             Relaxed::Met(stretches, forces) => (stretches, forces),
             Relaxed::Contradicted { escape } => {
@@ -157,10 +157,10 @@ fn farthest_from_the_law(
     let mut error = 0.0_f64;
     for (contact, local) in problem.locals().enumerate() {
         let answer = local.answer(&stretches[contact], 0.0);
-        let off = balance.part(contact, &(forces[contact] - answer.force));
-        error = error.max(off);
+        let imbalance = balance.part(contact, &(forces[contact] - answer.force));
+        error = error.max(imbalance);
         // Weight of the error of a contact whose label restricts nothing yet: before it is divided, other divisions contribute little.
-        let weighed = if labels[contact] == Label::Anything { 3.0 * off } else { off };
+        let weighed = if labels[contact] == Label::Anything { 3.0 * imbalance } else { imbalance };
         if weighed > worst {
             (farthest, worst) = (contact, weighed);
         }

@@ -188,6 +188,6 @@ fn along(from: Place, to: Place, width: f64) -> impl Iterator<Item = (Place, f64
     parts.map(move |part| ((from.0 + part * x, from.1 + part * y), width * size / steps))
 }
 
-fn place(seen: &EyePoint) -> Place {
-    (seen.x, seen.y)
+fn place(point: &EyePoint) -> Place {
+    (point.x, point.y)
 }

@@ -163,7 +163,7 @@ impl SceneNames<'_> {
         let least = margins.min_by(|a, b| a.1.margin.total_cmp(&b.1.margin));
         let Some((site, contact)) = least else { return brief };
         let (margin, first) = (Some(contact.margin), Some(self.label(site).text()));
-        Brief { margin, first, does: Some(doing(&contact.state)), ..brief }
+        Brief { margin, first, does: Some(state_text(&contact.state)), ..brief }
     }
 
     fn onset_briefly(&self, question: &'static str, onset: &Onset<3>) -> Brief {
@@ -308,7 +308,7 @@ fn identified_briefly(found: &Identified) -> Brief {
     Brief { factor: first.map(|estimate| estimate.value), ..Brief::new("identify", ended(&found.ending)) }
 }
 
-fn doing(state: &ContactState<3>) -> &'static str {
+fn state_text(state: &ContactState<3>) -> &'static str {
     match state {
         ContactState::Separated => "separated",
         ContactState::Sticking => "sticking",

@@ -95,7 +95,7 @@ impl<const C: usize, At> OnsetAt<C, At> {
         let mut all = whole_changes(&self.state, &self.leaving.iter().filter_map(change).list());
         for leaving in self.leaving.iter().filter(|leaving| leaving.how == Departure::WouldPull) {
             let contact = leaving.contact.whole();
-            if all.iter().all(|told| told.contact != contact || told.what != PadChange::WouldPull) {
+            if all.iter().all(|change| change.contact != contact || change.what != PadChange::WouldPull) {
                 all.push(WholeChange { contact, what: PadChange::WouldPull });
             }
         }

@@ -25,7 +25,7 @@ impl Engine {
     /// Converts a wrench to inside coordinates without a check.
     pub(crate) fn inside_unchecked(&self, wrench: &Wrench<3>) -> Vector {
         match self.bodies() {
-            Some(bodies) if bodies.is_shared() => self.put_on_each(bodies, &bodies.shared(wrench)),
+            Some(bodies) if bodies.is_shared() => self.combine_wrenches(bodies, &bodies.shared(wrench)),
             _ => self.on_object(wrench),
         }
     }

@@ -68,11 +68,11 @@ impl<'q> Choice<'q> {
                 let refused = |field, value, allowed| {
                     Err(Error::Surface { contact: at.label(contact), field, value, allowed })
                 };
-                let off = (spot.point - at.point).norm();
-                if off > OFF_THE_SURFACE * (length + at.point.norm()) {
+                let distance = (spot.point - at.point).norm();
+                if distance > OFF_THE_SURFACE * (length + at.point.norm()) {
                     return refused(
                         "distance of its point from its surface",
-                        off,
+                        distance,
                         "0 m: the point has to lie on it",
                     );
                 }
@@ -100,10 +100,10 @@ impl<'q> Choice<'q> {
     }
 
     /// A random placing, with every variable squeeze at its limit.
-    pub(super) fn drawn(&self, from: &Placing, draw: &mut Draw) -> Placing {
+    pub(super) fn random(&self, from: &Placing, draw: &mut Draw) -> Placing {
         let mut placing = from.clone();
         for (contact, surface) in &self.question.surfaces {
-            let spot = placing.spots[*contact].as_ref().map(|spot| spot.drawn(&surface.0, draw));
+            let spot = placing.spots[*contact].as_ref().map(|spot| spot.random(&surface.0, draw));
             placing.tangents[*contact] = self.tangent(*contact, &self.tangents[*contact], spot.as_ref());
             placing.spots[*contact] = spot;
         }
@@ -114,7 +114,7 @@ impl<'q> Choice<'q> {
     }
 
     /// The placing with one contact moved to another spot.
-    pub(super) fn put(&self, from: &Placing, contact: usize, spot: Spot) -> Placing {
+    pub(super) fn with_spot(&self, from: &Placing, contact: usize, spot: Spot) -> Placing {
         let mut placing = from.clone();
         placing.tangents[contact] = self.tangent(contact, &from.tangents[contact], Some(&spot));
         placing.spots[contact] = Some(spot);
@@ -122,7 +122,7 @@ impl<'q> Choice<'q> {
     }
 
     /// The placing after a step, given in units of each variable.
-    pub(super) fn moved(&self, from: &Placing, step: &[f64]) -> Placing {
+    pub(super) fn stepped(&self, from: &Placing, step: &[f64]) -> Placing {
         let mut placing = from.clone();
         for (contact, surface) in &self.question.surfaces {
             let mut along = Vec::new();
@@ -131,7 +131,7 @@ impl<'q> Choice<'q> {
                     along.push(variable.unit * step);
                 }
             }
-            let spot = from.spots[*contact].as_ref().map(|spot| spot.moved(&surface.0, &along));
+            let spot = from.spots[*contact].as_ref().map(|spot| spot.stepped(&surface.0, &along));
             placing.tangents[*contact] = self.tangent(*contact, &from.tangents[*contact], spot.as_ref());
             placing.spots[*contact] = spot;
         }

@@ -116,7 +116,7 @@ impl Cycle {
 fn scale_of(engine: &Engine, record: &CycleRecord, at: &CycleState) -> Scale {
     let softness = |(site, force): (&Site, &SVector<f64, 3>)| {
         let size = force.norm();
-        if size > 0.0 { site.springs.give(force).norm() / size } else { 0.0 }
+        if size > 0.0 { site.springs.deflection(force).norm() / size } else { 0.0 }
     };
     let softest = engine.sites().iter().zip(&at.forces).map(softness).fold(0.0, f64::max);
     let force = if record.largest > 0.0 { record.largest } else { 1.0 };

@@ -104,9 +104,9 @@ impl Engine {
         }
         let program = Program::new(&sticking.edges, &rest.of, &under, &slips.iter().map(|(_, f)| f).list());
         let Some((factor, sizes, multipliers)) = program.solved() else { return Ok(None) };
-        let mut told = none;
+        let mut residual_slips = none;
         for (((i, axis), _), size) in slips.iter().zip(&sizes) {
-            told[*i][*axis] = *size;
+            residual_slips[*i][*axis] = *size;
         }
         let most = multipliers.iter().copied().fold(0.0, f64::max);
         let mut binding = Vec::new();
@@ -126,7 +126,7 @@ impl Engine {
         let around_the_round_cone = settings.is_round(self.space());
         Ok(Some(Shakedown {
             factor,
-            slips: told,
+            slips: residual_slips,
             binding,
             slips_change_normal_forces,
             friction_falls: self.weaker_once_they_slide().next().is_some(),

@@ -120,11 +120,11 @@ impl Engine {
         let mut commands: Vec<_> = mapped(self.contacts(), &Contact::commanded);
         let (mut base, mut direction) = (ramp.base.coordinates(space), ramp.direction.coordinates(space));
         for (share, sign) in shares.iter().zip(signs) {
-            let off = sign * share.bound;
+            let shift = sign * share.bound;
             match share.datum {
-                Datum::Command(contact, axis) => commands[contact][axis] += off,
-                Datum::Base(component) => base[component] += off,
-                Datum::Direction(component) => direction[component] += off,
+                Datum::Command(contact, axis) => commands[contact][axis] += shift,
+                Datum::Base(component) => base[component] += shift,
+                Datum::Direction(component) => direction[component] += shift,
             }
         }
         let (base, direction) = (Wrench::among(space, &base), Wrench::among(space, &direction));

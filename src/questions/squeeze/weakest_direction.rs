@@ -100,10 +100,10 @@ impl Least {
     ) -> bool {
         let mut cut = |rows: Vec<SVector<f64, 3>>| {
             for row in rows {
-                let felt = influence.felt(&row);
-                let size = row.dot(force).max(0.0) / felt.norm();
+                let gradient = influence.gradient_of(&row);
+                let size = row.dot(force).max(0.0) / gradient.norm();
                 if size < self.size {
-                    *self = Self { size, direction: -felt.normalize(), site };
+                    *self = Self { size, direction: -gradient.normalize(), site };
                 }
             }
             self.size

@@ -37,20 +37,20 @@ impl Coarse {
         beside: &mut SteppedState,
     ) {
         let largest = to.largest_force().max(from.largest_force()).max(f64::MIN_POSITIVE);
-        let distance = from.apart(&self.standing);
+        let distance = from.distance_to(&self.standing);
         let near = &to.twist + &self.standing.twist - &from.twist;
         // Growth of the distance between both paths in one step beyond which the second path is abandoned. With a small factor it would be at each change of
         // states, and errors that decay would be added up.
-        let by = 10.0 * distance + to.apart(at_once);
+        let by = 10.0 * distance + to.distance_to(at_once);
         let step = || along.step(&self.standing, (to.fraction - from.fraction, near), beside);
         // If the paths differ by less than this part of the largest force, the difference is below the tolerance of Newton's method, and the second
         // path moves to `at_once`. With a larger part, errors that decay would be added up.
-        if distance > SOLVED_ROUNDING * largest && step().is_some() && beside.apart(at_once) <= by {
+        if distance > SOLVED_ROUNDING * largest && step().is_some() && beside.distance_to(at_once) <= by {
             core::mem::swap(&mut self.standing, beside);
         } else {
             self.lost += distance / largest;
             self.standing.join(at_once);
         }
-        self.farthest = self.farthest.max(self.lost + to.apart(&self.standing) / largest);
+        self.farthest = self.farthest.max(self.lost + to.distance_to(&self.standing) / largest);
     }
 }

@@ -30,7 +30,7 @@ impl SteppedState {
     }
 
     /// The largest difference between contact forces of two states, N.
-    pub(super) fn apart(&self, other: &Self) -> f64 {
+    pub(super) fn distance_to(&self, other: &Self) -> f64 {
         let pairs = self.forces.iter().zip(&other.forces);
         pairs.map(|(a, b)| (a - b).norm_squared()).fold(0.0, f64::max).sqrt()
     }

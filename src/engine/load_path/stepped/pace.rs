@@ -36,7 +36,7 @@ impl StepPace {
 
     /// Restarts the control on the next leg, in the same memory.
     pub(super) fn start_leg<X>(&mut self, course: &Trajectory<X>) {
-        self.speeds.forget();
+        self.speeds.clear();
         *self = Self { speeds: core::mem::take(&mut self.speeds), ..Self::along(course) };
     }
 }

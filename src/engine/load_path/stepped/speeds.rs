@@ -17,7 +17,7 @@ pub(super) struct Speeds(Vec<[f64; 2]>);
 
 impl Speeds {
     /// Removes all records.
-    pub(super) fn forget(&mut self) {
+    pub(super) fn clear(&mut self) {
         self.0.clear();
     }
 

@@ -21,12 +21,12 @@ struct Twice {
     /// The error that both may share, over the largest force.
     unseen: f64,
     /// The largest change of force that the motion of the object would cause in the springs of a sticking contact, N.
-    felt: f64,
+    force_change: f64,
 }
 
 impl<'g> Steps<'g> {
     /// Tries a step; reports it if its error is allowed.
-    pub(super) fn try_a_step(&mut self, journey: &Journey<'g>) -> Result<Advance<Step<3>>, PathEnd<3>> {
+    pub(super) fn try_step(&mut self, journey: &Journey<'g>) -> Result<Advance<Step<3>>, PathEnd<3>> {
         let from = self.standing.fraction;
         if self.pace.tried == journey.settings.most_steps {
             return Err(journey.undecided(from, Doubt::OutOfSteps));
@@ -60,20 +60,20 @@ impl<'g> Steps<'g> {
         }
         let to = &self.places.to;
         self.pace.rate = Some((&to.twist - &self.standing.twist) / length);
-        self.pace.speeds.note(to.fraction, twice.felt / length);
-        self.pace.changed = to.apart(&self.standing) / twice.felt;
-        Ok(Advance::Reached(self.arrive(journey, &twice)))
+        self.pace.speeds.note(to.fraction, twice.force_change / length);
+        self.pace.changed = to.distance_to(&self.standing) / twice.force_change;
+        Ok(Advance::Reached(self.accept_step(journey, &twice)))
     }
 
     /// The error of a step, as a part of the allowed one.
     fn part_of_what_is_allowed(&self, twice: &Twice) -> f64 {
         let (from, Places { to, at_once, .. }, largest) = (&self.standing, &self.places, twice.largest);
         let length = to.fraction - from.fraction;
-        let way = to.apart(from) / largest;
+        let way = to.distance_to(from) / largest;
         // Half of the allowed error is divided among steps in proportion to their size, the largest of three measures. These are the fraction of the
         // leg, the change of forces over the largest force, and the change that sticking springs would feel. An error of direction decays while that
         // last change grows to the largest force.
-        let even = 0.5 * self.error * length.max(way).max(twice.felt / largest);
+        let even = 0.5 * self.error * length.max(way).max(twice.force_change / largest);
         // The error budget of a contact grows with the sum of the changes of forces over the largest force, up to twice the allowed error. The error
         // is a third of the distance between the two paths; a larger budget would exceed the allowed error.
         let budget = self.error * (self.way + way).min(2.0);
@@ -86,9 +86,9 @@ impl<'g> Steps<'g> {
             let allowed = even.max(0.05 * (budget - so_far)).max(rounding);
             (to.forces[i] - at_once.forces[i]).norm() / largest / allowed
         };
-        let seen = (0..to.forces.len()).map(part).fold(0.0, f64::max);
+        let used = (0..to.forces.len()).map(part).fold(0.0, f64::max);
         // A tenth of the allowed error is for errors that a step and its halves share. A contact makes such an error a few times a leg.
-        seen.max(twice.unseen / (0.1 * self.error).max(rounding))
+        used.max(twice.unseen / (0.1 * self.error).max(rounding))
     }
 
     /// Makes a step in two halves and at once; `None` if one of them finds no equilibrium, or only a distant one.
@@ -102,25 +102,25 @@ impl<'g> Steps<'g> {
         let largest = to.largest_force().max(from.largest_force()).max(f64::MIN_POSITIVE);
         let off = &middle.twist - (&from.twist + &to.twist) * 0.5;
         let sites = along.problem.sites;
-        let felt = most_felt(sites, &(&to.twist - &from.twist));
+        let force_change = largest_force_of_motion(sites, &(&to.twist - &from.twist));
         // A step is a jump if its middle is off the straight line between its ends by more than a quarter of its length. Springs must also feel the
         // step by more than a twentieth of the largest force.
-        if felt > 0.05 * largest && most_felt(sites, &off) > 0.25 * felt {
+        if force_change > 0.05 * largest && largest_force_of_motion(sites, &off) > 0.25 * force_change {
             return None;
         }
         let unseen = along.unseen([from, middle, to]) / largest;
         along.step(from, (length, to.twist.clone()), at_once)?;
-        let finite = unseen.is_finite() && (to.apart(at_once) / largest).is_finite();
-        finite.then_some(Twice { largest, unseen, felt })
+        let finite = unseen.is_finite() && (to.distance_to(at_once) / largest).is_finite();
+        finite.then_some(Twice { largest, unseen, force_change })
     }
 
-    fn arrive(&mut self, journey: &Journey<'g>, twice: &Twice) -> Step<3> {
+    fn accept_step(&mut self, journey: &Journey<'g>, twice: &Twice) -> Step<3> {
         let Twice { largest, unseen, .. } = *twice;
         let Places { to, at_once, beside, .. } = &mut self.places;
         self.coarse.follow(&mut self.along, [&self.standing, to, at_once], beside);
         self.unseen = self.unseen.max(unseen);
-        self.way += to.apart(&self.standing) / largest;
-        let error = (to.apart(at_once) / largest).max(unseen);
+        self.way += to.distance_to(&self.standing) / largest;
+        let error = (to.distance_to(at_once) / largest).max(unseen);
         core::mem::swap(&mut self.standing, to);
         let to = &self.standing;
         let (leg, fraction) = (journey.program.leg, to.fraction);
@@ -136,7 +136,7 @@ impl<'g> Steps<'g> {
 }
 
 /// The largest force that a motion would cause in the springs of a sticking contact, N.
-fn most_felt(sites: &[Site], motion: &Vector) -> f64 {
+fn largest_force_of_motion(sites: &[Site], motion: &Vector) -> f64 {
     largest(sites, &|site| pull(site, motion))
 }
 

@@ -124,7 +124,7 @@ impl<'g> Follower<'g> for Steps<'g> {
     }
 
     fn advance(&mut self, journey: &Journey<'g>) -> Result<Advance<Step<3>>, PathEnd<3>> {
-        if self.standing.fraction >= 1.0 { Ok(Advance::EndOfLeg) } else { self.try_a_step(journey) }
+        if self.standing.fraction >= 1.0 { Ok(Advance::EndOfLeg) } else { self.try_step(journey) }
     }
 
     fn fraction(&self) -> f64 {

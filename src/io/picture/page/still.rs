@@ -88,7 +88,7 @@ impl SpatialPage {
             for mark in &marks {
                 let (seen, words) = match &mark.shape {
                     MarkShape::Name { at, words } if mark.layer != Some(MarkLayer::Pointed) => {
-                        (eye.see(at), words.as_str())
+                        (eye.to_view(at), words.as_str())
                     }
                     MarkShape::Load { from, along, name, otherwise, .. } => {
                         let ([_, tip], is_to_scale) = load_ends(&eye, from, along);

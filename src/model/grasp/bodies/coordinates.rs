@@ -24,7 +24,7 @@ impl Engine {
     }
 
     /// Combines one wrench on each body into a vector of inside coordinates.
-    pub(crate) fn put_on_each(&self, bodies: &PlacedBodies, loads: &[Wrench<3>]) -> Vector {
+    pub(crate) fn combine_wrenches(&self, bodies: &PlacedBodies, loads: &[Wrench<3>]) -> Vector {
         let mut inside = Vector::zeros();
         for (body, (place, load)) in bodies.places.iter().zip(loads).enumerate() {
             if body == bodies.object {
@@ -119,7 +119,7 @@ impl Engine {
     /// Nonzero loads that a load program has applied to bodies.
     pub(crate) fn body_loads(&self) -> Vec<BodyLoad<3>> {
         let Some(bodies) = self.bodies() else { return Vec::new() };
-        let named = bodies.names.iter().zip(&bodies.put_on).filter(|(_, load)| **load != Wrench::ZERO);
+        let named = bodies.names.iter().zip(&bodies.program_loads).filter(|(_, load)| **load != Wrench::ZERO);
         named.map(|(body, load)| BodyLoad { body: body.clone(), load: *load }).list()
     }
 

@@ -169,7 +169,7 @@ impl Drive {
     }
 
     /// Stretch of the drive's spring under a force.
-    pub(crate) fn give(&self, force: f64) -> f64 {
+    pub(crate) fn deflection(&self, force: f64) -> f64 {
         force / self.stiffness
     }
 
