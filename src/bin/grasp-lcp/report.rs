@@ -170,16 +170,16 @@ impl Report<'_> {
     fn touches<const C: usize>(&mut self, answer: &TurnAnswer<C>) -> io::Result<()> {
         let mut named = Vec::new();
         for touch in &answer.touches {
-            let who = match &touch.of {
+            let contact = match &touch.of {
                 EdgeOf::Contact(contact) if self.style.points => contact.text(),
                 EdgeOf::Contact(contact) => contact.whole().text(),
                 EdgeOf::Drive(part) => part.text(),
                 _ => NO_WORDS.to_owned(),
             };
-            if !named.contains(&who) {
+            if !named.contains(&contact) {
                 let angle = self.style.words.angle(touch.angle);
-                self.line(&format!("{who} touches its edge at {angle}"))?;
-                named.push(who);
+                self.line(&format!("{contact} touches its edge at {angle}"))?;
+                named.push(contact);
             }
         }
         Ok(())
@@ -225,7 +225,7 @@ impl Report<'_> {
                 (those, points) => sliding.push(format!("{} ({those} of {points} points)", named.text())),
             }
         }
-        let who = if sliding.is_empty() { "nothing".to_owned() } else { sliding.join(", ") };
-        self.line(&format!("sliding beyond: {who}"))
+        let contact = if sliding.is_empty() { "nothing".to_owned() } else { sliding.join(", ") };
+        self.line(&format!("sliding beyond: {contact}"))
     }
 }

@@ -97,8 +97,8 @@ pub(super) fn first_to_leave_on_turn(
     if !first.touches.is_empty() {
         return None;
     }
-    let Some((mut angle, standing)) = first.standing else { return Some(WhileTurning::Never) };
-    let [(contact, exits)] = &standing[..] else { return None };
+    let Some((mut angle, reached)) = first.reached else { return Some(WhileTurning::Never) };
+    let [(contact, exits)] = &reached[..] else { return None };
     let [exit] = exits[..] else { return None };
     if exit.uncertainty > LARGEST_CORRECTION * angle {
         return None;

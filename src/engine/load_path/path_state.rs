@@ -3,7 +3,7 @@
 use crate::numerics::IntoList;
 use nalgebra::{Matrix, SVector};
 
-use super::first_exits::PathState;
+use super::first_exits::ExitsReached;
 use super::node::{Node, directions};
 use super::segment::{PathPoint, Segment};
 use super::tolerances::GATHERED_MARGIN;
@@ -102,7 +102,7 @@ impl Node {
     }
 
     /// Adds the edges that contacts have reached to their active sets.
-    pub(super) fn add_exits(&mut self, axes: usize, reached: &PathState) {
+    pub(super) fn add_exits(&mut self, axes: usize, reached: &ExitsReached) {
         for (i, exits) in reached {
             self.active_sets[*i].add_exits(axes, &self.states[*i], exits);
         }

@@ -3,7 +3,7 @@
 
 use nalgebra::{Matrix, SVector};
 
-use super::first_exits::{FirstExits, first_standing};
+use super::first_exits::{FirstExits, first_reached};
 use super::trajectory::Trajectory;
 use super::turning_state::TurningState;
 use crate::contact::{ActiveSet, Exit, GapLine, Law, Line, State};
@@ -282,7 +282,7 @@ impl<'g> Segment<'g> {
             return turned.first_exits(&self.problem, states, rest);
         }
         let ways = states.iter().enumerate().map(|(i, state)| (i, self.ways_out(i, state, point)));
-        FirstExits { standing: first_standing(ways.list()), touches: Vec::new() }
+        FirstExits { reached: first_reached(ways.list()), touches: Vec::new() }
     }
 
     /// The problem in rates of this segment at a factor, with these laws.

@@ -3,7 +3,7 @@
 use crate::numerics::IntoList;
 use nalgebra::SVector;
 
-use super::first_exits::PathState;
+use super::first_exits::ExitsReached;
 use super::onset::{Departure, Leaving, Onset, OnsetEvent};
 use super::segment::{PathPoint, Segment};
 use super::trajectory::Trajectory;
@@ -31,7 +31,7 @@ pub(super) struct StickingPath<'a> {
 
 impl StickingPath<'_> {
     pub(super) fn run(&mut self, mut states: Vec<State>) -> Onset<3> {
-        let mut reached: Option<PathState> = None;
+        let mut reached: Option<ExitsReached> = None;
         // Every iteration closes a contact for good or ends the path; the bound only guards against rounding.
         for _ in 0..2 * states.len() + 2 {
             let mut point = match self.segment.point_at(&states, self.factor, None, None) {
@@ -39,15 +39,15 @@ impl StickingPath<'_> {
                 Err(reason) => return Onset::GivesWay { factor: self.factor, reason },
             };
             let at_base = reached.is_none();
-            let standing = reached.take().unwrap_or_else(|| self.standing_at_base(&states, &point));
-            if !standing.is_empty() {
+            let at_edge = reached.take().unwrap_or_else(|| self.at_edge_at_base(&states, &point));
+            if !at_edge.is_empty() {
                 let active_sets =
-                    active_sets_after(self.segment.problem.space().axes(), &states, &point, &standing);
+                    active_sets_after(self.segment.problem.space().axes(), &states, &point, &at_edge);
                 let laws = self.segment.laws_of_rates(&active_sets, &states);
                 let rates = self.segment.rates(self.factor, laws);
                 let (settled, _) = settle(&rates, self.settings);
                 let stays = |found: &Found| {
-                    standing.iter().all(|&(i, _)| {
+                    at_edge.iter().all(|&(i, _)| {
                         let state = &found.states[i];
                         // A contact that carried no force at the base and opens at once never stuck.
                         state.is_sticking() || state.is_open() && (at_base || states[i].is_open())
@@ -55,7 +55,7 @@ impl StickingPath<'_> {
                 };
                 match settled {
                     Settled::Found(found, _) if stays(&found) => {
-                        for &(i, _) in &standing {
+                        for &(i, _) in &at_edge {
                             if states[i].is_open() && found.states[i].is_sticking() {
                                 let nothing = SVector::zeros();
                                 self.segment.remember_slip(i, self.factor, &point.twist, &nothing);
@@ -74,7 +74,7 @@ impl StickingPath<'_> {
             let passed = self.factor;
             let touch = |(site, angle)| (site, passed + angle);
             self.touches.extend(first.touches.into_iter().map(touch));
-            let Some((step, next)) = first.standing else { return Onset::Never };
+            let Some((step, next)) = first.reached else { return Onset::Never };
             self.factor += step;
             reached = Some(next);
         }
@@ -83,8 +83,8 @@ impl StickingPath<'_> {
 
     /// Contacts on an edge at the base: those whose distance to an exit is zero within its uncertainty, and those that touch without force. Only the
     /// rates decide about both.
-    fn standing_at_base(&self, states: &[State], point: &PathPoint) -> PathState {
-        let mut standing = Vec::new();
+    fn at_edge_at_base(&self, states: &[State], point: &PathPoint) -> ExitsReached {
+        let mut at_edge = Vec::new();
         for (i, state) in states.iter().enumerate() {
             let mut exits = self.segment.ways_out(i, state, point);
             exits.retain(|exit| exit.step <= exit.uncertainty);
@@ -93,10 +93,10 @@ impl StickingPath<'_> {
                 && self.segment.problem.local(i).has_edges()
                 && line.force.norm() <= ZERO_SLACK * line.force_size;
             if weightless || !exits.is_empty() {
-                standing.push((i, exits));
+                at_edge.push((i, exits));
             }
         }
-        standing
+        at_edge
     }
 
     fn event(
@@ -112,7 +112,7 @@ impl StickingPath<'_> {
             Settled::Found(found, _) => Some(site_states(rates, found)),
             _ => None,
         };
-        let standing = (0..states.len()).filter(|&i| !active_sets[i].is_empty());
+        let at_edge = (0..states.len()).filter(|&i| !active_sets[i].is_empty());
         let leaves = |site: usize| match next.as_ref().map(|states| states[site]) {
             None => {
                 let (local, frame) = (segment.problem.local(site), &sites[site].frame);
@@ -126,7 +126,7 @@ impl StickingPath<'_> {
             }
             Some(_) => None,
         };
-        let leaving: Vec<_> = standing.filter_map(leaves).list();
+        let leaving: Vec<_> = at_edge.filter_map(leaves).list();
         let sites = mapped(&leaving, &|leaving| leaving.contact.index);
         let forces = mapped(&point.lines, &|line| line.force);
         let found = Found {
@@ -157,10 +157,10 @@ fn active_sets_after(
     axes: usize,
     states: &[State],
     point: &PathPoint,
-    standing: &PathState,
+    at_edge: &ExitsReached,
 ) -> Vec<ActiveSet> {
     let mut active_sets = vec![ActiveSet::EMPTY; states.len()];
-    for (i, exits) in standing {
+    for (i, exits) in at_edge {
         let line = &point.lines[*i];
         active_sets[*i].add_exits(axes, &states[*i], exits);
         active_sets[*i].apex |= exits.is_empty() || ActiveSet::is_weightless(&line.force, line.force_size);

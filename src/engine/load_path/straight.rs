@@ -2,7 +2,7 @@
 //! While the load turns they are harmonics of its angle, and the event is a root ([`super::turning_load`]).
 
 use super::event::PathEnd;
-use super::first_exits::PathState;
+use super::first_exits::ExitsReached;
 use super::journey::Journey;
 use super::pieces::Pieces;
 use super::segment::PathPoint;
@@ -19,32 +19,32 @@ impl<'g> Pieces<'g> {
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
         };
         let rest = 1.0 - self.factor;
-        let exits = self.segment.first_exits(&self.node.states, &point, rest).standing;
+        let exits = self.segment.first_exits(&self.node.states, &point, rest).reached;
         // Edges reached together with the end of the leg, up to rounding, are in the active sets when the next leg begins.
-        let at_the_end = |standing: &PathState| {
-            standing.iter().any(|(_, exits)| exits.iter().any(|e| (e.step - rest).abs() <= e.uncertainty))
+        let at_the_end = |reached: &ExitsReached| {
+            reached.iter().any(|(_, exits)| exits.iter().any(|e| (e.step - rest).abs() <= e.uncertainty))
         };
-        let (step, standing, leg_done) = match exits {
-            Some((_, standing)) if at_the_end(&standing) => (rest, standing, true),
+        let (step, reached, leg_done) = match exits {
+            Some((_, reached)) if at_the_end(&reached) => (rest, reached, true),
             // While the load turns, every root is refined already.
-            Some((step, standing)) if point.turned.is_some() && self.factor + step < 1.0 => {
-                (step, standing, false)
+            Some((step, reached)) if point.turned.is_some() && self.factor + step < 1.0 => {
+                (step, reached, false)
             }
-            Some((step, standing)) if self.factor + step < 1.0 => {
-                let step = self.corrected(&point, step, &standing);
-                if self.factor + step < 1.0 { (step, standing, false) } else { (rest, standing, true) }
+            Some((step, reached)) if self.factor + step < 1.0 => {
+                let step = self.corrected(&point, step, &reached);
+                if self.factor + step < 1.0 { (step, reached, false) } else { (rest, reached, true) }
             }
-            Some((step, standing)) if step <= rest => (rest, standing, true),
+            Some((step, reached)) if step <= rest => (rest, reached, true),
             _ => (rest, Vec::new(), true),
         };
         let to = if leg_done { 1.0 } else { self.factor + step };
         // A step within its own uncertainty may be zero: two continuations between which rounding chooses could alternate for ever.
-        let uncertain = standing.iter().any(|(_, exits)| exits.iter().any(|exit| step <= exit.uncertainty));
+        let uncertain = reached.iter().any(|(_, exits)| exits.iter().any(|exit| step <= exit.uncertainty));
         self.stalls = if to > self.factor && (leg_done || !uncertain) { 0 } else { self.stalls + 1 };
         // Maximum number of successive steps within their uncertainty that still count as events of one node: more mean that rounding makes the path
         // cycle.
         let piled_up = self.stalls > 64;
-        if piled_up && !self.runs_out(&standing) {
+        if piled_up && !self.runs_out(&reached) {
             // Rounding chooses between continuations, one of which leads back to the other.
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
         }
@@ -54,9 +54,9 @@ impl<'g> Pieces<'g> {
         }
         self.behind.push(self.stretch(journey, point.clone(), to, end.clone()));
         self.node.move_to_end(&mut self.segment, &point, to, &end);
-        self.node.add_exits(self.segment.problem.space().axes(), &standing);
+        self.node.add_exits(self.segment.problem.space().axes(), &reached);
         if piled_up {
-            self.put_at_apex(&standing);
+            self.put_at_apex(&reached);
         }
         self.factor = to;
         self.note_how_far(journey);
@@ -71,9 +71,9 @@ impl<'g> Pieces<'g> {
     }
 
     /// The step to an edge, corrected from the state there: extrapolated from the present state it carries the rounding of that state.
-    fn corrected(&self, point: &PathPoint, step: f64, standing: &PathState) -> f64 {
+    fn corrected(&self, point: &PathPoint, step: f64, reached: &ExitsReached) -> f64 {
         let mut clearest: Option<(usize, &Exit)> = None;
-        for (i, exits) in standing {
+        for (i, exits) in reached {
             for exit in exits {
                 if clearest.is_none_or(|(_, known)| exit.uncertainty.total_cmp(&known.uncertainty).is_lt()) {
                     clearest = Some((*i, exit));

@@ -16,7 +16,7 @@ use nalgebra::SVector;
 
 use super::crossing::StepEnd;
 use super::event::{LossKind, PathEnd};
-use super::first_exits::PathState;
+use super::first_exits::ExitsReached;
 use super::flow::{Flow, Rule};
 use super::journey::Journey;
 use super::pieces::Pieces;
@@ -235,7 +235,7 @@ impl<'g> Pieces<'g> {
         let grows = |watch: &Watch| watch.what == WatchedCondition::Growth && watch.is_met();
         let tops = end.located.is_some() && end.watches.iter().any(grows);
         let next = end.reached.point.clone();
-        let mut standing: PathState = Vec::new();
+        let mut at_edge: ExitsReached = Vec::new();
         let (mut sticks, mut stops) = (Vec::new(), false);
         for (k, watch) in end.watches.iter().enumerate() {
             if end.located != Some(k) && !(watch.is_met() && watch.falls()) {
@@ -244,11 +244,11 @@ impl<'g> Pieces<'g> {
             let WatchedCondition::Contact(contact) = watch.what else { continue };
             let line = &next.lines[contact];
             match self.node.states[contact] {
-                Mode::Open => standing.push((contact, vec![apex()])),
+                Mode::Open => at_edge.push((contact, vec![apex()])),
                 Mode::Sticking => {
                     let rubs = self.segment.problem.local(contact).may_slide();
                     let facet = if rubs { tangential(&line.force).normalize() } else { SVector::zeros() };
-                    standing.push((contact, vec![Exit { facet, ..apex() }]));
+                    at_edge.push((contact, vec![Exit { facet, ..apex() }]));
                 }
                 // At the end of a leg the rates of this leg no longer count.
                 _ if leg_done => {}
@@ -261,15 +261,15 @@ impl<'g> Pieces<'g> {
             let (size, force) = (next.lines[i].force_size, &next.lines[i].force);
             self.node.states[i].slides() && ActiveSet::is_weightless(force, size)
         };
-        stops |= !standing.is_empty() || !sticks.is_empty() || (0..self.node.states.len()).any(weightless);
+        stops |= !at_edge.is_empty() || !sticks.is_empty() || (0..self.node.states.len()).any(weightless);
         let idle = self.stands_still(point, &sticks);
         if !sticks.is_empty() {
             self.stopped = (to, sticks.clone());
         }
         self.take_step(journey, point, (end.length, end.rule), &end.reached);
-        self.node.add_exits(self.segment.problem.space().axes(), &standing);
+        self.node.add_exits(self.segment.problem.space().axes(), &at_edge);
         // If another event happens at the same place, it also decides about contacts that have not slipped during the step.
-        for contact in sticks.iter().filter(|contact| standing.is_empty() || !idle.contains(contact)) {
+        for contact in sticks.iter().filter(|contact| at_edge.is_empty() || !idle.contains(contact)) {
             self.node.stick(*contact);
         }
         self.at_node = leg_done || stops;

@@ -1,7 +1,7 @@
 //! Forces and motions under a load that turns while contacts keep their states: harmonics of its angle. The first exit is a root of a trigonometric
 //! polynomial.
 
-use super::first_exits::{FirstExits, first_standing};
+use super::first_exits::{FirstExits, first_reached};
 use crate::contact::{Exit, State, TurningExit, Wave};
 use crate::numerics::{Harmonic, Vector, mapped};
 use crate::object::{PieceState, Problem};
@@ -46,9 +46,9 @@ impl TurningState {
             }
             ways.push((i, exits));
         }
-        let standing = first_standing(ways);
-        let end = standing.as_ref().map_or(f64::INFINITY, |(step, _)| step * self.angle);
+        let reached = first_reached(ways);
+        let end = reached.as_ref().map_or(f64::INFINITY, |(step, _)| step * self.angle);
         touches.retain(|(_, angle)| *angle < end);
-        FirstExits { standing, touches }
+        FirstExits { reached, touches }
     }
 }

@@ -223,12 +223,13 @@ fn held_briefly(verdict: &Verdict<3>) -> Brief {
         Holding::Undecided { .. } => "undecided",
     };
     let first = verdict.first_slip.as_ref();
-    let who = first.and_then(|first| first.slide.iter().chain(&first.open).chain(&first.would_pull).next());
-    let who = who.map(|part| part.label.clone());
+    let contact =
+        first.and_then(|first| first.slide.iter().chain(&first.open).chain(&first.would_pull).next());
+    let contact = contact.map(|part| part.label.clone());
     let factor = verdict.lost.as_ref().map(|lost| lost.factor);
     let is_lost = matches!(verdict.holding, Holding::Lost);
     let beyond_small_motions = is_lost && verdict.lost.as_ref().is_some_and(|lost| lost.too_far.is_some());
-    Brief { factor, first: who, beyond_small_motions, ..Brief::new("hold", outcome) }
+    Brief { factor, first: contact, beyond_small_motions, ..Brief::new("hold", outcome) }
 }
 
 /// Short answer to `need`: the amount that is needed.

@@ -150,7 +150,7 @@ impl<const C: usize> WrittenSurface<C> {
                 over_deg: over.to_degrees(),
             },
             Shape::Spline(spline) => {
-                let given = spline.given().iter().copied().map(row).list();
+                let given = spline.interpolated_points().iter().copied().map(row).list();
                 if spline.is_closed() { Self::ClosedSpline(given) } else { Self::Spline(given) }
             }
             Shape::Rectangle { corner, sides } => {

@@ -169,7 +169,12 @@ impl<const C: usize> Verdict<C> {
                 write!(f, ": {} until {until}, as {first}", times(lost, " this load"))
             }
             (Some(first), lost) => {
-                write!(f, ": {} until the first slip ({})", times(first.factor, " this load"), first.who())?;
+                write!(
+                    f,
+                    ": {} until the first slip ({})",
+                    times(first.factor, " this load"),
+                    first.leaving_parts()
+                )?;
                 match lost {
                     Some(lost) => write!(f, ", {} until {until}", times(lost, "")),
                     None if self.held_to > first.factor => {
@@ -244,7 +249,7 @@ pub(super) fn amount_of(size: Option<(f64, &str)>, factor: f64, words: Words) ->
 
 impl FirstSlip {
     /// The parts that leave, with a verb unless they slide: "left", "thumb opens".
-    fn who(&self) -> String {
+    fn leaving_parts(&self) -> String {
         let mut names = mapped(&self.slide, &|part| part.text().into_owned());
         names.extend(mapped(&self.open, &|part| format!("{} {}", part.text(), opens(part.link))));
         names.extend(mapped(&self.would_pull, &|part| format!("{} would have to pull", part.text())));

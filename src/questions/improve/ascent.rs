@@ -57,7 +57,7 @@ pub(super) struct Climb<'q> {
 impl Climb<'_> {
     /// The greatest allowed normal forces of contacts whose squeeze may change.
     fn greatest_presses(&self) -> Vec<Option<f64>> {
-        let mut most = vec![None; self.choice.given.len()];
+        let mut most = vec![None; self.choice.contacts.len()];
         for variable in &self.choice.variables {
             if let DesignKind::Press { most: force } = variable.what {
                 most[variable.contact] = Some(force);
@@ -96,7 +96,7 @@ impl Climb<'_> {
         if self.loaded.goal == ImproveGoal::FirstSlip {
             return Ok(self.loaded.first_slip(self.grasp)?.filter(|factor| *factor > 0.0));
         }
-        let n = self.choice.given.len();
+        let n = self.choice.contacts.len();
         let (spots, presses) = (vec![None; n], vec![None; n]);
         let placing = Placing { spots, presses, ..given.clone() };
         let sticking = StickingForces::of(self.choice, &placing, &self.loaded.base, &self.loaded.loads)?;

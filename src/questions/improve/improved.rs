@@ -170,7 +170,7 @@ fn placed(choice: &Choice<'_>, design: &Design) -> Vec<Placed<3>> {
         normal: contact.normal.normalize(),
         tangent: design.placing.tangents[i],
         command: contact.command,
-        moved: (contact.point - choice.given[i].point).norm(),
+        moved: (contact.point - choice.contacts[i].point).norm(),
         pressed_with: design.placing.presses[i],
         normal_force: design.sticking.at_rest(i)[0],
     })

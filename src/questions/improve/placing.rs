@@ -34,7 +34,7 @@ pub(super) enum DesignKind {
 #[derive(Debug)]
 pub(super) struct Choice<'q> {
     pub(super) question: &'q Improve<3>,
-    pub(super) given: &'q [Contact<3>],
+    pub(super) contacts: &'q [Contact<3>],
     /// The given contacts, each with its points.
     pub(super) wholes: &'q WholeContacts,
     pub(super) settings: &'q Settings,
@@ -56,12 +56,12 @@ pub(super) struct Placing {
 impl<'q> Choice<'q> {
     /// The variables of a question, and their values in the given grasp. A contact that does not lie on its surface is refused.
     pub(super) fn of(grasp: &'q Grasp<3>, question: &'q Improve<3>) -> Result<(Self, Placing), Error> {
-        let given = grasp.contacts();
+        let contacts = grasp.contacts();
         let tangents: Vec<SVector<f64, 3>> =
             grasp.frames().map(|frame| frame.column(1).into_owned()).collect();
         let length = grasp.engine.length();
         let (mut variables, mut spots, mut presses) = (Vec::new(), Vec::new(), Vec::new());
-        for (contact, at) in given.iter().enumerate() {
+        for (contact, at) in contacts.iter().enumerate() {
             let surface = question.surface_of(contact);
             let spot = surface.map(|surface| Spot::nearest(surface, &at.point, &at.normal));
             if let Some(spot) = &spot {
@@ -95,7 +95,7 @@ impl<'q> Choice<'q> {
         }
         let (settings, tangents_given) = (grasp.settings(), tangents.clone());
         let wholes = grasp.engine.wholes();
-        let choice = Self { question, given, wholes, settings, tangents: tangents_given, variables };
+        let choice = Self { question, contacts, wholes, settings, tangents: tangents_given, variables };
         Ok((choice, Placing { spots, tangents, presses }))
     }
 
@@ -148,8 +148,8 @@ impl<'q> Choice<'q> {
     /// The first tangent of a frame that follows its normal without turning about it.
     fn tangent(&self, contact: usize, from: &SVector<f64, 3>, spot: Option<&Spot>) -> SVector<f64, 3> {
         let Some(normal) = spot.map(|spot| spot.normal) else { return *from };
-        if self.given[contact].space == Space::Planar {
-            let sign = clockwise(&self.given[contact].normal).dot(&self.tangents[contact]);
+        if self.contacts[contact].space == Space::Planar {
+            let sign = clockwise(&self.contacts[contact].normal).dot(&self.tangents[contact]);
             return clockwise(&normal) * sign.signum();
         }
         let across = from - normal * normal.dot(from);
@@ -172,8 +172,8 @@ impl<'q> Choice<'q> {
 
     /// The contacts of a placing, with their commands.
     pub(super) fn contacts(&self, placing: &Placing) -> Vec<Contact<3>> {
-        numbered(self.given.len(), &|i| {
-            let mut contact = self.given[i].clone();
+        numbered(self.contacts.len(), &|i| {
+            let mut contact = self.contacts[i].clone();
             if let Some(spot) = &placing.spots[i] {
                 (contact.point, contact.normal) = (spot.point, spot.normal);
                 contact.tangent = Some(placing.tangents[i]);

@@ -66,7 +66,7 @@ impl Spline {
 
     /// The points that were given, without the second copy of the first point of a closed spline.
     #[cfg(feature = "serde")]
-    pub(crate) fn given(&self) -> &[SVector<f64, 3>] {
+    pub(crate) fn interpolated_points(&self) -> &[SVector<f64, 3>] {
         &self.points[..self.points.len() - usize::from(self.closed)]
     }
 

@@ -15,7 +15,7 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 /// The second path, of steps made at once.
 #[derive(Debug, Clone)]
 pub(super) struct Coarse {
-    pub(super) standing: SteppedState,
+    pub(super) present: SteppedState,
     /// Sum of the distances, over the largest force, at which the second path was lost and restarted from the first.
     lost: f64,
     /// The largest distance so far plus those sums, over the largest force.
@@ -24,8 +24,8 @@ pub(super) struct Coarse {
 
 impl Coarse {
     /// The second path at the common beginning of both.
-    pub(super) fn starting_at(standing: &SteppedState) -> Self {
-        Self { standing: standing.clone(), lost: 0.0, farthest: 0.0 }
+    pub(super) fn starting_at(present: &SteppedState) -> Self {
+        Self { present: present.clone(), lost: 0.0, farthest: 0.0 }
     }
 
     /// Makes the step of the first path between two places. `at_once` is that step made at once. If the second path finds no step of its own, or only
@@ -37,20 +37,20 @@ impl Coarse {
         beside: &mut SteppedState,
     ) {
         let largest = to.largest_force().max(from.largest_force()).max(f64::MIN_POSITIVE);
-        let distance = from.distance_to(&self.standing);
-        let near = &to.twist + &self.standing.twist - &from.twist;
+        let distance = from.distance_to(&self.present);
+        let near = &to.twist + &self.present.twist - &from.twist;
         // Growth of the distance between both paths in one step beyond which the second path is abandoned. With a small factor it would be at each change of
         // states, and errors that decay would be added up.
         let by = 10.0 * distance + to.distance_to(at_once);
-        let step = || along.step(&self.standing, (to.fraction - from.fraction, near), beside);
+        let step = || along.step(&self.present, (to.fraction - from.fraction, near), beside);
         // If the paths differ by less than this part of the largest force, the difference is below the tolerance of Newton's method, and the second
         // path moves to `at_once`. With a larger part, errors that decay would be added up.
         if distance > SOLVED_ROUNDING * largest && step().is_some() && beside.distance_to(at_once) <= by {
-            core::mem::swap(&mut self.standing, beside);
+            core::mem::swap(&mut self.present, beside);
         } else {
             self.lost += distance / largest;
-            self.standing.join(at_once);
+            self.present.join(at_once);
         }
-        self.farthest = self.farthest.max(self.lost + to.distance_to(&self.standing) / largest);
+        self.farthest = self.farthest.max(self.lost + to.distance_to(&self.present) / largest);
     }
 }

@@ -27,7 +27,7 @@ struct Twice {
 impl<'g> Steps<'g> {
     /// Tries a step; reports it if its error is allowed.
     pub(super) fn try_step(&mut self, journey: &Journey<'g>) -> Result<Advance<Step<3>>, PathEnd<3>> {
-        let from = self.standing.fraction;
+        let from = self.present.fraction;
         if self.pace.tried == journey.settings.most_steps {
             return Err(journey.undecided(from, Doubt::OutOfSteps));
         }
@@ -59,15 +59,15 @@ impl<'g> Steps<'g> {
             };
         }
         let to = &self.places.to;
-        self.pace.rate = Some((&to.twist - &self.standing.twist) / length);
+        self.pace.rate = Some((&to.twist - &self.present.twist) / length);
         self.pace.speeds.note(to.fraction, twice.force_change / length);
-        self.pace.changed = to.distance_to(&self.standing) / twice.force_change;
+        self.pace.changed = to.distance_to(&self.present) / twice.force_change;
         Ok(Advance::Reached(self.accept_step(journey, &twice)))
     }
 
     /// The error of a step, as a part of the allowed one.
     fn part_of_what_is_allowed(&self, twice: &Twice) -> f64 {
-        let (from, Places { to, at_once, .. }, largest) = (&self.standing, &self.places, twice.largest);
+        let (from, Places { to, at_once, .. }, largest) = (&self.present, &self.places, twice.largest);
         let length = to.fraction - from.fraction;
         let way = to.distance_to(from) / largest;
         // Half of the allowed error is divided among steps in proportion to their size, the largest of three measures. These are the fraction of the
@@ -80,7 +80,7 @@ impl<'g> Steps<'g> {
         // Errors below this part of the largest force are rounding.
         let rounding = 1e-13;
         let part = |i: usize| {
-            let so_far = (from.forces[i] - self.coarse.standing.forces[i]).norm() / largest;
+            let so_far = (from.forces[i] - self.coarse.present.forces[i]).norm() / largest;
             // Part of a contact's remaining error budget that a step may use. With more, a few steps would use it up, and the others would have as
             // little as if errors never decayed. With less, steps are shorter than the error requires.
             let allowed = even.max(0.05 * (budget - so_far)).max(rounding);
@@ -93,7 +93,7 @@ impl<'g> Steps<'g> {
 
     /// Makes a step in two halves and at once; `None` if one of them finds no equilibrium, or only a distant one.
     fn twice(&mut self, length: f64) -> Option<Twice> {
-        let Self { along, standing: from, places: Places { middle, to, at_once, .. }, .. } = self;
+        let Self { along, present: from, places: Places { middle, to, at_once, .. }, .. } = self;
         let rate = self.pace.rate.clone().unwrap_or_else(Vector::zeros);
         let near = |at: &SteppedState, rate: &Vector, length: f64| &at.twist + rate * length;
         along.step(from, (0.5 * length, near(from, &rate, 0.5 * length)), middle)?;
@@ -117,12 +117,12 @@ impl<'g> Steps<'g> {
     fn accept_step(&mut self, journey: &Journey<'g>, twice: &Twice) -> Step<3> {
         let Twice { largest, unseen, .. } = *twice;
         let Places { to, at_once, beside, .. } = &mut self.places;
-        self.coarse.follow(&mut self.along, [&self.standing, to, at_once], beside);
+        self.coarse.follow(&mut self.along, [&self.present, to, at_once], beside);
         self.unseen = self.unseen.max(unseen);
-        self.way += to.distance_to(&self.standing) / largest;
+        self.way += to.distance_to(&self.present) / largest;
         let error = (to.distance_to(at_once) / largest).max(unseen);
-        core::mem::swap(&mut self.standing, to);
-        let to = &self.standing;
+        core::mem::swap(&mut self.present, to);
+        let to = &self.present;
         let (leg, fraction) = (journey.program.leg, to.fraction);
         Step {
             leg,

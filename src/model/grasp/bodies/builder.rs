@@ -170,8 +170,8 @@ impl<const C: usize> Bodies<C> {
             Loaded::First | Loaded::Body(_) => Sharing::OnObject,
         };
         let loads = mapped(&bodies, &|body| (body.load + body.weight(&gravity)).into_inside());
-        let given = mapped(&bodies, &|body| body.load.into_inside());
-        Ok((hand, PlacedBodies::new(names, object, (loads, given), sharing)))
+        let user_loads = mapped(&bodies, &|body| body.load.into_inside());
+        Ok((hand, PlacedBodies::new(names, object, (loads, user_loads), sharing)))
     }
 }
 
