@@ -22,7 +22,8 @@ pub(crate) struct Cycles<'g> {
     path: Following<'g, Pieces<'g>>,
     legs: Vec<Leg<3>>,
     base: Wrench<3>,
-    cycles_done: usize,
+    /// Number of cycles completed so far.
+    completed: usize,
 }
 
 /// The state of a grasp between two cycles.
@@ -91,7 +92,7 @@ impl<'g> Cycles<'g> {
         let path = Following::start(grasp, (base, legs), settings, Pieces::at_start)?;
         // A cycle is closed if its end differs from its beginning by at most this part of the largest load or command along it.
         path.journey.program.check_closed(SOLVED_ROUNDING)?;
-        Ok(Self { path, legs: legs.to_vec(), base: *base, cycles_done: 0 })
+        Ok(Self { path, legs: legs.to_vec(), base: *base, completed: 0 })
     }
 
     /// The program at the beginning of a cycle, from the given state; `None` if this state is no equilibrium of the grasp with its slips.
@@ -118,7 +119,7 @@ impl<'g> Cycles<'g> {
             Pieces::at_start(journey, &slipped)
         });
         let path = begin.ok()?;
-        let begun = Self { path, legs: self.legs.clone(), base: self.base, cycles_done: 0 };
+        let begun = Self { path, legs: self.legs.clone(), base: self.base, completed: 0 };
         let forces = &begun.path.follower.as_ref()?.node.at.forces;
         let is_there = forces.iter().zip(&from.forces).all(|(a, b)| (a - b).norm() <= NEGLIGIBLE * largest);
         is_there.then_some(begun)
@@ -137,7 +138,7 @@ impl<'g> Cycles<'g> {
     /// The leg of the cycle and its fraction at the present place.
     pub(crate) fn place(&self) -> (usize, f64) {
         let (leg, fraction) = self.path.place();
-        (leg - self.cycles_done.saturating_sub(1) * self.legs.len(), fraction)
+        (leg - self.completed.saturating_sub(1) * self.legs.len(), fraction)
     }
 
     /// The equilibrium at the present place.
@@ -147,16 +148,16 @@ impl<'g> Cycles<'g> {
 
     /// Follows one cycle; `None` if the path [ends](Self::end) before.
     pub(crate) fn follow_cycle(&mut self) -> Option<CycleRecord> {
-        if self.cycles_done > 0 && self.path.end().is_some() {
+        if self.completed > 0 && self.path.end().is_some() {
             self.path.journey.program.return_to(self.path.journey.grasp, &self.base);
             self.path.continue_with(&self.legs).ok()?;
         }
-        self.cycles_done += 1;
+        self.completed += 1;
         // The last piece of the previous cycle is still stored, since the present state is computed from it; it is no part of this cycle.
         let before = self.path.follower.as_ref().map_or(0, |follower| follower.behind.len());
         while self.path.next().is_some() {}
         self.end().is_none().then_some(())?;
-        let first = (self.cycles_done - 1) * self.legs.len();
+        let first = (self.completed - 1) * self.legs.len();
         let follower = self.path.follower.as_mut()?;
         let energies = core::mem::take(&mut follower.energy);
         let behind = core::mem::take(&mut follower.behind);
