@@ -12,7 +12,7 @@ use crate::object::{NO_FORCE, Problem, least_spring_force};
 use crate::prelude::*;
 use crate::search::Found;
 
-/// Answer at one site: a contact, or a drive of a hand.
+/// Answer at a contact, or at a drive of a hand.
 struct SiteAnswer<'a> {
     force: &'a SVector<f64, 3>,
     gap: f64,
@@ -22,7 +22,7 @@ struct SiteAnswer<'a> {
     slip: SVector<f64, 3>,
 }
 
-/// Law of one site, and the sizes by which its residuals are divided, N and m.
+/// Law of one contact or drive, and the sizes by which its residuals are divided, N and m.
 struct ContactLaw<'c> {
     site: &'c Site,
     friction: Coulomb,
@@ -33,7 +33,7 @@ struct ContactLaw<'c> {
 }
 
 impl Residuals {
-    /// Raises each residual to that of one site, if that is larger.
+    /// Raises each residual to that of one contact or drive, if that is larger.
     fn note(&mut self, law: &ContactLaw<'_>, site_answer: &SiteAnswer<'_>) {
         let ContactLaw { site, friction, polygon, cone, force_size, travel } = *law;
         let SiteAnswer { force: f, gap: g, separated, stretch, slip: s } = *site_answer;

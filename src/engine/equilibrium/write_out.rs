@@ -114,7 +114,7 @@ impl Engine {
     }
 }
 
-/// State of every site in a solution of the local problem, in order: contacts, then the drives of a hand.
+/// States of all contacts in a solution of the local problem, then of the drives of a hand.
 pub(crate) fn site_states(problem: &Problem, found: &Found) -> Vec<ContactState<3>> {
     solved_sites(problem, found).map(|solved| solved.state().0).list()
 }

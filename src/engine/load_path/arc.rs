@@ -50,19 +50,19 @@ pub(super) struct Direction {
 }
 
 impl Direction {
-    /// Towards a larger factor, with any motion: the transverse row then keeps the factor fixed.
+    /// Towards a larger load factor, with any motion: the transverse row then keeps the load factor fixed.
     pub(super) fn forward() -> Self {
         Self { twist: Vector::zeros(), factor: 1.0 }
     }
 
-    /// Whether motions transverse to this direction keep the factor.
+    /// Whether motions transverse to this direction keep the load factor.
     fn keeps_the_factor(&self) -> bool {
         self.twist.norm_squared() == 0.0
     }
 }
 
 impl<'s, 'g> Arc<'s, 'g> {
-    /// The arc in these states, on which motions that nothing resists continue at their rates for one unit of the factor.
+    /// The arc in these states, on which motions that nothing resists continue at their rates for one unit of the load factor.
     pub(super) fn new<'m>(
         segment: &'s Segment<'g>,
         states: &'s [State],
@@ -101,7 +101,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.segment.grasp.sites()
     }
 
-    /// The part of b at a factor from the load and from contacts that do not slide.
+    /// The part of b at a load factor from the load and from contacts that do not slide.
     fn push_at(&self, factor: f64) -> Vector {
         self.segment.course.rate_at(factor) + &self.push
     }
@@ -131,7 +131,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.factored(stiffness, &push, across)
     }
 
-    /// The tangent stiffness T and the right side b at a factor.
+    /// The tangent stiffness T and the right side b at a load factor.
     pub(super) fn balance(&self, tangents: &[Tangent], factor: f64) -> (PathStiffness, Vector) {
         let (mut t, mut push) = (self.fixed.clone(), self.push_at(factor));
         for (&i, tangent) in self.sliding.iter().zip(tangents) {
@@ -173,7 +173,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         Direction { twist: x * self.unit, factor }
     }
 
-    /// The unit direction of the path in arclength at a factor with these tangents, oriented along a given one.
+    /// The unit direction of the path in arclength at a load factor with these tangents, oriented along a given one.
     pub(super) fn direction(
         &self,
         tangents: &[Tangent],
@@ -280,7 +280,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         most
     }
 
-    /// Forces at a twist and a factor, with friction on the cones in these directions.
+    /// Forces at a twist and a load factor, with friction on the cones in these directions.
     fn forces_at(&self, twist: &Vector, factor: f64, frictions: &[SVector<f64, 3>]) -> Vec<SVector<f64, 3>> {
         let offsets = self.segment.offsets(factor);
         let mut slid = frictions.iter();

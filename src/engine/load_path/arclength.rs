@@ -12,7 +12,7 @@ use crate::numerics::{largest, least};
 use crate::prelude::*;
 
 impl Pieces<'_> {
-    /// Displacement of the object for one unit of the factor at the beginning of an arc. While the load turns, the rate a quarter turn later is
+    /// Displacement of the object for one unit of the load factor at the beginning of an arc. While the load turns, the rate a quarter turn later is
     /// included.
     pub(super) fn displacement_rate(&self, point: &PathPoint) -> f64 {
         let mut size = point.twist_rate.norm();
@@ -29,7 +29,7 @@ impl Pieces<'_> {
         if size > 0.0 { size } else { 1.0 }
     }
 
-    /// Deflection of the softest spring under all present forces and those that one unit of the factor adds.
+    /// Deflection of the softest spring under all present forces and those that one unit of the load factor adds.
     fn springs_give(&self, point: &PathPoint) -> f64 {
         let sites = self.segment.grasp.sites();
         let softest = least(sites, &|site| site.springs.softest());

@@ -48,7 +48,7 @@ pub enum Beyond<const C: usize> {
     /// This equilibrium ends here: the rates have no solution. Whether others exist beyond is not known, and no proof was found that there are none.
     /// The cause is too many contacts: more than 32 on the round cone, or else more combinations of states than [`Settings::most_states`].
     Ends {
-        /// The reason why the rates have no solution; its work is that of the load direction, J for one unit of the factor.
+        /// The reason why the rates have no solution; its work is that of the load direction, J for one unit of the load factor.
         reason: NoEquilibrium<C>,
     },
     /// The lips of these suction cups are open all around, and their vacuum is gone. What remains is another grasp, without their vacuum.
@@ -71,10 +71,10 @@ pub enum Beyond<const C: usize> {
 pub struct Continuation<const C: usize> {
     /// The next state of every contact, in the order of the grasp. The direction of a sliding contact is that of its slip rate.
     pub states: Vec<ContactState<C>>,
-    /// Rates of the contact forces on the object in the contact frames, N for one unit of the factor.
+    /// Rates of the contact forces on the object in the contact frames, N for one unit of the load factor.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Vec<SVector<f64, C>>>"))]
     pub force_rates: Vec<SVector<f64, C>>,
-    /// Rate of the object's twist, m and rad for one unit of the factor.
+    /// Rate of the object's twist, m and rad for one unit of the load factor.
     pub twist_rate: Motion<C>,
     /// The rule that found the solution of the rates.
     pub rule: FoundBy,
@@ -101,7 +101,7 @@ pub(super) fn continuation(grasp: &Engine, rates: &Problem, found: Found, rule: 
 pub(super) struct EquilibriumEnd<'f> {
     pub(super) factor: f64,
     pub(super) forces: &'f [SVector<f64, 3>],
-    /// The motion with which the object leaves, inside coordinates.
+    /// The motion with which the object leaves, in the engine's coordinates.
     pub(super) motion: Option<Vector>,
 }
 

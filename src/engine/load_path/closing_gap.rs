@@ -30,9 +30,9 @@ use nalgebra::SVector;
 struct FreeWay {
     /// Length of the motion, as a multiple of its direction.
     length: f64,
-    /// Sites whose gaps close at the end of the motion.
+    /// Contacts whose gaps close at the end of the motion.
     closing: Vec<usize>,
-    /// For each site, a contact or a drive, whether it stays in place during the motion; it may be on the edge of its friction cone.
+    /// For each contact or drive, whether it stays in place during the motion; it may be on the edge of its friction cone.
     still: Vec<bool>,
 }
 
@@ -97,7 +97,7 @@ impl<'g> Pieces<'g> {
         is_small.then_some(FreeWay { length, closing, still })
     }
 
-    /// Makes contacts on an edge slide or open along the motion, and returns the changes of state.
+    /// Makes contacts on the edge of their cones slide or open along the motion, and returns the changes of state.
     fn yield_along(
         &mut self,
         motion: &Vector,

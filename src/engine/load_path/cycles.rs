@@ -30,27 +30,27 @@ pub(crate) struct Cycles<'g> {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct CycleState {
     pub(crate) forces: Vec<SVector<f64, 3>>,
-    /// Gaps of open sites, m; zero for closed ones.
+    /// Gaps of open contacts and drives, m; zero for closed ones.
     pub(crate) gaps: Vec<f64>,
     pub(crate) slips: Vec<SVector<f64, 3>>,
     pub(crate) twist: Vector,
-    /// Whether each site slides with kinetic friction below its static friction; empty if no contact has kinetic friction.
+    /// Whether each contact or drive slides with kinetic friction below its static friction; empty if no contact has kinetic friction.
     pub(crate) weaker: Vec<bool>,
 }
 
 /// Totals of one cycle.
 #[derive(Debug, Clone)]
 pub(crate) struct CycleRecord {
-    /// The path length that each site has slid, m.
+    /// The path length that each contact or drive has slid, m.
     pub(crate) slid: Vec<f64>,
     /// Heat from friction, J.
     pub(crate) dissipated: f64,
     /// The largest force during the cycle, N.
     pub(crate) largest: f64,
-    /// The smallest gap of each site that was open during the whole cycle, m; `None` for others.
+    /// The smallest gap of each contact or drive that was open during the whole cycle, m; `None` for others.
     pub(crate) open: Vec<Option<f64>>,
     pub(crate) step_error: f64,
-    /// Successive states of all sites, each list with the leg on which it occurs.
+    /// Successive states of all contacts and drives, each list with the leg on which it occurs.
     states: Vec<(usize, Vec<State>)>,
 }
 
@@ -74,7 +74,7 @@ impl CycleRecord {
     }
 }
 
-/// Whether all sites have the same states, apart from directions on the round cone.
+/// Whether all contacts and drives have the same states, apart from the direction of sliding on the round cone.
 fn are_alike(a: &[State], b: &[State]) -> bool {
     a.iter().zip(b).all(|(a, b)| a.is_kind_of(b))
 }
@@ -203,7 +203,7 @@ impl<'g> Cycles<'g> {
 }
 
 impl CycleState {
-    /// The friction of each site: kinetic for those in `weaker`, otherwise static. Empty if `weaker` is.
+    /// The friction of each contact or drive: kinetic for those in `weaker`, otherwise static. Empty if `weaker` is.
     fn cones(&self, grasp: &Engine) -> Vec<Coulomb> {
         let sites = grasp.sites().iter().zip(&self.weaker);
         sites.map(|(site, weaker)| site.kinetic.filter(|_| *weaker).unwrap_or(site.friction)).list()

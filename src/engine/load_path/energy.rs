@@ -63,7 +63,7 @@ impl LegEnergy {
         self.turnover += part.turnover;
     }
 
-    /// Adds the energies of a piece from a factor on, with fixed states and no contact sliding on a round cone.
+    /// Adds the energies of a piece from a load factor on, with fixed states and no contact sliding on a round cone.
     pub(super) fn add(
         &mut self,
         segment: &Segment,

@@ -179,24 +179,24 @@ pub struct Loss<const C: usize> {
     /// The joints and tendons of a hand whose drives have reached their limit at the loss.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub drives: Vec<PartLabel>,
-    /// The unit motion with which the object leaves: every contact on an edge slides along its friction force, or opens. `None` if these states do
-    /// not determine a motion.
+    /// The unit motion with which the object leaves: every contact on the edge of its cone slides along its friction force, or opens. `None` if these
+    /// states do not determine a motion.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub motion: Option<Motion<C>>,
     /// The jump of slip at this load: contacts whose friction falls from the static to the kinetic value, and how far each slides before no further
     /// equilibrium exists. Empty if no friction fell.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub jumped: Vec<JumpSlip<C>>,
-    /// The virtual motion that contacts can resist least at the loss, in inside coordinates: it may prove the loss.
+    /// The virtual motion that contacts can resist least at the loss, in the engine's coordinates: it may prove the loss.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) against: Option<Coordinates>,
-    /// The motion with which the object leaves, in inside coordinates.
+    /// The motion with which the object leaves, in the engine's coordinates.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) leaves: Option<Coordinates>,
 }
 
 impl<const C: usize> Loss<C> {
-    /// The virtual motion that contacts can resist least at the loss, in inside coordinates: it may prove the loss.
+    /// The virtual motion that contacts can resist least at the loss, in the engine's coordinates: it may prove the loss.
     pub(crate) fn virtual_motion(&self) -> Option<&Coordinates> {
         self.against.as_ref()
     }
@@ -209,7 +209,7 @@ impl<const C: usize> Loss<C> {
 }
 
 impl Loss<3> {
-    /// This loss with the motion with which the object leaves, in inside coordinates.
+    /// This loss with the motion with which the object leaves, in the engine's coordinates.
     pub(super) fn leaving(mut self, grasp: &Engine, motion: Option<&Vector>) -> Self {
         self.motion = motion.map(|v| grasp.motion_outside(v));
         self.leaves = motion.map(Coordinates::of);

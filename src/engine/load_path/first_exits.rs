@@ -10,7 +10,7 @@ pub(super) type ExitsReached = Vec<(usize, Vec<Exit>)>;
 pub(super) struct FirstExits {
     /// The step to the first edge, and all contacts that reach one there.
     pub(super) reached: Option<(f64, ExitsReached)>,
-    /// Sites that reach the edge of their cone before this step without crossing it, while a load turns; with the angle, rad.
+    /// Contacts and drives that reach the edge of their cone before this step without crossing it, while a load turns; with the angle, rad.
     pub(super) touches: Vec<(usize, f64)>,
 }
 

@@ -39,7 +39,7 @@ pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) ->
     piece.solve_roughly_into(&segment.change, &direction, (solution, rate));
     piece.solve_roughly_into(&problem.offsets, &problem.wrench, (solution, base));
     let First { contact, exit, line } = first_exit(segment, base, (&direction, rate))?;
-    // Solved again at the onset: a factor extrapolated from the base carries the rounding of the forces there.
+    // Solved again at the onset: a load factor extrapolated from the base carries the rounding of the forces there.
     let mut factor = exit.step;
     let load = segment.course.at(factor);
     segment.offsets_into(factor, offsets);
@@ -157,7 +157,8 @@ impl FirstToLeave {
 /// Whether a contact meets all conditions of sticking (or of being absent) by more than rounding.
 fn clearly_sticks(local: &LocalLaw<'_>, at: &SpringState<'_>) -> bool {
     let mut clear = true;
-    // Least relative margin of conditions at the base. A smaller margin may be rounding, or a contact on an edge, which the sticking path decides.
+    // Least relative margin of conditions at the base. A smaller margin may be rounding, or that of a contact on the edge of its cone, which
+    // `StickingPath` decides.
     local.for_each_condition(&local.unjumped(), at, |value, size| clear &= value > NEGLIGIBLE * size);
     clear
 }
@@ -203,7 +204,7 @@ fn first_exit(
         }
     }
     first.filter(|First { exit, .. }| {
-        // The next contact must reach its edge later by more than this part of the step to the first.
+        // The next contact must reach the edge of its cone later than the first, by more than this part of the step to the first.
         let alone =
             next - exit.step > NEGLIGIBLE * exit.step && exit.uncertainty <= LARGEST_CORRECTION * exit.step;
         // Forces may grow by at most this factor from the base to the onset: beyond it, the rates may be rounding.

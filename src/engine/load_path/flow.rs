@@ -280,7 +280,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         })
     }
 
-    /// Power of the fingers, `Σ F·a'` per unit of the factor, after these changes of the variables.
+    /// Power of the fingers, `Σ F·a'` per unit of the load factor, after these changes of the variables.
     fn power_of_fingers(&self, y: &[f64]) -> f64 {
         let [load, _] = self.places();
         let (moved, further) = (self.twist_change(y), y[load]);

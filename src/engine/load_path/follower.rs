@@ -27,7 +27,7 @@ pub(crate) enum Advance<T> {
     EndOfLeg,
 }
 
-/// The state at the present place, and the problem in rates for the contacts on an edge.
+/// The state at the present place, and the problem in rates for the contacts on the edge of their cones.
 #[derive(Debug)]
 pub(crate) struct StateAtEdge<'g> {
     pub(super) segment: Segment<'g>,
@@ -62,7 +62,7 @@ pub(crate) trait Follower<'g>: Debug {
     /// Contact forces at the present place, N, in the contact frames.
     fn forces(&self, journey: &Journey<'g>) -> Vec<SVector<f64, 3>>;
 
-    /// The contacts on an edge at the present place, with their problem in rates.
+    /// The contacts on the edge of their cones at the present place, with their problem in rates.
     fn edge(&self, journey: &Journey<'g>) -> StateAtEdge<'g>;
 
     /// The situation beyond a jump that found no equilibrium, from a follower with kinetic friction; `None` if the path did not end in one.

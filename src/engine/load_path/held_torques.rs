@@ -94,7 +94,7 @@ impl HeldTorques {
         self.0 = Some(Arc::new(both));
     }
 
-    /// The load of these torques less those of the hand, in inside coordinates, at the beginning and at the end of the leg.
+    /// The load of these torques less those of the hand, in the engine's coordinates, at the beginning and at the end of the leg.
     pub(super) fn inside(&self, grasp: &Engine) -> Option<[Vector; 2]> {
         let (torques, linkage) = self.0.as_ref().zip(grasp.linkage())?;
         Some([0, 1].each(|end| {

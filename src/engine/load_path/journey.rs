@@ -86,7 +86,8 @@ impl<'g> Journey<'g> {
         grasp.equilibrium(problem, &load, found, FoundBy::LoadPath, &effort, self.answer_for())
     }
 
-    /// The loss of equilibrium at a fraction of the present leg, with these sites on an edge; the object leaves with the motion `motion`.
+    /// The loss of equilibrium at a fraction of the present leg, with these contacts and drives on the edge of their cone; the object leaves with the
+    /// motion `motion`.
     pub(super) fn loss(
         &self,
         fraction: f64,

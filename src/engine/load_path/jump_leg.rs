@@ -34,10 +34,10 @@ use crate::search::{Doubt, Found, Settings, Settled, settle};
 pub(super) struct JumpInProgress<'g> {
     /// The leg along which the external force that replaces lost friction is removed.
     pub(super) leg: Pieces<'g>,
-    /// Slips before the jump, and all states so far of all sites in it.
+    /// Slips before the jump, and all states so far of all contacts and drives in it.
     record: JumpRecord,
     pub(super) changes: Vec<(usize, Change<3>)>,
-    /// Sites whose gaps have closed at the end of a free motion.
+    /// Contacts whose gaps have closed at the end of a free motion.
     pub(super) reaches: Vec<usize>,
 }
 
@@ -51,8 +51,8 @@ impl<'g> JumpInProgress<'g> {
 
     /// Follows the leg to its end; the forces that further contacts lose are removed as well.
     pub(super) fn run(&mut self, goal: &Vector, journey: &Journey<'g>) -> Result<(), PathEnd<3>> {
-        // Limit on how often a force is removed anew, sixteen times for each site. Each repetition loses energy: only through rounding can contacts
-        // stick and slide again more often.
+        // Limit on how often a force is removed anew, sixteen times for each contact or drive. Each repetition loses energy: only through rounding
+        // can contacts stick and slide again more often.
         let mut left = 16 * self.record.slid.len();
         loop {
             let begin = match self.advance_to_node(journey) {

@@ -57,7 +57,7 @@ pub(super) struct NextPiece {
 }
 
 impl Node {
-    /// Decides the states of all contacts on an edge by solving the problem in rates.
+    /// Decides the states of all contacts on the edge of their cones, by solving the problem in rates.
     pub(super) fn continue_path(
         &mut self,
         segment: &mut Segment<'_>,
@@ -154,7 +154,7 @@ impl Node {
         }
     }
 
-    /// Tries the two usual continuations: nothing changes, or contacts on an edge slide.
+    /// Tries the two usual continuations: nothing changes, or contacts on the edge of their cones slide.
     fn guess(&self, segment: &Segment<'_>, factor: f64, rates: &Problem) -> Judged {
         // Within a leg some contact has just reached the edge of its cone, and must change.
         let as_before =

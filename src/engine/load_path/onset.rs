@@ -27,11 +27,11 @@ pub enum Onset<const C: usize> {
     AlreadySliding(Box<Equilibrium<C>>),
     /// No equilibrium exists at factor 0.
     NoBase(NoEquilibrium<C>),
-    /// No contact stops sticking, but from this factor on nothing resists the load.
+    /// No contact stops sticking, but from this load factor on nothing resists the load.
     GivesWay {
         /// The factor up to which the grasp holds.
         factor: f64,
-        /// The reason for the loss beyond; its work is that of the load's rate, J for one unit of the factor (J/rad of a turn).
+        /// The reason for the loss beyond; its work is that of the load's rate, J for one unit of the load factor (J/rad of a turn).
         reason: NoEquilibrium<C>,
     },
     /// The equilibrium at factor 0 could not be decided.
@@ -70,7 +70,7 @@ pub struct OnsetEvent<const C: usize> {
     pub factor: f64,
     /// The load at the onset.
     pub load: Wrench<C>,
-    /// The contacts that stop sticking, all at this factor. Contacts that have closed before are not among them.
+    /// The contacts that stop sticking, all at this load factor. Contacts that have closed before are not among them.
     pub leaving: Vec<Leaving<C>>,
     /// Drives of a hand that yield at the onset: joints and tendons at their limit, tendons that slacken.
     pub drives: Vec<PartChange>,
@@ -80,14 +80,15 @@ pub struct OnsetEvent<const C: usize> {
     pub(super) local: StickingState,
 }
 
-/// The sticking state at an onset, with some contacts on the edge of their cone, and the rates of the ramp there. Loads are in inside coordinates.
+/// The sticking state at an onset, with some contacts on the edge of their cone, and the rates of the ramp there. Loads are in the engine's
+/// coordinates.
 #[derive(Debug, Clone)]
 pub(super) struct StickingState {
     pub(super) found: Kept,
     pub(super) rule: FoundBy,
-    /// The active set of each site: the edges of its cone that it has reached.
+    /// The active set of each contact or drive: the edges of its cone that its force has reached.
     pub(super) active_sets: Vec<ActiveSet>,
-    /// The sites that stop sticking.
+    /// Indices of the contacts and drives that stop sticking.
     pub(super) leaving: Vec<usize>,
     pub(super) wrench: Coordinates,
     pub(super) wrench_rate: Coordinates,
@@ -98,7 +99,7 @@ pub(super) struct StickingState {
 }
 
 impl OnsetEvent<3> {
-    /// The event at a factor, with the load, the sticking state and the active sets of contacts there, in lists supplied by the caller.
+    /// The event at a load factor, with the load, the sticking state and the active sets of contacts there, in lists supplied by the caller.
     pub(super) fn new(
         segment: Segment<'_>,
         (factor, load): (f64, Wrench<3>),
@@ -129,7 +130,7 @@ impl OnsetEvent<3> {
 }
 
 impl Leaving<3> {
-    /// The departure of a site, whose label is filled in later.
+    /// The departure of a contact or drive, whose label is filled in later.
     pub(super) fn new(site: usize, how: Departure<3>) -> Self {
         Self { contact: ContactLabel { index: site, point: None, name: None, link: None }, how }
     }

@@ -32,7 +32,7 @@ struct Margin {
     leaver: Leaver,
     site: usize,
     row: SVector<f64, 3>,
-    /// The rate m' along the ramp, N per unit of the factor.
+    /// The rate m' along the ramp, N per unit of the load factor.
     slope: f64,
 }
 
@@ -66,8 +66,8 @@ impl<'g> OnsetMargins<'g> {
         mapped(&self.margins, &|margin| margin.leaver)
     }
 
-    /// The derivative of the factor by one datum, for each contact or drive that leaves. `None` if [`Sensitivity::of`](crate::ask::Sensitivity::of)
-    /// has no derivative of the forces.
+    /// The derivative of the load factor by one datum, for each contact or drive that leaves. `None` if
+    /// [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative of the forces.
     pub(crate) fn by(&self, parameter: Parameter) -> Option<Vec<f64>> {
         let change = self.response.derivative(&self.state, parameter)?;
         let direct = |margin: &Margin| match parameter {
@@ -87,7 +87,7 @@ impl<'g> OnsetMargins<'g> {
 }
 
 impl Margin {
-    /// The change of the factor due to that of the forces, and to the change `direct` of the margin's coefficients.
+    /// The change of the load factor due to that of the forces, and to the change `direct` of the margin's coefficients.
     fn factor_change(&self, forces: &[SVector<f64, 3>], direct: f64) -> f64 {
         -(self.row.dot(&forces[self.site]) + direct) / self.slope
     }

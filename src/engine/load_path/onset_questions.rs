@@ -82,8 +82,8 @@ impl Engine {
         Ok(onset)
     }
 
-    /// The onset along a trajectory of the load up to the factor `end`, including contacts that close before. It starts from the equilibrium `rest`
-    /// at the base.
+    /// The onset along a trajectory of the load up to the load factor `end`, including contacts that close before. It starts from the equilibrium
+    /// `rest` at the base.
     pub(super) fn onset_with_closing<'a>(
         &'a self,
         segment: Segment<'a>,

@@ -31,7 +31,7 @@ pub(super) struct OnsetMemory {
     pub(super) states: Vec<State>,
     pub(super) active_sets: Vec<ActiveSet>,
     pub(super) leaving: Vec<Leaving<3>>,
-    /// The sites that stop sticking.
+    /// Indices of the contacts and drives that stop sticking.
     pub(super) sites: Vec<usize>,
     /// Lists for coordinates of joints, reused.
     pub(super) coordinates: [Vec<f64>; 3],

@@ -101,7 +101,7 @@ impl Node {
         }
     }
 
-    /// Adds the edges that contacts have reached to their active sets.
+    /// Adds the edges of their cones that contacts have reached to their active sets.
     pub(super) fn add_exits(&mut self, axes: usize, reached: &ExitsReached) {
         for (i, exits) in reached {
             self.active_sets[*i].add_exits(axes, &self.states[*i], exits);
@@ -183,9 +183,9 @@ impl Node {
         self.stopped.iter().find(leaves).copied().filter(|_| straight)
     }
 
-    /// Puts contacts near an edge onto it if steps become too short to advance. All events within the error of steps then happen at one place.
-    /// Returns the largest distance from the edge relative to the size of the force or gap; `None` if there is nothing to decide. While the load
-    /// turns, contacts that merely slide need no decision, since the rates ahead have decided about them.
+    /// Counts contacts near the edge of their cones as on it, if steps become too short to advance. All events within the error of steps then happen
+    /// at one place. Returns the largest distance from the edge relative to the size of the force or gap; `None` if there is nothing to decide. While
+    /// the load turns, contacts that merely slide need no decision, since the rates ahead have decided about them.
     pub(super) fn gather(&mut self, segment: &Segment<'_>, point: &PathPoint) -> Option<f64> {
         let mut apart: Option<f64> = None;
         for (i, (line, gap)) in point.lines.iter().zip(&point.gaps).enumerate() {

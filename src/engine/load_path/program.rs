@@ -165,7 +165,7 @@ impl Program {
         grasp.changed_by(to.iter().zip(from).map(|(to, from)| to - from), Some(&of_joints), change);
     }
 
-    /// Trajectory of the load along the present leg, in inside coordinates.
+    /// Trajectory of the load along the present leg, in the engine's coordinates.
     pub(super) fn inside_course(&self, grasp: &Engine) -> Trajectory<Vector> {
         match &self.course {
             Trajectory::Straight { from, .. } => {

@@ -160,7 +160,7 @@ mod tests {
     use crate::object::Load;
     use crate::spatial::Contact;
 
-    /// Fingers round a ball, softer along one tangent than the other, all sliding but one; commands change with the factor.
+    /// Fingers round a ball, softer along one tangent than the other, all sliding but one; commands change with the load factor.
     fn fingers(ratio: f64) -> Engine {
         let finger = |i: u8| {
             let (sin, cos) = (1.3 * f64::from(i)).sin_cos();

@@ -7,8 +7,8 @@
 //! v = W + Σ G_i r_i,     0 <= r_n ⟂ n·G_iᵀv >= 0,     |r_t| <= μ r_n against G_iᵀv
 //! ```
 //!
-//! as if its mass matrix were the identity in inside coordinates: unit mass at the root mean square distance of contacts. Links, and contacts that
-//! neither open nor slide, allow no displacement at their points.
+//! as if its mass matrix were the identity in the engine's coordinates: unit mass at the root mean square distance of contacts. Links, and contacts
+//! that neither open nor slide, allow no displacement at their points.
 
 use super::tolerances::NO_RIGID_MOTION;
 use crate::contact::Law;

@@ -28,13 +28,13 @@ pub(super) struct Segment<'g> {
     pub(super) largest: f64,
 }
 
-/// The state at a factor, with its rates: per unit of the factor on a straight piece, per unit of arclength along an arc.
+/// The state at a load factor, with its rates: per unit of the load factor on a straight piece, per unit of arclength along an arc.
 #[derive(Debug, Clone)]
 pub(super) struct PathPoint {
     pub(super) lines: Vec<Line>,
     pub(super) twist: Vector,
     pub(super) twist_rate: Vector,
-    /// Rate of the factor: one on a straight piece, less along an arc.
+    /// Rate of the load factor: one on a straight piece, less along an arc.
     pub(super) factor_rate: f64,
     /// Motions that stretch no spring in these states.
     pub(super) free_motions: Vec<Vector>,
@@ -77,7 +77,7 @@ impl PathPoint {
 }
 
 impl<'g> Segment<'g> {
-    /// Forces, gaps and their rates at a factor. If the states leave motions free, the twist is the one nearest to `near`, and its rate the one
+    /// Forces, gaps and their rates at a load factor. If the states leave motions free, the twist is the one nearest to `near`, and its rate the one
     /// nearest to `pushed`. No force drives the object along free motions, but a contact that touches without force may push it.
     pub(super) fn point_at(
         &self,
@@ -119,7 +119,7 @@ impl<'g> Segment<'g> {
         self.point_with_rates(piece.clone(), factor, at.clone(), (rate, factor_rate), (factor, at))
     }
 
-    /// The reason for a loss from a factor on: nothing resists the motion `motion`.
+    /// The reason for a loss from a load factor on: nothing resists the motion `motion`.
     pub(super) fn unbalanced(&self, factor: f64, motion: Option<Vector>) -> NoEquilibrium<3> {
         let v = motion.unwrap_or_else(Vector::zeros);
         let work = v.dot(&self.course.rate_at(factor));
@@ -127,8 +127,8 @@ impl<'g> Segment<'g> {
         NoEquilibrium { proof }
     }
 
-    /// A state at a factor with its rates. The rounding of a quantity that vanishes here is scaled by its terms: the state `base` at the factor
-    /// `since`, and the change from there.
+    /// A state at a load factor with its rates. The rounding of a quantity that vanishes here is scaled by its terms: the state `base` at the load
+    /// factor `since`, and the change from there.
     pub(super) fn point_with_rates(
         &self,
         piece: alloc::sync::Arc<Piece>,
@@ -189,8 +189,8 @@ impl<'g> Segment<'g> {
         }
     }
 
-    /// Forces and twist at a factor, solved there: extrapolation from another factor would add the rounding of larger terms. If the states leave
-    /// motions free, the twist is the one nearest to `near`.
+    /// Forces and twist at a load factor, solved there: extrapolation from another load factor would add the rounding of larger terms. If the states
+    /// leave motions free, the twist is the one nearest to `near`.
     pub(super) fn state(&self, piece: &Piece, factor: f64, near: Option<&Vector>) -> Option<PieceState> {
         let wrench = self.course.at(factor);
         let at = piece.solve(self.problem.sites, &self.offsets(factor), &wrench).ok()?;
@@ -215,7 +215,7 @@ impl<'g> Segment<'g> {
         self.problem.local(contact).step_to_exit(exit, &at.forces[contact], &point.lines[contact].rate)
     }
 
-    /// The offsets at a factor.
+    /// The offsets at a load factor.
     pub(super) fn offsets(&self, factor: f64) -> Vec<SVector<f64, 3>> {
         let mut offsets = Vec::new();
         self.offsets_into(factor, &mut offsets);
@@ -228,14 +228,14 @@ impl<'g> Segment<'g> {
         offsets.extend(self.problem.offsets.iter().zip(&self.change).map(|(a, da)| a + da * factor));
     }
 
-    /// This segment with commands and load fixed at a factor.
+    /// This segment with commands and load fixed at a load factor.
     pub(super) fn at_rest(&self, factor: f64) -> Self {
         let change = vec![SVector::zeros(); self.change.len()];
         let course = Trajectory::Straight { from: self.course.at(factor), rate: Vector::zeros() };
         Segment { problem: self.problem_at(factor), change, course, ..self.clone() }
     }
 
-    /// The local problem at a factor.
+    /// The local problem at a load factor.
     pub(super) fn problem_at(&self, factor: f64) -> Problem<'g> {
         let wrench = self.course.at(factor);
         Problem {
@@ -275,8 +275,8 @@ impl<'g> Segment<'g> {
         locals.map(|((local, active), state)| local.law_of_rates(active, state)).list()
     }
 
-    /// The smallest step after which a contact reaches an edge, its apex, a closed gap or a reversal of slip, with all contacts that do so there. For
-    /// a load that turns, steps up to `rest` are searched.
+    /// The smallest step after which a contact reaches an edge of its cone, the apex, a closed gap or a reversal of slip, with all contacts that do
+    /// so at that step. For a load that turns, steps up to `rest` are searched.
     pub(super) fn first_exits(&self, states: &[State], point: &PathPoint, rest: f64) -> FirstExits {
         if let Some(turned) = &point.turned {
             return turned.first_exits(&self.problem, states, rest);
@@ -285,7 +285,7 @@ impl<'g> Segment<'g> {
         FirstExits { reached: first_reached(ways.list()), touches: Vec::new() }
     }
 
-    /// The problem in rates of this segment at a factor, with these laws.
+    /// The problem in rates of this segment at a load factor, with these laws.
     pub(super) fn rates(&self, factor: f64, laws: Vec<Law>) -> Problem<'g> {
         self.problem.at_rates(laws, self.change.clone(), self.course.rate_at(factor))
     }

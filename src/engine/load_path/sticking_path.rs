@@ -25,7 +25,7 @@ pub(super) struct StickingPath<'a> {
     pub(super) settings: &'a Settings,
     pub(super) rule: FoundBy,
     pub(super) factor: f64,
-    /// Sites that touched their edge without crossing it, with the angle, rad.
+    /// Contacts and drives whose force touched the edge of its cone without crossing it, with the angle, rad.
     pub(super) touches: Vec<(usize, f64)>,
 }
 
@@ -81,8 +81,8 @@ impl StickingPath<'_> {
         Onset::Undecided(Undecided { doubt: Doubt::OnTheBoundary, work: WorkDone::default() })
     }
 
-    /// Contacts on an edge at the base: those whose distance to an exit is zero within its uncertainty, and those that touch without force. Only the
-    /// rates decide about both.
+    /// Contacts on the edge of their cones under the base load: those whose distance to an exit is zero within its uncertainty, and those that touch
+    /// without force. Only the rates decide about both.
     fn at_edge_at_base(&self, states: &[State], point: &PathPoint) -> ExitsReached {
         let mut at_edge = Vec::new();
         for (i, state) in states.iter().enumerate() {

@@ -70,7 +70,8 @@ impl<'g> Pieces<'g> {
         self.segment.state(&point.piece, self.factor + step, Some(&near.twist)).unwrap_or(near)
     }
 
-    /// The step to an edge, corrected from the state there: extrapolated from the present state it carries the rounding of that state.
+    /// The step to an edge of a cone, corrected from the state solved at that edge. The step extrapolated from the present state has the rounding of
+    /// the present state.
     fn corrected(&self, point: &PathPoint, step: f64, reached: &ExitsReached) -> f64 {
         let mut clearest: Option<(usize, &Exit)> = None;
         for (i, exits) in reached {

@@ -50,9 +50,9 @@ pub(super) struct Stretch<'g> {
 pub(super) struct JumpRecord {
     /// Slips before the jump.
     pub(super) slips: Vec<SVector<f64, 3>>,
-    /// Whether each site slid in the jump.
+    /// Whether each contact or drive slid in the jump.
     pub(super) slid: Vec<bool>,
-    /// Successive states of all sites in the jump.
+    /// Successive states of all contacts and drives in the jump.
     pub(super) states: Vec<Vec<State>>,
 }
 

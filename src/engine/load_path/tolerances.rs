@@ -21,7 +21,7 @@ pub(super) const LARGEST_CORRECTION: f64 = 1e-6;
 /// Smaller, a path ends where events accumulate; larger, it skips separate events.
 pub(super) const GATHERED_MARGIN: f64 = 1e-8;
 
-/// A rigid motion below this part of the load, in inside coordinates, counts as zero: contact forces balance the load, up to their rounding.
+/// A rigid motion below this part of the load, in the engine's coordinates, counts as zero: contact forces balance the load, up to their rounding.
 ///
 /// Smaller, rounding moves a grasp that holds; larger, a slow motion counts as none.
 pub(super) const NO_RIGID_MOTION: f64 = 1e-6;

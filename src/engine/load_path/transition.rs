@@ -51,7 +51,7 @@ pub(super) fn other_solutions(rates: &Problem, found: &Found) -> Option<usize> {
     if rows == 0 || few.as_ref().is_some_and(|few| p_matrix(&few.form)) {
         return Some(0);
     }
-    // Up to this many combinations of states among the contacts on an edge, all are tried to find every continuation of the path.
+    // Up to this many combinations of states among the contacts on the edge of their cones, all are tried to find every continuation of the path.
     if combinations(rates) > 256.0 {
         return None;
     }
@@ -83,7 +83,7 @@ pub(super) fn other_solutions(rates: &Problem, found: &Found) -> Option<usize> {
 /// The kinematic form of the rates, with few rows.
 struct FewRows {
     form: Form,
-    /// The largest force of the trial state, in units of the rows.
+    /// The largest force of the elastic trial state, in units of the rows.
     largest: f64,
     /// Whether there are so many coordinates that a band is used.
     many: bool,

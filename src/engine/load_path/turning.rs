@@ -220,7 +220,7 @@ impl<'g> Pieces<'g> {
         way
     }
 
-    /// Moves to the end of a step and adds the edges reached there to the active sets. Returns whether the leg is complete.
+    /// Moves to the end of a step and adds the edges of cones reached there to the active sets. Returns whether the leg is complete.
     fn finish_step(
         &mut self,
         journey: &Journey<'g>,

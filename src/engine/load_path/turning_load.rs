@@ -14,14 +14,14 @@ use crate::numerics::{Harmonic, Vector, mapped, numbered, paired};
 use crate::object::{Piece, PieceState};
 
 impl Segment<'_> {
-    /// Whether the load turns back at a factor: its rate vanishes there.
+    /// Whether the load turns back at a load factor: its rate vanishes there.
     pub(super) fn load_turns_back(&self, factor: f64) -> bool {
         let Trajectory::Turn { load, angle } = &self.course else { return false };
         // A rate below this part of the fastest counts as zero, since the angle is known to the rounding of a full turn.
         load.rate_at(angle * factor).norm() <= SOLVED_ROUNDING * (load.cosine.norm() + load.sine.norm())
     }
 
-    /// Forces, gaps and their rates at a factor, and their harmonics from there on.
+    /// Forces, gaps and their rates at a load factor, and their harmonics from there on.
     pub(super) fn point_on_turn(
         &self,
         piece: &Arc<Piece>,

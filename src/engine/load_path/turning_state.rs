@@ -14,19 +14,19 @@ pub(super) struct TurningState {
     pub(super) waves: Vec<[Wave; 2]>,
     pub(super) twist: Harmonic<Vector>,
     pub(super) load: Harmonic<Vector>,
-    /// Angle for one unit of the factor, rad.
+    /// Angle for one unit of the load factor, rad.
     pub(super) angle: f64,
 }
 
 impl TurningState {
-    /// Forces after a step of the factor, and the change of the twist.
+    /// Forces after a step of the load factor, and the change of the twist.
     pub(super) fn after(&self, step: f64) -> PieceState {
         let angle = self.angle * step;
         let forces = mapped(&self.waves, &|[force, _]| force.of.at(angle));
         PieceState { forces, twist: self.twist.at(angle) - self.twist.at(0.0) }
     }
 
-    /// The first exits of contacts in these states, within a step of the factor.
+    /// The first exits of contacts in these states, within a step of the load factor.
     pub(super) fn first_exits(&self, problem: &Problem<'_>, states: &[State], rest: f64) -> FirstExits {
         let (mut ways, mut touches) = (Vec::new(), Vec::new());
         for (i, ((local, state), [force, stretch])) in
@@ -35,7 +35,7 @@ impl TurningState {
             let mut exits = Vec::new();
             for exit in local.turning_exits(state, [force, stretch], rest * self.angle) {
                 match exit {
-                    // Converts an angle to a factor of the leg.
+                    // Converts an angle to the load factor of the leg, which is 1 at its end.
                     TurningExit::Leaves(exit) => exits.push(Exit {
                         step: exit.step / self.angle,
                         uncertainty: exit.uncertainty / self.angle,

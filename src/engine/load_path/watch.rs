@@ -45,8 +45,8 @@ impl Watch {
         self.value < -1e3 * SLACK_ON_AN_ARC * self.size
     }
 
-    /// Whether the value decreases by more than rounding, or has an unknown rate. A constant value does not decrease: contacts at rest stay at their
-    /// edge while others slide.
+    /// Whether the value decreases by more than rounding, or has an unknown rate. A constant value does not decrease: contacts that do not move stay
+    /// on the edge of their cones while others slide.
     pub(super) fn falls(&self) -> bool {
         self.rate.is_none_or(|[rate, size]| rate < -SLACK_ON_AN_ARC * size)
     }

@@ -66,8 +66,8 @@ pub(super) struct Side {
 }
 
 impl BandPiece {
-    /// The band of these sites and springs; `first_springs` holds the first spring of each contact. `None` with few coordinates, or where T is nearly
-    /// singular other than by free motions.
+    /// The band of these contacts and their springs; `first_springs` holds the first spring of each contact. `None` with few coordinates, or where T
+    /// is nearly singular other than by free motions.
     pub(super) fn new(sites: &[Site], springs: &[Spring], first_springs: &[usize]) -> Option<Self> {
         let count = size_of(sites).count();
         if !uses_band(size_of(sites)) {

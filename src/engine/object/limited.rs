@@ -70,7 +70,7 @@ impl Limited {
         };
         let keeps = opens && stiffness[1] > 0.0 && matches!(slides, Slides::Never);
         let is_rate = matches!(local.law, Law::Edge(_));
-        // In rates on an edge, the facets do not form a polygon.
+        // In rates of a contact on the edge of its cone, the facets do not form a polygon.
         (!keeps && (local.is_planar() || !is_rate)).then_some(Self {
             stiffness,
             offset,

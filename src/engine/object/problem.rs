@@ -20,7 +20,7 @@ use crate::grasp::{Engine, Remembered, Site, Space, Wrench, size_of};
 use crate::numerics::{DoubleDouble, cleared_for};
 use crate::prelude::*;
 
-/// Laws, commanded offsets a_i and load of the equation `Σ G_i F_i + W = 0`, in inside coordinates.
+/// Laws, commanded offsets a_i and load of the equation `Σ G_i F_i + W = 0`, in the engine's coordinates.
 #[derive(Debug, Clone)]
 pub(crate) struct Problem<'g> {
     pub(crate) sites: &'g [Site],

@@ -23,7 +23,7 @@ use crate::prelude::*;
 pub(crate) struct PieceState {
     /// F_i in the contact frames, N.
     pub(crate) forces: Vec<SVector<f64, 3>>,
-    /// The twist of least norm, in inside coordinates.
+    /// The twist of least norm, in the engine's coordinates.
     pub(crate) twist: Vector,
 }
 
@@ -49,7 +49,7 @@ pub(crate) struct Unbalanced {
 }
 
 impl Piece {
-    /// Forces and the twist of least norm under these offsets and this load. `sites` are those from which this piece was made.
+    /// Forces and the twist of least norm under these offsets and this load. `sites` are the contacts and drives from which this piece was made.
     pub(crate) fn solve(
         &self,
         sites: &[Site],

@@ -143,12 +143,12 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
     }
 }
 
-/// The unit separating motion in inside coordinates by the nearest forces, if there is a clear one.
+/// The unit separating motion in the engine's coordinates by the nearest forces, if there is a clear one.
 pub(crate) fn separating_motion_of_few(problem: &Problem) -> Option<Vector> {
     LoadAndCones::of(problem)?.separating_motion()
 }
 
-/// The unit separating motion in inside coordinates, if there is a clear one.
+/// The unit separating motion in the engine's coordinates, if there is a clear one.
 ///
 /// With many coordinates the augmented Lagrangian searches for it. If its residual proves nothing, the nearest forces decide, for at most
 /// [`MOST_COORDINATES`] coordinates.

@@ -149,7 +149,7 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
         return Attempt::of(climb(scene.proposing(), &propose, log));
     }
     let from = |twist| polish_from(scene.problem, twist);
-    // With many contacts the steps of relaxation would take longer than Newton's method from the trial.
+    // With many contacts the steps of relaxation would take longer than Newton's method from the elastic trial.
     let relaxed =
         if has_many_contacts(scene) { None } else { relaxed_on_cones(scene.problem, &scene.state.twist) };
     let found = relaxed.and_then(from).or_else(|| from(scene.state.twist.clone()));
@@ -157,7 +157,7 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     Attempt::of(found.or_else(|| twist_by_tresca(scene.problem).and_then(from)))
 }
 
-/// In rates at a limit load: all contacts on an edge slide, and nothing resists a motion on which the load works.
+/// In rates at a limit load: all contacts on the edge of their cones slide, and nothing resists a motion on which the load works.
 fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     let proof = proofs::yields(scene.problem);
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(Settled::Contradicted { cases: 1, escape }))

@@ -136,7 +136,7 @@ impl BalanceEquation {
         // Maximum number of generators that join, for each row of the equation.
         for _ in 0..40 * self.target.len() {
             let distance = nearest.distance();
-            // A distance below this part of the trial state counts as zero.
+            // A distance below this part of the elastic trial state counts as zero.
             if distance < 1e-11 || !distance.is_finite() {
                 break;
             }
@@ -157,7 +157,7 @@ impl BalanceEquation {
             }
             let Some(tag) = best else {
                 let escape = distance * distance / hardest;
-                // A distance below this part of the trial state is too close to its rounding for a contradiction.
+                // A distance below this part of the elastic trial state is too close to rounding for a contradiction.
                 if escape >= ESCAPE && distance >= 1e-10 {
                     return Relaxed::Contradicted { escape };
                 }
@@ -212,7 +212,7 @@ impl BalanceEquation {
         (motion, forces.list())
     }
 
-    /// The length of a difference of forces of a contact in energy units, as a part of the trial state.
+    /// The length of a difference of forces of a contact in energy units, as a part of the elastic trial state.
     pub(super) fn part(&self, contact: usize, difference: &SVector<f64, 3>) -> f64 {
         let root = &self.roots[contact];
         let square: f64 = (0..3)

@@ -99,7 +99,7 @@ pub(super) fn search_tree(
         let (contact, error) = farthest_from_the_law(problem, &balance, &labels, &stretches, &forces);
         // Newton's method starts from every fourth case: it costs as much as a few cases.
         let every = 4;
-        // An error of the law below this part of the trial state is rounding: Newton's method should have converged.
+        // An error of the law below this part of the elastic trial state is rounding: Newton's method should have converged.
         let at_the_law = 1e-10;
         if (cases - 1) % every == 0 || error <= at_the_law {
             let from: Vec<_> = paired(&problem.offsets, &stretches, &|(a, v)| a - v);

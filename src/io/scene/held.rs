@@ -19,7 +19,7 @@ use crate::words::Words;
 pub struct HoldAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// The verdict, field by field.
+    /// The verdict; its fields are written beside the others of this answer.
     #[serde(flatten)]
     pub verdict: Verdict<C>,
 }

@@ -92,7 +92,7 @@ impl Setup<3> {
     }
 }
 
-/// Calls `look` with every list that is a field `at` of the value.
+/// Calls `look` with every list in a JSON field named `at`.
 fn each_at(value: &Value, look: &mut dyn FnMut(&[Value])) {
     match value {
         Value::Array(list) => list.iter().for_each(|value| each_at(value, look)),

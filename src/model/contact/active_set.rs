@@ -32,7 +32,7 @@ impl ActiveSet {
         !self.apex && self.facets.is_empty()
     }
 
-    /// Empties the set: the contact leaves all its edges.
+    /// Empties the set: the contact leaves all edges of its cone.
     pub(crate) fn clear(&mut self) {
         self.facets.clear();
         self.apex = false;

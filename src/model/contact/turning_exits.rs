@@ -36,7 +36,7 @@ impl Wave {
 pub(crate) enum TurningExit {
     /// The contact leaves its state; `step` of the exit is the angle, rad.
     Leaves(Exit),
-    /// At this angle, rad, the contact touches an edge to within rounding, without crossing it.
+    /// At this angle, rad, the force touches an edge of the cone to within rounding, without crossing it.
     Touches(f64),
 }
 
@@ -106,7 +106,7 @@ impl LocalLaw<'_> {
         let here = wave.of.at(0.0);
         let friction = tangential(&here);
         if cone.round_margin(&here) <= slack && friction.norm() > slack {
-            // On the edge, the margin at the tangent facet decides whether the force moves inwards or outwards.
+            // On the edge of the cone, the margin at the tangent facet decides whether the force moves inwards or outwards.
             let outward = friction.normalize();
             let margin = wave.component(|f| cone.facet_margin(f, &outward));
             if Start::of(&margin, slack, ZERO_SLACK * weight * wave.turning_size) == Start::Falls {
@@ -182,7 +182,7 @@ enum Start {
 }
 
 impl Start {
-    /// Classifies a margin. Its value is zero within `slack`, its rates within `rate_slack`.
+    /// Classifies a margin at the start of an arc. A value up to `slack` counts as zero, and so does a rate up to `rate_slack`.
     fn of(margin: &Trigonometric, slack: f64, rate_slack: f64) -> Self {
         let [value, slope, bend] = margin.at_the_beginning();
         // The start of an arc is rounded, since it is where the previous arc ended. A margin that will grow may first decrease, but by no more

@@ -218,7 +218,7 @@ impl Engine {
         }
     }
 
-    /// Drives of an actuator, with the indices of their sites. Actuators are the joints, then the tendons.
+    /// Drives of an actuator, with their indices in the list of contacts and drives. Actuators are the joints, then the tendons.
     pub(crate) fn drives_of(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive)> {
         let first = self.len();
         self.linkage()

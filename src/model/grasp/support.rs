@@ -1,4 +1,4 @@
-//! The coordinates in which a site's map has entries.
+//! The coordinates in which the map of a contact or drive has nonzero entries.
 
 use crate::numerics::{Map, Size};
 use core::ops::Range;

@@ -57,7 +57,7 @@ impl ForceCondition {
         self.value(forces) >= -SOLVED_ROUNDING * largest * self.weight
     }
 
-    /// Whether the row is on its edge, with forces up to `largest`.
+    /// Whether the margin of the row is zero within rounding, with forces up to `largest`.
     pub(super) fn binds(&self, forces: &[SVector<f64, 3>], largest: f64) -> bool {
         self.value(forces) <= SOLVED_ROUNDING * largest * self.weight
     }

@@ -153,7 +153,7 @@ impl Engine {
             geometric += &turning_arm(self.space(), size, arm, &(force * on_object));
             self.turning_bodies(i, force, &mut geometric);
         }
-        // Columns are the twists about the origin of unit twists in inside coordinates.
+        // Columns are the twists about the origin of unit twists in the engine's coordinates.
         let units = Square::from_columns(size, |k| self.outside_coordinates(&Vector::unit(size, k)));
         let hessian = &(&units.transpose() * &(elastic.clone() + &geometric)) * &units;
         let (least, most, motion) = extremes(&hessian);

@@ -96,7 +96,7 @@ impl Cycle {
         first.map(|cycles| cycles.max(0.0) as usize)
     }
 
-    /// Whether a site slides in the cycle.
+    /// Whether a contact or drive slides in the cycle.
     pub(super) fn slides(&self, site: usize) -> bool {
         self.record.slid[site] > NEGLIGIBLE * self.scale.stretch
     }

@@ -68,7 +68,7 @@ struct Shaking<'g, 's> {
     cycles: Cycles<'g>,
     /// The states between the last cycles with the same events.
     places: Vec<CycleState>,
-    /// Whether each site has slid so far.
+    /// Whether each contact or drive has slid so far.
     slid: Vec<bool>,
     round: Round,
     /// The period in cycles.

@@ -124,7 +124,7 @@ fn power_and_sum(a: &DMatrix<f64>, n: usize) -> (DMatrix<f64>, DMatrix<f64>) {
 }
 
 impl CycleState {
-    /// Forces and gaps as numbers without unit, and which sites slide with less friction than at rest; gaps of sites `aside` are zero.
+    /// Forces and gaps as numbers without unit, and which contacts slide with kinetic friction; gaps of the contacts `aside` are zero.
     pub(super) fn numbers(&self, scale: &Scale, aside: &dyn Fn(usize) -> bool) -> DVector<f64> {
         let mut numbers = Vec::new();
         for force in &self.forces {

@@ -137,7 +137,7 @@ impl Engine {
 
 /// The linear program: the greatest λ >= 0 with `b + λ a + S s >= 0`, scaled to numbers near one.
 struct Program {
-    /// The load, 0 for that at rest, and the site of each row.
+    /// The load of each row, 0 for that at rest, and its contact or drive.
     of: Vec<(usize, usize)>,
     b: Vec<f64>,
     a: Vec<f64>,

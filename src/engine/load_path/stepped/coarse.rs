@@ -39,8 +39,8 @@ impl Coarse {
         let largest = to.largest_force().max(from.largest_force()).max(f64::MIN_POSITIVE);
         let distance = from.distance_to(&self.present);
         let near = &to.twist + &self.present.twist - &from.twist;
-        // Growth of the distance between both paths in one step beyond which the second path is abandoned. With a small factor it would be at each change of
-        // states, and errors that decay would be added up.
+        // If the distance between both paths grows in one step by more than this, the second path restarts from the first. With a smaller limit it
+        // would restart at each change of contact states, and errors that decay would be added up.
         let by = 10.0 * distance + to.distance_to(at_once);
         let step = || along.step(&self.present, (to.fraction - from.fraction, near), beside);
         // If the paths differ by less than this part of the largest force, the difference is below the tolerance of Newton's method, and the second

@@ -10,8 +10,8 @@ use crate::prelude::*;
 use crate::search::{Doubt, Settled, settle};
 
 impl<'g> Steps<'g> {
-    /// The end of a path if no step leads further. The motion, or a proof that nothing balances the rates of the contacts on an edge, gives the
-    /// reason. Otherwise the path is undecided, for the reason `doubt`.
+    /// The end of a path if no step leads further. The motion, or a proof that nothing balances the rates of the contacts on the edge of their cones,
+    /// gives the reason. Otherwise the path is undecided, for the reason `doubt`.
     pub(super) fn end_here(&self, journey: &Journey<'g>, doubt: Doubt) -> PathEnd<3> {
         let fraction = self.present.fraction;
         let edge = self.present.edge(journey);

@@ -11,7 +11,7 @@ use crate::numerics::{Vector, cleared_for, largest};
 use crate::object::{Problem, newton};
 use crate::prelude::*;
 
-/// The state at a place of the path, in inside coordinates.
+/// The state at a place of the path, in the engine's coordinates.
 #[derive(Debug, Clone)]
 pub(super) struct SteppedState {
     /// Fraction of the leg already followed.

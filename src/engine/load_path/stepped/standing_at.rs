@@ -1,4 +1,4 @@
-//! The equilibrium at the present place of a path, and the contacts on an edge there.
+//! The equilibrium at the present place of a path, and the contacts that are on the edge of their cones.
 
 use nalgebra::SVector;
 
@@ -27,7 +27,7 @@ impl SteppedState {
         journey.equilibrium(&problem, self.fraction, found)
     }
 
-    /// The problem in rates, with contacts near an edge, within the resolution of the last steps, taken as on it.
+    /// The problem in rates. Contacts near the edge of their cones, within the resolution of the last steps, count as on it.
     pub(super) fn edge<'g>(&self, journey: &Journey<'g>) -> StateAtEdge<'g> {
         let segment = journey.segment(self.slips.clone());
         let (offsets, largest) = (segment.offsets(self.fraction), self.largest_force());

@@ -199,7 +199,7 @@ impl Assembly {
         })
     }
 
-    /// A spring over joints with these moment arms, in inside coordinates, and the power of two by which the arms were divided.
+    /// A spring over joints with these moment arms, in the engine's coordinates, and the power of two by which the arms were divided.
     fn over(&self, arms: &[(usize, f64)], stiffness: f64) -> (Spring, f64) {
         let mut along = Vector::zeros();
         for &(j, arm) in arms {
@@ -284,7 +284,7 @@ impl Assembly {
     }
 }
 
-/// A spring of one axis in inside coordinates.
+/// A spring of one axis in the engine's coordinates.
 struct Spring {
     along: Vector,
     stiffness: f64,

@@ -14,7 +14,7 @@ use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::words::printable;
 
-/// Joints, tendons, drives and bodies of a grasp, in inside coordinates.
+/// Joints, tendons, drives and bodies of a grasp, in the engine's coordinates.
 #[derive(Debug, Clone)]
 pub(crate) struct Linkage {
     pub(crate) joints: Vec<Named>,
@@ -23,11 +23,11 @@ pub(crate) struct Linkage {
     pub(crate) lengths: Vector,
     /// Motion of each contact along the coordinate axes, per unit of each coordinate after the object's.
     pub(crate) motions: Vec<Vec<(usize, SVector<f64, 3>)>>,
-    /// Drives, one for each site after those of the contacts.
+    /// Drives, in the order in which they follow the contacts in the list of sites.
     pub(crate) drives: Vec<Drive>,
     /// Constant generalised forces on the coordinates, from joint torques, tensions and contacts with a constant force.
     pub(crate) held_forces: Vector,
-    /// External torques on the joints, in inside coordinates.
+    /// External torques on the joints, in the engine's coordinates.
     pub(crate) external_torques: Vector,
     /// The bodies, if there is more than one object.
     pub(crate) bodies: Option<Box<PlacedBodies>>,
@@ -96,7 +96,7 @@ impl PartLabel {
 }
 
 impl Linkage {
-    /// Stretches of the sites of all drives under these commands.
+    /// Stretches of all drives under these commands.
     pub(crate) fn stretches(&self, commands: &[f64]) -> impl Iterator<Item = SVector<f64, 3>> {
         self.drives.iter().map(move |drive| drive.stretch(commands))
     }
