@@ -202,7 +202,7 @@ impl StickingResponse<'_> {
         } else if !matches!(state, Mode::Corner(_))
             && let Some(h) = local.outward(state)
         {
-            // e_a F_a/k_a, less the part that the slip takes back so that h·F_t stays at μ F_n; on the round cone softened by the slip.
+            // `e_a F_a/k_a` less the part that slip cancels, so that h·F_t stays at μ F_n. On the round cone slip also softens the spring.
             let softened =
                 state.slide().map_or(stretch, |slide| stretch * local.springs.softening(axis, slide.lambda));
             f = local.edge(state).pull * (-h[axis] * softened);

@@ -50,8 +50,7 @@ fn jumps(problem: &Problem, contacts: &[usize]) -> (Vec<Row>, Vec<Jump>) {
     (rows, jumps)
 }
 
-/// The kinematic form on the trial state in which every contact sticks; `None` if no contact needs a row or a number
-/// overflows.
+/// The kinematic form on the elastic trial state, in which every contact sticks; `None` if no contact needs a row or a number overflows.
 pub(crate) fn kinematic_form(problem: &Problem, trial: &Piece, state: &PieceState) -> Option<Form> {
     let (rows, jumps) = jumps(problem, &numbered(problem.len(), &|contact| contact));
     if jumps.is_empty() {
@@ -81,7 +80,7 @@ pub(crate) fn kinematic_form(problem: &Problem, trial: &Piece, state: &PieceStat
 #[derive(Debug, Default)]
 pub(crate) struct Moved(Vec<Option<Vec<Vec<f64>>>>);
 
-/// The kinematic form of a few contacts among many coordinates, with all others in the trial state.
+/// The kinematic form of a few contacts among many coordinates, with all others in the elastic trial state, in which they stick.
 pub(crate) fn kinematic_form_among(
     problem: &Problem,
     trial: &Piece,
@@ -117,7 +116,7 @@ pub(crate) fn kinematic_form_among(
     })
 }
 
-/// Assembles the form; `felt(i, j)` returns the product of row i with `Q Qᵀ` and column j.
+/// Assembles the form; `coupling(i, j)` returns the product of row i with `Q Qᵀ` and column j.
 fn form(
     problem: &Problem,
     state: &PieceState,

@@ -237,7 +237,7 @@ impl<'s, 'g> Arc<'s, 'g> {
                 }
                 let mut change = self.unscaled(bordered.solve(&left, 0.0));
                 if across.keeps_the_factor() {
-                    // The exact change is zero, and the solver returns its rounding.
+                    // The exact change of the load factor is zero; the solver returns only rounding.
                     change.factor = 0.0;
                 }
                 twist += &change.twist;

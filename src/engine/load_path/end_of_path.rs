@@ -46,7 +46,7 @@ pub(super) fn end_of_path(
     PathEnd::Undecided { leg: corner.leg, fraction: corner.fraction, doubt }
 }
 
-/// The unit motion with which the object leaves when all contacts on an edge slide, and the virtual motion that proves the loss.
+/// The unit motion with which the object leaves when all contacts on the edge of their cones slide, and the virtual motion that proves the loss.
 ///
 /// The object leaves by a motion that changes no contact force, and on which the load works. The virtual motion is one on which no contact force of
 /// these states does work. Friction inclines it: for a block that slides to the right it points upwards along the edge of the cone. Without such

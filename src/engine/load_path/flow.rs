@@ -328,7 +328,7 @@ impl<'s, 'g> Flow<'s, 'g> {
             if !(length > low && length < high) {
                 length = 0.5 * (low + high);
             }
-            // A rule that made the whole step also makes a part of it, though rounding may prevent the same error.
+            // The rule of the whole step also serves for a part of it, though rounding may prevent an error that small.
             let goal_here = StepGoal::after(goal, trial);
             // Factors on the error allowed to a part of a step, tried in turn: rounding may refuse the smaller ones.
             let mut rules = [1.0, 10.0, 100.0, 1000.0].into_iter().map(|times| rule.looser(times));

@@ -99,7 +99,7 @@ impl Slips<'_> {
         for (i, slip) in self.sliding.iter().zip(at[2..].chunks_exact(2)) {
             (slips[*i][1], slips[*i][2]) = (slip[0], slip[1]);
         }
-        // The slips so far are all of them: none is left to the springs of a contact that slides.
+        // The slips are known, so that every contact counts as sticking: no further slip is computed from its springs.
         let states: Vec<State> = vec![Mode::Sticking; slips.len()];
         let standing = Standing { offsets, slips: &slips, states: &states, forces, twist };
         self.grasp.counted_motions(&self.small, &standing)

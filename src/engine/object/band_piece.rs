@@ -41,7 +41,7 @@ pub(crate) struct BandPiece {
     pub(super) factors: BandFactors,
 }
 
-/// For each contact the coordinates that its springs feel, those with entries in its grasp map.
+/// For each contact the coordinates that stretch its springs: those with nonzero entries in its grasp map.
 #[derive(Debug, Clone)]
 pub(super) struct SpringLists {
     /// Coordinates with entries in the contact's map, by position in the narrow order, contact after contact.
@@ -57,7 +57,7 @@ pub(super) struct SpringLists {
 /// The rows of all springs: A or B.
 #[derive(Debug, Clone)]
 pub(super) struct Side {
-    /// Entries for the felt coordinates, spring after spring.
+    /// Entries for the coordinates that stretch a spring, spring after spring.
     rows: Vec<f64>,
     /// Factors that scale each column to length one; one for a zero column.
     units: Vec<f64>,
@@ -159,7 +159,7 @@ impl BandPiece {
         q
     }
 
-    /// The stretches of a contact's springs under the displacements `displacements`, summed with the weights `times`.
+    /// The stretches of a contact's springs under these displacements of the coordinates, summed with the weights `times`.
     pub(super) fn weighted_stretch(&self, contact: usize, times: &[f64], displacements: &[f64]) -> f64 {
         let mut sum = 0.0;
         self.springs.of(contact, |k, coordinates, range| {

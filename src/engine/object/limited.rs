@@ -50,7 +50,7 @@ pub(super) struct LimitedAnswer {
 
 impl Limited {
     /// The contact on its polygon if `on_polygons`, otherwise on the round cone. `None` for a contact that may open but never slides, and in space
-    /// for rates on an edge of the cone.
+    /// for rates of a contact on the edge of its cone.
     pub(super) fn of(local: &LocalLaw<'_>, offset: &SVector<f64, 3>, on_polygons: bool) -> Option<Self> {
         let (offset, cone) = (*offset, local.cone());
         if local.is_absent() {

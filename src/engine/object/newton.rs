@@ -85,7 +85,8 @@ pub(crate) fn relaxed_on_cones(problem: &Problem, stuck: &Vector) -> Option<Vect
         let response_at = respond(problem, (&twist, 0.0), &mut contacts, &on_cones(problem));
         let step = factors.solve(&response_at.left);
         let size = step.norm();
-        // The number of such steps after which a sequence that shrinks by this factor ends. Past an equilibrium that is not stable steps are short, but grow.
+        // `whole` is the number of steps like this one in the whole way to rest, if steps keep shrinking by the same ratio. Past an unstable
+        // equilibrium steps are short, but grow.
         let (mut whole, mut next) = (f64::INFINITY, 1.0);
         if let Some(last) = &last {
             let before = last.norm();
@@ -141,8 +142,7 @@ pub(crate) fn newton(
         let step = problem.tangent_factors(&|i| contacts[i].state).solve(&response_at.left);
         let mut at = |part: f64| respond(problem, (&(&twist + &step * part), beside), contacts, response);
         let (mut part, mut next) = (1.0, at(1.0));
-        // Sufficient decrease: a part of a step must reduce the imbalance by at least that part times this.
-        // Least part of a step that is tried.
+        // Shortest part of a step that is tried. A part p must reduce the imbalance by at least `p SUFFICIENT_DECREASE` of itself.
         let shortest = 1e-3;
         while next.left.norm() > (1.0 - SUFFICIENT_DECREASE * part) * norm && part > shortest {
             part *= 0.5;

@@ -33,7 +33,7 @@ struct Apart {
 }
 
 impl NullMotions {
-    /// The null motions of a band; `None` where it is nearly, but not exactly, singular.
+    /// The null motions of the tangent stiffness T that is factored in the band; `None` where T is nearly, but not exactly, singular.
     pub(super) fn of(band: &BandPiece) -> Option<Self> {
         let nothing = Self {
             free: Vec::new(),

@@ -115,7 +115,7 @@ impl Piece {
         rows
     }
 
-    /// Whether the piece has factors in a band, and so many coordinates.
+    /// Whether the piece has factors in a band, which it has for many coordinates only.
     pub(crate) fn is_banded(&self) -> bool {
         self.band.is_some()
     }
@@ -125,7 +125,7 @@ impl Piece {
         Some(self.band.as_ref()?.0.displacements_under(contact, &self.along_springs(contact, pushes)[..]))
     }
 
-    /// Stretch of the contact's springs under the displacements `displacements`, weighted by axis with `times`.
+    /// Stretches of the contact's springs under these displacements of the coordinates, summed with the weights `times` of the axes.
     pub(crate) fn weighted_stretch(
         &self,
         contact: usize,

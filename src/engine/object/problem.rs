@@ -120,7 +120,7 @@ impl<'g> Problem<'g> {
     }
 
     /// The problem in rates, with these laws, rates of the offsets, and the rate of the load. A round cone remains only for contacts at its apex; a
-    /// contact on an edge has facets instead.
+    /// contact on the edge of its cone has facets instead.
     pub(crate) fn at_rates(&self, laws: Vec<Law>, offsets: Vec<SVector<f64, 3>>, wrench: Vector) -> Self {
         let slips = vec![SVector::zeros(); self.len()];
         let wrench_rest = Vector::zeros();

@@ -22,8 +22,8 @@ use crate::object::Problem;
 use crate::prelude::*;
 
 /// The largest ρ such that no equilibrium exists at any `q* + δ`, for δ up to ρ. Such a δ moves the centroid by at most ρ, and turns the object by at
-/// most ρ over the inside unit of length. It moves each further coordinate by at most ρ. Infinite if no equilibrium exists at all; `None` if nothing
-/// is proved even at q*.
+/// most ρ over the engine's unit of length. It moves each further coordinate by at most ρ. Infinite if no equilibrium exists at all; `None` if
+/// nothing is proved even at q*.
 pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> Option<f64> {
     let work = motion.dot(&problem.wrench);
     let mut size = motion.norm() * problem.wrench.norm();

@@ -190,7 +190,7 @@ pub(crate) fn separates_from_here_on(problem: &Problem, motion: &Vector, rate: &
     let Some(straight) = straight_generators(problem) else { return false };
     let all = straight.into_iter().chain(round_generators(problem, motion));
     let against = all.map(|g| g.works_against(motion)).fold(0.0, f64::max);
-    // The second load exceeds the first by the size of load and squeeze together.
+    // `counts_from_here_on` compares the work of two loads. The second is the first plus, along its rate, a load of the size `data`.
     let data = problem.wrench.norm() + squeeze(problem);
     let (here, gained) = (problem.wrench.dot(motion), rate.dot(motion) / rate.norm());
     gained > CLEAR_RESIDUAL && counts_from_here_on(here, here + data * gained, against, data)

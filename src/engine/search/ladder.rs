@@ -66,7 +66,8 @@ pub(super) const LADDER: [Rung; 8] = [
     Rung { name: "force form", applies: may_be_dense, climb: force_form, finds: Some(FoundBy::ForceForm) },
     Rung {
         name: "separating motion of few",
-        // Also with few contacts and many coordinates: the augmented Lagrangian takes small residuals for zero that the nearest forces still resolve.
+        // This rung also runs with few contacts and many coordinates: the augmented Lagrangian takes small residuals for zero that the nearest forces
+        // still resolve.
         applies: |scene| !has_many_contacts(scene),
         climb: separating_motion_of_few,
         finds: None,
@@ -153,7 +154,7 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     let relaxed =
         if has_many_contacts(scene) { None } else { relaxed_on_cones(scene.problem, &scene.state.twist) };
     let found = relaxed.and_then(from).or_else(|| from(scene.state.twist.clone()));
-    // With many coordinates the twist by Tresca friction is nearer to the solution than that of the trial.
+    // With many coordinates the twist by Tresca friction is nearer to the solution than that of the elastic trial.
     Attempt::of(found.or_else(|| twist_by_tresca(scene.problem).and_then(from)))
 }
 
@@ -175,8 +176,8 @@ fn separating_motion_of_few(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attemp
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
 }
 
-/// Lemke's method on the kinematic form. With many coordinates it pivots first on the contacts that leave the trial, then on a dense matrix. It
-/// pivots on lists of contact states only if a matrix is too large. With few coordinates lists come first, since a pivot on them costs a few
+/// Lemke's method on the kinematic form. With many coordinates it pivots first on the contacts that leave the elastic trial, then on a dense matrix.
+/// It pivots on lists of contact states only if a matrix is too large. With few coordinates lists come first, since a pivot on them costs a few
 /// operations a contact. Facets for infinite friction come last.
 fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     let (problem, dense) = (scene.proposing(), may_be_dense(scene));

@@ -271,7 +271,7 @@ fn symmetric_scenes() {
     agree(&tallies);
     let Tallies { closed, opening, unsettled } = tallies;
     assert!(closed.pivots + opening.pivots + unsettled.pivots > 3000, "{tallies:?}");
-    // Some end in another of the bases that meet in their answer: these scenes are not drawn, but rounding decides which.
+    // Some paths end in another of the bases that share one answer, as rounding decides. At most a quarter of these scenes may do so.
     assert!(4 * unsettled.other_states <= unsettled.scenes && unsettled.only_dense == 0, "{unsettled:?}");
 }
 

@@ -49,7 +49,7 @@ pub(super) enum Relaxed {
 }
 
 impl BalanceEquation {
-    /// The equation of a scene with its elastic trial; `None` where the trial carries no force.
+    /// The equation of a problem with its elastic trial; `None` where the elastic trial carries no force.
     pub(super) fn new(problem: &Problem, trial: &Piece, state: &PieceState) -> Option<Self> {
         let size = 3 * problem.len();
         let roots: Vec<_> = mapped(problem.sites, &|site| site.springs.root());
@@ -130,7 +130,7 @@ impl BalanceEquation {
     pub(super) fn relax(&self, hulls: &[impl AsRef<[HullRay]>], nearest: &mut NearestPoint<Tag>) -> Relaxed {
         let (mut column, mut projected) = (Vec::new(), Vec::new());
         nearest.move_to_closest(&self.target);
-        // Generators that have joined since the distance last shrunk; they are not tried again before it shrinks.
+        // Generators that have become active since the distance last shrank; they are not tried again before it shrinks.
         let mut tried: Vec<Tag> = Vec::new();
         let mut least = f64::INFINITY;
         // Maximum number of generators that join, for each row of the equation.

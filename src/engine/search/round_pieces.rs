@@ -210,7 +210,7 @@ fn next_state(
                     *force = answer.force;
                     answer.state
                 }
-                // Pulled by rounding alone, a contact rubs without a normal force: friction holds nothing.
+                // A contact that only rounding pulls open opens if it slides: without a normal force it has no friction. Otherwise it keeps sticking.
                 Mode::Open if local.may_open() && rubs => opened(force),
                 _ => Mode::Sticking,
             }

@@ -41,7 +41,8 @@ struct Case {
     divided: Option<usize>,
 }
 
-/// Whether some contact has a round cone. Otherwise combinations of states on polygons are complete; in rates, a contact on an edge has a facet.
+/// Whether some contact has a round cone. Otherwise combinations of states on polygons are complete; in rates, a contact on the edge of its cone has
+/// a facet.
 pub(super) fn has_round_cones(problem: &Problem) -> bool {
     problem.locals().any(|local| local.is_round()) && !problem.locals().any(|local| local.is_on_an_edge())
 }

@@ -248,7 +248,8 @@ mod tests {
                 let (exit, _) = local.first_exit(&line).expect("leaves");
                 let left = missed / f64::sqrt(mu * mu - a * a);
                 assert!((1.0 - exit.step - left).abs() <= rounding, "{mu} {a} {missed}: {}", exit.step);
-                // At the apex some friction remains, whose direction identifies the facet: the exit is not the apex itself.
+                // Some friction remains at the exit, and its direction gives the facet: the line leaves beside the apex. At the apex the facet would
+                // be zero.
                 assert!(exit.facet.norm() > 0.9, "{mu} {a} {missed}: {}", exit.facet);
             }
         }

@@ -117,7 +117,7 @@ impl Line<'_> {
         let [forces, rates] = self.forces(&self.program.springs(faces))?;
         let friction = &self.program.friction;
         let (value, rate) = (friction[row].value(&forces), friction[row].value(&rates));
-        // The factor of the pivots, if the row does not change with the load.
+        // If the row does not change with the load, the load factor is the one at which the pivoting path ended.
         let factor = if rate < 0.0 { (value / -rate).max(0.0) } else { seen };
         let most = |list: &[SVector<f64, 3>]| largest(list, &SVector::norm);
         let size = most(&forces) + factor * most(&rates);

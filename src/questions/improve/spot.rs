@@ -99,7 +99,7 @@ impl Spot {
         moved
     }
 
-    /// The same place on the adjacent parts, if it is at the end of its own.
+    /// The same place on the adjacent parts, if it is at the end of its own part of the surface.
     pub(super) fn adjacent(&self, surface: &Shape) -> Vec<Self> {
         let near = NEGLIGIBLE * surface.largest();
         if surface.parts() == 1 || self.rooms.iter().all(|(_, room)| *room > near) {

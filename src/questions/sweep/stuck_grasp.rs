@@ -84,7 +84,7 @@ impl StuckGrasp {
             return 0.0;
         }
         let rate = Course::of(&self.by_component, self.space, direction);
-        // Reliabilities are nearly linear in the factor, unlike probabilities.
+        // Reliabilities are nearly linear in the load factor, unlike probabilities.
         let allowed = reliability(self.allowed());
         let left = |factor: f64| allowed - reliability(self.failure(&rate, factor));
         if allowed >= reliability(self.fails_at_base.iter().sum()) {

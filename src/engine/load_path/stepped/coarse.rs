@@ -23,7 +23,7 @@ pub(super) struct Coarse {
 }
 
 impl Coarse {
-    /// The second path at the common beginning of both.
+    /// The second path, which begins where the first one does.
     pub(super) fn starting_at(present: &SteppedState) -> Self {
         Self { present: present.clone(), lost: 0.0, farthest: 0.0 }
     }
@@ -39,8 +39,8 @@ impl Coarse {
         let largest = to.largest_force().max(from.largest_force()).max(f64::MIN_POSITIVE);
         let distance = from.distance_to(&self.present);
         let near = &to.twist + &self.present.twist - &from.twist;
-        // If the distance between both paths grows in one step by more than this, the second path restarts from the first. With a smaller limit it
-        // would restart at each change of contact states, and errors that decay would be added up.
+        // If the second path's own step ends farther than this from `at_once`, the second path moves to `at_once` instead. With a smaller limit this
+        // would happen at each change of contact states, and errors that decay would be added up.
         let by = 10.0 * distance + to.distance_to(at_once);
         let step = || along.step(&self.present, (to.fraction - from.fraction, near), beside);
         // If the paths differ by less than this part of the largest force, the difference is below the tolerance of Newton's method, and the second

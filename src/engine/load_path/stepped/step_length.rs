@@ -18,7 +18,7 @@ use crate::search::Doubt;
 struct Twice {
     /// The largest contact force at the ends of the step, N.
     largest: f64,
-    /// The error that both may share, over the largest force.
+    /// The error that the whole step and its two halves may have in common, as a part of the largest force.
     unseen: f64,
     /// The largest change of force that the motion of the object would cause in the springs of a sticking contact, N.
     force_change: f64,
