@@ -1,4 +1,4 @@
-//! Coulomb's law between force and velocity of a contact, and the residuals of such a pair.
+//! Coulomb's law between force and velocity of a contact, and the residuals of a force and a velocity that violate it.
 
 use super::problem::{FrictionProblem, part};
 use nalgebra::{DVector, SVector};

@@ -69,7 +69,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         self.tags.contains(&tag)
     }
 
-    /// Removes the generators with these tags. [`Self::settle`] must then find the closest point again.
+    /// Removes the generators with these tags. [`Self::move_to_closest`] must then find the closest point again.
     pub(crate) fn remove_tags(&mut self, which: impl Fn(Tag) -> bool) {
         for k in (0..self.tags.len()).rev() {
             if which(self.tags[k]) {

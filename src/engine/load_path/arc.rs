@@ -168,7 +168,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         (scale, &across.twist * (scale / self.unit))
     }
 
-    /// Twist and factor from a solution in scaled coordinates.
+    /// Twist and load factor from a solution in scaled coordinates.
     pub(super) fn unscaled(&self, (x, factor): (Vector, f64)) -> Direction {
         Direction { twist: x * self.unit, factor }
     }
@@ -209,7 +209,7 @@ impl<'s, 'g> Arc<'s, 'g> {
     }
 
     /// Moves a state onto the cones, with friction in these directions, and into balance, by corrections transverse to `across`. Returns the state
-    /// and its factor.
+    /// and its load factor.
     pub(super) fn balanced(
         &self,
         mut twist: Vector,
@@ -256,7 +256,7 @@ impl<'s, 'g> Arc<'s, 'g> {
                     .zip(&mut frictions)
                     .for_each(|(&i, friction)| *friction = tangential(&forces[i]));
             }
-            // A state whose forces have shrunk by more than this factor during the correction still carries the rounding of the larger ones, and is
+            // A state whose forces have shrunk to less than a quarter during the correction still carries the rounding of the larger ones, and is
             // corrected again.
             if initial_force <= 4.0 * carried {
                 balanced = Some((PieceState { forces, twist: twist.clone() }, factor));

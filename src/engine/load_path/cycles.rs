@@ -55,7 +55,7 @@ pub(crate) struct CycleRecord {
 }
 
 impl CycleRecord {
-    /// Adds the totals of the next cycle, so that this record covers both.
+    /// Adds the totals of the next cycle, so that this record covers both cycles.
     pub(crate) fn append(&mut self, next: &Self) {
         self.slid.iter_mut().zip(&next.slid).for_each(|(slid, more)| *slid += more);
         self.dissipated += next.dissipated;

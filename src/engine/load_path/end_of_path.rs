@@ -12,8 +12,8 @@ use crate::search::{Effort, Settings, Settled};
 
 /// The end of a path whose rates have no solution.
 ///
-/// The object gives way if a motion meets no resistance. Otherwise the end is a corner: in no combination of their states do the contacts on the edge
-/// of their cones have rates. If that is not known, a proof suffices that no equilibrium exists beyond.
+/// The object gives way if a motion meets no resistance. Otherwise the end is a corner: no combination of states of the contacts on the edge of their
+/// cones gives rates of forces and motion. If that is not known, a proof suffices that no equilibrium exists beyond.
 pub(super) fn end_of_path(
     edge: &StateAtEdge<'_>,
     (settled, effort): (Settled, &Effort),

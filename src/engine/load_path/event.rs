@@ -226,7 +226,7 @@ impl Loss<3> {
 pub enum LossKind {
     /// The load has a smooth maximum along a sliding arc of the round cone: in these contact states the equilibrium continues under less load only.
     Fold,
-    /// Contacts are on the edge of their cones, and no combination of their states has rates under the growing load.
+    /// Contacts are on the edge of their cones, and in no combination of their states do forces and motion have rates under the growing load.
     Corner,
     /// The object moves without bound while the load approaches this one and never reaches it. Directions of sliding have turned along this motion,
     /// and nothing else resists it.

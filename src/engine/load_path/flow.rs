@@ -36,7 +36,7 @@ pub(super) enum Rule {
 }
 
 impl Rule {
-    /// This rule with its error, if it has one, multiplied by `times`.
+    /// This rule with its allowed error, if it has one, multiplied by `times`.
     fn looser(self, times: f64) -> Self {
         if let Self::Implicit { tolerance } = self {
             Self::Implicit { tolerance: tolerance * times }
@@ -55,7 +55,7 @@ pub(super) struct StepGoal {
 }
 
 impl StepGoal {
-    /// The goal of a trial, after a number of trials that missed it: steps of implicit rules approach it only to within their rounding.
+    /// The goal of a step after this number of trials that missed it. Steps of implicit rules come near a goal only to within their rounding.
     pub(super) fn after(factor: f64, trials: usize) -> Self {
         // A step that ends within this part of the leg of its goal is extended to the goal along the tangent. The part is wider after sixteen trials
         // and after twice as many; the last is as small as the error of steps.

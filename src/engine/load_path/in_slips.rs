@@ -30,11 +30,11 @@ use crate::search::Settings;
 
 /// The path of a load up to its end: which contacts slide, and from which load factor.
 pub(crate) struct InSlips {
-    /// Contacts that have slid, in order, and the factors from which they slide.
+    /// Contacts that have slid, in order, and the load factors from which they slide.
     pub(crate) slid: Vec<(usize, f64)>,
-    /// The factor from which all contacts slide.
+    /// The load factor from which all contacts slide.
     pub(crate) all_slide: Option<f64>,
-    /// The factor at the end.
+    /// The load factor at the end.
     pub(crate) factor: f64,
     pub(crate) end: SlipEnd,
     /// The largest ratio of a motion to its limit, at the ends of steps.
@@ -238,7 +238,7 @@ impl Slips<'_> {
         SlipEnd::Lost(Box::new(loss.leaving(self.grasp, Some(motion))))
     }
 }
-/// The slips of the chosen contacts that keep their margins at zero while the factor grows by one; those of the others are zero.
+/// The slips of the chosen contacts that keep their margins at zero while the load factor grows by one; those of the others are zero.
 fn slid(margins: &Square, chosen: &[usize]) -> Option<Vec<f64>> {
     let mut slips = vec![0.0; margins.size().count() - 1];
     if chosen.is_empty() {

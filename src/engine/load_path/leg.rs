@@ -193,7 +193,7 @@ impl<const C: usize> Leg<C> {
         matches!(self.load, LegLoad::Turn(_))
     }
 
-    /// The change of a ramp for one unit of its factor, as a leg.
+    /// The change of a ramp for one unit of its load factor, as a leg.
     #[must_use]
     pub fn along(ramp: &Ramp<C>) -> Self {
         let by = |change: &Vec<_>| LegGoal::By(change.clone());

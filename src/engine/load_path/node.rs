@@ -45,7 +45,7 @@ pub(super) struct Node {
     /// Contacts whose slip has ended at this node.
     pub(super) stopped: Vec<usize>,
     pub(super) at: PieceState,
-    /// The factor whose rates decide: the present one, or a little ahead while the load turns.
+    /// The load factor whose rates decide: the present one, or a little ahead while the load turns.
     pub(super) ahead: f64,
 }
 

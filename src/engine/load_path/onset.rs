@@ -19,22 +19,22 @@ use crate::serial::AsComputed;
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum Onset<const C: usize> {
-    /// The first contact stops sticking at the factor of this event.
+    /// The first contact stops sticking at the load factor of this event.
     At(Box<OnsetEvent<C>>),
-    /// Everything keeps sticking at every factor; for a turn, up to its last angle.
+    /// Everything keeps sticking at every load factor; for a turn, up to its last angle.
     Never,
-    /// A contact slides already at factor 0: the equilibrium there. (A contact on the edge of its cone sticks, and may leave at factor 0.)
+    /// A contact slides already at load factor 0: the equilibrium there. (A contact on the edge of its cone sticks, and may leave at load factor 0.)
     AlreadySliding(Box<Equilibrium<C>>),
-    /// No equilibrium exists at factor 0.
+    /// No equilibrium exists at load factor 0.
     NoBase(NoEquilibrium<C>),
     /// No contact stops sticking, but from this load factor on nothing resists the load.
     GivesWay {
-        /// The factor up to which the grasp holds.
+        /// The load factor up to which the grasp holds.
         factor: f64,
         /// The reason for the loss beyond; its work is that of the load's rate, J for one unit of the load factor (J/rad of a turn).
         reason: NoEquilibrium<C>,
     },
-    /// The equilibrium at factor 0 could not be decided.
+    /// The equilibrium at load factor 0 could not be decided.
     Undecided(Undecided),
 }
 

@@ -1,4 +1,4 @@
-//! The margins that vanish at an onset, and the derivative of its factor by the data, `dτ = -dm / m'`.
+//! The margins that vanish at an onset, and the derivative of its load factor by the data, `dτ = -dm / m'`.
 
 use nalgebra::SVector;
 

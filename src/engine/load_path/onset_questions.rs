@@ -143,7 +143,7 @@ impl Engine {
         Some(Problem { slips: local.slips.clone(), ..problem })
     }
 
-    /// The equilibrium at factor 0 if no contact slides in it.
+    /// The equilibrium at load factor 0 if no contact slides in it.
     fn sticking_base(
         &self,
         segment: &Segment<'_>,

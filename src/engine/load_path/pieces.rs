@@ -47,9 +47,9 @@ pub(crate) struct Pieces<'g> {
     /// Number of successive steps within their own uncertainty, see `straight`.
     pub(super) stalls: usize,
     pub(super) pace: Pace,
-    /// The factor at which events that accumulate towards a point were last moved to one place; NaN before that.
+    /// The load factor at which events that accumulate towards a point were last moved to one place; NaN before that.
     pub(super) gathered: f64,
-    /// The factor at which slips last ended on an arc, and the contacts whose slips these were.
+    /// The load factor at which slips last ended on an arc, and the contacts whose slips these were.
     pub(super) stopped: (f64, Vec<usize>),
     /// Sum of the estimated errors of the steps along sliding arcs.
     pub(super) step_error: f64,

@@ -119,7 +119,7 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
         Some(Damped { length, bordered, sizes })
     }
 
-    /// Solves `(1 - hJ) Δ = g` in place: friction forces, then twist and factor. Works stay unchanged, since no rate depends on them.
+    /// Solves `(1 - hJ) Δ = g` in place: friction forces, then twist and load factor. Works stay unchanged, since no rate depends on them.
     pub(super) fn solve(&self, damped: &Damped, side: &mut [f64]) {
         let length = damped.length;
         let mut left = Vector::zeros();
@@ -200,7 +200,7 @@ mod tests {
             let way = arc.direction(&arc.tangents(frictions.iter().copied()), 0.0, &Direction::forward());
             let way = way.expect("one direction");
 
-            // Rates of friction forces, twist and factor after a change of the friction forces.
+            // Rates of friction forces, twist and load factor after a change of the friction forces.
             let rates = |y: &[f64]| {
                 let moved = frictions.iter().zip(y.chunks_exact(2));
                 let moved = moved.map(|(f, more)| f + SVector::from([0.0, more[0], more[1]]));

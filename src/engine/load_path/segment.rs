@@ -13,12 +13,12 @@ use crate::numerics::{Each, IntoList, Vector, cleared_for, mapped, paired};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
-/// Load and offsets at factor 0 and their rates, with the accumulated slips of the contacts.
+/// Load and offsets at load factor 0 and their rates, with the accumulated slips of the contacts.
 #[derive(Debug, Clone)]
 pub(super) struct Segment<'g> {
     pub(super) grasp: &'g Engine,
     pub(super) answer_for: AnswerFor,
-    /// The problem at factor 0; its offsets count from the accumulated slips.
+    /// The problem at load factor 0; its offsets count from the accumulated slips.
     pub(super) problem: Problem<'g>,
     /// Rates of the offsets; zero while the load turns.
     pub(super) change: Vec<SVector<f64, 3>>,
@@ -107,7 +107,7 @@ impl<'g> Segment<'g> {
         Ok(self.point_with_rates(piece, factor, at, (&rate, 1.0), (0.0, &base)))
     }
 
-    /// A state on an arc with rates for one unit of arclength, in which the factor changes by `factor_rate`.
+    /// A state on an arc with rates for one unit of arclength, in which the load factor changes by `factor_rate`.
     pub(super) fn point_on_arc(
         &self,
         piece: &alloc::sync::Arc<Piece>,

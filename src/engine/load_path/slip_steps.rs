@@ -16,8 +16,8 @@ pub(super) struct SlipStep {
     /// The conditions that must stay positive.
     pub(super) values: Vec<f64>,
 }
-/// Places among the conditions: the factor grows, it is below the largest one, motions are small. Then, for each sliding contact, γ and the normal force,
-/// and the margins of all others.
+/// Places among the conditions: the load factor grows, it is below the largest one, motions are small. Then, for each sliding contact, γ and the
+/// normal force, and the margins of all others.
 pub(super) const GROWS: usize = 0;
 pub(super) const GOES_ON: usize = 1;
 pub(super) const SMALL: usize = 2;

@@ -20,7 +20,7 @@ pub(super) struct StickingPath<'a> {
     pub(super) segment: Segment<'a>,
     /// Trajectory of the load, in the coordinates of the question.
     pub(super) course: Trajectory<Wrench<3>>,
-    /// The largest factor considered.
+    /// The largest load factor considered.
     pub(super) end: f64,
     pub(super) settings: &'a Settings,
     pub(super) rule: FoundBy,

@@ -26,7 +26,7 @@ impl<'g> Pieces<'g> {
         };
         let (step, reached, leg_done) = match exits {
             Some((_, reached)) if at_the_end(&reached) => (rest, reached, true),
-            // While the load turns, every root is refined already.
+            // While the load turns, the step is a root that is refined already, and needs no correction.
             Some((step, reached)) if point.turned.is_some() && self.factor + step < 1.0 => {
                 (step, reached, false)
             }

@@ -17,7 +17,7 @@ use crate::search::{Settings, settle_at_rest};
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct TurnOnset<const C: usize> {
-    /// The onset, whose factor is the angle, rad. [`Onset::Never`] holds up to the angle asked for.
+    /// The onset, whose load factor is the angle, rad. [`Onset::Never`] holds up to the angle asked for.
     pub onset: Onset<C>,
     /// Contacts that reach the edge of their cone within rounding, without crossing it, before the onset. If there are any, the last digits of the
     /// question may make one of them the onset.

@@ -170,7 +170,7 @@ fn separating_motion(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
 }
 
-/// The same motion, searched for among the nearest forces only.
+/// A motion that separates the load from all admissible contact forces, from the nearest admissible forces.
 fn separating_motion_of_few(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     let motion = proofs::separating_motion_of_few(scene.proposing());
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))

@@ -23,7 +23,7 @@ use crate::prelude::*;
 use crate::structured;
 use crate::{PolygonCone, planar};
 
-/// Below this part of the largest entry of q a variable may be zero.
+/// A variable below this part of the largest entry of q may be zero.
 const CLEAR: f64 = 1e-9;
 
 /// Combinations of contact states that are listed at most.
@@ -92,7 +92,7 @@ impl Tallies {
         if let (true, Some((one, _)), Some((other, _))) = (settled, &dense, &structured)
             && one != other
         {
-            // Both may be right: where all states can be listed there are several equilibria.
+            // Both solvers may be right. Where all combinations of states can be listed, several of them are equilibria.
             let too_many = combinations(problem) > MOST_STATES;
             assert!(too_many || search(problem, false).found.len() > 1, "{one:?} {other:?}");
         }

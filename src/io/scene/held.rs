@@ -51,7 +51,7 @@ pub struct HoldAnswer<const C: usize> {
 pub struct NeedAnswer {
     /// The answer in a sentence.
     pub says: String,
-    /// The needed amount, field by field.
+    /// The needed amount; its fields are written beside the others of this answer.
     #[serde(flatten)]
     pub needed: Needed,
 }
@@ -100,7 +100,7 @@ impl NeedAnswer {
 pub struct ImproveAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// The better finger places, field by field.
+    /// The better finger places; their fields are written beside the others of this answer.
     #[serde(flatten)]
     pub improved: Improved<C>,
 }
@@ -140,7 +140,7 @@ impl<const C: usize> ImproveAnswer<C> {
 pub struct IdentifyAnswer {
     /// The answer in a sentence.
     pub says: String,
-    /// The estimates, field by field.
+    /// The estimates; their fields are written beside the others of this answer.
     #[serde(flatten)]
     pub identified: Identified,
 }
@@ -176,7 +176,7 @@ impl IdentifyAnswer {
 pub struct ShakeAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// The fate of the repeated load, field by field.
+    /// The verdict on the repeated load; its fields are written beside the others of this answer.
     #[serde(flatten)]
     pub shaken: Shaken<C>,
 }

@@ -74,7 +74,7 @@ pub struct OnsetAt<const C: usize, At = Factor> {
     /// The joints and tendons that change their state at this load.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub drives: Vec<PartChange>,
-    /// The behaviour beyond; rates are per unit of the factor, or per radian.
+    /// The behaviour beyond; rates are per unit of the load factor, or per radian.
     pub beyond: Beyond<C>,
     /// The equilibrium at first slip.
     pub state: Equilibrium<C>,

@@ -73,7 +73,7 @@ impl Map {
         }
     }
 
-    /// The entries of a column in one of the ranges given to [`Self::keep`].
+    /// The entries of a column in one of the ranges given to [`Self::keep_rows`].
     #[inline]
     pub(crate) fn column_within(&self, a: usize, range: Range<usize>) -> &[f64] {
         self.entries.column(a, range)

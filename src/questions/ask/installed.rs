@@ -11,7 +11,7 @@ use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::prelude::*;
 
 impl Grasp<3> {
-    /// This grasp with commands under which each such link pulls with its given tension at rest.
+    /// This grasp with commands under which each link with a given tension pulls with it at rest.
     pub(super) fn installed(self) -> Result<Self, Error> {
         let wanted = |contact: &crate::grasp::Contact<3>| contact.at_rest;
         let pressed: Vec<(usize, f64)> =

@@ -99,7 +99,7 @@ pub enum ComparisonVerdict {
         /// `|Σ F + W|`, N.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         force: f64,
-        /// The same for moments about the origin, N m.
+        /// The size of the sum of all moments about the origin, `|Σ r × F + M|`, N m.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         moment: f64,
     },
@@ -108,7 +108,7 @@ pub enum ComparisonVerdict {
         /// `|Σ F + W|` of these numbers, N.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         force: f64,
-        /// The same for moments about the origin, N m.
+        /// The size of the sum of all moments about the origin, `|Σ r × F + M|`, N m.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         moment: f64,
     },
@@ -117,7 +117,7 @@ pub enum ComparisonVerdict {
         /// `|Σ F + W|` of the minimum, N.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         force: f64,
-        /// The same for moments about the origin, N m.
+        /// The size of the sum of all moments about the origin, `|Σ r × F + M|`, N m.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         moment: f64,
     },

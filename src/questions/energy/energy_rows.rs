@@ -21,7 +21,7 @@ pub(super) struct ForceCondition {
     pub(super) contact: usize,
     /// The facet of the friction cone; `None` for the normal force.
     pub(super) facet: Option<usize>,
-    /// The same condition on forces: `law·F_i` is `μ F_n - h·F_t`, or F_n.
+    /// The row of the same condition in terms of the force in N: `law·F_i` is `μ F_n - h·F_t`, or F_n.
     law: SVector<f64, 3>,
     /// Unit vector along `K^{1/2} law`.
     pub(super) normal: SVector<f64, 3>,
@@ -132,7 +132,7 @@ pub(super) fn most_pivots(rows: usize, settings: &Settings) -> Option<usize> {
     settings.max_pivots.or_else(|| Some(affordable).filter(|most| *most < default))
 }
 
-/// The outcome of Lemke's method on a problem of such rows; `None` if a number overflows.
+/// The outcome of Lemke's method on a complementarity problem with this matrix and vector; `None` if a number overflows.
 pub(super) fn by_pivots(matrix: DMatrix<f64>, vector: DVector<f64>, settings: &Settings) -> Option<Outcome> {
     let max_pivots = most_pivots(vector.len(), settings);
     let settings = lcp::Settings { max_pivots, enumerate_up_to: 0, ..lcp::Settings::default() };

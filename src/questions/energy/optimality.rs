@@ -173,8 +173,8 @@ impl<'g> EnergyProgram<'g> {
         finite.then_some(ProgramPoint { forces, twist, gaps, multipliers, free })
     }
 
-    /// Moves the binding rows onto their edges, starting from forces that balance without them. Returns the change of the motion, in the coordinates
-    /// of the active springs.
+    /// Makes the binding rows hold as equalities, starting from forces that balance without them. Returns the change of the motion, in the
+    /// coordinates of the active springs.
     ///
     /// Springs of open gaps are removed: x_n is free there, and the binding rows alone determine it, `x_n = (Nᵀλ)_n`. With
     /// `M = [N Q, N_n of the open]` on the binding rows,

@@ -63,7 +63,8 @@ impl Assignments<'_> {
         Ok(true)
     }
 
-    /// Searches for an assignment between two points. As one unknown falls, slips begin to depend on it one after the other.
+    /// Searches for another assignment of slips to contacts between two points. As one unknown falls, slips begin to depend on it one after the
+    /// other.
     fn between(&mut self, mut low: Vec<f64>, mut high: Vec<f64>, ends: [&Linear; 2]) -> Result<(), Error> {
         for _ in 0..MOST_BISECTIONS {
             let middle: Vec<f64> = low.iter().zip(&high).map(|(a, b)| 0.5 * (a + b)).list();
@@ -218,7 +219,7 @@ fn depends_alike(one: &Linear, other: &Linear, row: usize) -> bool {
     (0..one.jacobian.ncols()).all(|j| depends(&one.jacobian, row, j) == depends(&other.jacobian, row, j))
 }
 
-/// Whether several different slips depend on other unknowns at the second point, so that one of them may change before another.
+/// Whether two slips or more depend on other unknowns at the second point than at the first, so that one may change before another.
 fn changes_in_steps(one: &Linear, other: &Linear) -> bool {
     let mut rows = (0..one.jacobian.nrows()).filter(|row| !depends_alike(one, other, *row));
     let Some(first) = rows.next() else { return false };

@@ -26,7 +26,7 @@ pub enum Demand {
     Sticks,
     /// The object comes to rest while the loads are put on and taken off in turn, again and again; see [`Grasp::shake`](crate::ask::Grasp::shake).
     Rests,
-    /// The object does not walk under such loads; contacts may slide to and fro for ever.
+    /// The object does not walk while the loads are put on and taken off in turn; contacts may slide to and fro for ever.
     Stays,
 }
 

@@ -4,7 +4,7 @@ use super::first_slip::{GIVES_WAY, NOT_STICKING, SlipCode, UNCLEAR};
 use super::lanes::Packed;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 
-/// The state of scenes at factor or angle zero.
+/// The state of scenes at load factor or angle zero.
 pub(super) struct Start<X: Packed> {
     /// The least margin of a contact to the edge of its cone, of those whose squares keep their digits.
     margin: X,
@@ -39,7 +39,7 @@ impl<X: Packed> Start<X> {
     }
 }
 
-/// The verdicts. The factor or angle at which contacts leave first (infinite, or a code) is valid if all of them stick at the start and forces
+/// The verdicts. The load factor or angle at which contacts leave first (infinite, or a code) is valid if all of them stick at the start and forces
 /// balance.
 #[inline(always)]
 pub(super) fn verdicts<A: Copy, X: Packed>(

@@ -50,7 +50,7 @@ impl Cycle {
         Some((cycle, others))
     }
 
-    /// Appends the next cycle, so that both count as one.
+    /// Appends the next cycle, so that this cycle and the next count as one.
     pub(super) fn append(&mut self, next: &Self) {
         self.record.append(&next.record);
         self.scale = Scale {

@@ -30,12 +30,12 @@ pub struct Shakedown<const C: usize> {
     /// of the loads, as long as no contact opens. This is a proof, by linear programming, up to 1e-9.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub factor: f64,
-    /// Slips with which nothing slides at that factor, m, in contact frames; their normal components are zero.
+    /// Slips with which nothing slides under the loads times `factor`, m, in contact frames; their normal components are zero.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Vec<SVector<f64, C>>>"))]
     pub slips: Vec<SVector<f64, C>>,
-    /// The contacts that would slide first with a larger factor, and the load under which.
+    /// The contacts that would slide first if the loads grew beyond `factor`, each with the load under which it slides.
     pub binding: Vec<BindingContact>,
-    /// Whether slips change normal forces. If not, the grasp comes to rest up to the factor; otherwise it may not.
+    /// Whether slips change normal forces. If not, the grasp comes to rest under loads up to `factor`; otherwise it may not.
     pub slips_change_normal_forces: bool,
     /// Whether some contacts have [less friction](crate::grasp::Contact::kinetic) once they slide. They may then slide past the slips that would keep
     /// them at rest.
@@ -142,7 +142,7 @@ struct Program {
     b: Vec<f64>,
     a: Vec<f64>,
     s: DMatrix<f64>,
-    /// Units of the factor, and of each slip.
+    /// Units of the load factor, and of each slip.
     units: (f64, Vec<f64>),
 }
 

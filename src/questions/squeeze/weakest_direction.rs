@@ -26,7 +26,7 @@ pub enum WeakestDirection<const C: usize> {
         size: f64,
         /// Unit direction, coordinate axes.
         direction: [f64; C],
-        /// The base load with that force.
+        /// The base load together with the least force.
         load: Wrench<C>,
         /// The contact that stops sticking, or the drive of a hand that reaches its limit.
         leaver: Leaver,

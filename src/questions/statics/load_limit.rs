@@ -18,12 +18,12 @@ use crate::search::Settings;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum LoadLimit<const C: usize> {
-    /// The load can be balanced up to a factor.
+    /// The load can be balanced up to a multiple of it.
     #[non_exhaustive]
     Factor {
-        /// Lower bound of the factor.
+        /// Lower bound of the load factor.
         at_least: f64,
-        /// Upper bound of the factor. Both differ by about 1e-9 of it at most, unless rounding ended the search before.
+        /// Upper bound of the load factor. The bounds differ by about 1e-9 of it at most, unless rounding ended the search before.
         at_most: f64,
         /// Forces on the object in the contact frames, N, that balance the load at `at_least`.
         forces: Vec<SVector<f64, C>>,

@@ -21,7 +21,7 @@ impl Speeds {
         self.0.clear();
     }
 
-    /// Records the speed of a step that has arrived at a fraction.
+    /// Records the speed of the object in a step that has ended at this fraction of the leg.
     pub(super) fn note(&mut self, fraction: f64, speed: f64) {
         // A speed is recorded if it exceeds the last one by this factor.
         if self.0.last().is_none_or(|[_, fastest]| speed > 2.0 * fastest) {
