@@ -266,8 +266,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         turnover += fingers.abs() + worked.map(f64::abs).sum();
         out[works..].copy_from_slice(&[fingers, heat, worked.sum(), turnover]);
         let is_straight = matches!(segment.course, Trajectory::Straight { .. });
-        // A decrease of the load factor by less than this part of the arclength counts as none. At a maximum the factor is known up to the square of
-        // this.
+        // A decrease of the load factor by less than this part of the arclength counts as none. At a maximum the load factor is known up to the
+        // square of this.
         Some(backwards > 0.0 || is_straight && way.factor < -1e-8)
     }
 

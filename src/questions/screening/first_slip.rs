@@ -38,8 +38,8 @@ pub enum ScreeningVerdict {
     /// Single passes of floating-point arithmetic cannot decide. [`Grasp::onset`](crate::ask::Grasp::onset) or
     /// [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn) can.
     ///
-    /// * A contact is within rounding of the edge of its cone at factor or angle zero.
-    /// * A margin closes so slowly that rounding would show in the factor or the angle.
+    /// * A contact is within rounding of the edge of its cone at load factor or angle zero.
+    /// * A margin closes so slowly that rounding would show in the load factor or the angle.
     /// * While the load turns, the margin of a contact comes within rounding of zero, so that the contact may or may not leave. Or it leaves where
     ///   the turn ends.
     /// * Two contacts in the plane do not hold the object because friction is missing.
