@@ -55,7 +55,7 @@ impl Engine {
         let mut displacement = 0.0_f64;
         for (i, site) in self.sites().iter().enumerate() {
             let moved = site.map.tr_mul(&missing.twist).norm();
-            // A displacement has at least half a rounding of its terms.
+            // The error of a displacement is at least half a unit of rounding of the terms that it sums.
             displacement = displacement.max(moved + 0.5 * f64::EPSILON * problem.span(i, &at.twist));
         }
         let varied = |pattern| {

@@ -22,7 +22,7 @@ pub(crate) struct Cycles<'g> {
     path: Following<'g, Pieces<'g>>,
     legs: Vec<Leg<3>>,
     base: Wrench<3>,
-    /// Number of cycles completed so far.
+    /// Number of cycles followed so far, including one that the path did not finish.
     completed: usize,
 }
 

@@ -63,7 +63,7 @@ pub(super) struct Damped {
 }
 
 impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
-    /// J for these friction forces, along the direction of the path there.
+    /// Computes J at the load factor `factor`, from the friction forces of the sliding contacts and the direction of the path.
     pub(super) fn new(
         arc: &'f Arc<'s, 'g>,
         frictions: &[SVector<f64, 3>],

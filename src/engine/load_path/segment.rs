@@ -60,7 +60,7 @@ impl PathPoint {
         PieceState { forces, twist: &self.twist + &self.twist_rate * step }
     }
 
-    /// The same state with all rates multiplied by `part`.
+    /// A copy of this state with all rates multiplied by `part`.
     pub(super) fn slowed(&self, part: f64) -> Self {
         let mut point = self.clone();
         point.twist_rate *= part;

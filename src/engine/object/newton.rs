@@ -21,7 +21,7 @@ use crate::numerics::tolerances::SUFFICIENT_DECREASE;
 use crate::numerics::{Vector, in_halves};
 use crate::prelude::*;
 
-/// R and the sizes of its terms.
+/// The residual R of the balance, and the sum of the sizes of its terms.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Imbalance {
     pub(crate) left: Vector,

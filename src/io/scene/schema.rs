@@ -130,7 +130,7 @@ fn angular<K: Bounded>(axes: usize) -> Schema {
     if axes == 1 { json_schema!({ "anyOf": [number::<K>(), listed] }) } else { listed }
 }
 
-/// A wrench or twist: linear part, angular part and that of joints, all optional in input.
+/// A wrench or twist: linear part, angular part and the part of the joints, all optional in input.
 fn by_parts<K: Bounded, const C: usize>(
     generator: &SchemaGenerator,
     [linear, turning]: [(&str, &str); 2],

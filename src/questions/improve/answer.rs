@@ -107,7 +107,7 @@ pub enum Binds {
         /// Index of the load, from 0; `None` for a force of any direction.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         load: Option<usize>,
-        /// Its multiplier; those of all events add up to one.
+        /// Multiplier of this event in the optimality conditions; the multipliers of all events add up to one.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         share: f64,
     },
@@ -116,7 +116,7 @@ pub enum Binds {
         /// Index of the load, from 0; `None` for a force of any direction.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         load: Option<usize>,
-        /// Its multiplier, as for the first slip.
+        /// Multiplier of this event, as for the first slip.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         share: f64,
     },
@@ -168,7 +168,8 @@ pub enum SearchEnd {
     Unbalanced,
     /// No contact slides, however large the loads are.
     NothingSlides,
-    /// No start sticks at rest and resists the loads, or for a reserve no start sticks under them.
+    /// Every start fails, the given grasp and the random ones: at rest some contact does not stick, or nothing resists the loads. With a reserve as
+    /// the goal some contact does not stick under the loads.
     NoStart,
 }
 

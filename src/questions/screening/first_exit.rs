@@ -103,7 +103,7 @@ fn judged<const C: usize, X: Packed>(
         start.add(exit.margin, exit.rounding, exit.lost);
     }
     let until = X::all(1.0 + SOLVED_ROUNDING) * first;
-    // A finger of several points leaves where one of them does.
+    // A finger of several points leaves if one of its points leaves by then.
     let (mut leaving, mut leaves, mut finger) = (zero, zero, X::all(1.0));
     for i in 0..contacts {
         leaves = factors[i].above(until, leaves, finger);

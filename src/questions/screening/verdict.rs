@@ -6,11 +6,11 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 
 /// The state of scenes at load factor or angle zero.
 pub(super) struct Start<X: Packed> {
-    /// The least margin of a contact to the edge of its cone, of those whose squares keep their digits.
+    /// The least distance of a contact force to the edge of its cone, among contacts whose squared forces neither over- nor underflow.
     margin: X,
-    /// The least of these margins less their rounding.
+    /// The least of these distances less their rounding.
     sure: X,
-    /// Minus infinity where the squares of some contact over- or underflow, so that nothing is certain of it; else zero.
+    /// Minus infinity where squared forces of some contact over- or underflow, so that no verdict is certain; else zero.
     lost: X,
     /// Positive if the load works on a motion that no contact resists.
     pub(super) free: X,

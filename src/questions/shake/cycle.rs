@@ -65,7 +65,7 @@ impl Cycle {
         place.numbers(&self.scale, &|i| self.record.open[i].is_some())
     }
 
-    /// The change of these numbers from the beginning of the cycle to its end.
+    /// The change of forces and gaps from the beginning of the cycle to its end, without unit.
     pub(super) fn difference(&self) -> DVector<f64> {
         self.numbers(&self.to) - self.numbers(&self.from)
     }

@@ -22,7 +22,7 @@ pub enum WeakestDirection<const C: usize> {
     /// A force of this size in this direction makes a contact slide; no smaller force does in any direction.
     #[non_exhaustive]
     Force {
-        /// Its size, N, exact up to rounding.
+        /// Size of the force, N, exact up to rounding.
         size: f64,
         /// Unit direction, coordinate axes.
         direction: [f64; C],
