@@ -116,7 +116,7 @@ impl<'g> Pieces<'g> {
         self.node.apply_rates(&mut self.segment, self.factor, &rates, &found)
     }
 
-    /// Moves the object until the gap closes; `None` if rounding prevents the state there from being computed.
+    /// Moves the object until the gap closes; `None` if rounding prevents the computation of the state at the closed gap.
     fn move_to_gap(&mut self, motion: &Vector, way: &FreeWay) -> Option<()> {
         let point = self.node.point_at(&self.segment.at_rest(self.factor), self.factor, None).ok()?;
         // Forces are solved for in the new states, so that contacts that have opened lose even the rounding of their force.
@@ -152,7 +152,7 @@ impl<'g> Pieces<'g> {
             if lets_go { jump.run(&goal, journey).map(|()| first) } else { Ok(first) }
         });
         let changes = went.ok()?;
-        // If rounding prevents the state there from being computed, the path ends with the loss.
+        // If rounding prevents the computation of the state at the closed gap, the path ends with the loss.
         let jump = self.end_jump(journey, &goal, jump).ok()?;
         let jump = Some(Box::new(jump));
         self.at_node = true;

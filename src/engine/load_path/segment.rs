@@ -246,7 +246,7 @@ impl<'g> Segment<'g> {
         }
     }
 
-    /// Adds the present slip of a contact to its memory: its offset counts from there.
+    /// Adds the present slip of a contact to its memory: from now on its offset counts from the slipped position.
     pub(super) fn remember_slip(
         &mut self,
         contact: usize,

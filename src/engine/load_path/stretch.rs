@@ -67,8 +67,7 @@ pub(super) struct ArcStep {
 }
 
 impl<'g> Stretch<'g> {
-    /// The equilibrium at a fraction of the leg, with all contacts open that carry no force. `None` if rounding prevents the part of a step up to
-    /// there.
+    /// The equilibrium at a fraction of the leg, with all contacts open that carry no force. `None` if rounding prevents a step to this fraction.
     pub(super) fn state_at(
         &self,
         grasp: &'g Engine,
@@ -105,7 +104,7 @@ impl<'g> Stretch<'g> {
         grasp.equilibrium(problem, &load, found, FoundBy::LoadPath, &Effort::default(), answer_for)
     }
 
-    /// Problem and solution at a fraction of the leg; `None` if rounding prevents the part of a step up to there.
+    /// Problem and solution at a fraction of the leg; `None` if rounding prevents a step to this fraction.
     pub(super) fn found_at(
         &self,
         grasp: &'g Engine,
@@ -176,7 +175,8 @@ impl<'g> Stretch<'g> {
         Some((problem, found))
     }
 
-    /// The state at a fraction within the step. If rounding prevents one step up to there, successively shorter steps lead to it.
+    /// The state at a fraction of the leg, within the step. If rounding prevents a single step to this fraction, successively shorter steps lead to
+    /// it.
     fn part_of_a_step(&self, arc_step: &ArcStep, segment: &Segment<'g>, fraction: f64) -> Option<PieceState> {
         let (mut from, mut point, mut states) = (self.from, self.here.clone(), self.states.clone());
         let mut length = arc_step.length;

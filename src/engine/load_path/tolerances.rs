@@ -48,7 +48,8 @@ pub(super) const SHORTEST_STEP: f64 = 1e-12;
 /// Smaller, events that the steps have blurred are found twice; larger, conditions that nearly fail count as events.
 pub(super) const SLACK_ON_AN_ARC: f64 = ZERO_SLACK + 1e-13;
 
-/// Normal force of a sliding contact, as a part of the largest force, below which a course in slips is left to a path: directions turn fast there.
+/// Normal force of a sliding contact, as a part of the largest force, below which a grasp is not followed by its slips but as a load path: directions
+/// of friction then turn fast.
 ///
 /// Smaller, steps become short, and none is implicit; larger, more rows of a batch take the time of a path.
 pub(super) const LITTLE_NORMAL_FORCE: f64 = 1e-3;

@@ -212,8 +212,8 @@ impl<'g> Pieces<'g> {
                 && line.rate[0] < -ZERO_SLACK * line.rate_size
                 && !ActiveSet::is_weightless(&line.force, line.force_size)
             {
-                // A step covers at most this part of the way to the place where a sliding contact loses its normal force: directions may turn ever
-                // faster there.
+                // A step covers at most half of the way to the point at which a sliding contact loses its normal force: directions of friction may
+                // turn ever faster near that point.
                 way = way.min(0.5 * line.force[0] / -line.rate[0]);
             }
         }

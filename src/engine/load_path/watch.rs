@@ -62,7 +62,7 @@ pub(super) fn is_vanishing(line: &Line) -> bool {
     line.rate[0] < 0.0 && line.force[0] <= VANISHING_NORMAL * line.force_size
 }
 
-/// Whether a sliding contact has just lost its normal force: its direction was not accurate enough for a step that ends there.
+/// Whether a sliding contact has just lost its normal force, because its direction was not accurate enough for a step to that event.
 pub(super) fn has_vanished(line: &Line) -> bool {
     line.force[0] < 0.0 && line.force[0] >= -VANISHING_NORMAL * line.force_size
 }

@@ -37,7 +37,8 @@ impl RoundPieces {
     /// Converges by Newton's method on the twist from `from`, with every contact free to change its state.
     pub(super) fn by_newton(problem: &Problem, from: Vector) -> Option<Self> {
         let mut contacts = Vec::new();
-        // Imbalance, as a part of the forces, at which Newton's method on the twist ends; steps on the pieces reduce the rest.
+        // Imbalance, as a part of the forces, at which Newton's method on the twist ends; Newton steps with fixed contact states reduce the remaining
+        // imbalance.
         let (twist, ..) = newton_on_cones(problem, (from, NEGLIGIBLE), &mut contacts)?;
         let (states, forces) = contacts.iter().map(|at| (at.state, at.force)).unzip();
         Some(Self { states, forces, twist: PreciseTwist::new(problem.size(), twist) })

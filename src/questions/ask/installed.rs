@@ -61,7 +61,8 @@ impl Grasp<3> {
     fn missing(&self, commands: &[[f64; 3]], pressed: &[(usize, f64)]) -> Result<DVector<f64>, Error> {
         let outcome = self.with_commands(commands.iter().copied())?.solve(Wrench::ZERO)?;
         let state = outcome.equilibrium().ok_or_else(|| self.not_held(pressed[0].0, pressed[0].1))?;
-        // The gap of a slack link counts as missing tension, too, so that the difference depends on its command there.
+        // The gap of a slack link, times its stiffness, counts as missing tension, too; so the missing tension depends on the command even of a slack
+        // link.
         let slack = |i: usize| state.contacts[i].gap.max(0.0) * self.contacts()[i].stiffness.series()[0];
         let each = pressed.iter().map(|(i, force)| force - state.contacts[*i].normal_force() + slack(*i));
         Ok(DVector::from_iterator(pressed.len(), each))

@@ -173,7 +173,7 @@ impl Engine {
         path.run();
         let loss = path.end().and_then(PathEnd::loss)?;
         let lost = grasp.lost(path.place().1, loss, path.state());
-        // The state there carries a part of the load at rest, not the load of the question, so it is left out.
+        // The state at the loss carries a part of the load at rest, not the load of the question, so it is left out.
         Some(Box::new(Lost { state: None, ..lost }))
     }
 

@@ -49,7 +49,7 @@ pub enum How {
     Lost,
     /// The load at rest has no equilibrium, by a proof; see [`Holding::NoRest`].
     NoRest,
-    /// The load at rest is lost on its path from zero; see [`Holding::LostAtRest`].
+    /// The grasp loses the load at rest as this load grows from zero; see [`Holding::LostAtRest`].
     LostAtRest,
     /// The path could not be followed; see [`Holding::Undecided`].
     Undecided,

@@ -106,7 +106,8 @@ pub enum Holding<const C: usize> {
     Lost,
     /// The grasp has no equilibrium even under the load at rest. The variant carries the proof.
     NoRest(NoEquilibrium<C>),
-    /// The load at rest is lost as it grows from zero together with the commands. A path shows this loss; it is no proof as in [`Self::NoRest`].
+    /// The grasp loses the load at rest as this load grows from zero together with the commands. A load path shows this loss; it is no proof as in
+    /// [`Self::NoRest`].
     LostAtRest {
         /// The loss; its factor is a multiple of the load at rest.
         at_rest: Box<Lost<C>>,

@@ -35,7 +35,7 @@ impl Cycle {
         Some(Self { scale: scale_of(engine, &record, &to), from, to, record })
     }
 
-    /// A cycle that begins at the state `there`, and the follower of the cycles after it.
+    /// A cycle that begins at the state `there`, and the program that continues with the cycles after it.
     pub(super) fn beginning_at<'g>(
         engine: &'g Engine,
         cycles: &Cycles<'g>,

@@ -118,7 +118,7 @@ impl<'g> Shaking<'g, '_> {
             if walked_out.is_none() && self.has_walked_out(&cycle) {
                 let repeats = self.repeats_from(&cycle, Some(self.cycles_gone));
                 walked_out = Some(self.answer(repeats, (change, 0.0), Some(&cycle.to)));
-                // A steady walk that begins within these further cycles is a better answer.
+                // A steady walk would be a better answer, so that some further cycles are followed.
                 most_cycles = most_cycles.min(self.followed + 2 * KEPT_STATES);
             }
             let is_alike = last.as_ref().is_some_and(|last| last.record.is_like(&cycle.record));
