@@ -38,7 +38,8 @@ impl Engine {
         Ok(self.hold_with(ramp, settings, Extent::Whole)?.0)
     }
 
-    /// The verdict, and the largest ratio of a motion to its limit while the load is put on; of a brief one, up to its loss.
+    /// The verdict, and the largest ratio of a motion to its limit. The ratio covers the growth of the load to its full size, for a brief verdict its
+    /// growth up to the loss.
     pub(crate) fn hold_with(
         &self,
         ramp: &Ramp<3>,

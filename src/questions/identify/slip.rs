@@ -61,10 +61,10 @@ pub struct Slip<const C: usize> {
     /// The layout in which the slip was observed; 0, the scene itself, if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) layout: Option<usize>,
-    /// Relative standard deviation of load or angle; for every slip, or for none.
+    /// Relative standard deviation of load or angle; given for every slip, or for none.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) scatter: Option<f64>,
-    /// A number that is the same for slips that may share an error, of one direction or one specimen; for every slip, or for none.
+    /// The number of a group of slips that may share an error, such as those of one direction or one specimen; given for every slip, or for none.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) group: Option<usize>,
 }

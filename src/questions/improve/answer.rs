@@ -17,8 +17,8 @@ pub struct Improved<const C: usize> {
     /// The meaning of `before` and `after`.
     #[cfg_attr(feature = "serde", serde(default))]
     pub goal: ImproveGoal,
-    /// Value of the grasp given: its least first slip as a factor of the loads, or its least reserve, N. `None` where a contact slides at rest or
-    /// nothing holds, and for a reserve where a contact slides under a load.
+    /// Value of the given grasp: the least load factor of first slip, or the least reserve, N. `None` where a contact slides at rest or no
+    /// equilibrium at rest is found, and for a reserve where a contact slides under a load.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub before: Option<f64>,
     /// Value of the best grasp found. `None` where no grasp was found that sticks at rest, and for a reserve under the loads. Infinite where no

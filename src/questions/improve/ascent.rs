@@ -22,7 +22,7 @@ use crate::prelude::*;
 pub(super) struct Design {
     pub(super) placing: Placing,
     pub(super) sticking: StickingForces,
-    /// Value of the goal: the least first slip as a factor of the loads, or the least reserve, N.
+    /// Value of the goal: the least load factor of first slip, or the least reserve, N.
     pub(super) value: f64,
     /// Scale of values and gains: the first slip itself, or for a reserve the greatest force at rest, N.
     pub(super) scale: f64,

@@ -158,7 +158,8 @@ impl Drive {
                 stretch[0] = per_force / self.stiffness;
                 Vector::zeros()
             }
-            // The bound acts on both sides of each half. The lower bound is zero if the drive only pulls.
+            // The limit enters both the stretch of a half and its constant force. The lower half of a drive that only pulls has the bound zero,
+            // whatever the limit.
             Role::EndsAbove | Role::EndsBelow if !self.pulls_only() => {
                 stretch[0] = per_force / self.stiffness;
                 -&self.along * per_force
