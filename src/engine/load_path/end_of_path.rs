@@ -1,4 +1,4 @@
-//! The end of a path where the rates have no solution, in so far as the state at the end determines it.
+//! The end of a path where the rates have no solution, as far as the state at the end determines it.
 
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end, no_rates};
 use super::event::{Loss, LossKind, PathEnd};

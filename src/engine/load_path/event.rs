@@ -218,7 +218,7 @@ impl Loss<3> {
     }
 }
 
-/// The reason for the end of an equilibrium under a growing load, in so far as the state at the end determines it.
+/// The reason for the end of an equilibrium under a growing load, as far as the state at the end determines it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -96,7 +96,7 @@ impl Engine {
     }
 }
 
-/// Most steps: a load that needs more is left to a `LoadPath`, which has implicit steps.
+/// Largest number of steps: a load that needs more is left to a `LoadPath`, which has implicit steps.
 const MOST_STEPS: usize = 64;
 /// Most sliding contacts. With more, a stage of an arc takes less time: it solves one equation for each coordinate of the object.
 const MOST_SLIDING: usize = 6;

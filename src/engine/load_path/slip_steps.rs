@@ -57,7 +57,7 @@ impl Slips<'_> {
         if start.iter().any(|value| *value <= 0.0) {
             return None;
         }
-        // Most times that a step is shortened because a condition may be violated within it.
+        // Largest number of times that a step is shortened because a condition may be violated within it.
         for _ in 0..20 {
             let mut event = None;
             if let Some(k) = first_crossing(&start, &end.values) {

@@ -33,7 +33,7 @@ const MOST_STATES: f64 = 200_000.0;
 #[derive(Debug, Default, Clone, Copy)]
 struct Tally {
     scenes: usize,
-    /// Both solved it, with the same states and as many pivots.
+    /// Number of scenes that both solvers solved with the same states and as many pivots.
     same: usize,
     other_pivots: usize,
     other_states: usize,

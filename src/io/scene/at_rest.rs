@@ -15,9 +15,9 @@ use crate::need::Quantity;
 use crate::numerics::summed;
 
 impl Setup<3> {
-    /// Whether nothing presses on contacts. Commands may press, the load at rest of a question, or a load that it applies, as a weight or a jamming
-    /// load does. One question for which none of them presses suffices, unless it seeks the forces at rest.
-    /// Without a question, the commands alone decide.
+    /// Whether nothing presses on contacts under some question of the scene. Contacts may be pressed by commands, by the question's load at rest, or
+    /// by a load that the question applies, such as a weight or a jamming load. A question that seeks the forces at rest does not count. Without a
+    /// question, the commands alone decide.
     pub(super) fn nothing_presses(&self, grasp: &Grasp<3>) -> Result<bool, Error> {
         // A grasp that has links but no contacts needs no squeeze.
         if grasp.presses() || self.entries().next().is_none() {

@@ -182,7 +182,7 @@ impl Lengths {
         }
     }
 
-    /// Converts the entries of a list to m for whose index `is_length` holds.
+    /// Converts those entries of a list to m whose index satisfies `is_length`.
     fn each(&self, list: &mut [Value], is_length: impl Fn(usize) -> bool) {
         for (index, value) in list.iter_mut().enumerate() {
             if is_length(index) {
