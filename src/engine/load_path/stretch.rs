@@ -180,7 +180,7 @@ impl<'g> Stretch<'g> {
     fn part_of_a_step(&self, arc_step: &ArcStep, segment: &Segment<'g>, fraction: f64) -> Option<PieceState> {
         let (mut from, mut point, mut states) = (self.from, self.here.clone(), self.states.clone());
         let mut length = arc_step.length;
-        // Maximum number of parts into which a step is divided if it cannot be repeated at once; each is half as long as the one before.
+        // Maximum number of parts into which a step is divided if it cannot be repeated as a whole; each is half as long as the one before.
         for _ in 0..60 {
             let flow = Flow::new(segment, &states, from, &point, arc_step.unit);
             if let Some(reached) = flow.step_to_factor(fraction, length, arc_step.rule) {

@@ -1,7 +1,8 @@
-//! A second path with the same steps, each made at once. The distance between both paths measures the remaining effect of all errors.
+//! A second path with the same steps, each made as a whole and not in two halves. The distance between both paths measures the remaining effect of
+//! all errors.
 //!
-//! The error of a step in two halves is a third of its difference from the step made at once. But errors do not add up: directions of slip relax, so
-//! that their errors decay, and errors of different steps affect different contacts. Errors of the second path decay in the same way, so that
+//! The error of a step in two halves is a third of its difference from the step made as a whole. But errors do not add up: directions of slip relax,
+//! so that their errors decay, and errors of different steps affect different contacts. Errors of the second path decay in the same way, so that
 //!
 //! ```text
 //! distance = error of the second - error of the first = 3 times the error of the first
@@ -12,7 +13,7 @@
 use super::one_step::{StepProblem, SteppedState};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 
-/// The second path, of steps made at once.
+/// The second path, of steps made as a whole.
 #[derive(Debug, Clone)]
 pub(super) struct Coarse {
     pub(super) present: SteppedState,
@@ -28,8 +29,8 @@ impl Coarse {
         Self { present: present.clone(), lost: 0.0, farthest: 0.0 }
     }
 
-    /// Makes the step of the first path between two places. `at_once` is that step made at once. If the second path finds no step of its own, or only
-    /// one to a distant state, it moves to `at_once`. `beside` is memory for its own step.
+    /// Makes the step of the first path between two places. `at_once` is that step made as a whole. If the second path finds no step of its own, or
+    /// only one to a distant state, it moves to `at_once`. `beside` is memory for its own step.
     pub(super) fn follow(
         &mut self,
         along: &mut StepProblem<'_>,

@@ -13,7 +13,7 @@ use crate::numerics::{Vector, largest};
 use crate::prelude::*;
 use crate::search::Doubt;
 
-/// Result of a step made in two halves and at once.
+/// Result of a step made both in two halves and as a whole.
 #[derive(Debug)]
 struct Twice {
     /// The largest contact force at the ends of the step, N.
@@ -91,7 +91,7 @@ impl<'g> Steps<'g> {
         used.max(twice.unseen / (0.1 * self.error).max(rounding))
     }
 
-    /// Makes a step in two halves and at once; `None` if one of them finds no equilibrium, or only a distant one.
+    /// Makes a step both in two halves and as a whole; `None` if one of them finds no equilibrium, or only a distant one.
     fn twice(&mut self, length: f64) -> Option<Twice> {
         let Self { along, present: from, places: Places { middle, to, at_once, .. }, .. } = self;
         let rate = self.pace.rate.clone().unwrap_or_else(Vector::zeros);

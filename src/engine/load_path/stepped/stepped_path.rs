@@ -35,7 +35,7 @@ pub(crate) struct Steps<'g> {
     pub(super) pace: StepPace,
     /// The allowed error of the forces, over the largest force.
     pub(super) error: f64,
-    /// A second path with the same steps, each made at once instead of in two halves.
+    /// A second path with the same steps, each made as a whole instead of in two halves.
     pub(super) coarse: Coarse,
     /// Largest error that both paths may share, over the largest force.
     pub(super) unseen: f64,
