@@ -53,8 +53,8 @@ pub enum Question<const C: usize> {
         /// The load that grows from zero in addition to the base.
         load: Wrench<C>,
     },
-    /// The onset of sliding along a ramp: the load is `base + τ direction` at the factor τ, and commands change by τ times their change.
-    /// See [`Grasp::onset`](crate::ask::Grasp::onset).
+    /// The onset of sliding along a ramp: the load is `base + τ direction` at the load factor τ, and commands change by τ times their change. See
+    /// [`Grasp::onset`](crate::ask::Grasp::onset).
     Onset {
         /// The load at load factor 0; zero if left out.
         #[serde(default = "no_load::<C>")]

@@ -92,7 +92,7 @@ pub struct InTheWay {
     pub binds: Binds,
 }
 
-/// An active event or bound with its multiplier. A gain is an increase of the first slip, as a factor of the loads, or of the reserve, N.
+/// An active event or bound with its multiplier. A gain is an increase of the load factor of first slip, or of the reserve, N.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",

@@ -22,7 +22,7 @@ pub(super) struct ConeRow {
     pub(super) number: usize,
 }
 
-/// A condition, its value (the factor of the loads at which it is broken, or the reserve, N) and the derivatives of the value by each variable.
+/// A condition, its value (the load factor at which it is broken, or the reserve, N) and the derivatives of the value by each variable.
 #[derive(Debug, Clone)]
 pub(super) struct SlipEvent {
     pub(super) condition: ConeRow,

@@ -11,7 +11,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 /// no contact leaves.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LeavingEdge<const C: usize, X: Packed> {
-    /// The factor of the load at which the margin vanishes.
+    /// The load factor at which the margin vanishes.
     pub(super) factor: X,
     /// The index of the leaving contact; -1 where there is none.
     pub(super) contact: X,
