@@ -27,7 +27,7 @@ use crate::prelude::*;
 /// The integration rule of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Rule {
-    /// Along the tangent, for steps so short that no direction turns.
+    /// A straight step along the tangent, for steps so short that no direction of friction turns.
     Straight,
     /// Explicit, of order 8, for directions that turn about as fast as the object moves.
     Explicit,

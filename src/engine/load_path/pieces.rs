@@ -282,7 +282,7 @@ impl<'g> Pieces<'g> {
         let point =
             match &self.point {
                 Some(point) => point.clone(),
-                // If no rates lead further, the state with fixed load and commands.
+                // If no rates lead further, the piece has the state with fixed load and commands.
                 None => self.node.point_at(&self.segment, self.factor, None).ok().or_else(|| {
                     self.node.point_at(&self.segment.at_rest(self.factor), self.factor, None).ok()
                 })?,

@@ -186,8 +186,8 @@ where
     tallies
 }
 
-/// With every contact closed nothing may differ, with open ones no state. Of 300 scenes with open contacts one may have a tie on the way, which rounding
-/// decides: the path may then end in another equilibrium.
+/// If every contact is closed, both solvers must end with the same states after as many pivots. If contacts are open, the numbers of pivots may
+/// differ. In one of 300 such scenes the states may differ, too: the path then has a tie that rounding decides, and may end in another equilibrium.
 fn agree(tallies: &Tallies) {
     let (closed, opening) = (tallies.closed, tallies.opening);
     assert_eq!(closed.same + closed.neither + closed.only_structured, closed.scenes, "{closed:?}");

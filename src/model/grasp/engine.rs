@@ -153,7 +153,7 @@ impl Engine {
         &self.contacts
     }
 
-    /// The contacts as users count them, each with its points.
+    /// The contacts as users count them: a soft fingertip or a link counts as one contact with several points.
     pub(crate) fn wholes(&self) -> &WholeContacts {
         &self.wholes
     }

@@ -68,7 +68,7 @@ impl Model<'_> {
     }
 }
 
-/// Logarithms of the unknowns, and the prediction there: of all slips, or the first slip without one.
+/// Logarithms of the unknowns, and the model's prediction of all slips with these unknowns. The error is the first slip that is not predicted.
 type Begun = (Vec<f64>, Result<Linear, (usize, NoSlip)>);
 
 /// The first point at which the model predicts all slips: the given values, or these with all friction multiplied by a common factor. The factor is
