@@ -43,7 +43,8 @@ pub(super) struct GroupedError {
 }
 
 impl Grouped {
-    /// From rows in the basis (one slip for each entry of `groups`, then the known sums) and their residuals.
+    /// Computes the contribution of each group from the rows in the basis and their residuals. The rows are the slips, one for each entry of
+    /// `groups`, then the known sums.
     pub(super) fn of(rows: &DMatrix<f64>, residuals: &[f64], groups: &[usize]) -> Self {
         let mut names = groups.to_vec();
         names.sort_unstable();
