@@ -53,7 +53,7 @@ pub struct Improved<const C: usize> {
 pub struct Placed<const C: usize> {
     /// The contact, or the point of a soft fingertip.
     pub contact: WholeContact,
-    /// Name of the surface that it may move along, if any: "edge", "circle", …
+    /// Name of the surface along which the contact may move, if any: "edge", "circle", …
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub surface: Option<String>,
     /// Contact point, m.

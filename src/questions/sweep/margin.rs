@@ -200,7 +200,7 @@ impl UncertainForce<'_> {
 /// Forces to first order about the known data, the same for all facets.
 pub(super) struct FirstOrder {
     force: SVector<f64, 3>,
-    /// Covariance of the force, without friction.
+    /// Covariance of the force, without the part due to uncertain friction.
     spread: SMatrix<f64, 3, 3>,
     friction: f64,
 }
