@@ -170,8 +170,7 @@ impl UncertainForce<'_> {
         factor * normal + other
     }
 
-    /// `φ(β) E[(X' - β')₊]` per unit of the angle, while the row changes at the rate `turned`. X is the margin about its mean, in standard deviations,
-    /// and X' is independent of X.
+    /// The mean number of crossings `φ(β) E[(X' - β')₊]` per unit of the angle θ, see [`super::failure`], while the row changes at the rate `turned`.
     pub(super) fn crossings(&self, margin: &FacetMargin, turned: &SVector<f64, 3>) -> f64 {
         if margin.steepness == 0.0 {
             return 0.0;
