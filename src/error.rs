@@ -170,7 +170,7 @@ pub enum Error {
     NotClosed {
         /// The quantity that differs.
         what: &'static str,
-        /// Its largest difference, in its own unit.
+        /// The largest difference of this quantity, in its own unit.
         off: f64,
     },
     /// The question limits contact forces by limiting normal forces. This contact pulls, is bonded or has infinite friction, so its force has no

@@ -23,27 +23,27 @@ use nalgebra::{DVector, SMatrix, SVector};
 
 /// Π(ζ) of a contact with friction μ, and its derivative with respect to ζ.
 pub(super) fn answer<const C: usize>(
-    tried: &SVector<f64, C>,
+    trial: &SVector<f64, C>,
     mu: f64,
 ) -> (SVector<f64, C>, SMatrix<f64, C, C>) {
-    let slip = tangent(tried);
+    let slip = tangent(trial);
     let length = slip.norm();
-    if tried[0] <= 0.0 {
+    if trial[0] <= 0.0 {
         return (SVector::zeros(), SMatrix::zeros());
     }
-    if length <= mu * tried[0] && mu > 0.0 {
-        return (*tried, SMatrix::identity());
+    if length <= mu * trial[0] && mu > 0.0 {
+        return (*trial, SMatrix::identity());
     }
     let mut change = SMatrix::zeros();
     let mut answer = SVector::zeros();
     if length > 0.0 {
         let along = slip / length;
-        answer = along * (mu * tried[0]);
-        change = (SMatrix::identity() - along * along.transpose()) * (mu * tried[0] / length);
+        answer = along * (mu * trial[0]);
+        change = (SMatrix::identity() - along * along.transpose()) * (mu * trial[0] / length);
         change.column_mut(0).copy_from(&(along * mu));
         change.row_mut(0).fill(0.0);
     }
-    (answer[0], change[(0, 0)]) = (tried[0], 1.0);
+    (answer[0], change[(0, 0)]) = (trial[0], 1.0);
     (answer, change)
 }
 
@@ -62,7 +62,7 @@ pub(super) struct Anchored<'a, const C: usize> {
 impl<'a, const C: usize> Anchored<'a, C> {
     /// The equations with the anchor at these forces. Residuals are weighted as energy or, if `by_contact`, relative to the contact's own force
     /// and velocity.
-    pub(super) fn near(
+    pub(super) fn with_anchor(
         problem: &'a FrictionProblem<C>,
         blocks: &'a Blocks<C>,
         rho: Vec<f64>,
@@ -91,12 +91,12 @@ impl<const C: usize> Equations<C> for Anchored<'_, C> {
         let mut place = Linearisation::new(r);
         for (i, (rho, weight)) in self.rho.iter().zip(&self.weight).enumerate() {
             let (force, velocity) = (part::<C>(&place.r, i), part::<C>(&u, i) * *rho);
-            let tried = force - velocity - (force - part::<C>(&self.anchor, i)) * self.delta;
-            let (answer, change) = answer(&tried, self.problem.mu[i]);
-            let missed = force - answer;
-            place.size += missed.norm_squared() * weight;
+            let trial = force - velocity - (force - part::<C>(&self.anchor, i)) * self.delta;
+            let (answer, change) = answer(&trial, self.problem.mu[i]);
+            let residual = force - answer;
+            place.size += residual.norm_squared() * weight;
             place.terms += (force.norm_squared() + velocity.norm_squared()) * weight;
-            place.push(missed, ContactBlock::identity() - change, change * *rho);
+            place.push(residual, ContactBlock::identity() - change, change * *rho);
         }
         (place.size, place.terms) = (place.size.sqrt(), place.terms.sqrt());
         place

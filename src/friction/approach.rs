@@ -74,69 +74,69 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
     }
 
     /// Runs start number `nth`. Returns whether the residual of the best forces is within the tolerance.
-    pub(super) fn set_out(&mut self, nth: usize) -> bool {
-        let (sweeps, begin) = STARTS[nth];
+    pub(super) fn run_start(&mut self, nth: usize) -> bool {
+        let (sweeps, tau) = STARTS[nth];
         let mut r = DVector::zeros(self.problem.q.len());
-        self.swept(&mut r, sweeps);
-        if self.offer(&r) <= WORTH_POLISHING && self.polish() || self.best.stopped {
-            return self.arrived();
+        self.run_sweeps(&mut r, sweeps);
+        if self.record_if_best(&r) <= WORTH_POLISHING && self.polish() || self.best.stopped {
+            return self.is_converged();
         }
         let (problem, blocks, order) = (self.problem, self.blocks, core::mem::take(&mut self.order));
-        let (r, steps) = central_path::follow(problem, blocks, &order, r, begin, |r| {
-            let missing = self.offer(r);
+        let (r, steps) = central_path::follow(problem, blocks, &order, r, tau, |r| {
+            let missing = self.record_if_best(r);
             if self.best.stopped { ControlFlow::Break(()) } else { ControlFlow::Continue(missing) }
         });
         self.order = order;
         self.best.steps += steps;
         if self.best.residual <= WORTH_POLISHING && self.polish() || self.best.stopped {
-            return self.arrived();
+            return self.is_converged();
         }
-        self.go_on(r)
+        self.anchored_rounds(r)
     }
 
     /// Runs a start that follows the central path around its folds, for a few contacts.
     pub(super) fn around_folds(&mut self) -> bool {
         let Some(r) = around_folds(self.problem, self.blocks) else { return false };
-        if self.offer(&r) <= WORTH_POLISHING && self.polish() || self.best.stopped {
-            return self.arrived();
+        if self.record_if_best(&r) <= WORTH_POLISHING && self.polish() || self.best.stopped {
+            return self.is_converged();
         }
-        self.go_on(r)
+        self.anchored_rounds(r)
     }
 
     /// Polishes the given forces.
     pub(super) fn polished(mut self, r: &DVector<f64>) -> DVector<f64> {
-        self.offer(r);
+        self.record_if_best(r);
         self.polish();
         self.best.r
     }
 
     /// Runs rounds of anchored Newton steps, in each of which the anchor moves to the forces of the last round.
-    fn go_on(&mut self, mut r: DVector<f64>) -> bool {
+    fn anchored_rounds(&mut self, mut r: DVector<f64>) -> bool {
         // Weight of the proximal term in the first round.
         let mut delta = 1e-3;
         for _ in 0..self.settings.rounds {
-            let equations = self.near(&r, (delta, self.best.residual < WORTH_POLISHING));
-            let begin = equations.at(r.clone()).size;
+            let equations = self.anchored_at(&r, (delta, self.best.residual < WORTH_POLISHING));
+            let initial_size = equations.at(r.clone()).size;
             let steps = self.settings.steps;
             // Line search gives up below this fraction of a Newton step, which would not be worth its factorisation.
             let patience = Patience { steps, enough: 0.0, rounding: FEW_ROUNDINGS, shortest: 1e-2, leaps: 6 };
             let (place, made) = descend(&equations, &self.order, r.clone(), patience);
             self.best.steps += made;
-            let missing = self.offer(&place.r);
+            let missing = self.record_if_best(&place.r);
             if missing <= WORTH_POLISHING && self.polish() || self.best.stopped {
                 break;
             }
             // A round has converged if its residual is a small fraction of that at its start, or rounding of its terms.
-            if place.size <= (1e-3 * begin).max(ROUND_CONVERGED * place.terms) {
+            if place.size <= (1e-3 * initial_size).max(ROUND_CONVERGED * place.terms) {
                 r = place.r;
                 // A converged round reduces the weight of the proximal term; a failed round increases it.
                 delta = (0.1 * delta).max(1e-10);
             } else {
                 delta = (3.0 * delta).min(1.0);
-                self.swept(&mut r, 50);
+                self.run_sweeps(&mut r, 50);
             }
         }
-        self.arrived()
+        self.is_converged()
     }
 
     /// Makes Newton steps from the best forces while they reduce the residual; sweeps replace a step that fails.
@@ -147,26 +147,26 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
                 break;
             }
             let (r, before) = (self.best.r.clone(), self.best.residual);
-            let equations = self.near(&r, (0.0, false));
+            let equations = self.anchored_at(&r, (0.0, false));
             let step = newton_step(&equations, &self.order, &equations.at(r.clone()));
             self.best.steps += 1;
             // Polishing ends when neither a step nor sweeps reduce the residual to this fraction.
             let worthwhile = 0.9;
-            if step.is_some_and(|step| self.offer(&(&r + step)) <= worthwhile * before) {
+            if step.is_some_and(|step| self.record_if_best(&(&r + step)) <= worthwhile * before) {
                 continue;
             }
             let mut swept = r;
             // Sweeps replace a Newton step that does not reduce the residual enough.
-            self.swept(&mut swept, 5);
-            if self.offer(&swept) > worthwhile * before {
+            self.run_sweeps(&mut swept, 5);
+            if self.record_if_best(&swept) > worthwhile * before {
                 break;
             }
         }
-        self.arrived()
+        self.is_converged()
     }
 
     /// Makes `count` sweeps, or fewer if the forces no longer change.
-    fn swept(&self, r: &mut DVector<f64>, count: usize) {
+    fn run_sweeps(&self, r: &mut DVector<f64>, count: usize) {
         for _ in 0..count {
             if sweep(self.problem, self.blocks, r) < FEW_ROUNDINGS {
                 break;
@@ -174,38 +174,39 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         }
     }
 
-    fn arrived(&self) -> bool {
+    fn is_converged(&self) -> bool {
         self.best.residual <= self.settings.tolerance
     }
 
-    fn near(&self, anchor: &DVector<f64>, held: (f64, bool)) -> Anchored<'a, C>
+    fn anchored_at(&self, anchor: &DVector<f64>, weights: (f64, bool)) -> Anchored<'a, C>
     where
         Self: 'a,
     {
-        Anchored::near(self.problem, self.blocks, self.rho.clone(), anchor, held)
+        Anchored::with_anchor(self.problem, self.blocks, self.rho.clone(), anchor, weights)
     }
 
     /// Keeps these forces if their residual is the smallest so far, and reports to the watcher. Returns their largest residual.
-    fn offer(&mut self, r: &DVector<f64>) -> f64 {
+    fn record_if_best(&mut self, r: &DVector<f64>) -> f64 {
         if r.iter().any(|r| !r.is_finite()) {
             return f64::INFINITY;
         }
-        let tidy = self.problem.tidied(r.clone(), &self.blocks.velocities(r, &self.problem.q), &self.rho);
+        let tidy =
+            self.problem.snapped_to_cones(r.clone(), &self.blocks.velocities(r, &self.problem.q), &self.rho);
         let (u, terms) =
             (self.blocks.velocities(&tidy, &self.problem.q), self.blocks.terms(&tidy, &self.problem.q));
-        let (residuals, worst) = self.problem.judged(&tidy, &u, &terms);
+        let (residuals, worst) = self.problem.residuals_from(&tidy, &u, &terms);
         let residual = residuals.max();
         if residual < self.best.residual {
             (self.best.r, self.best.residual, self.best.worst) = (tidy, residual, worst);
         }
-        let told = SolveProgress {
+        let progress = SolveProgress {
             contacts: self.names,
             forces: &self.best.r,
             residual: self.best.residual,
             worst: self.names[self.best.worst],
             steps: self.best.steps,
         };
-        self.best.stopped |= (self.watch)(&told).is_break();
+        self.best.stopped |= (self.watch)(&progress).is_break();
         residual
     }
 }

@@ -40,12 +40,12 @@ impl<const C: usize> Blocks<C> {
     }
 
     /// The diagonal block of a contact.
-    pub(super) fn own(&self, i: usize) -> &ContactBlock<C> {
+    pub(super) fn diagonal(&self, i: usize) -> &ContactBlock<C> {
         &self.own[i]
     }
 
     /// The nonzero blocks of a contact's row, other than the diagonal one, with the indices of the other contacts.
-    pub(super) fn others(&self, i: usize) -> &[(usize, ContactBlock<C>)] {
+    pub(super) fn off_diagonal(&self, i: usize) -> &[(usize, ContactBlock<C>)] {
         &self.others[i]
     }
 

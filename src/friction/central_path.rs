@@ -32,7 +32,7 @@ pub(super) struct Smoothed<'a, const C: usize> {
 /// The scale ρ of each contact in the coordinates r', û'.
 pub(super) fn scales<const C: usize>(problem: &FrictionProblem<C>, blocks: &Blocks<C>) -> Vec<f64> {
     let scale = |i: usize| {
-        let own = blocks.own(i);
+        let own = blocks.diagonal(i);
         let mu = if problem.mu[i] > 0.0 { problem.mu[i] } else { 1.0 };
         let mut size = tangent_block(own).amax().max(own[(0, 0)].abs() / (mu * mu));
         if size == 0.0 {
@@ -111,10 +111,10 @@ impl<const C: usize> Equations<C> for Smoothed<'_, C> {
         let u = self.blocks.velocities(&r, &self.problem.q);
         let mut place = Linearisation::new(r);
         for (i, rho) in self.rho.iter().enumerate() {
-            let (missed, by_force, by_velocity) =
+            let (residual, by_force, by_velocity) =
                 contact::<C>(&part(&place.r, i), &part(&u, i), self.problem.mu[i], (*rho, self.tau));
-            place.size += missed.norm_squared() / rho;
-            place.push(missed, by_force, by_velocity);
+            place.size += residual.norm_squared() / rho;
+            place.push(residual, by_force, by_velocity);
         }
         place.size = place.size.sqrt();
         place
@@ -140,12 +140,12 @@ fn contact<const C: usize>(
     if mu == 0.0 {
         // Without friction the cone is a ray, and the residual is scalar.
         let x = force[0] - rho * velocity[0];
-        let (mut missed, mut by_force, mut by_velocity) =
+        let (mut residual, mut by_force, mut by_velocity) =
             (*force, ContactBlock::identity(), ContactBlock::zeros());
-        missed[0] -= smoothed(x, width);
+        residual[0] -= smoothed(x, width);
         by_force[(0, 0)] -= slope(x, width);
         by_velocity[(0, 0)] = rho * slope(x, width);
-        return (missed, by_force, by_velocity);
+        return (residual, by_force, by_velocity);
     }
     // ‖u_T‖, smoothed near zero.
     let slip = tangent(velocity);

@@ -14,7 +14,7 @@ use nalgebra::DVector;
 pub(super) fn order<const C: usize>(blocks: &Blocks<C>) -> Vec<usize> {
     let mut near: Vec<Vec<usize>> = vec![Vec::new(); blocks.len()];
     for i in 0..blocks.len() {
-        for (j, _) in blocks.others(i) {
+        for (j, _) in blocks.off_diagonal(i) {
             near[i].push(*j);
             near[*j].push(i);
         }
@@ -100,36 +100,36 @@ pub(super) fn solve<const C: usize>(
     let mut pivots: Vec<ContactBlock<C>> = Vec::with_capacity(n);
     let mut uppers: Vec<SparseRow<C>> = Vec::with_capacity(n);
     let mut work: Vec<ContactBlock<C>> = vec![ContactBlock::zeros(); n];
-    let mut there = vec![false; n];
+    let mut present = vec![false; n];
     let mut x = rhs.clone();
     for (k, i) in order.iter().enumerate() {
         for (j, block) in &rows[*i] {
             work[place[*j]] = *block;
-            there[place[*j]] = true;
+            present[place[*j]] = true;
         }
         let mut value = part::<C>(rhs, *i);
         for before in 0..k {
-            if !there[before] {
+            if !present[before] {
                 continue;
             }
-            there[before] = false;
+            present[before] = false;
             let factor = work[before] * pivots[before];
             value -= factor * part::<C>(&x, order[before]);
             for (j, block) in &uppers[before] {
                 let change = factor * block;
-                if there[*j] {
+                if present[*j] {
                     work[*j] -= change;
                 } else {
                     work[*j] = -change;
-                    there[*j] = true;
+                    present[*j] = true;
                 }
             }
         }
-        there[k] = false;
+        present[k] = false;
         pivots.push(inverse(work[k])?);
         let mut upper = Vec::new();
         for j in k + 1..n {
-            if core::mem::take(&mut there[j]) {
+            if core::mem::take(&mut present[j]) {
                 upper.push((j, work[j]));
             }
         }

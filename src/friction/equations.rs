@@ -15,7 +15,7 @@ use nalgebra::{DVector, SVector};
 pub(super) struct Linearisation<const C: usize> {
     pub(super) r: DVector<f64>,
     /// Residual of each contact.
-    pub(super) missed: DVector<f64>,
+    pub(super) residual: DVector<f64>,
     /// Derivative of a contact's residual with respect to its force, at constant velocity.
     pub(super) by_force: Vec<ContactBlock<C>>,
     /// Derivative of a contact's residual with respect to its velocity.
@@ -27,10 +27,10 @@ pub(super) struct Linearisation<const C: usize> {
 
 impl<const C: usize> Linearisation<C> {
     pub(super) fn new(r: DVector<f64>) -> Self {
-        let (missed, n) = (DVector::zeros(r.len()), r.len() / C);
+        let (residual, n) = (DVector::zeros(r.len()), r.len() / C);
         Self {
             r,
-            missed,
+            residual,
             by_force: Vec::with_capacity(n),
             by_velocity: Vec::with_capacity(n),
             size: 0.0,
@@ -41,11 +41,11 @@ impl<const C: usize> Linearisation<C> {
     /// Appends the residual of the next contact and its derivatives.
     pub(super) fn push(
         &mut self,
-        missed: SVector<f64, C>,
+        residual: SVector<f64, C>,
         by_force: ContactBlock<C>,
         by_velocity: ContactBlock<C>,
     ) {
-        self.missed.fixed_rows_mut::<C>(C * self.by_force.len()).copy_from(&missed);
+        self.residual.fixed_rows_mut::<C>(C * self.by_force.len()).copy_from(&residual);
         self.by_force.push(by_force);
         self.by_velocity.push(by_velocity);
     }
@@ -83,49 +83,49 @@ pub(super) fn descend<const C: usize>(
     r: DVector<f64>,
     mut patience: Patience,
 ) -> (Linearisation<C>, usize) {
-    let mut here = equations.at(r);
+    let mut point = equations.at(r);
     let mut made = 0;
-    while made < patience.steps && here.size > patience.enough.max(patience.rounding * here.terms) {
-        let Some(step) = newton_step(equations, order, &here) else { break };
+    while made < patience.steps && point.size > patience.enough.max(patience.rounding * point.terms) {
+        let Some(step) = newton_step(equations, order, &point) else { break };
         made += 1;
         let mut part = 1.0;
-        let mut next = equations.at(&here.r + &step);
-        while next.size.is_nan() || next.size > (1.0 - SUFFICIENT_DECREASE * part) * here.size {
+        let mut next = equations.at(&point.r + &step);
+        while next.size.is_nan() || next.size > (1.0 - SUFFICIENT_DECREASE * part) * point.size {
             part *= 0.5;
             if part < patience.shortest {
                 break;
             }
-            next = equations.at(&here.r + &step * part);
+            next = equations.at(&point.r + &step * part);
         }
         if part < patience.shortest {
             if patience.leaps == 0 {
                 break;
             }
             patience.leaps -= 1;
-            next = equations.at(&here.r + &step);
+            next = equations.at(&point.r + &step);
         }
-        here = next;
+        point = next;
     }
-    (here, made)
+    (point, made)
 }
 
 /// The Newton step at a point; `None` if the elimination fails.
 pub(super) fn newton_step<const C: usize>(
     equations: &impl Equations<C>,
     order: &[usize],
-    here: &Linearisation<C>,
+    point: &Linearisation<C>,
 ) -> Option<DVector<f64>> {
     let blocks = equations.blocks();
     let row = |i: usize| {
-        let (by_force, by_velocity) = (here.by_force[i], here.by_velocity[i]);
-        let own = blocks.own(i) + ContactBlock::identity() * equations.shift(i);
+        let (by_force, by_velocity) = (point.by_force[i], point.by_velocity[i]);
+        let own = blocks.diagonal(i) + ContactBlock::identity() * equations.shift(i);
         let mut row = vec![(i, by_force + by_velocity * own)];
         // The residual of an open contact does not depend on other contacts.
         if by_velocity.iter().any(|x| *x != 0.0) {
-            row.extend(blocks.others(i).iter().map(|(j, w)| (*j, by_velocity * w)));
+            row.extend(blocks.off_diagonal(i).iter().map(|(j, w)| (*j, by_velocity * w)));
         }
         row
     };
     let rows: Vec<elimination::SparseRow<C>> = numbered(blocks.len(), &row);
-    elimination::solve(order, &rows, &-&here.missed)
+    elimination::solve(order, &rows, &-&point.residual)
 }

@@ -27,7 +27,7 @@ pub(super) fn around_folds<const C: usize>(
     let path = Path { problem, blocks, rho: &rho };
     let q = (0..problem.len()).map(|i| part::<C>(&problem.q, i).norm_squared() * rho[i]);
     let energy = q.sum::<f64>() / problem.len() as f64;
-    let mut x = path.begin(energy)?;
+    let mut x = path.starting_point(energy)?;
     let end = (1e-18 * energy).ln();
     let size = x.len() - 1;
     let mut tangent = DVector::zeros(size + 1);
@@ -74,7 +74,7 @@ struct Path<'a, const C: usize> {
 
 impl<const C: usize> Path<'_, C> {
     /// Forces and ln τ at the starting point of the path, far inside the cones.
-    fn begin(&self, energy: f64) -> Option<DVector<f64>> {
+    fn starting_point(&self, energy: f64) -> Option<DVector<f64>> {
         let size = self.problem.q.len();
         // Initial τ, as a multiple of the mean energy of a contact.
         let tau = 1e6 * energy;
@@ -93,29 +93,29 @@ impl<const C: usize> Path<'_, C> {
     }
 
     /// The residuals at a point, their root mean square relative to √τ, and their derivatives with respect to forces and ln τ.
-    fn missed(&self, x: &DVector<f64>) -> (DVector<f64>, f64, DMatrix<f64>) {
+    fn residual_and_derivatives(&self, x: &DVector<f64>) -> (DVector<f64>, f64, DMatrix<f64>) {
         let size = x.len() - 1;
         let r = x.rows(0, size).into_owned();
         let at =
             |log: f64| Smoothed { problem: self.problem, blocks: self.blocks, rho: self.rho, tau: log.exp() };
-        let here = at(x[size]).at(r.clone());
+        let point = at(x[size]).at(r.clone());
         let mut change = DMatrix::zeros(size + 1, size + 1);
         for i in 0..self.problem.len() {
             let mut put = |j: usize, block| change.fixed_view_mut::<C, C>(C * i, C * j).copy_from(&block);
-            put(i, here.by_force[i] + here.by_velocity[i] * self.blocks.own(i));
-            for (j, w) in self.blocks.others(i) {
-                put(*j, here.by_velocity[i] * w);
+            put(i, point.by_force[i] + point.by_velocity[i] * self.blocks.diagonal(i));
+            for (j, w) in self.blocks.off_diagonal(i) {
+                put(*j, point.by_velocity[i] * w);
             }
         }
         // Derivative with respect to ln τ, by central differences.
         let nudge = 1e-5;
         let (more, less) = (at(x[size] + nudge).at(r.clone()), at(x[size] - nudge).at(r));
-        let by_log = (more.missed - less.missed) / (2.0 * nudge);
+        let by_log = (more.residual - less.residual) / (2.0 * nudge);
         change.view_mut((0, size), (size, 1)).copy_from(&by_log);
-        let mut missed = here.missed.insert_row(size, 0.0);
-        missed[size] = 0.0;
-        let near = here.size / (self.problem.len() as f64 * x[size].exp()).sqrt();
-        (missed, near, change)
+        let mut residual = point.residual.insert_row(size, 0.0);
+        residual[size] = 0.0;
+        let near = point.size / (self.problem.len() as f64 * x[size].exp()).sqrt();
+        (residual, near, change)
     }
 
     /// Diagonal of the metric for changes of forces and ln τ. Forces are measured relative to their size at x.
@@ -134,7 +134,7 @@ impl<const C: usize> Path<'_, C> {
         measure: &DVector<f64>,
     ) -> Option<DVector<f64>> {
         let size = x.len() - 1;
-        let (_, _, mut change) = self.missed(x);
+        let (_, _, mut change) = self.residual_and_derivatives(x);
         let weighed = before.component_mul(measure);
         change.row_mut(size).copy_from(&weighed.transpose());
         let mut rhs = DVector::zeros(size + 1);
@@ -156,12 +156,12 @@ impl<const C: usize> Path<'_, C> {
         let size = x.len() - 1;
         let weighed = ahead.component_mul(measure).transpose();
         for corrections in 0..=MOST_FOLD_CORRECTIONS {
-            let (missed, near, mut change) = self.missed(&x);
+            let (residual, near, mut change) = self.residual_and_derivatives(&x);
             if near <= ON_CENTRAL_PATH {
                 return Some((x, corrections));
             }
             change.row_mut(size).copy_from(&weighed);
-            x -= change.lu().solve(&missed)?;
+            x -= change.lu().solve(&residual)?;
             if !x.iter().all(|x| x.is_finite()) {
                 return None;
             }

@@ -16,23 +16,23 @@ pub(super) fn islands<const C: usize>(blocks: &Blocks<C>) -> Vec<Vec<usize>> {
     let n = blocks.len();
     let mut near = vec![Vec::new(); n];
     for i in 0..n {
-        for (j, _) in blocks.others(i) {
+        for (j, _) in blocks.off_diagonal(i) {
             // W need not be symmetric, so coupling in one direction suffices.
             near[i].push(*j);
             near[*j].push(i);
         }
     }
-    let mut seen = vec![false; n];
+    let mut visited = vec![false; n];
     let mut islands = Vec::new();
     for first in 0..n {
-        if core::mem::replace(&mut seen[first], true) {
+        if core::mem::replace(&mut visited[first], true) {
             continue;
         }
         let mut island = vec![first];
         let mut next = 0;
         while next < island.len() {
             for j in &near[island[next]] {
-                if !core::mem::replace(&mut seen[*j], true) {
+                if !core::mem::replace(&mut visited[*j], true) {
                     island.push(*j);
                 }
             }
@@ -78,11 +78,12 @@ impl<const C: usize> FrictionProblem<C> {
                     (pivots, steps) = (pivots + solution.pivots, steps + solution.steps);
                 }
                 Outcome::Infeasible(certificate) => {
-                    return Outcome::Infeasible(spread(&certificate, island, n));
+                    return Outcome::Infeasible(extend_to_all(&certificate, island, n));
                 }
                 Outcome::NoBasis { pivots } => return Outcome::NoBasis { pivots },
                 Outcome::NearlyInfeasible(certificate) => {
-                    unsolved = unsolved.or(Some(Outcome::NearlyInfeasible(spread(&certificate, island, n))));
+                    unsolved =
+                        unsolved.or(Some(Outcome::NearlyInfeasible(extend_to_all(&certificate, island, n))));
                 }
                 Outcome::Breakdown { pivots, cause: BreakdownCause::Stopped { residual, contact } } => {
                     let cause = BreakdownCause::Stopped { residual, contact: island[contact] };
@@ -109,7 +110,7 @@ impl<const C: usize> FrictionProblem<C> {
 }
 
 /// Extends the certificate of an island to all contacts, with weight zero on the others.
-fn spread(certificate: &Certificate, island: &[usize], n: usize) -> Certificate {
+fn extend_to_all(certificate: &Certificate, island: &[usize], n: usize) -> Certificate {
     let mut y = DVector::zeros(n);
     for (weight, i) in certificate.y.iter().zip(island) {
         y[*i] = *weight;

@@ -1,4 +1,4 @@
-//! Coulomb's law between force and velocity of a contact, and the residuals of such a pair.
+//! Coulomb's law between force and velocity of a contact, and the residuals of a force and a velocity that violate it.
 
 use super::problem::{FrictionProblem, part};
 use nalgebra::{DVector, SVector};
@@ -76,7 +76,7 @@ pub(super) fn projection<const C: usize>(x: &SVector<f64, C>, mu: f64) -> SVecto
 
 /// The residuals of one contact; `size` is the magnitude of its velocity's terms. Force and velocity are scaled first, so that no square
 /// overflows or underflows.
-fn missed<const C: usize>(
+fn contact_residuals<const C: usize>(
     force: &SVector<f64, C>,
     velocity: &SVector<f64, C>,
     size: f64,
@@ -101,11 +101,11 @@ impl<const C: usize> FrictionProblem<C> {
     /// The residuals of the forces r (C n entries); infinite for a vector of another length or with entries that are not finite.
     #[must_use]
     pub fn residuals(&self, r: &DVector<f64>) -> Residuals {
-        self.missed_by(r).0
+        self.worst_residuals(r).0
     }
 
     /// The residuals, and the contact with the largest one.
-    pub(super) fn missed_by(&self, r: &DVector<f64>) -> (Residuals, usize) {
+    pub(super) fn worst_residuals(&self, r: &DVector<f64>) -> (Residuals, usize) {
         if r.len() != self.q.len() || r.iter().any(|r| !r.is_finite()) {
             return (INFINITE_RESIDUALS, 0);
         }
@@ -114,11 +114,11 @@ impl<const C: usize> FrictionProblem<C> {
         if u.iter().chain(&terms).any(|x| !x.is_finite()) {
             return (INFINITE_RESIDUALS, 0);
         }
-        self.judged(r, &u, &terms)
+        self.residuals_from(r, &u, &terms)
     }
 
     /// The residuals for forces, velocities and magnitudes of the velocities' terms, and the contact with the largest one.
-    pub(super) fn judged(
+    pub(super) fn residuals_from(
         &self,
         r: &DVector<f64>,
         u: &DVector<f64>,
@@ -128,16 +128,16 @@ impl<const C: usize> FrictionProblem<C> {
         let (mut worst, mut most) = (0, 0.0);
         for i in 0..self.len() {
             let (force, velocity, size) = (part(r, i), part(u, i), part::<C>(terms, i).amax());
-            let missed = missed::<C>(&force, &velocity, size, self.mu[i]);
-            if missed.max().is_nan() {
+            let residuals = contact_residuals::<C>(&force, &velocity, size, self.mu[i]);
+            if residuals.max().is_nan() {
                 return (INFINITE_RESIDUALS, i);
             }
-            if missed.max() > most {
-                (worst, most) = (i, missed.max());
+            if residuals.max() > most {
+                (worst, most) = (i, residuals.max());
             }
-            out.approach = out.approach.max(missed.approach);
-            out.cone = out.cone.max(missed.cone);
-            out.law = out.law.max(missed.law);
+            out.approach = out.approach.max(residuals.approach);
+            out.cone = out.cone.max(residuals.cone);
+            out.law = out.law.max(residuals.law);
         }
         (out, worst)
     }
@@ -149,10 +149,10 @@ impl<const C: usize> FrictionProblem<C> {
         mu: f64,
         rho: f64,
     ) -> ContactMode {
-        let tried = force - velocity * rho;
-        if tried[0] <= 0.0 {
+        let trial = force - velocity * rho;
+        if trial[0] <= 0.0 {
             ContactMode::Open
-        } else if tangent(&tried).norm() <= mu * tried[0] && mu > 0.0 {
+        } else if tangent(&trial).norm() <= mu * trial[0] && mu > 0.0 {
             ContactMode::Sticking
         } else {
             ContactMode::Sliding

@@ -70,17 +70,18 @@
 //! Every solution is checked on the given data, each contact relative to its own force and the terms of its velocity, see [`Residuals`]. A
 //! vector that [`FrictionProblem::proves_infeasible`] checks is a proof that no solution exists.
 
-// Files. Input: `problem` validates it. Law: `law` computes residuals of Coulomb's law, `settled` accepts forces as a
-// solution. `solve` chooses the methods, `islands` splits the problem. A few contacts: `facets` poses the complementarity problem, `polygons`
-// and `newton` continue on the round cone. Many contacts: `approach` combines `sweeps` over `one_contact`, the `central_path` (around its
-// `folds`) and `alart_curnier`. The last two are `equations` in `blocks`, solved by `elimination`. `certificate` proves that no solution exists.
-// `tolerances` holds the limits for rounding.
+// Files. Input: `problem` validates it. Law: `law` computes residuals of Coulomb's law, `checked_solution` accepts forces as a solution. `solve`
+// chooses the methods, `islands` splits the problem. A few contacts: `facets` poses the complementarity problem, `polygons` and `newton` continue on
+// the round cone. Many contacts: `approach` combines `sweeps` over `one_contact`, the `central_path` (around its `folds`) and `alart_curnier`. The
+// last two are `equations` in `blocks`, solved by `elimination`. `certificate` proves that no solution exists. `tolerances` holds the limits for
+// rounding.
 
 mod alart_curnier;
 mod approach;
 mod blocks;
 mod central_path;
 mod certificate;
+mod checked_solution;
 mod elimination;
 mod equations;
 mod error;
@@ -94,7 +95,6 @@ mod polygons;
 mod problem;
 mod progress;
 mod settings;
-mod settled;
 mod solution;
 mod solve;
 mod sweeps;

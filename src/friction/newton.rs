@@ -14,7 +14,7 @@ use nalgebra::{DMatrix, DVector, SMatrix};
 struct Iterate<const C: usize> {
     r: DVector<f64>,
     /// The residual r − Π(ζ).
-    missed: DVector<f64>,
+    residual: DVector<f64>,
     /// Derivative of each contact's Π with respect to its ζ.
     changes: Vec<SMatrix<f64, C, C>>,
     /// Norm of the residual; `terms` is the norm of r and ρ u together. Both norms are √(Σ ‖·‖² / ρ).
@@ -42,34 +42,34 @@ impl<'a, const C: usize> Newton<'a, C> {
 
     /// Forces after at most `steps` Newton steps, and the number of steps made.
     pub(super) fn run(&self, r: DVector<f64>, steps: usize) -> (DVector<f64>, usize) {
-        let mut here = self.place(r);
+        let mut point = self.place(r);
         let mut made = 0;
-        while made < steps && here.size > FEW_ROUNDINGS * here.terms {
-            let Some(step) = self.step(&here) else { break };
+        while made < steps && point.size > FEW_ROUNDINGS * point.terms {
+            let Some(step) = self.step(&point) else { break };
             made += 1;
             let mut part = 1.0;
-            let mut next = self.place(&here.r + &step);
+            let mut next = self.place(&point.r + &step);
             // Shortest fraction of a step that the line search tries.
             let shortest = 1e-3;
-            while next.size > (1.0 - SUFFICIENT_DECREASE * part) * here.size && part > shortest {
+            while next.size > (1.0 - SUFFICIENT_DECREASE * part) * point.size && part > shortest {
                 part *= 0.5;
-                next = self.place(&here.r + &step * part);
+                next = self.place(&point.r + &step * part);
             }
             if part <= shortest {
-                if here.size <= SOLVED_ROUNDING * here.terms {
+                if point.size <= SOLVED_ROUNDING * point.terms {
                     // The residual is only rounding.
                     break;
                 }
-                next = self.place(&here.r + &step);
+                next = self.place(&point.r + &step);
             }
-            here = next;
+            point = next;
         }
-        (here.r, made)
+        (point.r, made)
     }
 
     fn place(&self, r: DVector<f64>) -> Iterate<C> {
         let u = self.problem.velocities(&r);
-        let mut missed = r.clone();
+        let mut residual = r.clone();
         let mut changes = Vec::with_capacity(self.problem.len());
         let (mut size, mut terms) = (0.0, 0.0);
         for (i, rho) in self.rho.iter().enumerate() {
@@ -78,17 +78,17 @@ impl<'a, const C: usize> Newton<'a, C> {
             let left = force - answer;
             size += left.norm_squared() / rho;
             terms += force.norm_squared() / rho + velocity.norm_squared() * rho;
-            missed.fixed_rows_mut::<C>(C * i).copy_from(&left);
+            residual.fixed_rows_mut::<C>(C * i).copy_from(&left);
             changes.push(change);
         }
-        Iterate { r, missed, changes, size: size.sqrt(), terms: terms.sqrt() }
+        Iterate { r, residual, changes, size: size.sqrt(), terms: terms.sqrt() }
     }
 
     /// The Newton step; its components along forces that the equations do not determine are zero.
-    fn step(&self, here: &Iterate<C>) -> Option<DVector<f64>> {
-        let size = here.r.len();
+    fn step(&self, point: &Iterate<C>) -> Option<DVector<f64>> {
+        let size = point.r.len();
         let mut jacobian = DMatrix::zeros(size, size);
-        for (i, change) in here.changes.iter().enumerate() {
+        for (i, change) in point.changes.iter().enumerate() {
             // The differential d(r − Π(r − ρ (W r + q))).
             for a in 0..C {
                 for column in 0..size {
@@ -101,7 +101,7 @@ impl<'a, const C: usize> Newton<'a, C> {
                 }
             }
         }
-        let step = least_squares(jacobian, &-&here.missed);
+        let step = least_squares(jacobian, &-&point.residual);
         step.iter().all(|x| x.is_finite()).then_some(step)
     }
 }

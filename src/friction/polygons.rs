@@ -50,7 +50,7 @@ impl<'a, const C: usize> Polygons<'a, C> {
             }
             count = (count + count / 2).min(MOST_CONE_FACETS);
         }
-        first.unwrap_or_else(|| self.missed())
+        first.unwrap_or_else(|| self.no_convergence())
     }
 
     /// Newton's method from the forces of a polygon. If the polygon's problem has no solution and `from_zero` is set, it starts from zero
@@ -62,39 +62,39 @@ impl<'a, const C: usize> Polygons<'a, C> {
         let outcome = polygon.lcp.solve_with(&self.settings.lcp).and_then(|solution| {
             self.pivots += solution.pivots;
             match polygon.forces(&solution.z) {
-                Ok(forces) => self.goes_on(forces),
-                Err(_) => self.missed(),
+                Ok(forces) => self.solution_from(forces),
+                Err(_) => self.no_convergence(),
             }
         });
         if outcome.solution().is_some() || C == 2 || !from_zero {
             return weighed(outcome, &polygon);
         }
-        match self.goes_on(DVector::zeros(self.problem.q.len())) {
+        match self.solution_from(DVector::zeros(self.problem.q.len())) {
             Outcome::Solved(solution) => Outcome::Solved(solution),
             _ => weighed(outcome, &polygon),
         }
     }
 
     /// A solution from these forces, directly or after Newton's method.
-    fn goes_on(&mut self, start: DVector<f64>) -> Outcome<Solution> {
+    fn solution_from(&mut self, start: DVector<f64>) -> Outcome<Solution> {
         self.turn(&start);
-        if let Some(solution) = self.settled(start.clone()) {
+        if let Some(solution) = self.checked_solution(start.clone()) {
             return Outcome::Solved(solution);
         }
         let (r, steps) = self.newton.run(start, self.settings.steps);
         self.steps += steps;
-        let (residuals, worst) = self.problem.missed_by(&r);
+        let (residuals, worst) = self.problem.worst_residuals(&r);
         if residuals.max() < self.least.0 {
             self.least = (residuals.max(), worst);
         }
-        match self.settled(r) {
+        match self.checked_solution(r) {
             Some(solution) => Outcome::Solved(solution),
-            None => self.missed(),
+            None => self.no_convergence(),
         }
     }
 
-    fn settled(&self, r: DVector<f64>) -> Option<Solution> {
-        let solution = self.problem.settled(r, &self.newton.rho, self.settings.tolerance)?;
+    fn checked_solution(&self, r: DVector<f64>) -> Option<Solution> {
+        let solution = self.problem.checked_solution(r, &self.newton.rho, self.settings.tolerance)?;
         Some(Solution { pivots: self.pivots, steps: self.steps, ..solution })
     }
 
@@ -109,7 +109,7 @@ impl<'a, const C: usize> Polygons<'a, C> {
         }
     }
 
-    fn missed(&self) -> Outcome<Solution> {
+    fn no_convergence(&self) -> Outcome<Solution> {
         let (residual, contact) = self.least;
         Outcome::Breakdown { pivots: self.pivots, cause: BreakdownCause::NoConvergence { residual, contact } }
     }

@@ -83,7 +83,7 @@ impl<const C: usize> FrictionProblem<C> {
     ) -> Outcome<Solution> {
         let rho = blocks.scales();
         if (0..self.len()).all(|i| self.q[C * i] >= 0.0) {
-            let solved = self.settled(DVector::zeros(self.q.len()), &rho, settings.tolerance);
+            let solved = self.checked_solution(DVector::zeros(self.q.len()), &rho, settings.tolerance);
             return solved
                 .map_or(Outcome::Breakdown { pivots: 0, cause: BreakdownCause::Overflow }, Outcome::Solved);
         }
@@ -96,7 +96,7 @@ impl<const C: usize> FrictionProblem<C> {
             Some(Outcome::Solved(solution)) if solution.residuals.max() > 0.1 * settings.tolerance => {
                 // Solutions close to the tolerance are polished, since residuals computed in another order might exceed it.
                 let r = approach.polished(&solution.r);
-                let polished = self.settled(r, &rho, solution.residuals.max());
+                let polished = self.checked_solution(r, &rho, solution.residuals.max());
                 let (pivots, steps) = (solution.pivots, solution.steps);
                 let better = polished.map(|polished| Solution { pivots, steps, ..polished });
                 return Outcome::Solved(better.unwrap_or(solution));
@@ -105,18 +105,20 @@ impl<const C: usize> FrictionProblem<C> {
             None => {}
         }
         for start in 0..settings.starts.min(STARTS.len()) {
-            let mut arrived = approach.set_out(start);
-            if start == 0 && !arrived && !approach.best.stopped {
+            let mut converged = approach.run_start(start);
+            if start == 0 && !converged && !approach.best.stopped {
                 // The cost of the linear program of a proof grows with the cube of the number of contacts.
                 if self.len() <= 200
                     && let Some(y) = self.certificate(&settings.lcp)
                 {
                     return Outcome::Infeasible(Certificate::new(y, polygons.pivots));
                 }
-                arrived = rows <= MOST_ROWS_FACETS_FIRST && approach.around_folds();
+                converged = rows <= MOST_ROWS_FACETS_FIRST && approach.around_folds();
             }
             let (best, pivots) = (&approach.best, polygons.pivots);
-            if arrived && let Some(solution) = self.settled(best.r.clone(), &rho, settings.tolerance) {
+            if converged
+                && let Some(solution) = self.checked_solution(best.r.clone(), &rho, settings.tolerance)
+            {
                 let steps = polygons.steps + best.steps;
                 return Outcome::Solved(Solution { pivots, steps, ..solution });
             }

@@ -20,7 +20,7 @@ pub(super) fn sweep<const C: usize>(
     for i in 0..problem.len() {
         let before: SVector<f64, C> = part(r, i);
         let b = part::<C>(&problem.q, i) + blocks.by_others(i, r);
-        let own = blocks.own(i);
+        let own = blocks.diagonal(i);
         let Some(after) = one_contact::answer(own, &b, problem.mu[i]) else { continue };
         let change = after - before;
         moved += change.dot(&(own * change)).abs();

@@ -33,7 +33,7 @@ pub struct Breakpoint {
     pub z: DVector<f64>,
     /// The variable that has reached zero and leaves the basis.
     pub leaving: Variable,
-    /// Its complement, which increases from zero on the next piece.
+    /// The complement of `leaving`, which increases from zero on the next piece.
     pub entering: Variable,
     /// The complementary basis of the next piece.
     pub basis: Basis,

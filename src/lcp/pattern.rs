@@ -65,7 +65,7 @@ impl Column<'_> {
         }
     }
 
-    /// Adds a number to the rows of the entries.
+    /// Adds the number `what` to `to[i]` for each row i of the entries.
     pub(super) fn add(&self, what: f64, to: &mut [f64]) {
         match self {
             Self::Listed(list) => list.iter().for_each(|i| to[*i as usize] += what),
@@ -95,7 +95,7 @@ fn sum_where(column: &[f64], rho: &[f64]) -> f64 {
     (lanes[0] + lanes[1]) + (lanes[2] + lanes[3])
 }
 
-/// Adds a number to the rows of a column's counted entries.
+/// Adds the number `what` to `to[i]` for each row i of a column's counted entries.
 fn add_where(column: &[f64], what: f64, to: &mut [f64]) {
     for (to, m) in to.iter_mut().zip(column) {
         *to += if counts(*m) { what } else { 0.0 };

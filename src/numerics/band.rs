@@ -122,7 +122,7 @@ impl BandFactors {
 
     /// Vectors x with `A x = 0`, one per column without a pivot.
     pub(crate) fn null_vectors(&self) -> Vec<Vec<f64>> {
-        self.each_pinned(Self::back)
+        self.each_pinned(Self::back_substitute)
     }
 
     /// Vectors z with `Aᵀz = 0`, one per column without a pivot.
@@ -159,11 +159,11 @@ impl BandFactors {
                 x[k + 1..=k + below].iter_mut().zip(factors).for_each(|(x, factor)| *x -= factor * known);
             }
         }
-        self.back(x);
+        self.back_substitute(x);
     }
 
     /// Replaces b by the solution of `U x = b`.
-    fn back(&self, x: &mut [f64]) {
+    fn back_substitute(&self, x: &mut [f64]) {
         for k in (0..self.band.count).rev() {
             let above = (2 * self.band.reach).min(k);
             let column = self.column(k, above);
@@ -198,7 +198,7 @@ mod tests {
     use crate::numerics::generic;
 
     /// A band with a small diagonal, so that rows are exchanged.
-    fn some(count: usize, reach: usize) -> (Band, Vec<Vec<f64>>) {
+    fn random_band(count: usize, reach: usize) -> (Band, Vec<Vec<f64>>) {
         let (mut band, mut full) = (Band::zeros(count, reach), vec![vec![0.0; count]; count]);
         for (i, row) in full.iter_mut().enumerate() {
             for j in i.saturating_sub(reach)..count.min(i + reach + 1) {
@@ -211,7 +211,7 @@ mod tests {
 
     #[test]
     fn solves_both_ways() {
-        let (band, full) = some(40, 4);
+        let (band, full) = random_band(40, 4);
         let factors = band.factors().expect("is regular");
         let x: Vec<f64> = (0..40).map(|k| f64::from(k).sin()).collect();
         let times = |entry: &dyn Fn(usize, usize) -> f64| -> Vec<f64> {
@@ -228,7 +228,7 @@ mod tests {
 
     #[test]
     fn what_is_singular_has_null_vectors() {
-        let (mut band, mut full) = some(20, 3);
+        let (mut band, mut full) = random_band(20, 3);
         // Row 10 becomes the sum of rows 8 and 9, both restricted to columns that row 10 can reach.
         for j in 5..14 {
             let sum = full[8][j] + full[9][j];

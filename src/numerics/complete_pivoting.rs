@@ -59,15 +59,15 @@ impl CompletePivoting {
 
     /// A solution of `A x = b` with zeros in the free columns, and the largest component of the remainder of b that no x can produce.
     pub(crate) fn solve(&self, b: &Vector) -> (Vector, f64) {
-        let mut reached = Vector::all_zero(self.lu.size());
+        let mut components = Vector::all_zero(self.lu.size());
         let (d, lu, order) = (self.lu.size().count(), self.lu.as_slice(), self.row_order.as_ref());
-        let y = reached.as_mut_slice();
+        let y = components.as_mut_slice();
         for i in 0..self.rows {
             let known: f64 = (0..i.min(self.rank)).map(|j| lu[j * d + i] * y[j]).sum();
             y[i] = b[order[i]] - known;
         }
         let unreached = (self.rank..self.rows).map(|i| y[i].abs()).fold(0.0, f64::max);
-        (self.back(&reached), unreached)
+        (self.back_substitute(&components), unreached)
     }
 
     /// A basis of {x : A x = 0}.
@@ -78,7 +78,7 @@ impl CompletePivoting {
                 for i in 0..self.rank {
                     y[i] = -self.lu[(i, free)];
                 }
-                let mut x = self.back(&y);
+                let mut x = self.back_substitute(&y);
                 x[self.col_order.as_ref()[free]] = 1.0;
                 x
             })
@@ -119,7 +119,7 @@ impl CompletePivoting {
         sums.iter().copied().fold(1.0, f64::max)
     }
 
-    fn back(&self, y: &Vector) -> Vector {
+    fn back_substitute(&self, y: &Vector) -> Vector {
         let size = self.lu.size();
         let (mut s, mut x) = (Vector::all_zero(size), Vector::all_zero(size));
         let (d, lu, order) = (self.lu.size().count(), self.lu.as_slice(), self.col_order.as_ref());

@@ -57,7 +57,7 @@ impl EventQueue {
     }
 
     /// Refills the queue with the numbers below `count`; `time` returns the stamp and the time of each.
-    pub(crate) fn line_up(&mut self, count: usize, time: &(impl Fn(u32) -> (u32, f64) + Sync)) {
+    pub(crate) fn refill(&mut self, count: usize, time: &(impl Fn(u32) -> (u32, f64) + Sync)) {
         self.clear();
         self.next.reserve(count);
         self.later.iter_mut().for_each(|tier| tier.waiting.reserve(count));
@@ -83,7 +83,7 @@ impl EventQueue {
     }
 
     /// Whether `time` is later than `than`, both from the present clock. If so, the number is scheduled.
-    pub(crate) fn waits_longer(&mut self, than: f64, number: u32, stamp: u32, time: f64) -> bool {
+    pub(crate) fn schedule_if_later(&mut self, than: f64, number: u32, stamp: u32, time: f64) -> bool {
         // The comparison is that of `next_within`, so that the number cannot return within the same time.
         let longer = self.clock + time > self.clock + than;
         if longer {
@@ -107,17 +107,17 @@ impl EventQueue {
             if until < self.later[TIERS - 1].horizon {
                 return None;
             }
-            self.look_further()?;
+            self.refill_next()?;
         }
     }
 
     /// Moves the first part of the earliest nonempty tier to the next tier, and so on, until some items are sorted.
-    fn look_further(&mut self) -> Option<()> {
+    fn refill_next(&mut self) -> Option<()> {
         let nearest = self.later.iter().rposition(|tier| !tier.waiting.is_empty())?;
         for at in nearest..TIERS {
             let (farther, nearer) = self.later.split_at_mut(at + 1);
             let Tier { waiting, horizon } = &mut farther[at];
-            let last = last_to_move_on(waiting)?;
+            let last = last_of_first_part(waiting)?;
             *horizon = parts(last).0;
             for k in (0..waiting.len()).rev() {
                 if waiting[k] <= last {
@@ -134,7 +134,7 @@ impl EventQueue {
 }
 
 /// The last item of about the first part of a tier; `None` if the tier is empty.
-fn last_to_move_on(waiting: &[Entry]) -> Option<Entry> {
+fn last_of_first_part(waiting: &[Entry]) -> Option<Entry> {
     // A short tier is moved as a whole, since dividing it would cost more than sorting it.
     if waiting.len() <= 256 {
         return waiting.iter().copied().max();

@@ -51,7 +51,7 @@ pub(super) fn factorise(
                 list.swap(k, pivot);
             }
         }
-        let square = again_from_those_before(d, q, (parts, r.column_slice_mut(k)), k);
+        let square = reorthogonalise(d, q, (parts, r.column_slice_mut(k)), k);
         let norm = square.sqrt();
         if norm <= (LINEARLY_DEPENDENT * full[k]).max(noise[k]) {
             // The remainder was rounding: this column is never tried again.
@@ -66,7 +66,7 @@ pub(super) fn factorise(
         if rank == d {
             break;
         }
-        take_from_the_others(d, q, k, (parts, left));
+        subtract_from_later(d, q, k, (parts, left));
         for j in rank..d {
             left[j] = left[j].sqrt();
             r[(k, j)] = parts[j];
@@ -104,7 +104,7 @@ fn lengths_and_noise(d: usize, q: &[f64], full: &mut [f64], noise: &mut [f64]) {
 /// Orthogonalises column k a second time against the finished columns; the first time was their own elimination step. Adds the coefficients to
 /// column k of R, and returns the squared length of the remainder.
 #[inline(always)]
-fn again_from_those_before(d: usize, q: &mut [f64], (parts, r): (&mut [f64], &mut [f64]), k: usize) -> f64 {
+fn reorthogonalise(d: usize, q: &mut [f64], (parts, r): (&mut [f64], &mut [f64]), k: usize) -> f64 {
     let over = looped(d, 0..k);
     add_products(d, q, k, (parts, over.clone()));
     parts[k..].fill(0.0);
@@ -127,7 +127,7 @@ fn again_from_those_before(d: usize, q: &mut [f64], (parts, r): (&mut [f64], &mu
 /// Subtracts from the later columns their projection on column k, a unit vector. Stores the coefficients in `parts`, and the squared lengths of
 /// the remaining columns in `left`.
 #[inline(always)]
-fn take_from_the_others(d: usize, q: &mut [f64], k: usize, (parts, left): (&mut [f64], &mut [f64])) {
+fn subtract_from_later(d: usize, q: &mut [f64], k: usize, (parts, left): (&mut [f64], &mut [f64])) {
     let over = looped(d, k + 1..d);
     add_products(d, q, k, (parts, over.clone()));
     parts[..=k].fill(0.0);

@@ -105,7 +105,7 @@ impl Polytope {
     }
 
     /// Adds a point. The faces that are visible from it, or contain it in their plane, are replaced by faces from their common rim to the point.
-    fn take_in(&mut self, point: Vector) {
+    fn add_point(&mut self, point: Vector) {
         let number = self.points.len();
         let (d, from_middle) = (self.size.count(), &point - &self.middle);
         self.points.push(point);
@@ -176,7 +176,7 @@ pub(crate) fn largest_ball(
         if at_most - distance <= close || at_most <= close {
             break;
         }
-        polytope.take_in(next);
+        polytope.add_point(next);
     }
     bounds
 }

@@ -40,10 +40,10 @@ pub(crate) fn least_distance(rows: Vec<(f64, Vec<f64>)>) -> Option<Vec<f64>> {
             // If the last component of the residual is zero, no τ satisfies all rows.
             return (last[0] > NEGLIGIBLE).then(|| mapped(parts, &|r| -r / last[0] * largest));
         }
-        if !nearest.take_in(most, &generators[most], &target) {
+        if !nearest.add_generator(most, &generators[most], &target) {
             return None;
         }
-        nearest.settle(&target);
+        nearest.move_to_closest(&target);
     }
     None
 }

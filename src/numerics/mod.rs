@@ -117,7 +117,7 @@ pub(crate) use nearest_point::NearestPoint;
 pub(crate) use normal_tail::{normal_density, normal_tail};
 pub(crate) use on_a_circle::Turning;
 pub(crate) use orthogonal::Orthogonal;
-pub(crate) use orthonormal_set::{across, orthonormalise_against, without};
+pub(crate) use orthonormal_set::{orthogonal_part, orthonormalise_against, without};
 pub(crate) use pairwise::in_halves;
 pub(crate) use partial_pivoting::PartialPivoting;
 pub(crate) use positive_band::PositiveBand;

@@ -16,14 +16,14 @@ pub(crate) fn narrow_order(count: usize, couplings: &[[Range<usize>; 2]]) -> Vec
     let (starts, neighbours) = graph(count, couplings);
     let places = neighbours.len();
     let mut numbers = vec![0; count];
-    let (mut next, mut seen) = (0, vec![false; places]);
+    let (mut next, mut visited) = (0, vec![false; places]);
     for place in 0..places {
-        if seen[place] {
+        if visited[place] {
             continue;
         }
-        let from = at_the_rim(&neighbours, place, &mut seen);
-        for place in outwards(&neighbours, from, &mut seen).into_iter().flatten() {
-            seen[place] = true;
+        let from = peripheral(&neighbours, place, &mut visited);
+        for place in levels_from(&neighbours, from, &mut visited).into_iter().flatten() {
+            visited[place] = true;
             for k in starts[place]..starts[place + 1] {
                 numbers[k] = next;
                 next += 1;
@@ -84,12 +84,12 @@ fn graph(count: usize, couplings: &[[Range<usize>; 2]]) -> (Vec<usize>, Vec<Vec<
 }
 
 /// A peripheral node: the search moves to a node of the last level until the number of levels no longer increases.
-fn at_the_rim(neighbours: &[Vec<usize>], mut place: usize, seen: &mut [bool]) -> usize {
-    let mut levels = outwards(neighbours, place, seen);
+fn peripheral(neighbours: &[Vec<usize>], mut place: usize, visited: &mut [bool]) -> usize {
+    let mut levels = levels_from(neighbours, place, visited);
     loop {
         let farthest = levels.last().map_or(&[][..], Vec::as_slice);
         let Some(next) = farthest.iter().min_by_key(|place| neighbours[**place].len()) else { return place };
-        let further = outwards(neighbours, *next, seen);
+        let further = levels_from(neighbours, *next, visited);
         if further.len() <= levels.len() {
             return place;
         }
@@ -97,16 +97,16 @@ fn at_the_rim(neighbours: &[Vec<usize>], mut place: usize, seen: &mut [bool]) ->
     }
 }
 
-/// All nodes reachable from one node, level by level. Marks in `seen` are cleared at the end.
-fn outwards(neighbours: &[Vec<usize>], from: usize, seen: &mut [bool]) -> Vec<Vec<usize>> {
-    seen[from] = true;
+/// All nodes reachable from one node, level by level. Marks in `visited` are cleared at the end.
+fn levels_from(neighbours: &[Vec<usize>], from: usize, visited: &mut [bool]) -> Vec<Vec<usize>> {
+    visited[from] = true;
     let mut levels = vec![vec![from]];
     while let Some(level) = levels.last() {
         let mut next = Vec::new();
         for place in level {
             let begin = next.len();
             for other in &neighbours[*place] {
-                if !core::mem::replace(&mut seen[*other], true) {
+                if !core::mem::replace(&mut visited[*other], true) {
                     next.push(*other);
                 }
             }
@@ -121,7 +121,7 @@ fn outwards(neighbours: &[Vec<usize>], from: usize, seen: &mut [bool]) -> Vec<Ve
         levels.push(next);
     }
     for place in levels.iter().flatten() {
-        seen[*place] = false;
+        visited[*place] = false;
     }
     levels
 }

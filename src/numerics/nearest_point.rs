@@ -25,7 +25,7 @@ pub(crate) struct NearestPoint<Tag> {
     /// The triangular factor; its column k starts at entry `size k`.
     r: Vec<f64>,
     /// Components of Qᵀt, one per column of Q.
-    seen: Vec<f64>,
+    components: Vec<f64>,
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {
@@ -47,7 +47,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
     pub(crate) fn new(target: &[f64]) -> Self {
         let size = target.len();
         let (tags, shares, residual) = (Vec::new(), Vec::new(), target.to_vec());
-        Self { size, tags, shares, residual, q: Vec::new(), r: Vec::new(), seen: Vec::new() }
+        Self { size, tags, shares, residual, q: Vec::new(), r: Vec::new(), components: Vec::new() }
     }
 
     /// The residual `t - Σ s_k a_k`.
@@ -69,8 +69,8 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         self.tags.contains(&tag)
     }
 
-    /// Removes the generators with these tags. [`Self::settle`] must then find the closest point again.
-    pub(crate) fn forget(&mut self, which: impl Fn(Tag) -> bool) {
+    /// Removes the generators with these tags. [`Self::move_to_closest`] must then find the closest point again.
+    pub(crate) fn remove_tags(&mut self, which: impl Fn(Tag) -> bool) {
         for k in (0..self.tags.len()).rev() {
             if which(self.tags[k]) {
                 self.remove(k);
@@ -79,7 +79,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
     }
 
     /// Adds a generator of length at most one, with coefficient zero. Returns whether it is linearly independent of the active ones.
-    pub(crate) fn take_in(&mut self, tag: Tag, generator: &[f64], target: &[f64]) -> bool {
+    pub(crate) fn add_generator(&mut self, tag: Tag, generator: &[f64], target: &[f64]) -> bool {
         let (m, k) = (self.size, self.tags.len());
         if k == m {
             return false;
@@ -114,32 +114,32 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
             *x /= length;
         }
         column[k] = length;
-        self.seen.push(dot(w, target));
+        self.components.push(dot(w, target));
         self.tags.push(tag);
         self.shares.push(0.0);
         true
     }
 
     /// Moves to the closest point of the cone of the active generators, and removes generators whose coefficient becomes zero.
-    pub(crate) fn settle(&mut self, target: &[f64]) {
+    pub(crate) fn move_to_closest(&mut self, target: &[f64]) {
         loop {
-            let wanted = self.unbounded();
-            let blocks = |k: &usize| wanted[*k] <= 0.0;
+            let unconstrained = self.unbounded();
+            let blocks = |k: &usize| unconstrained[*k] <= 0.0;
             let part = |k: usize| {
                 let share = self.shares[k];
-                if share > 0.0 { share / (share - wanted[k]) } else { 0.0 }
+                if share > 0.0 { share / (share - unconstrained[k]) } else { 0.0 }
             };
-            let first = (0..wanted.len()).filter(blocks).min_by(|&a, &b| part(a).total_cmp(&part(b)));
+            let first = (0..unconstrained.len()).filter(blocks).min_by(|&a, &b| part(a).total_cmp(&part(b)));
             let Some(first) = first else {
-                self.shares = wanted;
+                self.shares = unconstrained;
                 break;
             };
             let part = part(first);
-            self.shares.iter_mut().zip(&wanted).for_each(|(share, to)| *share += part * (to - *share));
+            self.shares.iter_mut().zip(&unconstrained).for_each(|(share, to)| *share += part * (to - *share));
             self.remove(first);
         }
         self.residual.copy_from_slice(target);
-        for (q, h) in self.q.chunks_exact(self.size).zip(&self.seen) {
+        for (q, h) in self.q.chunks_exact(self.size).zip(&self.components) {
             subtract(&mut self.residual, *h, q);
         }
         // Repeated, so that a small residual is orthogonal to the columns relative to its own size.
@@ -151,7 +151,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
 
     /// Least-squares coefficients of the active generators, of any sign.
     fn unbounded(&self) -> Vec<f64> {
-        let mut shares = self.seen.clone();
+        let mut shares = self.components.clone();
         for j in (0..shares.len()).rev() {
             let column = &self.r[self.size * j..][..=j];
             shares[j] /= column[j];
@@ -180,10 +180,10 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
             self.r[m * j + j + 1] = 0.0;
             let (q, next) = self.q.split_at_mut(m * (j + 1));
             q[m * j..].iter_mut().zip(&mut next[..m]).for_each(|(x, y)| turn(x, y));
-            let (seen, next) = self.seen.split_at_mut(j + 1);
-            turn(&mut seen[j], &mut next[0]);
+            let (components, next) = self.components.split_at_mut(j + 1);
+            turn(&mut components[j], &mut next[0]);
         }
         self.q.truncate(m * last);
-        self.seen.truncate(last);
+        self.components.truncate(last);
     }
 }

@@ -12,13 +12,13 @@ pub(crate) fn without(mut v: Vector, basis: &[Vector]) -> Vector {
 }
 
 /// v minus its projection, computed twice, so that rounding leaves no component along the set.
-pub(crate) fn across(v: Vector, basis: &[Vector]) -> Vector {
+pub(crate) fn orthogonal_part(v: Vector, basis: &[Vector]) -> Vector {
     without(without(v, basis), basis)
 }
 
 /// Makes v a unit vector orthogonal to an orthonormal set; the projection is subtracted twice.
 pub(crate) fn orthonormalise_against(v: &mut Vector, basis: &[Vector]) {
-    *v = across(core::mem::take(v), basis);
+    *v = orthogonal_part(core::mem::take(v), basis);
     let norm = v.norm();
     if norm > 0.0 {
         *v /= norm;

@@ -1,7 +1,7 @@
 //! Convex sets described by their support function, which returns the farthest point in each direction.
 
 use super::coordinates::{Size, Vector};
-use super::orthonormal_set::across;
+use super::orthonormal_set::orthogonal_part;
 use super::tolerances::FLAT_SET;
 use crate::numerics::Each;
 use crate::prelude::*;
@@ -31,7 +31,7 @@ pub(crate) fn simplex(size: Size, support: &SupportFunction<'_>) -> Result<Vec<V
     let (mut extent, mut vertices, mut flat) = (origin.norm(), vec![first], Vec::new());
     let mut taken: Vec<Vector> = Vec::new();
     for _ in 0..size.count() {
-        let axes = (0..size.count()).map(|axis| across(Vector::unit(size, axis), &taken));
+        let axes = (0..size.count()).map(|axis| orthogonal_part(Vector::unit(size, axis), &taken));
         let Some(axis) = axes.max_by(|a, b| a.norm().total_cmp(&b.norm())) else { break };
         let axis = axis.normalize();
         let ends = [axis.clone(), -&axis].each(|towards| Vertex::of(support, towards));
@@ -43,7 +43,7 @@ pub(crate) fn simplex(size: Size, support: &SupportFunction<'_>) -> Result<Vec<V
             flat.push(axis.clone());
             taken.push(axis);
         } else {
-            taken.push(across(&far.at - &origin, &taken).normalize());
+            taken.push(orthogonal_part(&far.at - &origin, &taken).normalize());
             vertices.push(far.clone());
         }
     }

@@ -87,7 +87,7 @@ impl Trigonometric {
     /// A value is zero within `rounding`. The first `roots_here` roots at φ = 0 do not count: f is zero there and increases.
     pub(crate) fn first_fall(&self, most: f64, rounding: f64, roots_here: usize) -> Option<FirstZero> {
         let most = most.min(TAU);
-        let mut here = *self;
+        let mut shifted = *self;
         let mut touched = None;
         for quarter in 0_u8..4 {
             let begin = f64::from(quarter) * FRAC_PI_2;
@@ -96,7 +96,7 @@ impl Trigonometric {
             }
             let left = most - begin;
             let end = if left < FRAC_PI_2 { (0.5 * left).tan() } else { 1.0 };
-            let mut p = here.of_the_half_angle();
+            let mut p = shifted.of_the_half_angle();
             let divided = if quarter == 0 { roots_here } else { 0 };
             p[..divided].fill(0.0);
             p.rotate_left(divided);
@@ -108,7 +108,7 @@ impl Trigonometric {
                 }
                 None => {}
             }
-            here = here.a_quarter_on();
+            shifted = shifted.a_quarter_on();
         }
         touched
     }
@@ -116,10 +116,10 @@ impl Trigonometric {
     /// cot(φ/2) of the first angle in a full turn at which f becomes negative or touches zero. It is computed without trigonometric functions,
     /// hence with the same bits on every processor. f must be positive at φ = 0.
     pub(crate) fn first_cotangent(&self) -> Option<f64> {
-        let mut here = *self;
+        let mut shifted = *self;
         for quarter in 0_u8..4 {
             if let Some(FirstZero::At(t) | FirstZero::Touches(t)) =
-                fall_of(&here.of_the_half_angle(), 1.0, 0.0)
+                fall_of(&shifted.of_the_half_angle(), 1.0, 0.0)
             {
                 return Some(match quarter {
                     0 => 1.0 / t,
@@ -128,7 +128,7 @@ impl Trigonometric {
                     _ => -(1.0 + t) / (1.0 - t),
                 });
             }
-            here = here.a_quarter_on();
+            shifted = shifted.a_quarter_on();
         }
         None
     }

@@ -69,7 +69,7 @@ fn a_stop_below_a_block_in_a_vice_is_told_as_touching() -> Result<(), Error> {
         assert!(pushed.state.as_ref().expect("holds").contacts[2].normal_force() > 0.01, "{pushed}");
         let rest = grasp.solve(planar::Wrench::ZERO)?;
         let rest = rest.equilibrium().expect("holds");
-        assert!(rest.contacts[2].doing() == "touches", "{rest}");
+        assert!(rest.contacts[2].state_text() == "touches", "{rest}");
     }
     Ok(())
 }

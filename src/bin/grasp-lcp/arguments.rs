@@ -250,10 +250,10 @@ pub(crate) enum Command {
         /// A scene with more points of contact is refused.
         #[arg(long, allow_hyphen_values = true, value_parser = count, default_value_t = 2000)]
         most_points: usize,
-        /// Most combinations of contact states that a scene may try.
+        /// Largest number of combinations of contact states that a scene may try.
         #[arg(long, allow_hyphen_values = true, value_parser = count, default_value_t = 20_000)]
         most_states: usize,
-        /// Most steps along sliding arcs that a leg may take.
+        /// Largest number of steps along sliding arcs that a leg may take.
         #[arg(long, allow_hyphen_values = true, value_parser = count, default_value_t = 20_000)]
         most_steps: usize,
     },
@@ -332,28 +332,29 @@ pub(crate) struct Wanted {
     /// For an angle in space: the axis about which the grasp is tilted.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y,Z")]
     pub(crate) axis: Option<Numbers>,
-    /// Of friction: the contact that it is sought of, by name.
+    /// For friction: the name of the contact whose coefficient is sought; that of all contacts if left out.
     #[arg(long)]
     pub(crate) contact: Option<String>,
-    /// Of a force: the body whose load is sought, or the contact, link or joint whose command or force is; the load at rest (--base) if left out.
+    /// For a force: the name of the body whose load is sought, or of the contact, link or joint whose command or force is sought; the load at rest
+    /// (--base) if left out.
     #[arg(long, value_name = "NAME")]
     pub(crate) of: Option<String>,
-    /// With how much nothing slides, alone; without it that stands beside what holds.
+    /// Seeks only the amount with which nothing slides; by default the answer adds it to the amount that holds the object.
     #[arg(long, conflicts_with_all = ["may_slide", "repeats"])]
     pub(crate) sticks: bool,
-    /// Contacts may slide, as long as the object is held, which is the default; beside --repeats they may slide to and fro for ever.
+    /// Contacts may slide, as long as the object is held, which is the default; with --repeats they may slide to and fro in every cycle.
     #[arg(long)]
     pub(crate) may_slide: bool,
-    /// The load is put on and taken off again and again, until it comes to rest; with --may-slide it only must not walk.
+    /// The load is applied and removed again and again, until the object comes to rest; with --may-slide the object only must not walk.
     #[arg(long)]
     pub(crate) repeats: bool,
     /// Factor on the load for the safe amount.
     #[arg(long, allow_hyphen_values = true, value_parser = times, value_name = "TIMES")]
     pub(crate) safety: Option<f64>,
-    /// For the safe amount friction is less by so many percent; 10 if left out, 0 beside --safety.
+    /// Reduction of friction for the safe amount, percent; 10 if left out, 0 with --safety.
     #[arg(long, allow_hyphen_values = true, value_parser = percent, value_name = "PERCENT")]
     pub(crate) friction_less: Option<f64>,
-    /// For the safe amount the squeeze is less by so many percent; 5 if left out, 0 beside --safety.
+    /// Reduction of the squeeze for the safe amount, percent; 5 if left out, 0 with --safety.
     #[arg(long, allow_hyphen_values = true, value_parser = percent, value_name = "PERCENT")]
     pub(crate) squeeze_less: Option<f64>,
 }

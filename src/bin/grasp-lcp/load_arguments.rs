@@ -35,7 +35,7 @@ pub(crate) struct LoadArguments {
     /// The angular velocity of the arm, degrees/s: one number in the plane, three along the axis in space.
     #[arg(long, allow_hyphen_values = true, value_name = "W", requires = "mass")]
     pub(crate) angular_velocity: Option<Numbers>,
-    /// The angular acceleration of the arm, degrees/s²: as many numbers.
+    /// The angular acceleration of the arm, degrees/s²: as many numbers as for the angular velocity.
     #[arg(long, allow_hyphen_values = true, value_name = "A", requires = "mass")]
     pub(crate) angular_acceleration: Option<Numbers>,
     /// The moment of inertia about the centre of mass, kg m²: one number in the plane; three in space, about axes along the coordinates.

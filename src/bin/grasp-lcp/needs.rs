@@ -106,7 +106,7 @@ impl<const C: usize> Meaning<C> {
                     together_with = of_scene.together_with;
                     (of_scene.loads, Some(of_scene.base))
                 }
-                // What acts at rest is to be held, if anything does.
+                // Without a load on the command line, the question is about the loads at rest, if there are any.
                 None => (Vec::new().into(), None),
             },
             (SoughtQuantity::Load, None) if load.is_none() && wanted.any_force.is_none() => {

@@ -23,9 +23,9 @@ pub(crate) fn print<const C: usize>(
     (question, answer): (&Question<C>, &Answer<C>),
 ) -> io::Result<()> {
     let question = &*setup.meant(question).unwrap_or(Cow::Borrowed(question));
-    let said = question.first_line(answer, style.words);
-    writeln!(out, "{said}")?;
-    Report { out, style, said }.details(question, answer)
+    let sentence = question.first_line(answer, style.words);
+    writeln!(out, "{sentence}")?;
+    Report { out, style, sentence }.details(question, answer)
 }
 
 /// Loads with the names of the bodies on which they act.
@@ -38,7 +38,7 @@ pub(crate) struct Report<'o> {
     out: &'o mut dyn Write,
     pub(crate) style: Style,
     /// The first line of the answer that is printed now.
-    said: String,
+    sentence: String,
 }
 
 impl Report<'_> {
@@ -55,8 +55,8 @@ impl Report<'_> {
         &self,
         loads: impl IntoIterator<Item = (&'l str, &'l Wrench<C>)>,
     ) -> String {
-        let told = |(body, load)| format!(", {} on {}", self.load(load), printable(body));
-        loads.into_iter().map(told).collect::<Vec<_>>().concat()
+        let named = |(body, load)| format!(", {} on {}", self.load(load), printable(body));
+        loads.into_iter().map(named).collect::<Vec<_>>().concat()
     }
 
     pub(crate) fn number(&self, x: f64) -> String {
@@ -64,7 +64,7 @@ impl Report<'_> {
     }
 
     pub(crate) fn table<const C: usize>(&mut self, state: &Equilibrium<C>) -> io::Result<()> {
-        table(self.out, self.style, state, &self.said)
+        table(self.out, self.style, state, &self.sentence)
     }
 
     /// Prints the new place of each contact that may move.
@@ -168,18 +168,18 @@ impl Report<'_> {
 
     /// Prints each contact and drive that reaches the limit of its state while a load turns, without exceeding it.
     fn touches<const C: usize>(&mut self, answer: &TurnAnswer<C>) -> io::Result<()> {
-        let mut told = Vec::new();
+        let mut named = Vec::new();
         for touch in &answer.touches {
-            let who = match &touch.of {
+            let contact = match &touch.of {
                 EdgeOf::Contact(contact) if self.style.points => contact.text(),
                 EdgeOf::Contact(contact) => contact.whole().text(),
                 EdgeOf::Drive(part) => part.text(),
                 _ => NO_WORDS.to_owned(),
             };
-            if !told.contains(&who) {
+            if !named.contains(&contact) {
                 let angle = self.style.words.angle(touch.angle);
-                self.line(&format!("{who} touches its edge at {angle}"))?;
-                told.push(who);
+                self.line(&format!("{contact} touches its edge at {angle}"))?;
+                named.push(contact);
             }
         }
         Ok(())
@@ -215,17 +215,17 @@ impl Report<'_> {
         let slides = |i: &usize| matches!(next.states.get(*i), Some(ContactState::Sliding { .. }));
         let mut site = 0;
         let mut sliding = Vec::new();
-        for told in state.whole_contacts() {
-            let points = if let WholeAnswer::Pad(pad) = told { pad.points } else { 1 };
+        for named in state.whole_contacts() {
+            let points = if let WholeAnswer::Pad(pad) = named { pad.points } else { 1 };
             let those = (site..site + points).filter(slides).count();
             site += points;
             match (those, points) {
                 (0, _) => {}
-                (_, 1) => sliding.push(told.text()),
-                (those, points) => sliding.push(format!("{} ({those} of {points} points)", told.text())),
+                (_, 1) => sliding.push(named.text()),
+                (those, points) => sliding.push(format!("{} ({those} of {points} points)", named.text())),
             }
         }
-        let who = if sliding.is_empty() { "nothing".to_owned() } else { sliding.join(", ") };
-        self.line(&format!("sliding beyond: {who}"))
+        let contact = if sliding.is_empty() { "nothing".to_owned() } else { sliding.join(", ") };
+        self.line(&format!("sliding beyond: {contact}"))
     }
 }

@@ -38,8 +38,8 @@ pub(crate) fn table<const C: usize>(
     state.joints.iter().try_for_each(|joint| writeln!(out, "  {joint:.digits$}"))?;
     state.tendons.iter().try_for_each(|tendon| writeln!(out, "  {tendon:.digits$}"))?;
     let residual = Words::with_digits(1).number(state.residuals.worst());
-    writeln!(out, "  {}, residual {residual}", state.told_motions(style.words).join("\n  "))?;
-    state.told_free_motions(style.words).iter().try_for_each(|free| writeln!(out, "  {free}"))?;
+    writeln!(out, "  {}, residual {residual}", state.motion_sentences(style.words).join("\n  "))?;
+    state.free_motion_sentences(style.words).iter().try_for_each(|free| writeln!(out, "  {free}"))?;
     let caution = state.too_far.as_ref().filter(|far| !said.contains(&format!("{far:.digits$}")));
     let caution = caution.and_then(|_| state.caution(style.words));
     state.vacuum_gone().into_iter().chain(caution).try_for_each(|note| writeln!(out, "  CAUTION: {note}"))
@@ -68,7 +68,7 @@ pub(crate) fn compared<const C: usize>(
         });
         let mut cells = vec![contact.contact.text()];
         cells.extend(forces.concat());
-        cells.push(contact.doing().to_owned());
+        cells.push(contact.state_text().to_owned());
         lines.push(cells);
     }
     print(out, &lines)
@@ -109,7 +109,7 @@ fn cells<const C: usize>(row: &WholeAnswer<'_, C>, numbers: Cleaned, columns: us
     }
     let margin = if row.margin().is_finite() { numbers.force(row.margin()) } else { "no limit".to_owned() };
     let pulls = if numbers.words.beside(force[0], numbers.largest) < 0.0 { ", pulls" } else { "" };
-    cells.extend([margin, format!("{}{pulls}", row.doing())]);
+    cells.extend([margin, format!("{}{pulls}", row.state_text())]);
     cells
 }
 

@@ -12,7 +12,7 @@ const INTERVAL: Duration = Duration::from_secs(1);
 pub(crate) struct Waiting(Option<(Sender<()>, JoinHandle<()>)>);
 
 impl Waiting {
-    /// The result of `work`. Meanwhile lines tell `what` is waited for, without a terminal only if they are asked for.
+    /// The result of `work`. In the meantime lines of progress show `what` and the time; without a terminal they are printed only if `lines` is set.
     pub(crate) fn during<R>(what: &str, lines: bool, work: impl FnOnce() -> R) -> R {
         let _waiting = Self::begin(what.to_owned(), lines);
         work()

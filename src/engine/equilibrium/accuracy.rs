@@ -55,7 +55,7 @@ impl Engine {
         let mut displacement = 0.0_f64;
         for (i, site) in self.sites().iter().enumerate() {
             let moved = site.map.tr_mul(&missing.twist).norm();
-            // A displacement has at least half a rounding of its terms.
+            // The error of a displacement is at least half a unit of rounding of the terms that it sums.
             displacement = displacement.max(moved + 0.5 * f64::EPSILON * problem.span(i, &at.twist));
         }
         let varied = |pattern| {
@@ -117,7 +117,7 @@ impl Variation {
         if let Some(bodies) = grasp.bodies() {
             let own = bodies.loads.iter().map(|load| load.coordinates(space).map(|w| w * signs.sign()));
             let own: Vec<_> = own.map(|load| Wrench::among(space, &load)).list();
-            variation.load += grasp.put_on_each(bodies, &own);
+            variation.load += grasp.combine_wrenches(bodies, &own);
         }
         for (i, site) in problem.sites.iter().enumerate() {
             let (force, offset) = (&at.forces[i], &problem.offsets[i]);
@@ -133,7 +133,7 @@ impl Variation {
                 .contacts()
                 .get(i)
                 .map_or_else(SVector::zeros, |contact| contact.point.map(|x| x * signs.sign()));
-            let give = site.springs.give(force);
+            let give = site.springs.deflection(force);
             for a in 0..site.springs.axes() {
                 let axis = site.frame.column(a).into_owned();
                 let moved = grasp.moments_of(i, &point, &axis);

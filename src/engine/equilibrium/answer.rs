@@ -150,14 +150,14 @@ impl<const C: usize> Equilibrium<C> {
         Self { work, local: LocalAnswer::default(), ..self }
     }
 
-    /// Whether the answer has the local solution of this number of sites, which further questions need.
+    /// Whether the answer has the solution of this number of contacts and drives, which further questions need.
     pub(crate) fn knows_all_of(&self, sites: usize) -> bool {
         self.local.states.len() == sites && self.contacts.len() + self.local.drive_forces.len() == sites
     }
 }
 
 impl Equilibrium<3> {
-    /// Forces of all sites: contacts, then the drives of a hand.
+    /// Forces of all contacts, then of the drives of a hand.
     pub(crate) fn site_forces(&self) -> Vec<SVector<f64, 3>> {
         let mut all = mapped(&self.contacts, &|contact| contact.force);
         all.extend_from_slice(&self.local.drive_forces);
@@ -171,7 +171,7 @@ pub(crate) struct LocalAnswer {
     pub(crate) states: Vec<State>,
     /// Forces of the drives of a hand.
     pub(crate) drive_forces: Vec<SVector<f64, 3>>,
-    /// The twist in inside coordinates.
+    /// The twist in the engine's coordinates.
     pub(crate) twist: Coordinates,
     pub(crate) free_motions: Vec<Coordinates>,
     /// Commanded displacements less clearance and slips, m, in the contact frames.

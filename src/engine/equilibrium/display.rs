@@ -30,19 +30,19 @@ impl<const C: usize> fmt::Display for Equilibrium<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
         let residual = Words::with_digits(1).number(self.residuals.worst());
-        write!(f, "{}, residual {residual}", self.told_motions(words).join("; "))?;
+        write!(f, "{}, residual {residual}", self.motion_sentences(words).join("; "))?;
         if let Some(caution) = self.caution(words) {
             write!(f, "; {caution}")?;
         }
-        self.told_free_motions(words).iter().try_for_each(|free| write!(f, "; {free}"))?;
+        self.free_motion_sentences(words).iter().try_for_each(|free| write!(f, "; {free}"))?;
         if let Some(gone) = self.vacuum_gone() {
             write!(f, "; {gone}")?;
         }
         let digits = words.precision();
-        for told in self.whole_contacts() {
-            match told.carries(words, self.largest_force()) {
-                Some(carries) => write!(f, "\n  {} {carries}", told.text())?,
-                None => write!(f, "\n  {told:.digits$}")?,
+        for sentence in self.whole_contacts() {
+            match sentence.carries(words, self.largest_force()) {
+                Some(carries) => write!(f, "\n  {} {carries}", sentence.text())?,
+                None => write!(f, "\n  {sentence:.digits$}")?,
             }
         }
         self.joints.iter().try_for_each(|joint| write!(f, "\n  {joint:.digits$}"))?;
@@ -55,7 +55,7 @@ impl<const C: usize> fmt::Display for WholeAnswer<'_, C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
         let force = words.vector(&self.force());
-        write!(f, "{}: {}, force {force} N", self.text(), self.doing())?;
+        write!(f, "{}: {}, force {force} N", self.text(), self.state_text())?;
         if let Self::Pad(pad) = self {
             write!(f, ", moment {} N m", pad.moment_text(words))?;
         }
@@ -120,7 +120,7 @@ impl<const C: usize> Equilibrium<C> {
 
     /// The motion of the object, "the object moves 2.8 mm along −y", or of each of several bodies.
     #[must_use]
-    pub fn told_motions(&self, words: Words) -> Vec<String> {
+    pub fn motion_sentences(&self, words: Words) -> Vec<String> {
         if self.bodies.is_empty() {
             return vec![format!("the object {}", self.motion(words))];
         }
@@ -136,9 +136,9 @@ impl<const C: usize> Equilibrium<C> {
 
     /// The [motions that nothing resists](Self::free_motions): "nothing resists turning about …".
     #[must_use]
-    pub fn told_free_motions(&self, words: Words) -> Vec<String> {
-        let told = |motion| format!("nothing resists {}", words.direction_of(motion));
-        mapped(&self.free_motions, &told)
+    pub fn free_motion_sentences(&self, words: Words) -> Vec<String> {
+        let sentence = |motion| format!("nothing resists {}", words.direction_of(motion));
+        mapped(&self.free_motions, &sentence)
     }
 }
 
@@ -154,7 +154,7 @@ impl<const C: usize> Equilibrium<C> {
 impl<const C: usize> ContactAnswer<C> {
     /// The state of the contact in words: "sticks"; "touches" where it is closed without force.
     #[must_use]
-    pub fn doing(&self) -> &'static str {
+    pub fn state_text(&self) -> &'static str {
         match self.state {
             ContactState::Separated if self.gap == 0.0 => "touches",
             state => state.verb(),

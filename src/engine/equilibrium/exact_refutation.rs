@@ -193,7 +193,7 @@ fn every_leaf_is_contradicted_in_exact_arithmetic() -> Result<(), crate::Error> 
         let escape = check(&problem, &steps).expect("a proof");
         let laws = problem.sites.iter().zip(problem.locals()).zip(&problem.offsets);
         let contacts: Vec<_> = laws.map(|(law, offset)| Exact::new(law, offset)).collect();
-        // Size of the data as in `check`: the trial state in √J.
+        // Size of the data as in `check`: that of the elastic trial state, √J.
         let trial = problem.trial();
         let state = trial.solve(problem.sites, &problem.offsets, problem.load()).expect("it is held");
         let stored = problem.sites.iter().zip(&state.forces).map(|(s, f)| 2.0 * s.springs.stored(f));

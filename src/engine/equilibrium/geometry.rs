@@ -14,7 +14,7 @@ use nalgebra::{SMatrix, SVector};
 use crate::grasp::{Site, Space};
 use crate::numerics::Map;
 
-/// dG for a point that moves along a coordinate axis, in inside coordinates whose unit of length is `length`, 1/m.
+/// dG for a point that moves along a coordinate axis, in the engine's coordinates whose unit of length is `length`, 1/m.
 pub(super) fn map_by_point(site: &Site, axis: usize, length: f64) -> Map {
     let mut arm = SVector::<f64, 3>::zeros();
     arm[axis] = 1.0 / length;

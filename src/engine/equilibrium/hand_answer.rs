@@ -97,8 +97,8 @@ impl Engine {
         found: &Found,
     ) -> (Vec<JointAnswer>, Vec<TendonAnswer>) {
         let Some(linkage) = self.linkage() else { return (Vec::new(), Vec::new()) };
-        let own = |owner: Owner| self.own(linkage, problem, found, owner);
-        let mut exerted = linkage.held.clone();
+        let own = |owner: Owner| self.owner_state(linkage, problem, found, owner);
+        let mut exerted = linkage.held_forces.clone();
         for (site, force) in self.sites().iter().zip(&found.forces).skip(self.len()) {
             exerted += &site.map * force;
         }
@@ -125,20 +125,20 @@ impl Engine {
             let Own { carried, state, yielded } = own(Owner::Tendon(number));
             let margin = margin(named, carried, state);
             let tendon = linkage.label(HandPart::Tendon(number));
-            TendonAnswer { tendon, state, tension: carried + named.held, margin, yielded }
+            TendonAnswer { tendon, state, tension: carried + named.held_torque, margin, yielded }
         };
         let joints = numbered(linkage.joints.len(), &joint);
         (joints, indexed(&linkage.tendons, &tendon))
     }
 
-    fn own(&self, linkage: &Linkage, problem: &Problem, found: &Found, owner: Owner) -> Own {
+    fn owner_state(&self, linkage: &Linkage, problem: &Problem, found: &Found, owner: Owner) -> Own {
         let mut own = Own { carried: 0.0, state: DriveState::Absent, yielded: 0.0 };
         for (k, drive) in linkage.drives.iter().enumerate().filter(|(_, drive)| drive.owner == owner) {
             let i = self.len() + k;
             let (state, force) = (&found.states[i], &found.forces[i]);
             let stretch = problem.stretch(i, &found.twist);
             own.carried = drive.carried(force).unwrap_or(own.carried);
-            let (does, along) = doing(drive, state, &stretch, force, &problem.slips[i]);
+            let (does, along) = drive_state(drive, state, &stretch, force, &problem.slips[i]);
             if does != DriveState::Holds || own.state == DriveState::Absent {
                 own.state = does;
             }
@@ -158,7 +158,7 @@ fn margin(named: &Named, carried: f64, state: DriveState) -> f64 {
 }
 
 /// State of a drive, and the displacement by which it has yielded along its own axis.
-fn doing(
+fn drive_state(
     drive: &Drive,
     state: &State,
     stretch: &SVector<f64, 3>,
@@ -174,7 +174,7 @@ fn doing(
         Role::EndsBelow if open => (DriveState::Yields, stretch[0].min(0.0)),
         Role::Holds | Role::Pulls | Role::EndsAbove | Role::EndsBelow => (DriveState::Holds, 0.0),
         Role::Slips if state.slides() => {
-            let elastic = drive.give(force[1]);
+            let elastic = drive.deflection(force[1]);
             (DriveState::Yields, stretch[1] - elastic + slipped[1])
         }
         Role::Slips => (DriveState::Holds, slipped[1]),

@@ -16,9 +16,9 @@ pub(crate) struct Influence {
 
 impl Influence {
     /// `Aᵀ row`: the contribution to `row·F` of 1 N along each coordinate axis; zero if within rounding.
-    pub(crate) fn felt(&self, row: &SVector<f64, 3>) -> SVector<f64, 3> {
-        let felt = self.of.tr_mul(row);
-        if felt.norm() > ZERO_SLACK * row.norm() * self.size { felt } else { SVector::zeros() }
+    pub(crate) fn gradient_of(&self, row: &SVector<f64, 3>) -> SVector<f64, 3> {
+        let gradient = self.of.tr_mul(row);
+        if gradient.norm() > ZERO_SLACK * row.norm() * self.size { gradient } else { SVector::zeros() }
     }
 }
 
@@ -66,10 +66,10 @@ mod tests {
         let response = StickingResponse::new(grasp, &Settings::default());
         let force = response.forces(&grasp.offsets(), &grasp.load_unchecked(weight)).expect("resists").of[0];
         let influence = &response.influences(&point).expect("resists")[0];
-        let margin = |row: &SVector<f64, 3>| row.dot(&force) - 2.0 * influence.felt(row).norm();
+        let margin = |row: &SVector<f64, 3>| row.dot(&force) - 2.0 * influence.gradient_of(row).norm();
         let rows = response.edges[0].least(&margin);
         let worst = rows.into_iter().min_by(|a, b| margin(a).total_cmp(&margin(b))).expect("a cone");
-        (-influence.felt(&worst).normalize(), margin(&worst))
+        (-influence.gradient_of(&worst).normalize(), margin(&worst))
     }
 
     /// Equilibria under forces of many other directions leave a larger margin, and the worst direction leaves exactly the computed one.

@@ -50,7 +50,7 @@ impl<const C: usize> PadAnswer<C> {
 
     /// State of the fingertip in words: "sticks", "3 of 12 points slide", "slides everywhere", "open".
     #[must_use]
-    pub fn doing(&self) -> String {
+    pub fn state_text(&self) -> String {
         let Self { points, sliding, open, .. } = *self;
         let some_open = if open > 0 { format!(", {open} of {points} points open") } else { String::new() };
         match (points - open, sliding) {
@@ -123,10 +123,10 @@ impl<const C: usize> WholeAnswer<'_, C> {
 
     /// State of the contact in words: "sticks".
     #[must_use]
-    pub fn doing(&self) -> String {
+    pub fn state_text(&self) -> String {
         match self {
-            Self::Point(contact) => contact.doing().to_owned(),
-            Self::Pad(pad) => pad.doing(),
+            Self::Point(contact) => contact.state_text().to_owned(),
+            Self::Pad(pad) => pad.state_text(),
         }
     }
 

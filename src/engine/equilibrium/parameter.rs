@@ -167,9 +167,11 @@ impl StickingResponse<'_> {
             let mut offsets = self.at_rest();
             offsets[contact] = change.tr_mul(motion);
             let alone = self.problem.local(contact).springs.stiffest() * change.norm() * motion.norm();
-            let felt = self.state(&offsets, &Vector::zeros());
+            let response = self.state(&offsets, &Vector::zeros());
             // Forces below this part of the force that the whole motion would cause in the stiffest spring are rounding.
-            felt.is_some_and(|felt| felt.forces.iter().all(|force| force.norm() <= NEGLIGIBLE * alone))
+            response.is_some_and(|response| {
+                response.forces.iter().all(|force| force.norm() <= NEGLIGIBLE * alone)
+            })
         };
         self.piece.free_motions().iter().all(stays_free).then_some(change)
     }
@@ -191,7 +193,7 @@ impl StickingResponse<'_> {
         if axis >= local.springs.axes() || state.is_open() {
             return f;
         }
-        let stretch = local.springs.give_along(axis, force[axis]);
+        let stretch = local.springs.deflection_along(axis, force[axis]);
         if state.is_sticking() {
             f[axis] = stretch;
         } else if axis == 0 {
@@ -200,7 +202,7 @@ impl StickingResponse<'_> {
         } else if !matches!(state, Mode::Corner(_))
             && let Some(h) = local.outward(state)
         {
-            // e_a F_a/k_a, less the part that the slip takes back so that h·F_t stays at μ F_n; on the round cone softened by the slip.
+            // `e_a F_a/k_a` less the part that slip cancels, so that h·F_t stays at μ F_n. On the round cone slip also softens the spring.
             let softened =
                 state.slide().map_or(stretch, |slide| stretch * local.springs.softening(axis, slide.lambda));
             f = local.edge(state).pull * (-h[axis] * softened);

@@ -12,7 +12,7 @@ use crate::object::{NO_FORCE, Problem, least_spring_force};
 use crate::prelude::*;
 use crate::search::Found;
 
-/// Answer at one site: a contact, or a drive of a hand.
+/// Answer at a contact, or at a drive of a hand.
 struct SiteAnswer<'a> {
     force: &'a SVector<f64, 3>,
     gap: f64,
@@ -22,7 +22,7 @@ struct SiteAnswer<'a> {
     slip: SVector<f64, 3>,
 }
 
-/// Law of one site, and the sizes by which its residuals are divided, N and m.
+/// Law of one contact or drive, and the sizes by which its residuals are divided, N and m.
 struct ContactLaw<'c> {
     site: &'c Site,
     friction: Coulomb,
@@ -33,11 +33,11 @@ struct ContactLaw<'c> {
 }
 
 impl Residuals {
-    /// Raises each residual to that of one site, if that is larger.
-    fn note(&mut self, law: &ContactLaw<'_>, told: &SiteAnswer<'_>) {
+    /// Raises each residual to that of one contact or drive, if that is larger.
+    fn note(&mut self, law: &ContactLaw<'_>, site_answer: &SiteAnswer<'_>) {
         let ContactLaw { site, friction, polygon, cone, force_size, travel } = *law;
-        let SiteAnswer { force: f, gap: g, separated, stretch, slip: s } = *told;
-        let give = site.springs.give(f);
+        let SiteAnswer { force: f, gap: g, separated, stretch, slip: s } = *site_answer;
+        let give = site.springs.deflection(f);
         for a in 0..site.springs.axes() {
             let jump = if a == 0 { g } else { -s[a] };
             self.springs = self.springs.max((give[a] - (stretch[a] + jump)).abs() / travel);
@@ -97,18 +97,19 @@ impl Engine {
         let translated = self.space().object_alone(twist);
         // The contact law concerns the slip since the state from which the offsets count.
         let slip = |i: usize| answers[i].slip - problem.slips[i];
-        let of_drives = self.drives_told(problem, twist, found);
+        let of_drives = self.drive_site_answers(problem, twist, found);
         let mut travels: Vec<f64> = numbered(self.len(), &|i| {
             let contact = &self.contacts()[i];
-            let give = self.sites()[i].springs.give(&answers[i].force).norm();
+            let give = self.sites()[i].springs.deflection(&answers[i].force).norm();
             let own = problem.offsets[i].norm() + contact.clearance.abs() + give;
-            let moved = translated.norm() + turned * contact.point.norm() + self.carried(i, twist).1;
+            let moved =
+                translated.norm() + turned * contact.point.norm() + self.displacement_by_joints(i, twist).1;
             // Least size, N or m, by which residuals are divided: products of subnormal numbers have no relative precision.
             (own + moved + answers[i].gap.abs() + slip(i).norm()).max(travel_terms).max(SMALLEST)
         });
-        for (k, told) in of_drives.iter().enumerate() {
+        for (k, site_answer) in of_drives.iter().enumerate() {
             let i = self.len() + k;
-            let give = self.sites()[i].springs.give(told.force).norm();
+            let give = self.sites()[i].springs.deflection(site_answer.force).norm();
             let moved = self.sites()[i].map.norm() * found.twist.norm();
             travels.push((problem.offsets[i].norm() + give + moved).max(travel_terms).max(SMALLEST));
         }
@@ -136,21 +137,21 @@ impl Engine {
         for (i, answer) in answers.iter().enumerate() {
             let point = &self.contacts()[i].point;
             let moved = self.space().displacement_of(point, twist) * self.sign_on_object(i)
-                - self.carried(i, twist).0;
+                - self.displacement_by_joints(i, twist).0;
             let stretch = problem.offsets[i] - self.sites()[i].frame.tr_mul(&moved);
             let separated = answer.state == ContactState::Separated;
-            let told =
+            let site_answer =
                 SiteAnswer { force: &answer.force, gap: answer.gap, separated, stretch, slip: slip(i) };
-            r.note(&law(i), &told);
+            r.note(&law(i), &site_answer);
         }
-        for (k, told) in of_drives.iter().enumerate() {
-            r.note(&law(self.len() + k), told);
+        for (k, site_answer) in of_drives.iter().enumerate() {
+            r.note(&law(self.len() + k), site_answer);
         }
         r
     }
 
     /// Displacement of a contact by the joints of its finger, along the coordinate axes, and the size of the terms of that sum.
-    fn carried(&self, contact: usize, twist: &Vector) -> (SVector<f64, 3>, f64) {
+    fn displacement_by_joints(&self, contact: usize, twist: &Vector) -> (SVector<f64, 3>, f64) {
         let (mut sum, mut size) = (SVector::zeros(), 0.0);
         let Some(linkage) = self.linkage() else { return (sum, size) };
         for (k, motion) in &linkage.motions[contact] {
@@ -162,12 +163,17 @@ impl Engine {
     }
 
     /// The solution at the drives of a hand, as if they were contacts.
-    fn drives_told<'a>(&self, problem: &Problem, twist: &Vector, found: &'a Found) -> Vec<SiteAnswer<'a>> {
+    fn drive_site_answers<'a>(
+        &self,
+        problem: &Problem,
+        twist: &Vector,
+        found: &'a Found,
+    ) -> Vec<SiteAnswer<'a>> {
         if self.linkage().is_none() {
             return Vec::new();
         }
         let inside = self.inside_motion(twist);
-        let told = |(i, force): (usize, &'a SVector<f64, 3>)| {
+        let site_answer = |(i, force): (usize, &'a SVector<f64, 3>)| {
             let (site, separated) = (&self.sites()[i], found.states[i].is_open());
             let stretch = site.stretch(&problem.offsets[i], &inside);
             let gap = if separated { (-stretch[0]).max(0.0) } else { 0.0 };
@@ -175,7 +181,7 @@ impl Engine {
             let slip = if slips { site.springs.slip(&stretch, force) } else { SVector::zeros() };
             SiteAnswer { force, gap, separated, stretch, slip }
         };
-        found.forces.iter().enumerate().skip(self.len()).map(told).list()
+        found.forces.iter().enumerate().skip(self.len()).map(site_answer).list()
     }
 
     /// The largest imbalance of torques at a joint, over the sum of the sizes of its terms, but at least over `force_size`.
@@ -188,15 +194,15 @@ impl Engine {
     ) -> f64 {
         let Some(linkage) = self.linkage() else { return 0.0 };
         let (object, count) = (self.space().of_the_object(), self.size().count());
-        let mut from_outside = self.inside_unchecked(load) + &linkage.pulled;
+        let mut from_outside = self.inside_unchecked(load) + &linkage.external_torques;
         if let Some(vacuum) = self.vacuum() {
             from_outside += &vacuum.inside;
         }
         if let Some(bodies) = self.bodies() {
-            from_outside += self.put_on_each(bodies, &bodies.loads);
+            from_outside += self.combine_wrenches(bodies, &bodies.loads);
         }
-        let mut sums = &linkage.held + &from_outside;
-        let mut sizes = linkage.held.map(f64::abs) + from_outside.map(f64::abs);
+        let mut sums = &linkage.held_forces + &from_outside;
+        let mut sizes = linkage.held_forces.map(f64::abs) + from_outside.map(f64::abs);
         let mut add = |k: usize, term: f64| {
             sums[k] += term;
             sizes[k] += term.abs();
@@ -234,7 +240,7 @@ impl Engine {
         }
         let sites = self.contacts().iter().zip(self.sites()).enumerate();
         for (i, (contact, site)) in sites.filter(|(_, (contact, _))| contact.suction != 0.0) {
-            sum += &contact.pulled(site) * self.sign_on_object(i);
+            sum += &contact.suction_wrench(site) * self.sign_on_object(i);
             force_size += contact.suction;
             moment_size += contact.point.norm() * contact.suction;
         }
@@ -271,10 +277,10 @@ mod tests {
     fn what_is_not_finite_holds_nowhere() -> Result<(), Box<dyn core::error::Error>> {
         let jaw = |side: f64| {
             let jaw = Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e3, 8e2);
-            jaw.friction(0.5).command([0.01, 0.0]).enter()
+            jaw.friction(0.5).command([0.01, 0.0]).into_inside()
         };
         let grasp = Engine::new(vec![jaw(-1.0), jaw(1.0)])?;
-        let load = Wrench::<2>::force([0.0, -1.0]).enter();
+        let load = Wrench::<2>::force([0.0, -1.0]).into_inside();
         let answer = grasp.solve(&load, &Settings::default())?.equilibrium().ok_or("the jaws hold")?.clone();
         let wrench = grasp.inside(&load, "load")?;
         let polygon = Arc::new(Polygon::new(Space::Planar, &PolygonCone::default()));

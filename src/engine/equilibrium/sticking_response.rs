@@ -1,7 +1,7 @@
 //! The response of a grasp whose contacts keep their states. It is linear in loads, commands and data, so that one factorisation serves every source.
 //!
-//! Each source gives forces of all sites, contacts first and then the drives of a hand. Where everything sticks, the columns of the response to unit
-//! loads are the influence matrix of the grasp. [`Edges`] are the conditions on any sum of these forces.
+//! Each source gives forces of all contacts and drives, contacts first and then the drives of a hand. Where everything sticks, the columns of the
+//! response to unit loads are the influence matrix of the grasp. [`Edges`] are the conditions on any sum of these forces.
 
 use alloc::sync::Arc;
 
@@ -21,7 +21,7 @@ pub(crate) struct StickingResponse<'g> {
     pub(super) problem: Problem<'g>,
     pub(crate) states: Vec<State>,
     pub(crate) piece: Arc<Piece>,
-    /// The conditions under which each site keeps sticking, or stays open.
+    /// The conditions under which each contact or drive keeps sticking, or stays open.
     pub(crate) edges: Vec<Edges>,
 }
 
@@ -61,12 +61,12 @@ impl<'g> StickingResponse<'g> {
         self.problem.local(contact)
     }
 
-    /// Zero offsets of all sites: no commands.
+    /// Zero offsets of all contacts and drives: no commands.
     pub(crate) fn at_rest(&self) -> Vec<SVector<f64, 3>> {
         vec![SVector::zeros(); self.problem.len()]
     }
 
-    /// Forces with these offsets under a load in inside coordinates. The error is a motion along which the load does work and nothing resists.
+    /// Forces with these offsets under a load in the engine's coordinates. The error is a motion along which the load does work and nothing resists.
     pub(crate) fn forces(
         &self,
         offsets: &[SVector<f64, 3>],
@@ -89,7 +89,7 @@ impl<'g> StickingResponse<'g> {
         self.forces(&self.at_rest(), &self.grasp.inside_unchecked(load))
     }
 
-    /// Forces and motion with these offsets under a load in inside coordinates; `None` where nothing balances them in these states.
+    /// Forces and motion with these offsets under a load in the engine's coordinates; `None` where nothing balances them in these states.
     pub(crate) fn state(&self, offsets: &[SVector<f64, 3>], load: &Vector) -> Option<PieceState> {
         self.piece.solve(self.problem.sites, offsets, load).ok()
     }

@@ -114,7 +114,7 @@ impl Engine {
     }
 }
 
-/// State of every site in a solution of the local problem, in order: contacts, then the drives of a hand.
+/// States of all contacts in a solution of the local problem, then of the drives of a hand.
 pub(crate) fn site_states(problem: &Problem, found: &Found) -> Vec<ContactState<3>> {
     solved_sites(problem, found).map(|solved| solved.state().0).list()
 }
@@ -160,8 +160,9 @@ impl SolvedContact<'_> {
                 // Friction pulls the body the way the finger slips. If the slip is still zero (the very edge), the direction is that in which it
                 // would start.
                 let outward = self.local.outward(sliding).unwrap_or(slip);
-                let told = sliding.slide().is_none() && slip.norm() > 0.0 && slip.dot(&outward) > 0.0;
-                let along = if told { slip } else { outward };
+                let is_facet_slide =
+                    sliding.slide().is_none() && slip.norm() > 0.0 && slip.dot(&outward) > 0.0;
+                let along = if is_facet_slide { slip } else { outward };
                 (ContactState::Sliding { direction: self.frame * along.normalize() }, slip)
             }
         }

@@ -50,38 +50,37 @@ fn jumps(problem: &Problem, contacts: &[usize]) -> (Vec<Row>, Vec<Jump>) {
     (rows, jumps)
 }
 
-/// The kinematic form on the trial state in which every contact sticks; `None` if no contact needs a row or a number
-/// overflows.
+/// The kinematic form on the elastic trial state, in which every contact sticks; `None` if no contact needs a row or a number overflows.
 pub(crate) fn kinematic_form(problem: &Problem, trial: &Piece, state: &PieceState) -> Option<Form> {
     let (rows, jumps) = jumps(problem, &numbered(problem.len(), &|contact| contact));
     if jumps.is_empty() {
         return None;
     }
     if trial.is_banded() {
-        let mut moved = Vec::with_capacity(jumps.len());
+        let mut displacements = Vec::with_capacity(jumps.len());
         for jump in &jumps {
-            moved.push(trial.moved_by(jump.contact, &jump.column)?);
+            displacements.push(trial.displacements_under(jump.contact, &jump.column)?);
         }
         return form(problem, state, rows, &jumps, &|i, j| {
-            trial.felt(jumps[i].contact, &jumps[i].row, &moved[j])
+            trial.weighted_stretch(jumps[i].contact, &jumps[i].row, &displacements[j])
         });
     }
     // The products of Qᵀ with rows and columns.
-    let mut seen = Vec::with_capacity(jumps.len());
+    let mut transformed = Vec::with_capacity(jumps.len());
     for of_contact in jumps.chunk_by(|a, b| a.contact == b.contact) {
-        let by_contact = trial.seen(of_contact[0].contact);
+        let by_contact = trial.factor_rows(of_contact[0].contact);
         for jump in of_contact {
-            seen.push([&by_contact * jump.row, &by_contact * jump.column]);
+            transformed.push([&by_contact * jump.row, &by_contact * jump.column]);
         }
     }
-    form(problem, state, rows, &jumps, &|i, j| seen[i][0].dot(&seen[j][1]))
+    form(problem, state, rows, &jumps, &|i, j| transformed[i][0].dot(&transformed[j][1]))
 }
 
 /// Displacements of the coordinates under unit jumps (gaps or slips), kept by contact: forms of other sets of contacts reuse them.
 #[derive(Debug, Default)]
 pub(crate) struct Moved(Vec<Option<Vec<Vec<f64>>>>);
 
-/// The kinematic form of a few contacts among many coordinates, with all others in the trial state.
+/// The kinematic form of a few contacts among many coordinates, with all others in the elastic trial state, in which they stick.
 pub(crate) fn kinematic_form_among(
     problem: &Problem,
     trial: &Piece,
@@ -96,38 +95,40 @@ pub(crate) fn kinematic_form_among(
             known.resize(contact + 1, None);
         }
         if known[contact].is_none() {
-            let mut moved: Vec<Vec<f64>> = Vec::with_capacity(of_contact.len());
+            let mut displacements: Vec<Vec<f64>> = Vec::with_capacity(of_contact.len());
             for (k, jump) in of_contact.iter().enumerate() {
                 // Facets come in pairs of opposite directions.
                 let opposite = of_contact[..k].iter().position(|other| other.column == -jump.column);
-                moved.push(match opposite {
-                    Some(other) => mapped(&moved[other], &|x| -x),
-                    None => trial.moved_by(contact, &jump.column)?,
+                displacements.push(match opposite {
+                    Some(other) => mapped(&displacements[other], &|x| -x),
+                    None => trial.displacements_under(contact, &jump.column)?,
                 });
             }
-            known[contact] = Some(moved);
+            known[contact] = Some(displacements);
         }
     }
-    let mut moved = Vec::with_capacity(jumps.len());
+    let mut displacements = Vec::with_capacity(jumps.len());
     for of_contact in jumps.chunk_by(|a, b| a.contact == b.contact) {
-        moved.extend(known[of_contact[0].contact].iter().flatten());
+        displacements.extend(known[of_contact[0].contact].iter().flatten());
     }
-    form(problem, state, rows, &jumps, &|i, j| trial.felt(jumps[i].contact, &jumps[i].row, moved[j]))
+    form(problem, state, rows, &jumps, &|i, j| {
+        trial.weighted_stretch(jumps[i].contact, &jumps[i].row, displacements[j])
+    })
 }
 
-/// Assembles the form; `felt(i, j)` returns the product of row i with `Q Qᵀ` and column j.
+/// Assembles the form; `coupling(i, j)` returns the product of row i with `Q Qᵀ` and column j.
 fn form(
     problem: &Problem,
     state: &PieceState,
     rows: Vec<Row>,
     jumps: &[Jump],
-    felt: &dyn Fn(usize, usize) -> f64,
+    coupling: &dyn Fn(usize, usize) -> f64,
 ) -> Option<Form> {
     let n = jumps.len();
     let m = matrix_of(n, n, &|i, j| {
         let (to, from) = (&jumps[i], &jumps[j]);
         let own = if to.contact == from.contact { to.row.dot(&from.column) } else { 0.0 };
-        own - felt(i, j)
+        own - coupling(i, j)
     });
     let q = vector_of(n, &|i| {
         let jump = &jumps[i];

@@ -8,8 +8,8 @@ use crate::contact::{Mode, State};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
-/// Whether these states clearly break a row of the form; `largest` is the largest force of the trial state in units of the rows. Slip across two
-/// facets of a contact is not covered: the result is then `false`.
+/// Whether these states clearly break a row of the form; `largest` is the largest force of the elastic trial state in units of the rows. Slip across
+/// two facets of a contact is not covered: the result is then `false`.
 pub(crate) fn clearly_breaks(form: &Form, is_planar: bool, states: &[State], largest: f64) -> bool {
     let (mut slack, mut jumps) = (Vec::new(), Vec::new());
     for (i, row) in form.rows.iter().enumerate() {

@@ -50,19 +50,19 @@ pub(super) struct Direction {
 }
 
 impl Direction {
-    /// Towards a larger factor, with any motion: the transverse row then keeps the factor fixed.
-    pub(super) fn onward() -> Self {
+    /// Towards a larger load factor, with any motion: the transverse row then keeps the load factor fixed.
+    pub(super) fn forward() -> Self {
         Self { twist: Vector::zeros(), factor: 1.0 }
     }
 
-    /// Whether motions transverse to this direction keep the factor.
+    /// Whether motions transverse to this direction keep the load factor.
     fn keeps_the_factor(&self) -> bool {
         self.twist.norm_squared() == 0.0
     }
 }
 
 impl<'s, 'g> Arc<'s, 'g> {
-    /// The arc in these states, on which motions that nothing resists continue at their rates for one unit of the factor.
+    /// The arc in these states, on which motions that nothing resists continue at their rates for one unit of the load factor.
     pub(super) fn new<'m>(
         segment: &'s Segment<'g>,
         states: &'s [State],
@@ -101,7 +101,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.segment.grasp.sites()
     }
 
-    /// The part of b at a factor from the load and from contacts that do not slide.
+    /// The part of b at a load factor from the load and from contacts that do not slide.
     fn push_at(&self, factor: f64) -> Vector {
         self.segment.course.rate_at(factor) + &self.push
     }
@@ -131,7 +131,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.factored(stiffness, &push, across)
     }
 
-    /// The tangent stiffness T and the right side b at a factor.
+    /// The tangent stiffness T and the right side b at a load factor.
     pub(super) fn balance(&self, tangents: &[Tangent], factor: f64) -> (PathStiffness, Vector) {
         let (mut t, mut push) = (self.fixed.clone(), self.push_at(factor));
         for (&i, tangent) in self.sliding.iter().zip(tangents) {
@@ -168,12 +168,12 @@ impl<'s, 'g> Arc<'s, 'g> {
         (scale, &across.twist * (scale / self.unit))
     }
 
-    /// Twist and factor from a solution in scaled coordinates.
+    /// Twist and load factor from a solution in scaled coordinates.
     pub(super) fn unscaled(&self, (x, factor): (Vector, f64)) -> Direction {
         Direction { twist: x * self.unit, factor }
     }
 
-    /// The unit direction of the path in arclength at a factor with these tangents, oriented along a given one.
+    /// The unit direction of the path in arclength at a load factor with these tangents, oriented along a given one.
     pub(super) fn direction(
         &self,
         tangents: &[Tangent],
@@ -209,7 +209,7 @@ impl<'s, 'g> Arc<'s, 'g> {
     }
 
     /// Moves a state onto the cones, with friction in these directions, and into balance, by corrections transverse to `across`. Returns the state
-    /// and its factor.
+    /// and its load factor.
     pub(super) fn balanced(
         &self,
         mut twist: Vector,
@@ -224,7 +224,7 @@ impl<'s, 'g> Arc<'s, 'g> {
             let tangents = self.tangents(frictions.iter().copied());
             let (bordered, _) = self.bordered(&tangents, factor, across)?;
             let mut forces = self.forces_at(&twist, factor, &frictions);
-            let begun: f64 = forces.iter().map(Matrix::norm).sum();
+            let initial_force: f64 = forces.iter().map(Matrix::norm).sum();
             let mut ended = None;
             // Maximum number of Newton corrections onto the cones. A step violates the cones by its error, and the first correction leaves the square
             // of it.
@@ -237,7 +237,7 @@ impl<'s, 'g> Arc<'s, 'g> {
                 }
                 let mut change = self.unscaled(bordered.solve(&left, 0.0));
                 if across.keeps_the_factor() {
-                    // The exact change is zero, and the solver returns its rounding.
+                    // The exact change of the load factor is zero; the solver returns only rounding.
                     change.factor = 0.0;
                 }
                 twist += &change.twist;
@@ -256,9 +256,9 @@ impl<'s, 'g> Arc<'s, 'g> {
                     .zip(&mut frictions)
                     .for_each(|(&i, friction)| *friction = tangential(&forces[i]));
             }
-            // A state whose forces have shrunk by more than this factor during the correction still carries the rounding of the larger ones, and is
+            // A state whose forces have shrunk to less than a quarter during the correction still carries the rounding of the larger ones, and is
             // corrected again.
-            if begun <= 4.0 * carried {
+            if initial_force <= 4.0 * carried {
                 balanced = Some((PieceState { forces, twist: twist.clone() }, factor));
                 if is_on_them {
                     break;
@@ -280,7 +280,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         most
     }
 
-    /// Forces at a twist and a factor, with friction on the cones in these directions.
+    /// Forces at a twist and a load factor, with friction on the cones in these directions.
     fn forces_at(&self, twist: &Vector, factor: f64, frictions: &[SVector<f64, 3>]) -> Vec<SVector<f64, 3>> {
         let offsets = self.segment.offsets(factor);
         let mut slid = frictions.iter();
@@ -328,8 +328,8 @@ impl Segment<'_> {
             there.forces.iter().zip(&at.forces).all(|(f, g)| (f - g).norm() <= 1e-6 * largest)
         };
         let balanced =
-            arc.balanced(at.twist.clone(), factor, &Direction::onward(), &frictions).filter(is_near);
+            arc.balanced(at.twist.clone(), factor, &Direction::forward(), &frictions).filter(is_near);
         let at = balanced.map_or_else(|| at.clone(), |(at, _)| at);
-        Ok(self.here(piece, factor, at.clone(), (&rate, 1.0), (factor, &at)))
+        Ok(self.point_with_rates(piece, factor, at.clone(), (&rate, 1.0), (factor, &at)))
     }
 }

@@ -12,29 +12,29 @@ use crate::numerics::{largest, least};
 use crate::prelude::*;
 
 impl Pieces<'_> {
-    /// Displacement of the object for one unit of the factor at the beginning of an arc. While the load turns, the rate a quarter turn later is
+    /// Displacement of the object for one unit of the load factor at the beginning of an arc. While the load turns, the rate a quarter turn later is
     /// included.
-    pub(super) fn displacement_rate(&self, here: &PathPoint) -> f64 {
-        let mut size = here.twist_rate.norm();
+    pub(super) fn displacement_rate(&self, point: &PathPoint) -> f64 {
+        let mut size = point.twist_rate.norm();
         if let Trajectory::Turn { angle, .. } = self.segment.course {
             let later = self.segment.course.rate_at(self.factor + FRAC_PI_2 / angle);
             let at_rest = vec![SVector::zeros(); self.node.states.len()];
-            if let Ok(rate) = here.piece.solve(self.segment.grasp.sites(), &at_rest, &later) {
+            if let Ok(rate) = point.piece.solve(self.segment.grasp.sites(), &at_rest, &later) {
                 size = size.hypot(rate.twist.norm());
             }
         }
         // Near a limit load hardly anything resists a motion, and an unbounded displacement would be no scale for others. So this is the largest
         // ratio of that displacement to the deflection of the softest spring.
-        let size = size.min(1e6 * self.springs_give(here));
+        let size = size.min(1e6 * self.springs_give(point));
         if size > 0.0 { size } else { 1.0 }
     }
 
-    /// Deflection of the softest spring under all present forces and those that one unit of the factor adds.
-    fn springs_give(&self, here: &PathPoint) -> f64 {
+    /// Deflection of the softest spring under all present forces and those that one unit of the load factor adds.
+    fn springs_give(&self, point: &PathPoint) -> f64 {
         let sites = self.segment.grasp.sites();
         let softest = least(sites, &|site| site.springs.softest());
         let offsets = largest(&self.segment.change, &SVector::norm);
         let load = self.segment.course.rate_at(self.factor).norm();
-        (here.sizes[0] + load) / softest + offsets
+        (point.sizes[0] + load) / softest + offsets
     }
 }

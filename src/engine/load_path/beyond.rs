@@ -48,7 +48,7 @@ pub enum Beyond<const C: usize> {
     /// This equilibrium ends here: the rates have no solution. Whether others exist beyond is not known, and no proof was found that there are none.
     /// The cause is too many contacts: more than 32 on the round cone, or else more combinations of states than [`Settings::most_states`].
     Ends {
-        /// The reason why the rates have no solution; its work is that of the load direction, J for one unit of the factor.
+        /// The reason why the rates have no solution; its work is that of the load direction, J for one unit of the load factor.
         reason: NoEquilibrium<C>,
     },
     /// The lips of these suction cups are open all around, and their vacuum is gone. What remains is another grasp, without their vacuum.
@@ -71,10 +71,10 @@ pub enum Beyond<const C: usize> {
 pub struct Continuation<const C: usize> {
     /// The next state of every contact, in the order of the grasp. The direction of a sliding contact is that of its slip rate.
     pub states: Vec<ContactState<C>>,
-    /// Rates of the contact forces on the object in the contact frames, N for one unit of the factor.
+    /// Rates of the contact forces on the object in the contact frames, N for one unit of the load factor.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Vec<SVector<f64, C>>>"))]
     pub force_rates: Vec<SVector<f64, C>>,
-    /// Rate of the object's twist, m and rad for one unit of the factor.
+    /// Rate of the object's twist, m and rad for one unit of the load factor.
     pub twist_rate: Motion<C>,
     /// The rule that found the solution of the rates.
     pub rule: FoundBy,
@@ -101,7 +101,7 @@ pub(super) fn continuation(grasp: &Engine, rates: &Problem, found: Found, rule: 
 pub(super) struct EquilibriumEnd<'f> {
     pub(super) factor: f64,
     pub(super) forces: &'f [SVector<f64, 3>],
-    /// The motion with which the object leaves, inside coordinates.
+    /// The motion with which the object leaves, in the engine's coordinates.
     pub(super) motion: Option<Vector>,
 }
 
@@ -113,10 +113,10 @@ pub(super) fn beyond_end(
     end: &EquilibriumEnd<'_>,
     settings: &Settings,
 ) -> Beyond<3> {
-    let here = segment.problem_at(end.factor);
+    let problem = segment.problem_at(end.factor);
     // The problem at a finite distance beyond the end, as a part of [`way_beyond`].
-    let past = |part: f64| segment.problem_at(end.factor + part * way_beyond(&here, rates));
-    let separates = |v: &Vector| separates_from_here_on(&here, v, &rates.wrench);
+    let past = |part: f64| segment.problem_at(end.factor + part * way_beyond(&problem, rates));
+    let separates = |v: &Vector| separates_from_here_on(&problem, v, &rates.wrench);
     if end.motion.as_ref().is_some_and(separates)
         || separating_motion(&past(LITTLE_BEYOND)).as_ref().is_some_and(separates)
     {
@@ -136,12 +136,12 @@ pub(super) fn beyond_end(
         Settled::Undecided(_) if no_rates(rates) => Settled::NoneOf(0),
         settled => settled,
     };
-    if !matches!(settled, Settled::Undecided(_)) && combinations(&here) <= settings.most_states as f64 {
-        return search_beyond(&here, rates);
+    if !matches!(settled, Settled::Undecided(_)) && combinations(&problem) <= settings.most_states as f64 {
+        return search_beyond(&problem, rates);
     }
     match segment.grasp.outcome(rates, &load(), settled, effort, segment.answer_for) {
         // Distance beyond the end up to which all loads are proved not to be held; a longer one makes the proof clearer.
-        Outcome::NoEquilibrium(_) if nothing_holds(&here, &past(1e-2)) => Beyond::LimitLoad,
+        Outcome::NoEquilibrium(_) if nothing_holds(&problem, &past(1e-2)) => Beyond::LimitLoad,
         Outcome::NoEquilibrium(reason) => Beyond::Ends { reason },
         Outcome::Undecided(undecided) => Beyond::Undecided { doubt: undecided.doubt },
         Outcome::Equilibrium(_) => Beyond::Undecided { doubt: Doubt::OnTheBoundary },
@@ -205,34 +205,34 @@ fn is_near(found: &[SVector<f64, 3>], forces: &[SVector<f64, 3>], part: f64) -> 
 
 /// The unit of distances beyond the end: the load step [`whole_way`], or the whole leg if there is no load yet. With a zero unit all of them would
 /// lie at the end itself.
-fn way_beyond(here: &Problem, rates: &Problem) -> f64 {
-    let way = whole_way(here, rates);
+fn way_beyond(problem: &Problem, rates: &Problem) -> f64 {
+    let way = whole_way(problem, rates);
     if way > ZERO_SLACK { way } else { 1.0 }
 }
 
 /// The change of the load factor that makes up the whole load, or all commands, whichever is less; zero if there is neither.
-fn whole_way(here: &Problem, rates: &Problem) -> f64 {
+fn whole_way(problem: &Problem, rates: &Problem) -> f64 {
     let total = |offsets: &[SVector<f64, 3>]| summed(offsets, &nalgebra::Matrix::norm);
-    let load_way = here.wrench.norm() / rates.wrench.norm();
-    let command_way = total(&here.offsets) / total(&rates.offsets);
+    let load_way = problem.wrench.norm() / rates.wrench.norm();
+    let command_way = total(&problem.offsets) / total(&rates.offsets);
     let way = load_way.min(command_way);
     if way.is_finite() { way } else { 0.0 }
 }
 
-fn search_beyond(here: &Problem, rates: &Problem) -> Beyond<3> {
+fn search_beyond(problem: &Problem, rates: &Problem) -> Beyond<3> {
     // The problem with complete contact laws in which rates of load and commands replace load and commands.
     let rates = &Problem {
         offsets: rates.offsets.clone(),
         wrench: rates.wrench.clone(),
         wrench_rest: rates.wrench_rest.clone(),
-        ..here.clone()
+        ..problem.clone()
     };
-    let way = whole_way(here, rates);
+    let way = whole_way(problem, rates);
     let mut another = false;
-    for_each_combination(here, &mut |states| {
-        let piece = Piece::new(here, &states);
+    for_each_combination(problem, &mut |states| {
+        let piece = Piece::new(problem, &states);
         let (Ok(now), Ok(next)) = (
-            piece.solve(here.sites, &here.offsets, here.load()),
+            piece.solve(problem.sites, &problem.offsets, problem.load()),
             piece.solve(rates.sites, &rates.offsets, &rates.wrench),
         ) else {
             return false;
@@ -241,7 +241,7 @@ fn search_beyond(here: &Problem, rates: &Problem) -> Beyond<3> {
         // amplifies rounding.
         let rounding = (ZERO_SLACK * piece.growth()).min(MOST_SLACK);
         let mut values = Vec::new();
-        for_each_condition(here, &states, &now.forces, &now.twist, |value, size| {
+        for_each_condition(problem, &states, &now.forces, &now.twist, |value, size| {
             values.push((value, size));
         });
         let mut holds = true;

@@ -9,12 +9,12 @@
 //! ```
 //!
 //! From there the path continues at the same load. If friction falls as contacts begin to slide, the force that they lose is removed first
-//! ([`super::letting_go`]), and the gap closes on that leg. A motion too large for linear kinematics is not made.
+//! ([`super::jump_leg`]), and the gap closes on that leg. A motion too large for linear kinematics is not made.
 
 use super::event::{Change, Event, Loss, LossKind, PathEnd};
 use super::follower::Follower;
 use super::journey::Journey;
-use super::letting_go::JumpInProgress;
+use super::jump_leg::JumpInProgress;
 use super::pieces::Pieces;
 use crate::contact::{Law, LocalLaw, Mode, Resistance, ZERO_SLACK, tangential};
 use crate::equilibrium::Equilibrium;
@@ -31,9 +31,9 @@ use nalgebra::SVector;
 struct FreeWay {
     /// Length of the motion, as a multiple of its direction.
     length: f64,
-    /// Sites whose gaps close at the end of the motion.
+    /// Contacts whose gaps close at the end of the motion.
     closing: Vec<usize>,
-    /// For each site, a contact or a drive, whether it stays in place during the motion; it may be on the edge of its friction cone.
+    /// For each contact or drive, whether it stays in place during the motion; it may be on the edge of its friction cone.
     still: Vec<bool>,
 }
 
@@ -69,7 +69,7 @@ impl<'g> Pieces<'g> {
             let none = NEGLIGIBLE * site.span_moved(&SVector::zeros(), motion.norm());
             let (local, force) = (self.segment.problem.local(i), &self.node.at.forces[i]);
             still.push(velocity.norm() <= none);
-            if self.node.states[i].is_open() || self.node.stands[i].apex && local.may_open() {
+            if self.node.states[i].is_open() || self.node.active_sets[i].apex && local.may_open() {
                 let gap = -site.stretch(&offsets[i], &self.node.at.twist)[0];
                 let shut = ZERO_SLACK * site.span(&offsets[i], &self.node.at.twist);
                 if velocity[0] < -none {
@@ -98,7 +98,7 @@ impl<'g> Pieces<'g> {
         is_small.then_some(FreeWay { length, closing, still })
     }
 
-    /// Makes contacts on an edge slide or open along the motion, and returns the changes of state.
+    /// Makes contacts on the edge of their cones slide or open along the motion, and returns the changes of state.
     fn yield_along(
         &mut self,
         motion: &Vector,
@@ -114,48 +114,48 @@ impl<'g> Pieces<'g> {
         }
         let forces = vec![SVector::zeros(); states.len()];
         let found = Found::new(states, forces, motion.clone());
-        self.node.take_over(&mut self.segment, self.factor, &rates, &found)
+        self.node.apply_rates(&mut self.segment, self.factor, &rates, &found)
     }
 
-    /// Moves the object until the gap closes; `None` if rounding prevents the state there from being computed.
-    fn go_free_way(&mut self, motion: &Vector, way: &FreeWay) -> Option<()> {
-        let here = self.node.look(&self.segment.at_rest(self.factor), self.factor, None).ok()?;
+    /// Moves the object until the gap closes; `None` if rounding prevents the computation of the state at the closed gap.
+    fn move_to_gap(&mut self, motion: &Vector, way: &FreeWay) -> Option<()> {
+        let point = self.node.point_at(&self.segment.at_rest(self.factor), self.factor, None).ok()?;
         // Forces are solved for in the new states, so that contacts that have opened lose even the rounding of their force.
-        let forces = mapped(&here.lines, &|line| line.force);
+        let forces = mapped(&point.lines, &|line| line.force);
         let twist = &self.node.at.twist + motion * way.length;
-        self.node.arrive(&mut self.segment, &here, self.factor, &PieceState { forces, twist });
+        self.node.move_to_end(&mut self.segment, &point, self.factor, &PieceState { forces, twist });
         let offsets = self.segment.offsets(self.factor);
         for (i, site) in self.segment.grasp.sites().iter().enumerate() {
             if self.node.states[i].is_open() {
                 let gap = -site.stretch(&offsets[i], &self.node.at.twist)[0];
                 let shut = ZERO_SLACK * site.span(&offsets[i], &self.node.at.twist);
-                self.node.stands[i].leave();
-                self.node.stands[i].apex = gap <= shut || way.closing.contains(&i);
+                self.node.active_sets[i].clear();
+                self.node.active_sets[i].apex = gap <= shut || way.closing.contains(&i);
             }
         }
-        (self.here, self.at_node) = (None, true);
+        (self.point, self.at_node) = (None, true);
         Some(())
     }
 
     /// The event at which a gap closes after a free motion from a loss; the path continues from there. `None` if no gap closes.
-    pub(super) fn caught_by_a_gap(&mut self, journey: &Journey<'g>, loss: &Loss<3>) -> Option<Event<3>> {
-        if self.fallen.is_some() || self.pace.steps >= journey.settings.most_steps {
+    pub(super) fn closing_gap_event(&mut self, journey: &Journey<'g>, loss: &Loss<3>) -> Option<Event<3>> {
+        if self.failed_jump.is_some() || self.pace.steps >= journey.settings.most_steps {
             return None;
         }
         let before = self.state_before_event();
         let state = before.or_else(|| self.present_state(journey))?;
         let goal = self.segment.course.at(self.factor);
-        let leg = Self::standing(self.segment.at_rest(self.factor), self.node.clone());
+        let leg = Self::at_segment_start(self.segment.at_rest(self.factor), self.node.clone());
         let slips = leg.segment.problem.slips.clone();
-        let mut fall = JumpInProgress::after(leg, &slips);
-        fall.leg.pace.steps = self.pace.steps + 1;
-        let went = fall.go_on_freely(loss, &goal, journey).and_then(|lets_go| {
-            let first = core::mem::take(&mut fall.changes);
-            if lets_go { fall.go(&goal, journey).map(|()| first) } else { Ok(first) }
+        let mut jump = JumpInProgress::after(leg, &slips);
+        jump.leg.pace.steps = self.pace.steps + 1;
+        let went = jump.follow_free_motion(loss, &goal, journey).and_then(|lets_go| {
+            let first = core::mem::take(&mut jump.changes);
+            if lets_go { jump.run(&goal, journey).map(|()| first) } else { Ok(first) }
         });
         let changes = went.ok()?;
-        // If rounding prevents the state there from being computed, the path ends with the loss.
-        let jump = self.land(journey, &goal, fall).ok()?;
+        // If rounding prevents the computation of the state at the closed gap, the path ends with the loss.
+        let jump = self.end_jump(journey, &goal, jump).ok()?;
         self.at_node = true;
         Some(Event { jump: Some(Box::new(jump)), ..self.caught(journey, changes, state) })
     }
@@ -188,7 +188,7 @@ impl<'g> JumpInProgress<'g> {
     ///
     /// # Errors
     /// The loss, if no gap closes.
-    pub(super) fn go_on_freely(
+    pub(super) fn follow_free_motion(
         &mut self,
         loss: &Loss<3>,
         goal: &Vector,
@@ -201,14 +201,14 @@ impl<'g> JumpInProgress<'g> {
         let changes = self.leg.yield_along(&motion, &way, journey);
         let begin = self.leg.begin_to_slide(&changes);
         if !begin.is_empty()
-            && let Some(leg) = self.leg.let_go(goal, &begin, journey)?
+            && let Some(leg) = self.leg.leg_of_release(goal, &begin, journey)?
         {
             self.leg = leg;
             self.note(&changes);
             return Ok(true);
         }
         self.note(&changes);
-        self.leg.go_free_way(&motion, &way).ok_or_else(lost)?;
+        self.leg.move_to_gap(&motion, &way).ok_or_else(lost)?;
         self.reaches.extend(way.closing);
         Ok(false)
     }

@@ -1,4 +1,4 @@
-//! Events of a hand: the engine treats a drive as a site like a contact, but its changes are reported for its joint or tendon.
+//! Events of a hand: the engine treats a drive like a contact, but its changes are reported for its joint or tendon.
 
 use super::drive_change::{DriveChange, PartChange};
 use super::event::{Change, ContactChange};
@@ -48,20 +48,20 @@ impl Engine {
         (leaving, drives)
     }
 
-    /// Separates the contacts among these sites from the drives, which are labelled by their joint or tendon.
+    /// Separates contacts from drives, which are labelled by their joint or tendon.
     pub(super) fn sites_apart(&self, sites: Vec<usize>) -> (Vec<ContactLabel>, Vec<PartLabel>) {
         let (contacts, drives): (Vec<usize>, Vec<usize>) = sites.into_iter().partition(|i| *i < self.len());
         let contact = |i: usize| self.contacts()[i].label(i);
         (moved(contacts, &contact), drives.into_iter().filter_map(|i| self.part(i)).list())
     }
 
-    /// The joint or tendon of the drive at a site.
+    /// The joint or tendon of the drive with this index.
     fn part(&self, site: usize) -> Option<PartLabel> {
         let linkage = self.linkage()?;
         linkage.part(site - self.len()).map(|part| linkage.label(part))
     }
 
-    /// The contact, or the joint or tendon of the drive, at a site. `None` for springs without joint or tendon, which never leave their state.
+    /// The contact, or the joint or tendon of the drive, with this index. `None` for springs without joint or tendon, which never leave their state.
     pub(crate) fn leaver(&self, site: usize) -> Option<Leaver> {
         match self.linkage() {
             Some(linkage) if site >= self.len() => linkage.part(site - self.len()).map(Leaver::Drive),
@@ -69,7 +69,7 @@ impl Engine {
         }
     }
 
-    /// The label of the contact, or of the joint or tendon of the drive, at a site.
+    /// The label of the contact, or of the joint or tendon of the drive, with this index.
     pub(super) fn edge_of(&self, site: usize) -> Option<EdgeOf> {
         match self.contacts().get(site) {
             Some(contact) => Some(EdgeOf::Contact(contact.label(site))),

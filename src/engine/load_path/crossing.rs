@@ -2,7 +2,7 @@
 //!
 //! Newton's method on the condition repeats the last step with other lengths, within a bracket. States are never interpolated.
 
-use super::flow::{Flow, Reached, Rule, StepGoal};
+use super::flow::{Flow, FlowStep, Rule, StepGoal};
 use super::pieces::Pieces;
 use super::segment::PathPoint;
 use super::watch::{Watch, watch};
@@ -12,7 +12,7 @@ use crate::prelude::*;
 pub(super) struct StepEnd {
     pub(super) length: f64,
     pub(super) rule: Rule,
-    pub(super) reached: Reached,
+    pub(super) reached: FlowStep,
     pub(super) watches: Vec<Watch>,
     /// The index of the condition at which the step was made to end, if any.
     pub(super) located: Option<usize>,
@@ -22,14 +22,14 @@ impl Pieces<'_> {
     /// Makes a step of a length, and evaluates the conditions at its end.
     pub(super) fn step(
         &self,
-        here: &PathPoint,
+        point: &PathPoint,
         (length, trial): (f64, usize),
         rule: Rule,
     ) -> Option<StepEnd> {
         let unit = self.pace.unit?;
-        let flow = Flow::new(&self.segment, &self.node.states, self.factor, here, unit);
-        let reached = flow.reach(length, StepGoal::after(1.0, trial), rule)?;
-        let watches = watch(&self.segment, &self.node.states, (reached.to, &reached.here));
+        let flow = Flow::new(&self.segment, &self.node.states, self.factor, point, unit);
+        let reached = flow.step(length, StepGoal::after(1.0, trial), rule)?;
+        let watches = watch(&self.segment, &self.node.states, (reached.to, &reached.point));
         Some(StepEnd { length, rule, reached, watches, located: None })
     }
 
@@ -46,7 +46,7 @@ impl Pieces<'_> {
     /// Returns the step that ends where condition `k` is just met and no other is violated.
     pub(super) fn locate(
         &self,
-        here: &PathPoint,
+        point: &PathPoint,
         start: &[Watch],
         mut end: StepEnd,
         mut k: usize,
@@ -71,7 +71,7 @@ impl Pieces<'_> {
                 end.located = Some(k);
                 return Some(end);
             }
-            end = self.step(here, (to, trial), end.rule)?;
+            end = self.step(point, (to, trial), end.rule)?;
             if let Some(other) = Self::first_crossing(start, &end) {
                 if other != k {
                     k = other;

@@ -22,39 +22,40 @@ pub(crate) struct Cycles<'g> {
     path: Following<'g, Pieces<'g>>,
     legs: Vec<Leg<3>>,
     base: Wrench<3>,
-    gone: usize,
+    /// Number of cycles followed so far, including one that the path did not finish.
+    completed: usize,
 }
 
 /// The state of a grasp between two cycles.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct CycleState {
     pub(crate) forces: Vec<SVector<f64, 3>>,
-    /// Gaps of open sites, m; zero for closed ones.
+    /// Gaps of open contacts and drives, m; zero for closed ones.
     pub(crate) gaps: Vec<f64>,
     pub(crate) slips: Vec<SVector<f64, 3>>,
     pub(crate) twist: Vector,
-    /// Whether each site slides with kinetic friction below its static friction; empty if no contact has kinetic friction.
+    /// Whether each contact or drive slides with kinetic friction below its static friction; empty if no contact has kinetic friction.
     pub(crate) weaker: Vec<bool>,
 }
 
 /// Totals of one cycle.
 #[derive(Debug, Clone)]
 pub(crate) struct CycleRecord {
-    /// The path length that each site has slid, m.
+    /// The path length that each contact or drive has slid, m.
     pub(crate) slid: Vec<f64>,
     /// Heat from friction, J.
     pub(crate) dissipated: f64,
     /// The largest force during the cycle, N.
     pub(crate) largest: f64,
-    /// The smallest gap of each site that was open during the whole cycle, m; `None` for others.
+    /// The smallest gap of each contact or drive that was open during the whole cycle, m; `None` for others.
     pub(crate) open: Vec<Option<f64>>,
     pub(crate) step_error: f64,
-    /// Successive states of all sites, each list with the leg on which it occurs.
+    /// Successive states of all contacts and drives, each list with the leg on which it occurs.
     states: Vec<(usize, Vec<State>)>,
 }
 
 impl CycleRecord {
-    /// Adds the totals of the next cycle, so that this record covers both.
+    /// Adds the totals of the next cycle, so that this record covers both cycles.
     pub(crate) fn append(&mut self, next: &Self) {
         self.slid.iter_mut().zip(&next.slid).for_each(|(slid, more)| *slid += more);
         self.dissipated += next.dissipated;
@@ -73,7 +74,7 @@ impl CycleRecord {
     }
 }
 
-/// Whether all sites have the same states, apart from directions on the round cone.
+/// Whether all contacts and drives have the same states, apart from the direction of sliding on the round cone.
 fn are_alike(a: &[State], b: &[State]) -> bool {
     a.iter().zip(b).all(|(a, b)| a.is_kind_of(b))
 }
@@ -91,7 +92,7 @@ impl<'g> Cycles<'g> {
         let path = Following::start(grasp, (base, legs), settings, Pieces::at_start)?;
         // A cycle is closed if its end differs from its beginning by at most this part of the largest load or command along it.
         path.journey.program.check_closed(SOLVED_ROUNDING)?;
-        Ok(Self { path, legs: legs.to_vec(), base: *base, gone: 0 })
+        Ok(Self { path, legs: legs.to_vec(), base: *base, completed: 0 })
     }
 
     /// The program at the beginning of a cycle, from the given state; `None` if this state is no equilibrium of the grasp with its slips.
@@ -118,7 +119,7 @@ impl<'g> Cycles<'g> {
             Pieces::at_start(journey, &slipped)
         });
         let path = begin.ok()?;
-        let begun = Self { path, legs: self.legs.clone(), base: self.base, gone: 0 };
+        let begun = Self { path, legs: self.legs.clone(), base: self.base, completed: 0 };
         let forces = &begun.path.follower.as_ref()?.node.at.forces;
         let is_there = forces.iter().zip(&from.forces).all(|(a, b)| (a - b).norm() <= NEGLIGIBLE * largest);
         is_there.then_some(begun)
@@ -137,7 +138,7 @@ impl<'g> Cycles<'g> {
     /// The leg of the cycle and its fraction at the present place.
     pub(crate) fn place(&self) -> (usize, f64) {
         let (leg, fraction) = self.path.place();
-        (leg - self.gone.saturating_sub(1) * self.legs.len(), fraction)
+        (leg - self.completed.saturating_sub(1) * self.legs.len(), fraction)
     }
 
     /// The equilibrium at the present place.
@@ -146,17 +147,17 @@ impl<'g> Cycles<'g> {
     }
 
     /// Follows one cycle; `None` if the path [ends](Self::end) before.
-    pub(crate) fn go(&mut self) -> Option<CycleRecord> {
-        if self.gone > 0 && self.path.end().is_some() {
+    pub(crate) fn follow_cycle(&mut self) -> Option<CycleRecord> {
+        if self.completed > 0 && self.path.end().is_some() {
             self.path.journey.program.return_to(self.path.journey.grasp, &self.base);
             self.path.continue_with(&self.legs).ok()?;
         }
-        self.gone += 1;
+        self.completed += 1;
         // The last piece of the previous cycle is still stored, since the present state is computed from it; it is no part of this cycle.
         let before = self.path.follower.as_ref().map_or(0, |follower| follower.behind.len());
         while self.path.next().is_some() {}
         self.end().is_none().then_some(())?;
-        let first = (self.gone - 1) * self.legs.len();
+        let first = (self.completed - 1) * self.legs.len();
         let follower = self.path.follower.as_mut()?;
         let energies = core::mem::take(&mut follower.energy);
         let behind = core::mem::take(&mut follower.behind);
@@ -174,7 +175,7 @@ impl<'g> Cycles<'g> {
             // Slips at the end of the piece; those of a jump that follows are added with the jump.
             let next = behind
                 .get(k + 1)
-                .map(|next| next.fallen.as_ref().map_or(&next.problem.slips, |fallen| &fallen.slips));
+                .map(|next| next.jump.as_ref().map_or(&next.problem.slips, |jump| &jump.slips));
             record.add(stretch, next.unwrap_or(slips_at_the_end), first);
         }
         // The state at the end of the cycle is computed from the piece that leads to it.
@@ -183,7 +184,7 @@ impl<'g> Cycles<'g> {
     }
 
     /// The state of the grasp after the cycles so far.
-    pub(crate) fn standing(&self) -> Option<CycleState> {
+    pub(crate) fn cycle_state(&self) -> Option<CycleState> {
         let follower = self.path.follower.as_ref()?;
         let (at, segment) = (&follower.node.at, &follower.segment);
         let offsets = segment.offsets(follower.factor);
@@ -202,7 +203,7 @@ impl<'g> Cycles<'g> {
 }
 
 impl CycleState {
-    /// The friction of each site: kinetic for those in `weaker`, otherwise static. Empty if `weaker` is.
+    /// The friction of each contact or drive: kinetic for those in `weaker`, otherwise static. Empty if `weaker` is.
     fn cones(&self, grasp: &Engine) -> Vec<Coulomb> {
         let sites = grasp.sites().iter().zip(&self.weaker);
         sites.map(|(site, weaker)| site.kinetic.filter(|_| *weaker).unwrap_or(site.friction)).list()
@@ -213,11 +214,11 @@ impl CycleRecord {
     /// Adds a piece of the path, with the slips after it.
     fn add(&mut self, piece: &Stretch<'_>, after: &[SVector<f64, 3>], first: usize) {
         let leg = piece.leg.saturating_sub(first);
-        if let Some(fallen) = &piece.fallen {
-            for (i, _) in fallen.slid.iter().enumerate().filter(|(_, slid)| **slid) {
-                self.slid[i] += (piece.problem.slips[i] - fallen.slips[i]).norm();
+        if let Some(jump) = &piece.jump {
+            for (i, _) in jump.slid.iter().enumerate().filter(|(_, slid)| **slid) {
+                self.slid[i] += (piece.problem.slips[i] - jump.slips[i]).norm();
             }
-            fallen.states.iter().for_each(|states| self.note(leg, states));
+            jump.states.iter().for_each(|states| self.note(leg, states));
         }
         let forces = piece.here.lines.iter().map(|line| line.force).chain(piece.there.forces.iter().copied());
         self.largest = forces.map(|force| force.norm()).fold(self.largest, f64::max);

@@ -72,7 +72,7 @@ impl<const C: usize> Departure<C> {
     }
 }
 
-/// An onset in words: its factor, and the contacts that stop sticking.
+/// An onset in words: its load factor, and the contacts that stop sticking.
 impl<const C: usize> fmt::Display for OnsetEvent<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "at factor {}:", Words::of(f).number(self.factor))?;

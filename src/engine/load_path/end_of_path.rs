@@ -1,8 +1,8 @@
-//! The end of a path where the rates have no solution, in so far as the state at the end determines it.
+//! The end of a path where the rates have no solution, as far as the state at the end determines it.
 
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end, no_rates};
 use super::event::{Loss, LossKind, PathEnd};
-use super::follower::StandAtEdge;
+use super::follower::StateAtEdge;
 use super::rigid_motion::rigid_motion;
 use crate::contact::State;
 use crate::numerics::{Each, Vector};
@@ -12,15 +12,15 @@ use crate::search::{Effort, Settings, Settled};
 
 /// The end of a path whose rates have no solution.
 ///
-/// The object gives way if a motion meets no resistance. Otherwise the end is a corner: in no combination of their states do the contacts on an edge
-/// have rates. If that is not known, a proof suffices that no equilibrium exists beyond.
+/// The object gives way if a motion meets no resistance. Otherwise the end is a corner: no combination of states of the contacts on the edge of their
+/// cones gives rates of forces and motion. If that is not known, a proof suffices that no equilibrium exists beyond.
 pub(super) fn end_of_path(
-    edge: &StandAtEdge<'_>,
+    edge: &StateAtEdge<'_>,
     (settled, effort): (Settled, &Effort),
     loss: Loss<3>,
     settings: &Settings,
 ) -> PathEnd<3> {
-    let StandAtEdge { segment, rates, forces } = edge;
+    let StateAtEdge { segment, rates, forces } = edge;
     if let Settled::FreeMotion(v) = settled {
         let loss = Loss { kind: LossKind::GivesWay, ..loss };
         return PathEnd::Lost(Box::new(loss.leaving(segment.grasp, Some(&v))));
@@ -46,7 +46,7 @@ pub(super) fn end_of_path(
     PathEnd::Undecided { leg: corner.leg, fraction: corner.fraction, doubt }
 }
 
-/// The unit motion with which the object leaves when all contacts on an edge slide, and the virtual motion that proves the loss.
+/// The unit motion with which the object leaves when all contacts on the edge of their cones slide, and the virtual motion that proves the loss.
 ///
 /// The object leaves by a motion that changes no contact force, and on which the load works. The virtual motion is one on which no contact force of
 /// these states does work. Friction inclines it: for a block that slides to the right it points upwards along the edge of the cone. Without such

@@ -48,7 +48,7 @@ impl LegEnergy {
     /// Adds the energy that the springs take up between two states.
     pub(super) fn store(&mut self, sites: &[Site], from: &[SVector<f64, 3>], to: &[SVector<f64, 3>]) {
         for (site, (from, to)) in sites.iter().zip(from.iter().zip(to)) {
-            self.stored += 0.5 * (to - from).dot(&site.springs.give(&(to + from)));
+            self.stored += 0.5 * (to - from).dot(&site.springs.deflection(&(to + from)));
             // A difference of two energies carries the rounding of both.
             self.turnover += site.springs.stored(to) + site.springs.stored(from);
         }
@@ -63,27 +63,27 @@ impl LegEnergy {
         self.turnover += part.turnover;
     }
 
-    /// Adds the energies of a piece from a factor on, with fixed states and no contact sliding on a round cone.
+    /// Adds the energies of a piece from a load factor on, with fixed states and no contact sliding on a round cone.
     pub(super) fn add(
         &mut self,
         segment: &Segment,
         states: &[State],
-        here: &PathPoint,
+        point: &PathPoint,
         factor: f64,
         step: f64,
     ) {
-        if let Some(turned) = &here.turned {
+        if let Some(turned) = &point.turned {
             self.add_turned(segment, states, turned, step);
             return;
         }
         let middle = segment.course.at(factor + 0.5 * step);
-        let works = middle.component_mul(&here.twist_rate) * step;
+        let works = middle.component_mul(&point.twist_rate) * step;
         self.load_work += works.sum();
         self.turnover += works.map(f64::abs).sum();
-        for (i, (line, site)) in here.lines.iter().zip(segment.grasp.sites()).enumerate() {
+        for (i, (line, site)) in point.lines.iter().zip(segment.grasp.sites()).enumerate() {
             let force = line.force + line.rate * (0.5 * step);
             let (give, moving) =
-                (site.springs.give(&line.rate), site.stretch(&segment.change[i], &here.twist_rate));
+                (site.springs.deflection(&line.rate), site.stretch(&segment.change[i], &point.twist_rate));
             let slip =
                 if states[i].slides() { site.springs.slip(&moving, &line.rate) } else { SVector::zeros() };
             for axis in 0..site.springs.axes() {

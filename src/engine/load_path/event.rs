@@ -179,24 +179,24 @@ pub struct Loss<const C: usize> {
     /// The joints and tendons of a hand whose drives have reached their limit at the loss.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub drives: Vec<PartLabel>,
-    /// The unit motion with which the object leaves: every contact on an edge slides along its friction force, or opens. `None` if these states do
-    /// not determine a motion.
+    /// The unit motion with which the object leaves: every contact on the edge of its cone slides along its friction force, or opens. `None` if these
+    /// states do not determine a motion.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub motion: Option<Motion<C>>,
     /// The jump of slip at this load: contacts whose friction falls from the static to the kinetic value, and how far each slides before no further
     /// equilibrium exists. Empty if no friction fell.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub jumped: Vec<JumpSlip<C>>,
-    /// The virtual motion that contacts can resist least at the loss, in inside coordinates: it may prove the loss.
+    /// The virtual motion that contacts can resist least at the loss, in the engine's coordinates: it may prove the loss.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) against: Option<Coordinates>,
-    /// The motion with which the object leaves, in inside coordinates.
+    /// The motion with which the object leaves, in the engine's coordinates.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) leaves: Option<Coordinates>,
 }
 
 impl<const C: usize> Loss<C> {
-    /// The virtual motion that contacts can resist least at the loss, in inside coordinates: it may prove the loss.
+    /// The virtual motion that contacts can resist least at the loss, in the engine's coordinates: it may prove the loss.
     pub(crate) fn virtual_motion(&self) -> Option<&Coordinates> {
         self.against.as_ref()
     }
@@ -209,7 +209,7 @@ impl<const C: usize> Loss<C> {
 }
 
 impl Loss<3> {
-    /// This loss with the motion with which the object leaves, in inside coordinates.
+    /// This loss with the motion with which the object leaves, in the engine's coordinates.
     pub(super) fn leaving(mut self, grasp: &Engine, motion: Option<&Vector>) -> Self {
         self.motion = motion.map(|v| grasp.motion_outside(v));
         self.leaves = motion.map(Coordinates::of);
@@ -218,7 +218,7 @@ impl Loss<3> {
     }
 }
 
-/// The reason for the end of an equilibrium under a growing load, in so far as the state at the end determines it.
+/// The reason for the end of an equilibrium under a growing load, as far as the state at the end determines it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -226,7 +226,7 @@ impl Loss<3> {
 pub enum LossKind {
     /// The load has a smooth maximum along a sliding arc of the round cone: in these contact states the equilibrium continues under less load only.
     Fold,
-    /// Contacts are on the edge of their cones, and no combination of their states has rates under the growing load.
+    /// Contacts are on the edge of their cones, and in no combination of their states do forces and motion have rates under the growing load.
     Corner,
     /// The object moves without bound while the load approaches this one and never reaches it. Directions of sliding have turned along this motion,
     /// and nothing else resists it.

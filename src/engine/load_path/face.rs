@@ -82,16 +82,16 @@ impl<T: Face> Face for LegGoal<T> {
     fn widen(&self) -> Self::Inside {
         match self {
             Self::Stay => LegGoal::Stay,
-            Self::By(change) => LegGoal::By(change.entered()),
-            Self::To(goal) => LegGoal::To(goal.entered()),
+            Self::By(change) => LegGoal::By(change.to_inside()),
+            Self::To(goal) => LegGoal::To(goal.to_inside()),
         }
     }
 
     fn narrow(inside: Self::Inside) -> Self {
         match inside {
             LegGoal::Stay => Self::Stay,
-            LegGoal::By(change) => Self::By(T::leave(change)),
-            LegGoal::To(goal) => Self::To(T::leave(goal)),
+            LegGoal::By(change) => Self::By(T::from_inside(change)),
+            LegGoal::To(goal) => Self::To(T::from_inside(goal)),
         }
     }
 }
@@ -104,25 +104,25 @@ impl<const C: usize> OnsetEvent<C> {
     }
 
     /// Takes the values of an event of the engine, in its own memory.
-    pub(crate) fn take_over(&mut self, inside: &mut OnsetEvent<3>) {
+    pub(crate) fn replace_with(&mut self, inside: &mut OnsetEvent<3>) {
         self.exchange(inside);
-        (self.factor, self.load, self.cone) = (inside.factor, Face::leave(inside.load), inside.cone);
+        (self.factor, self.load, self.cone) = (inside.factor, Face::from_inside(inside.load), inside.cone);
         self.leaving.clear();
-        self.leaving.extend(inside.leaving.iter().cloned().map(Leaving::leave));
+        self.leaving.extend(inside.leaving.iter().cloned().map(Leaving::from_inside));
     }
 }
 
 impl<const C: usize> Ramp<C> {
     /// Writes the ramp with three components into `inside`, whose memory is reused.
     pub(crate) fn enter_into(&self, inside: &mut Ramp<3>) {
-        (inside.base, inside.direction) = (self.base.enter(), self.direction.enter());
+        (inside.base, inside.direction) = (self.base.into_inside(), self.direction.into_inside());
         inside.joint_change.clone_from(&self.joint_change);
         match (&self.command_change, &mut inside.command_change) {
             (None, kept) => *kept = None,
             (Some(given), kept) => {
                 let kept = kept.get_or_insert_default();
                 kept.clear();
-                kept.extend(given.iter().map(|command| command.enter()));
+                kept.extend(given.iter().map(|command| command.into_inside()));
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Static friction of contacts, and lower kinetic friction while they slide.
 
 use super::event::{Change, Event, PathEnd};
-use super::first_exits::PathState;
+use super::first_exits::ExitsReached;
 use super::journey::Journey;
 use super::jump::Jump;
 use super::pieces::Pieces;
@@ -55,8 +55,8 @@ impl<'g> Pieces<'g> {
             let rest = problem.sites[i].friction;
             if *cone != rest && !self.node.states[i].slides() {
                 *cone = rest;
-                if !self.node.stands[i].apex {
-                    self.node.stands[i] = ActiveSet::NOWHERE;
+                if !self.node.active_sets[i].apex {
+                    self.node.active_sets[i] = ActiveSet::EMPTY;
                 }
             }
         }
@@ -64,20 +64,20 @@ impl<'g> Pieces<'g> {
 
     /// Whether a contact that alternately sticks and slips while it is unloaded has all but lost its force. It would do so infinitely often before
     /// the force vanishes.
-    pub(super) fn runs_out(&self, standing: &PathState) -> bool {
+    pub(super) fn runs_out(&self, reached: &ExitsReached) -> bool {
         let largest = self.segment.largest;
         let is_weaker = |i: usize| self.segment.problem.sites[i].kinetic.is_some();
         // A force below this part of the largest counts as vanished.
-        standing.iter().any(|(i, _)| is_weaker(*i) && self.node.at.forces[*i].norm() <= NEGLIGIBLE * largest)
+        reached.iter().any(|(i, _)| is_weaker(*i) && self.node.at.forces[*i].norm() <= NEGLIGIBLE * largest)
     }
 
     /// Puts contacts whose force has all but vanished at the apex of their cones, as if it were zero.
-    pub(super) fn let_run_out(&mut self, standing: &PathState) {
+    pub(super) fn put_at_apex(&mut self, reached: &ExitsReached) {
         let largest = self.segment.largest;
-        for (i, _) in standing {
+        for (i, _) in reached {
             let force = self.node.at.forces[*i].norm();
             if force <= NEGLIGIBLE * largest {
-                self.node.stands[*i].apex = true;
+                self.node.active_sets[*i].apex = true;
                 self.step_error += force / largest;
             }
         }

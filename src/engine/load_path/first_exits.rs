@@ -4,19 +4,19 @@ use crate::contact::Exit;
 use crate::prelude::*;
 
 /// Contacts that reach an edge of their cone, its apex or a closed gap, each with its exits.
-pub(super) type PathState = Vec<(usize, Vec<Exit>)>;
+pub(super) type ExitsReached = Vec<(usize, Vec<Exit>)>;
 
 /// The first exits of contacts along a piece.
 pub(super) struct FirstExits {
-    /// The step to the first edge, and all contacts that reach one there.
-    pub(super) standing: Option<(f64, PathState)>,
-    /// Sites that reach the edge of their cone before this step without crossing it, while a load turns; with the angle, rad.
+    /// The step to the first edge of a cone, and all contacts that reach an edge at that step.
+    pub(super) reached: Option<(f64, ExitsReached)>,
+    /// Contacts and drives that reach the edge of their cone before this step without crossing it, while a load turns; with the angle, rad.
     pub(super) touches: Vec<(usize, f64)>,
 }
 
 /// The smallest step to an exit, and all contacts with exits there. Symmetric grasps reach several edges at once: steps that are equal up to the
 /// rounding of both count as tied.
-pub(super) fn first_standing(mut ways: PathState) -> Option<(f64, PathState)> {
+pub(super) fn first_reached(mut ways: ExitsReached) -> Option<(f64, ExitsReached)> {
     let mut first = ways.iter().find_map(|(_, exits)| exits.first()).copied()?;
     for (_, exits) in &ways {
         for exit in exits {

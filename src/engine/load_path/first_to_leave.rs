@@ -39,12 +39,12 @@ pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) ->
     piece.solve_roughly_into(&segment.change, &direction, (solution, rate));
     piece.solve_roughly_into(&problem.offsets, &problem.wrench, (solution, base));
     let First { contact, exit, line } = first_exit(segment, base, (&direction, rate))?;
-    // Solved again at the onset: a factor extrapolated from the base carries the rounding of the forces there.
+    // The state is solved again at the onset, because a load factor extrapolated from the base carries the rounding of the forces at the base.
     let mut factor = exit.step;
     let load = segment.course.at(factor);
     segment.offsets_into(factor, offsets);
     piece.solve_into(problem.sites, offsets, &load, (solution, there)).ok()?;
-    let more = problem.local(contact).way_to(&exit, &there.forces[contact], &line.rate);
+    let more = problem.local(contact).step_to_exit(&exit, &there.forces[contact], &line.rate);
     if more.abs() > LARGEST_CORRECTION * factor || !is_balanced(problem.sites, &load, &there.forces) {
         return None;
     }
@@ -86,7 +86,7 @@ pub(super) fn first_to_leave_on_turn(
     if !problem.locals().enumerate().all(|(i, local)| clearly_sticks(&local, &at(i))) {
         return None;
     }
-    let mut turned = segment.turned(inside, 1.0, &parts);
+    let mut turned = segment.harmonics(inside, 1.0, &parts);
     // These solutions are not refined and carry the rounding of the largest force everywhere; the sticking path decides cases that this could change.
     let roughly = parts.map(|part| problem.largest_force(&part.forces, &part.twist));
     let roughly = roughly.parts().into_iter().sum::<f64>();
@@ -97,8 +97,8 @@ pub(super) fn first_to_leave_on_turn(
     if !first.touches.is_empty() {
         return None;
     }
-    let Some((mut angle, standing)) = first.standing else { return Some(WhileTurning::Never) };
-    let [(contact, exits)] = &standing[..] else { return None };
+    let Some((mut angle, reached)) = first.reached else { return Some(WhileTurning::Never) };
+    let [(contact, exits)] = &reached[..] else { return None };
     let [exit] = exits[..] else { return None };
     if exit.uncertainty > LARGEST_CORRECTION * angle {
         return None;
@@ -106,7 +106,7 @@ pub(super) fn first_to_leave_on_turn(
     let load = inside.at(angle);
     let mut there = piece.solve(problem.sites, &problem.offsets, &load).ok()?;
     let rate = turned.waves[*contact][0].of.rate_at(angle);
-    let more = problem.local(*contact).way_to(&exit, &there.forces[*contact], &rate);
+    let more = problem.local(*contact).step_to_exit(&exit, &there.forces[*contact], &rate);
     if more.abs() > LARGEST_CORRECTION * angle || !is_balanced(problem.sites, &load, &there.forces) {
         return None;
     }
@@ -127,24 +127,29 @@ impl FirstToLeave {
         memory: &mut OnsetMemory,
     ) -> Onset<3> {
         let Self { factor, contact, exit, there } = self;
-        let OnsetMemory { states, stands, leaving, sites, .. } = memory;
+        let OnsetMemory { states, active_sets, leaving, sites, .. } = memory;
         cleared_for(states, segment.problem.len());
         states.extend(segment.problem.locals().map(|local| local.unjumped()));
-        stands.iter_mut().for_each(ActiveSet::leave);
-        stands.resize(states.len(), ActiveSet::NOWHERE);
-        stands[contact].reach(segment.problem.space().axes(), &states[contact], &[exit]);
+        active_sets.iter_mut().for_each(ActiveSet::clear);
+        active_sets.resize(states.len(), ActiveSet::EMPTY);
+        active_sets[contact].add_exits(segment.problem.space().axes(), &states[contact], &[exit]);
         let frame = &segment.problem.sites[contact].frame;
         cleared_for(leaving, 1);
-        leaving.push(Leaving::driven_out(contact, &stands[contact], &segment.problem.local(contact), frame));
+        leaving.push(Leaving::driven_out(
+            contact,
+            &active_sets[contact],
+            &segment.problem.local(contact),
+            frame,
+        ));
         cleared_for(sites, 1);
         sites.push(contact);
         let found = Found::new(core::mem::take(states), there.forces, there.twist);
         let leaving = (core::mem::take(leaving), core::mem::take(sites));
-        let stands = core::mem::take(stands);
+        let active_sets = core::mem::take(active_sets);
         memory.lists.laws = core::mem::take(&mut segment.problem.laws);
         let sticks = (found, FoundBy::EverythingSticks);
         let event =
-            OnsetEvent::new(segment, (factor, load), leaving, stands, sticks, &mut memory.coordinates);
+            OnsetEvent::new(segment, (factor, load), leaving, active_sets, sticks, &mut memory.coordinates);
         Onset::At(memory.put(event))
     }
 }
@@ -152,7 +157,8 @@ impl FirstToLeave {
 /// Whether a contact meets all conditions of sticking (or of being absent) by more than rounding.
 fn clearly_sticks(local: &LocalLaw<'_>, at: &SpringState<'_>) -> bool {
     let mut clear = true;
-    // Least relative margin of conditions at the base. A smaller margin may be rounding, or a contact on an edge, which the sticking path decides.
+    // Least relative margin of conditions at the base. A smaller margin may be rounding, or that of a contact on the edge of its cone, which
+    // `StickingPath` decides.
     local.for_each_condition(&local.unjumped(), at, |value, size| clear &= value > NEGLIGIBLE * size);
     clear
 }
@@ -198,7 +204,7 @@ fn first_exit(
         }
     }
     first.filter(|First { exit, .. }| {
-        // The next contact must reach its edge later by more than this part of the step to the first.
+        // The next contact must reach the edge of its cone later than the first, by more than this part of the step to the first.
         let alone =
             next - exit.step > NEGLIGIBLE * exit.step && exit.uncertainty <= LARGEST_CORRECTION * exit.step;
         // Forces may grow by at most this factor from the base to the onset: beyond it, the rates may be rounding.

@@ -27,7 +27,7 @@ use crate::prelude::*;
 /// The integration rule of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Rule {
-    /// Along the tangent, for steps so short that no direction turns.
+    /// A straight step along the tangent, for steps so short that no direction of friction turns.
     Straight,
     /// Explicit, of order 8, for directions that turn about as fast as the object moves.
     Explicit,
@@ -36,7 +36,7 @@ pub(super) enum Rule {
 }
 
 impl Rule {
-    /// This rule with its error, if it has one, multiplied by `times`.
+    /// This rule with its allowed error, if it has one, multiplied by `times`.
     fn looser(self, times: f64) -> Self {
         if let Self::Implicit { tolerance } = self {
             Self::Implicit { tolerance: tolerance * times }
@@ -55,7 +55,7 @@ pub(super) struct StepGoal {
 }
 
 impl StepGoal {
-    /// The goal of a trial, after a number of trials that missed it: steps of implicit rules approach it only to within their rounding.
+    /// The goal of a step after this number of trials that missed it. Steps of implicit rules come near a goal only to within their rounding.
     pub(super) fn after(factor: f64, trials: usize) -> Self {
         // A step that ends within this part of the leg of its goal is extended to the goal along the tangent. The part is wider after sixteen trials
         // and after twice as many; the last is as small as the error of steps.
@@ -73,7 +73,7 @@ pub(super) struct Flow<'s, 'g> {
     arc: Arc<'s, 'g>,
     from: f64,
     /// The start, with rates for one unit of arclength.
-    here: &'s PathPoint,
+    point: &'s PathPoint,
     /// Friction forces of the sliding contacts at the start.
     begin: Vec<SVector<f64, 3>>,
     /// Whether each of them is losing its normal force, so that its direction of slip is not known any more.
@@ -84,10 +84,10 @@ pub(super) struct Flow<'s, 'g> {
 
 /// The state at the end of a step.
 #[derive(Debug, Clone)]
-pub(super) struct Reached {
+pub(super) struct FlowStep {
     pub(super) to: f64,
     /// The state at the end of the step, with rates per unit of arclength.
-    pub(super) here: PathPoint,
+    pub(super) point: PathPoint,
     pub(super) energy: LegEnergy,
     /// Estimated relative error: of forces over the largest of them, of the twist over the largest displacement; the larger of both.
     pub(super) error: f64,
@@ -95,9 +95,9 @@ pub(super) struct Reached {
     pub(super) backwards: bool,
 }
 
-impl Reached {
-    pub(super) fn at(&self) -> PieceState {
-        PieceState { forces: mapped(&self.here.lines, &|line| line.force), twist: self.here.twist.clone() }
+impl FlowStep {
+    pub(super) fn state(&self) -> PieceState {
+        PieceState { forces: mapped(&self.point.lines, &|line| line.force), twist: self.point.twist.clone() }
     }
 }
 
@@ -107,40 +107,40 @@ impl<'s, 'g> Flow<'s, 'g> {
         segment: &'s Segment<'g>,
         states: &'s [State],
         from: f64,
-        here: &'s PathPoint,
+        point: &'s PathPoint,
         unit: f64,
     ) -> Self {
         let sites = segment.grasp.sites();
         let offsets = segment.offsets(from);
         let load = segment.course.at(from).norm();
-        let forces = mapped(&here.lines, &|line| line.force.norm());
+        let forces = mapped(&point.lines, &|line| line.force.norm());
         let force =
-            largest_force(sites, &offsets, &here.twist, load, forces.into_iter()).max(segment.largest);
+            largest_force(sites, &offsets, &point.twist, load, forces.into_iter()).max(segment.largest);
         let mut span = 0.0_f64;
         for (site, a) in sites.iter().zip(&offsets) {
-            span = span.max(site.span(a, &here.twist));
+            span = span.max(site.span(a, &point.twist));
         }
         let sizes = [force, span];
         // Motions that no force drives continue at their present rate.
         let pushed = |v: &Vector| {
-            let rate = v.dot(&here.twist_rate);
+            let rate = v.dot(&point.twist_rate);
             // A free motion slower than this part of the twist rate is rounding.
-            if rate.abs() > NEGLIGIBLE * here.twist_rate.norm() { rate / here.factor_rate } else { 0.0 }
+            if rate.abs() > NEGLIGIBLE * point.twist_rate.norm() { rate / point.factor_rate } else { 0.0 }
         };
-        let arc = Arc::new(segment, states, here.free_motions.iter().map(|v| (v, pushed(v))), unit);
+        let arc = Arc::new(segment, states, point.free_motions.iter().map(|v| (v, pushed(v))), unit);
         // A contact that has just closed has a friction force of rounding size: its state gives the direction.
         let friction = |&i: &usize| {
-            let size = tangential_norm(&here.lines[i].force);
+            let size = tangential_norm(&point.lines[i].force);
             states[i].slide().map_or_else(SVector::zeros, |slide| slide.direction * size)
         };
         let begin = mapped(&arc.sliding, &friction);
-        let vanishing = mapped(&arc.sliding, &|&i| is_vanishing(&here.lines[i]));
-        Self { arc, from, here, begin, vanishing, sizes }
+        let vanishing = mapped(&arc.sliding, &|&i| is_vanishing(&point.lines[i]));
+        Self { arc, from, point, begin, vanishing, sizes }
     }
 
     /// The direction of the path at the start.
-    fn onward(&self) -> Direction {
-        Direction { twist: self.here.twist_rate.clone(), factor: self.here.factor_rate }
+    fn initial_direction(&self) -> Direction {
+        Direction { twist: self.point.twist_rate.clone(), factor: self.point.factor_rate }
     }
 
     /// The largest rate among the [`Self::relaxations`].
@@ -153,7 +153,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         let rate = |(&i, friction): (&usize, &SVector<f64, 3>)| {
             let tangent = self.arc.tangent(i, friction);
             let Tangent::Sliding { stiffness, .. } = tangent else { return 0.0 };
-            let [stretch, force] = self.arc.rates(i, &tangent, &self.onward());
+            let [stretch, force] = self.arc.rates(i, &tangent, &self.initial_direction());
             let slip = self.arc.sites()[i].springs.slip(&stretch, &force);
             let square = friction.norm_squared();
             if square > 0.0 { stiffness * slip.dot(friction) / square } else { 0.0 }
@@ -162,7 +162,7 @@ impl<'s, 'g> Flow<'s, 'g> {
     }
 
     /// Makes a step of this length, which ends at the goal if it comes near enough. `None` if no such step exists.
-    pub(super) fn reach(&self, length: f64, goal: StepGoal, rule: Rule) -> Option<Reached> {
+    pub(super) fn step(&self, length: f64, goal: StepGoal, rule: Rule) -> Option<FlowStep> {
         let mut backwards = false;
         let mut rate = |y: &[f64], out: &mut [f64]| self.rate(y, out).map(|back| backwards |= back);
         let [load, works] = self.places();
@@ -174,7 +174,7 @@ impl<'s, 'g> Flow<'s, 'g> {
             Rule::Straight => Stepped { change: mapped(&first, &|rate| rate * length), error: 0.0 },
             Rule::Explicit => explicit_step(length, &first, rate, size)?,
             Rule::Implicit { tolerance } => {
-                let relaxation = Relaxation::new(&self.arc, &self.begin, self.from, self.onward());
+                let relaxation = Relaxation::new(&self.arc, &self.begin, self.from, self.initial_direction());
                 let damped = |part: f64| {
                     let factors = relaxation.damped(part)?;
                     let relaxation = &relaxation;
@@ -183,11 +183,11 @@ impl<'s, 'g> Flow<'s, 'g> {
                 implicit_step(length, &first, rate, damped, size, tolerance)?
             }
         };
-        let twist = &self.here.twist + self.moved(&y);
+        let twist = &self.point.twist + self.twist_change(&y);
         let factor = self.from + y[load];
         let mut frictions: Vec<_> = self.frictions(&y).list();
         let tangents = self.arc.tangents(frictions.iter().copied());
-        let way = self.arc.direction(&tangents, factor, &self.onward())?;
+        let way = self.arc.direction(&tangents, factor, &self.initial_direction())?;
         let stays = |factor: f64| (factor - goal.factor).abs() <= goal.near;
         // The correction onto the cones may also bring the step to its goal.
         let arrived = if stays(factor) {
@@ -204,16 +204,21 @@ impl<'s, 'g> Flow<'s, 'g> {
                 for ((&i, tangent), friction) in self.arc.sliding.iter().zip(&tangents).zip(&mut frictions) {
                     *friction += tangential(&self.arc.rates(i, tangent, &way)[1]) * rest;
                 }
-                self.arc.balanced(twist + &way.twist * rest, goal.factor, &Direction::onward(), &frictions)?
+                self.arc.balanced(
+                    twist + &way.twist * rest,
+                    goal.factor,
+                    &Direction::forward(),
+                    &frictions,
+                )?
             }
         };
         let rate = PieceState { forces: self.arc.force_rates(&tangents, &way), twist: way.twist };
         let [finger_work, dissipated, load_work, turnover] = [0, 1, 2, 3].each(|k| y[works + k]);
         let mut energy = LegEnergy { load_work, finger_work, stored: 0.0, dissipated, turnover };
-        let before: Vec<_> = mapped(&self.here.lines, &|line| line.force);
+        let before: Vec<_> = mapped(&self.point.lines, &|line| line.force);
         energy.store(self.arc.sites(), &before, &at.forces);
-        let here = self.arc.segment.along(&self.here.piece, to, &at, &rate, way.factor);
-        Some(Reached { to, here, energy, error, backwards })
+        let point = self.arc.segment.point_on_arc(&self.point.piece, to, &at, &rate, way.factor);
+        Some(FlowStep { to, point, energy, error, backwards })
     }
 
     /// Indices of the load factor and of the works among the variables; friction forces and twist come before.
@@ -227,7 +232,7 @@ impl<'s, 'g> Flow<'s, 'g> {
     }
 
     /// Picks the change of the twist from the variables.
-    fn moved(&self, y: &[f64]) -> Vector {
+    fn twist_change(&self, y: &[f64]) -> Vector {
         let first = self.begin.len() * (2);
         Vector::from_fn(self.size(), |k| y[first + k])
     }
@@ -237,7 +242,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         let [load, works] = self.places();
         let segment = self.arc.segment;
         let tangents = self.arc.tangents(self.frictions(y));
-        let way = self.arc.direction(&tangents, self.from + y[load], &self.onward())?;
+        let way = self.arc.direction(&tangents, self.from + y[load], &self.initial_direction())?;
         let count = self.size().count();
         out[load - count..load].iter_mut().enumerate().for_each(|(k, out)| *out = way.twist[k]);
         out[load] = way.factor;
@@ -261,8 +266,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         turnover += fingers.abs() + worked.map(f64::abs).sum();
         out[works..].copy_from_slice(&[fingers, heat, worked.sum(), turnover]);
         let is_straight = matches!(segment.course, Trajectory::Straight { .. });
-        // A decrease of the load factor by less than this part of the arclength counts as none. At a maximum the factor is known up to the square of
-        // this.
+        // A decrease of the load factor by less than this part of the arclength counts as none. At a maximum the load factor is known up to the
+        // square of this.
         Some(backwards > 0.0 || is_straight && way.factor < -1e-8)
     }
 
@@ -275,15 +280,15 @@ impl<'s, 'g> Flow<'s, 'g> {
         })
     }
 
-    /// Power of the fingers, `Σ F·a'` per unit of the factor, after these changes of the variables.
+    /// Power of the fingers, `Σ F·a'` per unit of the load factor, after these changes of the variables.
     fn power_of_fingers(&self, y: &[f64]) -> f64 {
         let [load, _] = self.places();
-        let (moved, further) = (self.moved(y), y[load]);
+        let (moved, further) = (self.twist_change(y), y[load]);
         let mut frictions = self.frictions(y);
         let mut sum = 0.0;
         for (i, (state, site)) in self.arc.states.iter().zip(self.arc.sites()).enumerate() {
             let change = &self.arc.segment.change[i];
-            let mut force = self.here.lines[i].force;
+            let mut force = self.point.lines[i].force;
             let more = site.springs.force(&site.stretch(&(change * further), &moved));
             if state.slides() {
                 let normal = force[0] + more[0];
@@ -300,7 +305,7 @@ impl<'s, 'g> Flow<'s, 'g> {
     /// Relative error of the variables: of forces over the largest, of the twist over the largest displacement.
     fn error_size(&self, error: &[f64], length: f64) -> f64 {
         let count = self.size().count();
-        let size = |k: usize| self.sizes[k] + length * self.here.rate_sizes[k];
+        let size = |k: usize| self.sizes[k] + length * self.point.rate_sizes[k];
         let [force, travel] = [0, 1].each(size);
         let (of_frictions, others) = error.split_at(self.arc.sliding.len() * (2));
         let norm = |part: &[f64]| summed(part, &|e| e * e).sqrt();
@@ -316,18 +321,18 @@ impl<'s, 'g> Flow<'s, 'g> {
     }
 
     /// The step from the start to the load factor `goal`, of length at most `most`.
-    pub(super) fn reach_factor(&self, goal: f64, most: f64, rule: Rule) -> Option<Reached> {
+    pub(super) fn step_to_factor(&self, goal: f64, most: f64, rule: Rule) -> Option<FlowStep> {
         let (mut low, mut high) = (0.0, most);
-        let mut length = (goal - self.from) / self.here.factor_rate;
+        let mut length = (goal - self.from) / self.point.factor_rate;
         for trial in 0..60 {
             if !(length > low && length < high) {
                 length = 0.5 * (low + high);
             }
-            // A rule that made the whole step also makes a part of it, though rounding may prevent the same error.
+            // The rule of the whole step also serves for a part of it, though rounding may prevent an error that small.
             let goal_here = StepGoal::after(goal, trial);
             // Factors on the error allowed to a part of a step, tried in turn: rounding may refuse the smaller ones.
             let mut rules = [1.0, 10.0, 100.0, 1000.0].into_iter().map(|times| rule.looser(times));
-            let reached = rules.find_map(|rule| self.reach(length, goal_here, rule))?;
+            let reached = rules.find_map(|rule| self.step(length, goal_here, rule))?;
             if reached.to == goal {
                 return Some(reached);
             }
@@ -336,7 +341,7 @@ impl<'s, 'g> Flow<'s, 'g> {
             } else {
                 low = length;
             }
-            length += (goal - reached.to) / reached.here.factor_rate;
+            length += (goal - reached.to) / reached.point.factor_rate;
         }
         None
     }

@@ -27,9 +27,9 @@ pub(crate) enum Advance<T> {
     EndOfLeg,
 }
 
-/// The state at the present place, and the problem in rates for the contacts on an edge.
+/// The state at the present place, and the problem in rates for the contacts on the edge of their cones.
 #[derive(Debug)]
-pub(crate) struct StandAtEdge<'g> {
+pub(crate) struct StateAtEdge<'g> {
     pub(super) segment: Segment<'g>,
     pub(super) rates: Problem<'g>,
     pub(super) forces: Vec<SVector<f64, 3>>,
@@ -45,13 +45,13 @@ pub(crate) trait Follower<'g>: Debug {
     ///
     /// # Errors
     /// How the path ends if it cannot start.
-    fn set_out(&mut self, journey: &Journey<'g>) -> Result<(), PathEnd<3>>;
+    fn start_leg(&mut self, journey: &Journey<'g>) -> Result<(), PathEnd<3>>;
 
     /// Advances to the next place that needs a decision.
     ///
     /// # Errors
     /// How the path ends here.
-    fn go_on(&mut self, journey: &Journey<'g>) -> Result<Advance<Self::Report>, PathEnd<3>>;
+    fn advance(&mut self, journey: &Journey<'g>) -> Result<Advance<Self::Report>, PathEnd<3>>;
 
     /// The fraction of the leg already followed.
     fn fraction(&self) -> f64;
@@ -62,8 +62,8 @@ pub(crate) trait Follower<'g>: Debug {
     /// Contact forces at the present place, N, in the contact frames.
     fn forces(&self, journey: &Journey<'g>) -> Vec<SVector<f64, 3>>;
 
-    /// The contacts on an edge at the present place, with their problem in rates.
-    fn edge(&self, journey: &Journey<'g>) -> StandAtEdge<'g>;
+    /// The contacts on the edge of their cones at the present place, with their problem in rates.
+    fn edge(&self, journey: &Journey<'g>) -> StateAtEdge<'g>;
 
     /// The situation beyond a jump that found no equilibrium, from a follower with kinetic friction; `None` if the path did not end in one.
     fn beyond_a_jump(&self, _settings: &Settings) -> Option<Beyond<3>> {

@@ -7,7 +7,7 @@ use nalgebra::SVector;
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end};
 use super::energy::LegEnergy;
 use super::event::{LossKind, PathEnd};
-use super::follower::{Advance, Follower, StandAtEdge};
+use super::follower::{Advance, Follower, StateAtEdge};
 use super::journey::Journey;
 use super::leg::Leg;
 use super::small_motions::EndOfSmallMotions;
@@ -46,20 +46,21 @@ impl<'g, F: Follower<'g>> Following<'g, F> {
     ) -> Result<Self, Error> {
         journey.extend(legs)?;
         let problem = journey.problem_at_start();
-        let goes = journey.program.begin_leg();
+        let has_leg = journey.program.begin_leg();
         let mut path = match begin(&journey, &problem) {
             Ok(follower) => Self { journey, follower: Some(follower), end: None },
             Err(end) => Self { journey, follower: None, end: Some(end) },
         };
-        path.set_out(goes);
+        path.start_leg(has_leg);
         path.end_without_vacuum();
         Ok(path)
     }
 
     /// Starts the present leg if there is one, or completes the path.
-    fn set_out(&mut self, goes: bool) {
+    fn start_leg(&mut self, has_leg: bool) {
         if let Some(follower) = &mut self.follower {
-            self.end = if goes { follower.set_out(&self.journey).err() } else { Some(PathEnd::Completed) };
+            self.end =
+                if has_leg { follower.start_leg(&self.journey).err() } else { Some(PathEnd::Completed) };
         }
     }
 
@@ -74,20 +75,20 @@ impl<'g, F: Follower<'g>> Following<'g, F> {
         }
     }
 
-    /// Advances the follower by `on` and returns its report; `None` if the path has ended or there is nothing to report yet.
-    pub(super) fn go(
+    /// Advances the follower by `advance` and returns its report; `None` if the path has ended or there is nothing to report yet.
+    pub(super) fn advance_with(
         &mut self,
-        on: impl FnOnce(&mut F, &Journey<'g>) -> Result<Advance<F::Report>, PathEnd<3>>,
+        advance: impl FnOnce(&mut F, &Journey<'g>) -> Result<Advance<F::Report>, PathEnd<3>>,
     ) -> Option<F::Report> {
-        match on(self.follower.as_mut()?, &self.journey) {
-            Ok(Advance::Reached(told)) => {
+        match advance(self.follower.as_mut()?, &self.journey) {
+            Ok(Advance::Reached(report)) => {
                 self.end_without_vacuum();
-                return Some(told);
+                return Some(report);
             }
             Ok(Advance::OnTheWay) => {}
             Ok(Advance::EndOfLeg) => {
-                let goes = self.journey.program.next_leg();
-                self.set_out(goes);
+                let has_leg = self.journey.program.next_leg();
+                self.start_leg(has_leg);
             }
             Err(end) => self.end = Some(end),
         }
@@ -116,8 +117,8 @@ pub(crate) trait AnyPath<const C: usize, T>: Debug {
 impl<'g, F: Follower<'g>> AnyPath<3, F::Report> for Following<'g, F> {
     fn next(&mut self) -> Option<F::Report> {
         while self.end.is_none() {
-            if let told @ Some(_) = self.go(F::go_on) {
-                return told;
+            if let report @ Some(_) = self.advance_with(F::advance) {
+                return report;
             }
         }
         None
@@ -154,8 +155,8 @@ impl<'g, F: Follower<'g>> AnyPath<3, F::Report> for Following<'g, F> {
     fn continue_with(&mut self, legs: &[Leg<3>]) -> Result<(), Error> {
         self.journey.extend(legs)?;
         if matches!(self.end, Some(PathEnd::Completed)) {
-            let goes = self.journey.program.begin_leg();
-            self.set_out(goes);
+            let has_leg = self.journey.program.begin_leg();
+            self.start_leg(has_leg);
         }
         Ok(())
     }
@@ -171,7 +172,7 @@ impl<'g, F: Follower<'g>> AnyPath<3, F::Report> for Following<'g, F> {
         if let beyond @ Some(_) = follower.beyond_a_jump(settings) {
             return beyond;
         }
-        let StandAtEdge { segment, rates, forces } = follower.edge(&self.journey);
+        let StateAtEdge { segment, rates, forces } = follower.edge(&self.journey);
         let motion = loss.against.as_ref().map(Coordinates::to);
         let end = EquilibriumEnd { factor: loss.fraction, forces: &forces, motion };
         let (settled, effort) = settle(&rates, settings);
@@ -188,8 +189,8 @@ impl<'g, F: Follower<'g>> AnyPath<3, F::Report> for Following<'g, F> {
 
     fn next_small(&mut self) -> Option<F::Report> {
         while self.end.is_none() && self.end_of_small_motions().is_none() {
-            if let told @ Some(_) = self.go(F::go_on) {
-                return told;
+            if let report @ Some(_) = self.advance_with(F::advance) {
+                return report;
             }
         }
         None

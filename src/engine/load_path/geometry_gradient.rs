@@ -21,7 +21,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct GeometryGradient<const C: usize> {
-    /// The contact or drive that stops sticking. If several do so together, the onset is the least of their factors.
+    /// The contact or drive that stops sticking. If several do so together, the onset is the least of their load factors.
     pub leaving: Leaver,
     /// Derivatives with respect to the position of every contact along the coordinate axes, 1/m, at a fixed frame.
     pub point: Vec<SVector<f64, C>>,

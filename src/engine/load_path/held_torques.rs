@@ -84,24 +84,24 @@ pub(super) struct HeldTorques(Option<Arc<[Vec<f64>; 2]>>);
 
 impl HeldTorques {
     /// Continues to the next leg. It begins with the torques at the end of the last leg, or with those of the hand, and its goal changes them.
-    pub(super) fn lead_on(&mut self, of_the_hand: &[f64], goal: &LegGoal<Vec<f64>>) {
+    pub(super) fn append(&mut self, of_the_hand: &[f64], goal: &LegGoal<Vec<f64>>) {
         if self.0.is_none() && *goal == LegGoal::Stay {
             return;
         }
         let from = self.0.as_ref().map_or(of_the_hand, |torques| &torques[1]).to_vec();
         let mut both = [Vec::new(), from];
-        goal.lead_on(&mut both);
+        goal.append(&mut both);
         self.0 = Some(Arc::new(both));
     }
 
-    /// The load of these torques less those of the hand, in inside coordinates, at the beginning and at the end of the leg.
+    /// The load of these torques less those of the hand, in the engine's coordinates, at the beginning and at the end of the leg.
     pub(super) fn inside(&self, grasp: &Engine) -> Option<[Vector; 2]> {
         let (torques, linkage) = self.0.as_ref().zip(grasp.linkage())?;
         Some([0, 1].each(|end| {
             let mut inside = Vector::all_zero(grasp.size());
             for (j, torque) in torques[end].iter().enumerate() {
                 let k = grasp.space().of_the_object() + j;
-                inside[k] = (torque - linkage.joints[j].held) / linkage.lengths[k];
+                inside[k] = (torque - linkage.joints[j].held_torque) / linkage.lengths[k];
             }
             inside
         }))
@@ -113,7 +113,7 @@ impl HeldTorques {
     }
 
     /// The grasp with the torques that hold its joints at a fraction of the leg.
-    pub(super) fn put_on<'g>(&self, grasp: Cow<'g, Engine>, fraction: f64) -> Cow<'g, Engine> {
+    pub(super) fn apply<'g>(&self, grasp: Cow<'g, Engine>, fraction: f64) -> Cow<'g, Engine> {
         let Some(torques) = &self.0 else { return grasp };
         let [from, to] = &**torques;
         let now: Vec<f64> = from.iter().zip(to).map(|(from, to)| from + (to - from) * fraction).list();

@@ -28,20 +28,20 @@ use crate::numerics::{PartialPivoting, Size, Square, Vector, chosen, largest, su
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// The course of a load up to its end.
+/// The path of a load up to its end: which contacts slide, and from which load factor.
 pub(crate) struct InSlips {
-    /// Contacts that have slid, in order, and the factors from which they slide.
+    /// Contacts that have slid, in order, and the load factors from which they slide.
     pub(crate) slid: Vec<(usize, f64)>,
-    /// The factor from which all contacts slide.
+    /// The load factor from which all contacts slide.
     pub(crate) all_slide: Option<f64>,
-    /// The factor at the end.
+    /// The load factor at the end.
     pub(crate) factor: f64,
     pub(crate) end: SlipEnd,
     /// The largest ratio of a motion to its limit, at the ends of steps.
     pub(crate) farthest: f64,
 }
 
-/// The end of a course.
+/// How the path of a load ends.
 pub(crate) enum SlipEnd {
     /// The largest load asked about is on.
     Held,
@@ -51,7 +51,7 @@ pub(crate) enum SlipEnd {
 }
 
 impl Engine {
-    /// The course of a load up to this factor; `None` where a path has to follow it.
+    /// The path of a load up to this load factor; `None` where only a `LoadPath` can follow it.
     pub(crate) fn in_slips(&self, ramp: &Ramp<3>, most: f64, settings: &Settings) -> Option<InSlips> {
         let plain = |site: &Site| {
             let closed = site.hold == Hold::Unilateral && site.springs.resists_tangentially();
@@ -96,13 +96,13 @@ impl Engine {
     }
 }
 
-/// Most steps: a course that needs more is followed by a path, which has implicit ones.
+/// Largest number of steps: a load that needs more is left to a `LoadPath`, which has implicit steps.
 const MOST_STEPS: usize = 64;
-/// Most sliding contacts: with more, a stage of an arc takes less time, which solves one equation a coordinate.
+/// Most sliding contacts. With more, a stage of an arc takes less time: it solves one equation for each coordinate of the object.
 const MOST_SLIDING: usize = 6;
 
 impl Slips<'_> {
-    /// Puts the load on from where this contact leaves. `None` where a path has to follow.
+    /// Applies the load from the place where this contact leaves on. `None` where only a `LoadPath` can follow.
     fn run(
         &mut self,
         (mut at, first): (Vec<f64>, usize),
@@ -158,8 +158,8 @@ impl Slips<'_> {
         }
     }
 
-    /// Adds a contact that has come to its edge to those that slide, and sets their rates. Held where they slide on from here, lost where nothing goes
-    /// on, `None` where that is not clear.
+    /// Adds a contact that has reached the edge of its cone to those that slide, and sets their rates. `Held` if the path continues with these rates,
+    /// `Lost` if no rates continue it, `None` if that is not clear.
     fn begins_to_slide(
         &mut self,
         contact: usize,
@@ -238,7 +238,7 @@ impl Slips<'_> {
         SlipEnd::Lost(Box::new(loss.leaving(self.grasp, Some(motion))))
     }
 }
-/// The slips of the chosen contacts that keep their margins at zero while the factor grows by one; those of the others are zero.
+/// The slips of the chosen contacts that keep their margins at zero while the load factor grows by one; those of the others are zero.
 fn slid(margins: &Square, chosen: &[usize]) -> Option<Vec<f64>> {
     let mut slips = vec![0.0; margins.size().count() - 1];
     if chosen.is_empty() {

@@ -81,12 +81,13 @@ impl<'g> Journey<'g> {
     /// The equilibrium found at a fraction of the present leg, in physical quantities.
     pub(super) fn equilibrium(&self, problem: &Problem<'g>, fraction: f64, found: Found) -> Equilibrium<3> {
         let (load, effort) = (self.program.load_at(fraction), Effort::default());
-        let grasp = self.program.bodies.put_on(self.grasp, fraction);
-        let grasp = self.program.torques.put_on(grasp, fraction);
+        let grasp = self.program.bodies.apply(self.grasp, fraction);
+        let grasp = self.program.torques.apply(grasp, fraction);
         grasp.equilibrium(problem, &load, found, FoundBy::LoadPath, &effort, self.answer_for())
     }
 
-    /// The loss of equilibrium at a fraction of the present leg, with these sites on an edge; the object leaves with the motion `motion`.
+    /// The loss of equilibrium at a fraction of the present leg, with these contacts and drives on the edge of their cone; the object leaves with the
+    /// motion `motion`.
     pub(super) fn loss(
         &self,
         fraction: f64,

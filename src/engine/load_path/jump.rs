@@ -81,17 +81,17 @@ impl<const C: usize> fmt::Display for Jump<C> {
                 picked(&moved, &|body| (body.speed() > 1e-6 * farthest).then(|| words.body_motion(body)));
             return write!(f, "{} to {}", listed(&moved), listed(&reached));
         }
-        let mut told: Vec<(ContactLabel, f64)> = Vec::new();
+        let mut slips: Vec<(ContactLabel, f64)> = Vec::new();
         for slip in &self.slips {
             let (whole, far) = (slip.contact.whole(), slip.slip.norm());
-            match told.iter_mut().find(|(known, _)| *known == whole) {
+            match slips.iter_mut().find(|(known, _)| *known == whole) {
                 Some((_, farthest)) => *farthest = farthest.max(far),
-                None => told.push((whole, far)),
+                None => slips.push((whole, far)),
             }
         }
-        let told =
-            told.iter().map(|(contact, far)| format!("{} slips {}", contact.text(), words.length(*far)));
-        let told = listed(&told.list());
-        if self.snaps { write!(f, "snaps over, and {told}") } else { write!(f, "caught after {told}") }
+        let slips =
+            slips.iter().map(|(contact, far)| format!("{} slips {}", contact.text(), words.length(*far)));
+        let slips = listed(&slips.list());
+        if self.snaps { write!(f, "snaps over, and {slips}") } else { write!(f, "caught after {slips}") }
     }
 }

@@ -193,7 +193,7 @@ impl<const C: usize> Leg<C> {
         matches!(self.load, LegLoad::Turn(_))
     }
 
-    /// The change of a ramp for one unit of its factor, as a leg.
+    /// The change of a ramp for one unit of its load factor, as a leg.
     #[must_use]
     pub fn along(ramp: &Ramp<C>) -> Self {
         let by = |change: &Vec<_>| LegGoal::By(change.clone());
@@ -282,7 +282,7 @@ impl<const C: usize> LegLoad<C> {
 
 impl<T: Copy + Add<Output = T>> LegGoal<Vec<T>> {
     /// Replaces the commands at both ends of the previous leg by those at both ends of this leg; the beginning comes first.
-    pub(super) fn lead_on(&self, commands: &mut [Vec<T>; 2]) {
+    pub(super) fn append(&self, commands: &mut [Vec<T>; 2]) {
         commands.swap(0, 1);
         let [from, to] = commands;
         to.clear();

@@ -4,12 +4,12 @@ use nalgebra::{Matrix, SVector};
 
 use super::end_of_path::end_of_path;
 use super::event::{Change, LossKind, PathEnd};
-use super::follower::StandAtEdge;
+use super::follower::StateAtEdge;
 use super::journey::Journey;
-use super::path_state::carries_nothing;
+use super::path_state::forces_are_rounding;
 use super::segment::{PathPoint, Segment};
 use super::trajectory::Trajectory;
-use super::transition::{change, nothing_changes, others};
+use super::transition::{change, nothing_changes, other_solutions};
 use crate::contact::{ActiveSet, Law, Mode, State, ZERO_SLACK};
 use crate::equilibrium::{ContactState, site_states};
 use crate::numerics::tolerances::NEGLIGIBLE;
@@ -37,44 +37,44 @@ pub(super) struct Node {
     pub(super) states: Vec<State>,
     /// Unit directions in which contacts slide, along the coordinate axes.
     pub(super) directions: Vec<Option<SVector<f64, 3>>>,
-    pub(super) stands: Vec<ActiveSet>,
+    pub(super) active_sets: Vec<ActiveSet>,
     /// Whether a contact with infinite friction carries a tangential force: this force is lost at once when the normal force vanishes.
     pub(super) holds: Vec<bool>,
     /// Whether a contact starts to slide from the apex of its cone: it has a direction, but no friction force yet.
-    pub(super) sets_out: bool,
+    pub(super) starts_at_apex: bool,
     /// Contacts whose slip has ended at this node.
     pub(super) stopped: Vec<usize>,
     pub(super) at: PieceState,
-    /// The factor whose rates decide: the present one, or a little ahead while the load turns.
+    /// The load factor whose rates decide: the present one, or a little ahead while the load turns.
     pub(super) ahead: f64,
 }
 
 /// The continuation of the path from a node.
-pub(super) struct Onward {
-    pub(super) here: PathPoint,
+pub(super) struct NextPiece {
+    pub(super) point: PathPoint,
     pub(super) changes: Vec<(usize, Change<3>)>,
     pub(super) other_continuations: Option<usize>,
 }
 
 impl Node {
-    /// Decides the states of all contacts on an edge by solving the problem in rates.
-    pub(super) fn go_on(
+    /// Decides the states of all contacts on the edge of their cones, by solving the problem in rates.
+    pub(super) fn continue_path(
         &mut self,
         segment: &mut Segment<'_>,
         journey: &Journey<'_>,
         factor: f64,
-    ) -> Result<Onward, PathEnd<3>> {
+    ) -> Result<NextPiece, PathEnd<3>> {
         let settings = &journey.settings;
         let Decided { ahead, rates, settled, effort } = self.decided(segment, factor, settings);
         self.ahead = ahead;
-        let stands = |i: &usize| matches!(rates.laws[*i], Law::Edge(_) | Law::Cone { .. });
+        let is_at_edge = |i: &usize| matches!(rates.laws[*i], Law::Edge(_) | Law::Cone { .. });
         let loss = |kind, motion| {
-            let edge = chosen(self.states.len(), &stands);
+            let edge = chosen(self.states.len(), &is_at_edge);
             journey.loss(factor, kind, edge, motion)
         };
         let Settled::Found(found, _) = settled else {
             let loss = loss(LossKind::Corner, None);
-            let edge = StandAtEdge { segment: segment.clone(), rates, forces: self.at.forces.clone() };
+            let edge = StateAtEdge { segment: segment.clone(), rates, forces: self.at.forces.clone() };
             return Err(end_of_path(&edge, (settled, &effort), loss, settings));
         };
         let mut found = self.without_dragging(&rates, found);
@@ -92,12 +92,12 @@ impl Node {
             let motion = (found.twist.norm() > 0.0).then(|| found.twist.normalize());
             return Err(PathEnd::Lost(Box::new(loss(LossKind::LetsGo, motion.as_ref()))));
         }
-        let other_continuations = others(&rates, &found);
-        let changes = self.take_over(segment, factor, &rates, &found);
-        let look = self.look(segment, factor, Some(&found.twist));
-        let here = look.map_err(|_| journey.undecided(factor, Doubt::Inaccurate))?;
-        if self.neither_slides_nor_sticks(segment, &here).is_some() {
-            let motion = (here.twist_rate.norm() > 0.0).then(|| here.twist_rate.normalize());
+        let other_continuations = other_solutions(&rates, &found);
+        let changes = self.apply_rates(segment, factor, &rates, &found);
+        let point = self.point_at(segment, factor, Some(&found.twist));
+        let point = point.map_err(|_| journey.undecided(factor, Doubt::Inaccurate))?;
+        if self.neither_slides_nor_sticks(segment, &point).is_some() {
+            let motion = (point.twist_rate.norm() > 0.0).then(|| point.twist_rate.normalize());
             return Err(PathEnd::Lost(Box::new(journey.loss(
                 factor,
                 LossKind::Corner,
@@ -106,10 +106,10 @@ impl Node {
             ))));
         }
         self.stopped.clear();
-        for (i, stand) in self.stands.iter_mut().enumerate() {
-            segment.problem.local(i).leave(stand, &self.states[i], &here.lines[i], &here.gaps[i]);
+        for (i, active) in self.active_sets.iter_mut().enumerate() {
+            segment.problem.local(i).drop_by_rates(active, &self.states[i], &point.lines[i], &point.gaps[i]);
         }
-        Ok(Onward { here, changes, other_continuations })
+        Ok(NextPiece { point, changes, other_continuations })
     }
 
     /// Solves the problem in rates at the node.
@@ -118,7 +118,7 @@ impl Node {
     /// slightly ahead do. The load rates for which given states hold form a convex cone, and the load rates in between lie between those at both
     /// ends. So states that hold at both ends hold all the way.
     fn decided<'g>(&self, segment: &Segment<'g>, factor: f64, settings: &Settings) -> Decided<'g> {
-        let laws = segment.laws_of_rates(&self.stands, &self.states);
+        let laws = segment.laws_of_rates(&self.active_sets, &self.states);
         let at = |ahead: f64| {
             let rates = segment.rates(ahead, laws.clone());
             let (settled, effort) = match self.guess(segment, factor, &rates) {
@@ -139,8 +139,10 @@ impl Node {
             };
             // At the apex of a round cone the direction of sliding turns with the load. Elsewhere the states must also hold just behind the node.
             // This distance, rad, is the accuracy of an event's angle: nearer, the rate of a load that turns back may have either sign.
-            let here = segment.rates(factor + 1e-12 / angle, laws.clone());
-            if decided.rates.round || matches!(try_states(&here, found.states.clone()), Judged::Holds(_)) {
+            let rates_behind = segment.rates(factor + 1e-12 / angle, laws.clone());
+            if decided.rates.round
+                || matches!(try_states(&rates_behind, found.states.clone()), Judged::Holds(_))
+            {
                 return decided;
             }
             last = Some(Decided { settled: Settled::Undecided(Doubt::OnTheBoundary), ..decided });
@@ -152,7 +154,7 @@ impl Node {
         }
     }
 
-    /// Tries the two usual continuations: nothing changes, or contacts on an edge slide.
+    /// Tries the two usual continuations: nothing changes, or contacts on the edge of their cones slide.
     fn guess(&self, segment: &Segment<'_>, factor: f64, rates: &Problem) -> Judged {
         // Within a leg some contact has just reached the edge of its cone, and must change.
         let as_before =
@@ -187,7 +189,7 @@ impl Node {
         let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
         // A zero friction force has no direction of sliding.
         let slides = rates.round && found.twist.norm() > 0.0 && found.states.iter().any(State::slides);
-        let nothing = slides && carries_nothing(rates, &found.forces, &found.twist);
+        let nothing = slides && forces_are_rounding(rates, &found.forces, &found.twist);
         let state = |i: usize| {
             let (local, force) = (rates.local(i), &found.forces[i]);
             let size = local.force_size(force, rates.span(i, &found.twist), largest);
@@ -213,7 +215,7 @@ impl Node {
     }
 
     /// Sets the states from a solution in rates, and returns the changes.
-    pub(super) fn take_over(
+    pub(super) fn apply_rates(
         &mut self,
         segment: &mut Segment<'_>,
         factor: f64,
@@ -221,20 +223,20 @@ impl Node {
         found: &Found,
     ) -> Vec<(usize, Change<3>)> {
         let mut changes = Vec::new();
-        self.sets_out = false;
+        self.starts_at_apex = false;
         let directions = directions(rates, found);
         for (i, direction) in directions.into_iter().enumerate() {
             let (was, before) = (self.states[i], self.directions[i]);
             let is = segment.problem.local(i).of_the_rates(&rates.laws[i], found.states[i]);
             let is = is.unwrap_or(Mode::Open);
-            self.sets_out |= is.slide().is_some() && matches!(rates.laws[i], Law::Cone { .. });
+            self.starts_at_apex |= is.slide().is_some() && matches!(rates.laws[i], Law::Cone { .. });
             if was.is_open() && !is.is_open() {
                 // The contact closes at the present place of its finger, and its friction starts from zero: the displacement of the surfaces so far
                 // becomes slip memory.
                 segment.remember_slip(i, factor, &self.at.twist, &SVector::zeros());
             }
             if let Mode::Round(slide) = &is {
-                self.stands[i].facets = vec![slide.direction];
+                self.active_sets[i].facets = vec![slide.direction];
             }
             (self.states[i], self.directions[i]) = (is, direction);
             changes.extend(change((was, before), (is, direction)).map(|change| (i, change)));

@@ -19,22 +19,22 @@ use crate::serial::AsComputed;
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum Onset<const C: usize> {
-    /// The first contact stops sticking at the factor of this event.
+    /// The first contact stops sticking at the load factor of this event.
     At(Box<OnsetEvent<C>>),
-    /// Everything keeps sticking at every factor; for a turn, up to its last angle.
+    /// Everything keeps sticking at every load factor; for a turn, up to its last angle.
     Never,
-    /// A contact slides already at factor 0: the equilibrium there. (A contact on the edge of its cone sticks, and may leave at factor 0.)
+    /// A contact slides already at load factor 0: the equilibrium there. (A contact on the edge of its cone sticks, and may leave at load factor 0.)
     AlreadySliding(Box<Equilibrium<C>>),
-    /// No equilibrium exists at factor 0.
+    /// No equilibrium exists at load factor 0.
     NoBase(NoEquilibrium<C>),
-    /// No contact stops sticking, but from this factor on nothing resists the load.
+    /// No contact stops sticking, but from this load factor on nothing resists the load.
     GivesWay {
-        /// The factor up to which the grasp holds.
+        /// The load factor up to which the grasp holds.
         factor: f64,
-        /// The reason for the loss beyond; its work is that of the load's rate, J for one unit of the factor (J/rad of a turn).
+        /// The reason for the loss beyond; its work is that of the load's rate, J for one unit of the load factor (J/rad of a turn).
         reason: NoEquilibrium<C>,
     },
-    /// The equilibrium at factor 0 could not be decided.
+    /// The equilibrium at load factor 0 could not be decided.
     Undecided(Undecided),
 }
 
@@ -70,7 +70,7 @@ pub struct OnsetEvent<const C: usize> {
     pub factor: f64,
     /// The load at the onset.
     pub load: Wrench<C>,
-    /// The contacts that stop sticking, all at this factor. Contacts that have closed before are not among them.
+    /// The contacts that stop sticking, all at this load factor. Contacts that have closed before are not among them.
     pub leaving: Vec<Leaving<C>>,
     /// Drives of a hand that yield at the onset: joints and tendons at their limit, tendons that slacken.
     pub drives: Vec<PartChange>,
@@ -80,14 +80,15 @@ pub struct OnsetEvent<const C: usize> {
     pub(super) local: StickingState,
 }
 
-/// The sticking state at an onset, with some contacts on the edge of their cone, and the rates of the ramp there. Loads are in inside coordinates.
+/// The sticking state at an onset, with some contacts on the edge of their cone, and the rates of the ramp there. Loads are in the engine's
+/// coordinates.
 #[derive(Debug, Clone)]
 pub(super) struct StickingState {
     pub(super) found: Kept,
     pub(super) rule: FoundBy,
-    /// The active set of each site: the edges of its cone that it has reached.
-    pub(super) stands: Vec<ActiveSet>,
-    /// The sites that stop sticking.
+    /// The active set of each contact or drive: the edges of its cone that its force has reached.
+    pub(super) active_sets: Vec<ActiveSet>,
+    /// Indices of the contacts and drives that stop sticking.
     pub(super) leaving: Vec<usize>,
     pub(super) wrench: Coordinates,
     pub(super) wrench_rate: Coordinates,
@@ -98,12 +99,12 @@ pub(super) struct StickingState {
 }
 
 impl OnsetEvent<3> {
-    /// The event at a factor, with the load, the sticking state and the active sets of contacts there, in lists supplied by the caller.
+    /// The event at a load factor, with the load, the sticking state and the active sets of contacts there, in lists supplied by the caller.
     pub(super) fn new(
         segment: Segment<'_>,
         (factor, load): (f64, Wrench<3>),
         (leaving, sites): (Vec<Leaving<3>>, Vec<usize>),
-        stands: Vec<ActiveSet>,
+        active_sets: Vec<ActiveSet>,
         (found, rule): (Found, FoundBy),
         lists: &mut [Vec<f64>; 3],
     ) -> Self {
@@ -115,7 +116,7 @@ impl OnsetEvent<3> {
         let local = StickingState {
             found: Kept::of(found, list()),
             rule,
-            stands,
+            active_sets,
             leaving: sites,
             wrench: Coordinates::of_in(&course.at(factor), list()),
             wrench_rate: Coordinates::of_in(&course.rate_at(factor), list()),
@@ -129,7 +130,7 @@ impl OnsetEvent<3> {
 }
 
 impl Leaving<3> {
-    /// The departure of a site, whose label is filled in later.
+    /// The departure of a contact or drive, whose label is filled in later.
     pub(super) fn new(site: usize, how: Departure<3>) -> Self {
         Self { contact: ContactLabel { index: site, point: None, name: None, link: None }, how }
     }
@@ -137,11 +138,11 @@ impl Leaving<3> {
     /// The departure of a contact that the load drives out of its cone, if no continuation determines its direction.
     pub(super) fn driven_out(
         site: usize,
-        stand: &ActiveSet,
+        active: &ActiveSet,
         local: &LocalLaw<'_>,
         frame: &SMatrix<f64, 3, 3>,
     ) -> Self {
-        let outward = stand.facets.iter().fold(SVector::<f64, 3>::zeros(), |sum, h| sum + h);
+        let outward = active.facets.iter().fold(SVector::<f64, 3>::zeros(), |sum, h| sum + h);
         let how = if outward.norm() > 0.0 {
             Departure::Slides { direction: frame * outward.normalize() }
         } else if local.may_open() {

@@ -14,8 +14,8 @@ use crate::prelude::*;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct OnsetGradient<const C: usize> {
-    /// The contact or drive that stops sticking. If several do so together, the onset is the least of their factors. Its one-sided derivative along a
-    /// change of the data is then the least of their derivatives.
+    /// The contact or drive that stops sticking. If several do so together, the onset is the least of their load factors. Its one-sided derivative
+    /// along a change of the data is then the least of their derivatives.
     pub leaving: Leaver,
     /// Derivatives with respect to every contact's coefficient of friction.
     pub friction: Vec<f64>,
@@ -29,9 +29,9 @@ pub struct OnsetGradient<const C: usize> {
     pub joint_stiffness: Vec<f64>,
     /// Derivatives with respect to the limits of joints, then of tendons, 1/(N m) or 1/N.
     pub joint_limit: Vec<f64>,
-    /// Derivatives with respect to the components of the base load, or of the constant part of a load that turns, 1/N and 1/(N m). Times the factor,
-    /// they are derivatives by the load direction; times cos θ and sin θ, those by the parts that turn. Not a number if a component works on a motion
-    /// that nothing resists: under such a load there is no equilibrium.
+    /// Derivatives with respect to the components of the base load, or of the constant part of a load that turns, 1/N and 1/(N m). Times the load
+    /// factor, they are derivatives by the load direction; times cos θ and sin θ, those by the parts that turn. Not a number if a component works on
+    /// a motion that nothing resists: under such a load there is no equilibrium.
     pub base_load: Vec<f64>,
     /// Derivative with respect to a factor on the whole load (base and direction, or all parts of a load that turns), at the value 1 of this factor.
     /// Without a base load, and with constant commands, it is minus the load factor of the onset.

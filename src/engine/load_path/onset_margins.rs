@@ -1,4 +1,4 @@
-//! The margins that vanish at an onset, and the derivative of its factor by the data, `dτ = -dm / m'`.
+//! The margins that vanish at an onset, and the derivative of its load factor by the data, `dτ = -dm / m'`.
 
 use nalgebra::SVector;
 
@@ -32,7 +32,7 @@ struct Margin {
     leaver: Leaver,
     site: usize,
     row: SVector<f64, 3>,
-    /// The rate m' along the ramp, N per unit of the factor.
+    /// The rate m' along the ramp, N per unit of the load factor.
     slope: f64,
 }
 
@@ -66,8 +66,8 @@ impl<'g> OnsetMargins<'g> {
         mapped(&self.margins, &|margin| margin.leaver)
     }
 
-    /// The derivative of the factor by one datum, for each contact or drive that leaves. `None` if [`Sensitivity::of`](crate::ask::Sensitivity::of)
-    /// has no derivative of the forces.
+    /// The derivative of the load factor by one datum, for each contact or drive that leaves. `None` if
+    /// [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative of the forces.
     pub(crate) fn by(&self, parameter: Parameter) -> Option<Vec<f64>> {
         let change = self.response.derivative(&self.state, parameter)?;
         let direct = |margin: &Margin| match parameter {
@@ -76,19 +76,19 @@ impl<'g> OnsetMargins<'g> {
             }
             _ => 0.0,
         };
-        Some(mapped(&self.margins, &|margin| margin.moved(&change.forces, direct(margin))))
+        Some(mapped(&self.margins, &|margin| margin.factor_change(&change.forces, direct(margin))))
     }
 
     /// For each margin, the derivative of the load factor at which it vanishes, by a multiple of `load` added to the load.
     pub(crate) fn by_load(&self, load: &Wrench<3>) -> Option<Vec<f64>> {
         let change = self.response.by_load(load).ok()?;
-        Some(mapped(&self.margins, &|margin| margin.moved(&change.of, 0.0)))
+        Some(mapped(&self.margins, &|margin| margin.factor_change(&change.of, 0.0)))
     }
 }
 
 impl Margin {
-    /// The change of the factor due to that of the forces, and to the change `direct` of the margin's coefficients.
-    fn moved(&self, forces: &[SVector<f64, 3>], direct: f64) -> f64 {
+    /// The change of the load factor due to that of the forces, and to the change `direct` of the margin's coefficients.
+    fn factor_change(&self, forces: &[SVector<f64, 3>], direct: f64) -> f64 {
         -(self.row.dot(&forces[self.site]) + direct) / self.slope
     }
 }

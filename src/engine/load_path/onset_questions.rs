@@ -33,17 +33,17 @@ impl Engine {
         self.onset_in_memory(ramp, settings, &mut OnsetMemory::default())
     }
 
-    /// [`OnsetWorkspace::onset`](crate::ask::OnsetWorkspace::onset): reuses the memory of the last question and of its answer `told`.
+    /// [`OnsetWorkspace::onset`](crate::ask::OnsetWorkspace::onset): reuses the memory of the last question and of its answer `returned`.
     pub(crate) fn onset_in(
         &self,
         ramp: &Ramp<3>,
         settings: &Settings,
         memory: &mut Memory,
-        told: Option<Onset<3>>,
+        returned: Option<Onset<3>>,
     ) -> Result<Onset<3>, Error> {
         let memory = memory.of(OnsetMemory::default);
-        if let Some(told) = told {
-            memory.take_back(told);
+        if let Some(returned) = returned {
+            memory.reclaim(returned);
         }
         self.onset_in_memory(ramp, settings, memory)
     }
@@ -77,14 +77,14 @@ impl Engine {
         }
         let course = Trajectory::Straight { from: ramp.base, rate: ramp.direction };
         let rest = settle_at_rest(&segment.problem, settings);
-        let onset = self.walked(segment, &rest, (course, f64::INFINITY), settings).onset;
+        let onset = self.onset_with_closing(segment, &rest, (course, f64::INFINITY), settings).onset;
         memory.rest = Some(rest);
         Ok(onset)
     }
 
-    /// The onset along a trajectory of the load up to the factor `end`, including contacts that close before. It starts from the equilibrium `rest`
-    /// at the base.
-    pub(super) fn walked<'a>(
+    /// The onset along a trajectory of the load up to the load factor `end`, including contacts that close before. It starts from the equilibrium
+    /// `rest` at the base.
+    pub(super) fn onset_with_closing<'a>(
         &'a self,
         segment: Segment<'a>,
         rest: &Rest,
@@ -122,7 +122,7 @@ impl Engine {
         let change = local.offset_rates.clone();
         let course = Trajectory::Straight { from: local.wrench.to(), rate: local.wrench_rate.to() };
         let segment = Segment { grasp: self, answer_for, problem, change, course, largest: 0.0 };
-        let rates = segment.rates(0.0, segment.laws_of_rates(&local.stands, &local.found.states));
+        let rates = segment.rates(0.0, segment.laws_of_rates(&local.active_sets, &local.found.states));
         let (settled, effort) = match settle(&rates, settings) {
             (Settled::Found(found, rule), _) => return Some(continuation(self, &rates, found, rule)),
             lost => lost,
@@ -143,7 +143,7 @@ impl Engine {
         Some(Problem { slips: local.slips.clone(), ..problem })
     }
 
-    /// The equilibrium at factor 0 if no contact slides in it.
+    /// The equilibrium at load factor 0 if no contact slides in it.
     fn sticking_base(
         &self,
         segment: &Segment<'_>,

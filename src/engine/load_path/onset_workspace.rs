@@ -29,9 +29,9 @@ pub(super) struct OnsetMemory {
     pub(super) there: PieceState,
     pub(super) offsets: Vec<SVector<f64, 3>>,
     pub(super) states: Vec<State>,
-    pub(super) stands: Vec<ActiveSet>,
+    pub(super) active_sets: Vec<ActiveSet>,
     pub(super) leaving: Vec<Leaving<3>>,
-    /// The sites that stop sticking.
+    /// Indices of the contacts and drives that stop sticking.
     pub(super) sites: Vec<usize>,
     /// Lists for coordinates of joints, reused.
     pub(super) coordinates: [Vec<f64>; 3],
@@ -83,8 +83,8 @@ impl OnsetMemory {
     }
 
     /// Takes back the lists of an answer that is no longer needed.
-    pub(super) fn take_back(&mut self, told: Onset<3>) {
-        let Onset::At(mut event) = told else { return };
+    pub(super) fn reclaim(&mut self, returned: Onset<3>) {
+        let Onset::At(mut event) = returned else { return };
         let local = &mut event.local;
         self.lists.offsets = core::mem::take(&mut local.offsets);
         self.lists.slips = core::mem::take(&mut local.slips);
@@ -93,7 +93,7 @@ impl OnsetMemory {
         self.coordinates = coordinates.each(Coordinates::take_list);
         self.there.forces = core::mem::take(&mut local.found.forces);
         self.states = core::mem::take(&mut local.found.states);
-        self.stands = core::mem::take(&mut local.stands);
+        self.active_sets = core::mem::take(&mut local.active_sets);
         self.sites = core::mem::take(&mut local.leaving);
         self.leaving = core::mem::take(&mut event.leaving);
         self.place = Some(event);

@@ -115,7 +115,7 @@ impl<const C: usize, T: Face> AnyPath<C, T> for AtTheDoor<'_, C, T> {
 
     fn continue_with(&mut self, legs: &[Leg<C>]) -> Result<(), Error> {
         self.legs.clear();
-        self.legs.extend(legs.iter().cloned().map(Face::enter));
+        self.legs.extend(legs.iter().cloned().map(Face::into_inside));
         self.inside.continue_with(&self.legs)?;
         self.end = None;
         self.keep_end();
@@ -279,8 +279,8 @@ impl<const C: usize> LoadPath<'_, C> {
 
 impl<const C: usize> SteppedPath<'_, C> {
     /// Estimated error of the forces, relative to the largest force, everywhere on the path so far. It is the distance to a second path that makes
-    /// each step at once instead of in two halves. An estimate of errors that both paths share is added, for contacts that stop, open or close. The
-    /// error is usually a third of the estimate.
+    /// each step as a whole instead of in two halves. An estimate of errors that both paths share is added, for contacts that stop, open or close.
+    /// The error is usually a third of the estimate.
     #[must_use]
     pub fn step_error(&self) -> f64 {
         self.0.step_error()

@@ -3,7 +3,7 @@
 use crate::numerics::IntoList;
 use nalgebra::{Matrix, SVector};
 
-use super::first_exits::PathState;
+use super::first_exits::ExitsReached;
 use super::node::{Node, directions};
 use super::segment::{PathPoint, Segment};
 use super::tolerances::GATHERED_MARGIN;
@@ -19,7 +19,7 @@ use crate::search::Found;
 
 /// Whether all forces are as small as the rounding of displacements in the softest spring. Rounding alone would then decide which contacts press, so
 /// that none counts as pressing. The test applies to rates of forces and displacements, too.
-pub(super) fn carries_nothing(problem: &Problem<'_>, forces: &[SVector<f64, 3>], twist: &Vector) -> bool {
+pub(super) fn forces_are_rounding(problem: &Problem<'_>, forces: &[SVector<f64, 3>], twist: &Vector) -> bool {
     let largest = forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
     let spans = (0..problem.len()).map(|contact| problem.span(contact, twist));
     // Forces are rounding below this part of the force that the displacements make in the softest spring: rounding of 16 units may add up.
@@ -34,22 +34,22 @@ impl Node {
         let mut node = Self {
             directions: directions(&segment.problem, &found),
             states: found.states,
-            stands: vec![ActiveSet::NOWHERE; n],
+            active_sets: vec![ActiveSet::EMPTY; n],
             holds: vec![false; n],
-            sets_out: false,
+            starts_at_apex: false,
             stopped: Vec::new(),
             at: PieceState { forces: found.forces, twist: found.twist },
             ahead: 0.0,
         };
-        if carries_nothing(&segment.problem, &node.at.forces, &node.at.twist) {
+        if forces_are_rounding(&segment.problem, &node.at.forces, &node.at.twist) {
             node.at.forces.fill(SVector::zeros());
         }
         if segment.problem.round {
             node.slip_until_now(segment, 0.0);
         }
         // The load is kept constant here: active sets follow from forces and gaps alone, which rates of free motions do not change.
-        if let Ok(here) = node.look(&segment.at_rest(0.0), 0.0, None) {
-            node.stand(segment, &here);
+        if let Ok(point) = node.point_at(&segment.at_rest(0.0), 0.0, None) {
+            node.set_active_sets(segment, &point);
         }
         node
     }
@@ -60,7 +60,7 @@ impl Node {
     }
 
     /// Forces and their rates in the present states. If these states leave motions free, the object moves along them at the rates `pushed`.
-    pub(super) fn look(
+    pub(super) fn point_at(
         &self,
         segment: &Segment<'_>,
         factor: f64,
@@ -69,7 +69,7 @@ impl Node {
         if self.turns() {
             segment.tangent(&self.states, factor, &self.at, pushed)
         } else {
-            segment.look(&self.states, factor, Some(&self.at.twist), pushed)
+            segment.point_at(&self.states, factor, Some(&self.at.twist), pushed)
         }
     }
 
@@ -80,52 +80,53 @@ impl Node {
                 segment.remember_slip(i, factor, &self.at.twist, &self.at.forces[i]);
                 if segment.problem.round {
                     let state = State::sliding_along(&self.at.forces[i]);
-                    self.stands[i].facets = state.slide().map(|slide| slide.direction).into_iter().list();
+                    self.active_sets[i].facets =
+                        state.slide().map(|slide| slide.direction).into_iter().list();
                     self.states[i] = state;
                 }
             }
         }
     }
 
-    fn stand(&mut self, segment: &mut Segment<'_>, here: &PathPoint) {
-        for (i, line) in here.lines.iter().enumerate() {
+    fn set_active_sets(&mut self, segment: &mut Segment<'_>, point: &PathPoint) {
+        for (i, line) in point.lines.iter().enumerate() {
             if self.states[i].is_open() {
-                self.stands[i].apex = here.gaps[i].gap <= ZERO_SLACK * here.gaps[i].size;
+                self.active_sets[i].apex = point.gaps[i].gap <= ZERO_SLACK * point.gaps[i].size;
                 continue;
             }
-            self.stands[i] = segment.problem.local(i).stand(line);
+            self.active_sets[i] = segment.problem.local(i).active_set(line);
             if !segment.problem.round && self.states[i].slides() {
-                segment.remember_slip(i, 0.0, &here.twist, &line.force);
+                segment.remember_slip(i, 0.0, &point.twist, &line.force);
             }
         }
     }
 
-    /// Adds the edges that contacts have reached to their active sets.
-    pub(super) fn reach(&mut self, axes: usize, reached: &PathState) {
+    /// Adds the edges of their cones that contacts have reached to their active sets.
+    pub(super) fn add_exits(&mut self, axes: usize, reached: &ExitsReached) {
         for (i, exits) in reached {
-            self.stands[*i].reach(axes, &self.states[*i], exits);
+            self.active_sets[*i].add_exits(axes, &self.states[*i], exits);
         }
     }
 
     /// Moves the node to the end of a piece: the slip on it becomes memory.
-    pub(super) fn arrive(
+    pub(super) fn move_to_end(
         &mut self,
         segment: &mut Segment<'_>,
-        here: &PathPoint,
+        point: &PathPoint,
         factor: f64,
-        there: &PieceState,
+        end: &PieceState,
     ) {
-        self.at = there.clone();
+        self.at = end.clone();
         if matches!(segment.course, Trajectory::Turn { .. }) {
-            self.leave_behind(segment, here, factor);
+            self.drop_by_force(segment, point, factor);
         }
-        segment.largest = segment.largest.max(here.sizes[0]);
-        for (i, (line, force)) in here.lines.iter().zip(&there.forces).enumerate() {
+        segment.largest = segment.largest.max(point.sizes[0]);
+        for (i, (line, force)) in point.lines.iter().zip(&end.forces).enumerate() {
             let closed = !self.states[i].is_open();
             // A contact that started to slide from the apex, and still has no force, has not left the apex.
             let comes_there = line.force.norm() > 0.0 || self.states[i].slides();
             if closed && comes_there && ActiveSet::is_weightless(force, line.force_size) {
-                self.stands[i].apex = true;
+                self.active_sets[i].apex = true;
             }
             let infinite = segment.problem.local(i).never_slides();
             self.holds[i] = infinite && !ActiveSet::is_weightless(&tangential(force), line.force_size);
@@ -135,27 +136,27 @@ impl Node {
 
     /// While the load turns, removes edges from active sets that contacts have moved away from since the last event: the rates at the event did not
     /// show this.
-    fn leave_behind(&mut self, segment: &Segment<'_>, here: &PathPoint, factor: f64) {
+    fn drop_by_force(&mut self, segment: &Segment<'_>, point: &PathPoint, factor: f64) {
         let offsets = segment.offsets(factor);
-        for (i, (stand, state)) in self.stands.iter_mut().zip(&self.states).enumerate() {
+        for (i, (active, state)) in self.active_sets.iter_mut().zip(&self.states).enumerate() {
             if state.is_open() {
                 let gap = -segment.grasp.sites()[i].stretch(&offsets[i], &self.at.twist)[0];
-                stand.apex &= gap <= ZERO_SLACK * here.gaps[i].size;
+                active.apex &= gap <= ZERO_SLACK * point.gaps[i].size;
             } else {
-                let line = Line { force: self.at.forces[i], ..here.lines[i] };
-                segment.problem.local(i).leave_behind(stand, state, &line);
+                let line = Line { force: self.at.forces[i], ..point.lines[i] };
+                segment.problem.local(i).drop_by_force(active, state, &line);
             }
         }
     }
 
     /// Puts sliding contacts that have all but lost their normal force at the apex of their cones, since their friction cannot be followed any
     /// further. Returns whether there is such a contact.
-    pub(super) fn let_go(&mut self, here: &PathPoint) -> bool {
+    pub(super) fn release_vanishing(&mut self, point: &PathPoint) -> bool {
         let mut any = false;
-        for (i, line) in here.lines.iter().enumerate() {
+        for (i, line) in point.lines.iter().enumerate() {
             let slides = self.states[i].slides();
-            if slides && !self.stands[i].apex && (is_vanishing(line) || has_vanished(line)) {
-                (self.stands[i].apex, any) = (true, true);
+            if slides && !self.active_sets[i].apex && (is_vanishing(line) || has_vanished(line)) {
+                (self.active_sets[i].apex, any) = (true, true);
             }
         }
         any
@@ -163,36 +164,41 @@ impl Node {
 
     /// Records that a contact has stopped sliding: from here on it counts as inside its cone.
     pub(super) fn stick(&mut self, contact: usize) {
-        self.stands[contact] = ActiveSet::NOWHERE;
+        self.active_sets[contact] = ActiveSet::EMPTY;
         self.stopped.push(contact);
     }
 
     /// Returns a contact that has stopped here and that, if it sticks, leaves its cone along a tangent. On a straight piece such a contact can
     /// neither slide nor stick: sliding on, it would slip against friction.
-    pub(super) fn neither_slides_nor_sticks(&self, segment: &Segment<'_>, here: &PathPoint) -> Option<usize> {
+    pub(super) fn neither_slides_nor_sticks(
+        &self,
+        segment: &Segment<'_>,
+        point: &PathPoint,
+    ) -> Option<usize> {
         let leaves = |i: &&usize| {
-            self.states[**i].is_sticking() && segment.problem.local(**i).leaves_by_a_tangent(&here.lines[**i])
+            self.states[**i].is_sticking()
+                && segment.problem.local(**i).leaves_by_a_tangent(&point.lines[**i])
         };
         let straight = matches!(segment.course, Trajectory::Straight { .. }) && !self.turns();
         self.stopped.iter().find(leaves).copied().filter(|_| straight)
     }
 
-    /// Puts contacts near an edge onto it if steps become too short to advance. All events within the error of steps then happen at one place.
-    /// Returns the largest distance from the edge relative to the size of the force or gap; `None` if there is nothing to decide. While the load
-    /// turns, contacts that merely slide need no decision, since the rates ahead have decided about them.
-    pub(super) fn gather(&mut self, segment: &Segment<'_>, here: &PathPoint) -> Option<f64> {
+    /// Counts contacts near the edge of their cones as on it, if steps become too short to advance. All events within the error of steps then happen
+    /// at one place. Returns the largest distance from the edge relative to the size of the force or gap; `None` if there is nothing to decide. While
+    /// the load turns, contacts that merely slide need no decision, since the rates ahead have decided about them.
+    pub(super) fn gather(&mut self, segment: &Segment<'_>, point: &PathPoint) -> Option<f64> {
         let mut apart: Option<f64> = None;
-        for (i, (line, gap)) in here.lines.iter().zip(&here.gaps).enumerate() {
-            let (local, stand) = (segment.problem.local(i), &mut self.stands[i]);
+        for (i, (line, gap)) in point.lines.iter().zip(&point.gaps).enumerate() {
+            let (local, active) = (segment.problem.local(i), &mut self.active_sets[i]);
             if self.states[i].is_open() && local.may_open() && gap.gap <= GATHERED_MARGIN * gap.size {
-                stand.apex = true;
+                active.apex = true;
                 apart = Some(apart.unwrap_or(0.0).max(gap.gap / gap.size));
             } else if self.states[i].is_sticking() && local.may_slide() {
                 let (friction, size) =
                     (tangential(&line.force), line.force_size * local.cone().round_weight());
                 let margin = local.cone().round_margin(&line.force) / size;
                 if margin <= GATHERED_MARGIN && friction.norm() > GATHERED_MARGIN * size {
-                    stand.facets = vec![friction.normalize()];
+                    active.facets = vec![friction.normalize()];
                     apart = Some(apart.unwrap_or(0.0).max(margin));
                 }
             }

@@ -59,12 +59,12 @@ impl PathStiffness {
 
     /// Adds a contact's entries, among the coordinates that it couples.
     #[inline(always)]
-    pub(super) fn add(&mut self, felt: &[Range<usize>; 2], entry: impl Fn(usize, usize) -> f64) {
+    pub(super) fn add(&mut self, ranges: &[Range<usize>; 2], entry: impl Fn(usize, usize) -> f64) {
         match self {
             Self::Whole(square) => {
-                for j in felt.iter().cloned().flatten() {
+                for j in ranges.iter().cloned().flatten() {
                     let column = square.column_slice_mut(j);
-                    for rows in felt {
+                    for rows in ranges {
                         for (i, x) in rows.clone().zip(&mut column[rows.clone()]) {
                             *x += entry(i, j);
                         }
@@ -73,8 +73,8 @@ impl PathStiffness {
             }
             Self::Narrow { order, band } => {
                 let numbers = &order.numbers;
-                for j in felt.iter().cloned().flatten() {
-                    for i in felt.iter().cloned().flatten() {
+                for j in ranges.iter().cloned().flatten() {
+                    for i in ranges.iter().cloned().flatten() {
                         band.add(numbers[i], numbers[j], entry(i, j));
                     }
                 }

@@ -10,18 +10,18 @@ use nalgebra::SVector;
 use super::beyond::Beyond;
 use super::energy::LegEnergy;
 use super::event::{Event, PathEnd};
-use super::flow::{Reached, Rule};
-use super::follower::{Advance, Follower, StandAtEdge};
+use super::flow::{FlowStep, Rule};
+use super::follower::{Advance, Follower, StateAtEdge};
 use super::following::Following;
 use super::journey::{Journey, Rest};
+use super::jump_leg::beyond_a_jump;
 use super::leg::Leg;
-use super::letting_go::beyond_a_jump;
 use super::node::Node;
 use super::pace::Pace;
 use super::path::{LoadPath, Path};
 use super::segment::{PathPoint, Segment};
 use super::small_motions::EndOfSmallMotions;
-use super::stretch::{Bend, Stretch};
+use super::stretch::{ArcStep, Stretch};
 use super::trajectory::Trajectory;
 use crate::contact::WEIGHTLESS;
 use crate::equilibrium::{ACCURATE, Equilibrium};
@@ -40,23 +40,23 @@ pub(crate) struct Pieces<'g> {
     pub(super) node: Node,
     /// Whether the path is at a node whose continuation is not yet decided.
     pub(super) at_node: bool,
-    pub(super) here: Option<PathPoint>,
+    pub(super) point: Option<PathPoint>,
     /// The pieces that the path has passed.
     pub(super) behind: Vec<Stretch<'g>>,
     pub(super) energy: Vec<LegEnergy>,
     /// Number of successive steps within their own uncertainty, see `straight`.
     pub(super) stalls: usize,
     pub(super) pace: Pace,
-    /// The factor at which events that accumulate towards a point were last moved to one place; NaN before that.
+    /// The load factor at which events that accumulate towards a point were last moved to one place; NaN before that.
     pub(super) gathered: f64,
-    /// The factor at which slips last ended on an arc, and the contacts whose slips these were.
+    /// The load factor at which slips last ended on an arc, and the contacts whose slips these were.
     pub(super) stopped: (f64, Vec<usize>),
     /// Sum of the estimated errors of the steps along sliding arcs.
     pub(super) step_error: f64,
     /// An event to report before the first leg: a contact slides at the start, and its friction falls from the static to the kinetic value.
     pub(super) first: Option<Box<Event<3>>>,
     /// The problem at the end of a jump that found no equilibrium.
-    pub(super) fallen: Option<Problem<'g>>,
+    pub(super) failed_jump: Option<Problem<'g>>,
     /// The place where motions cease to be small, if they do.
     pub(super) end_of_small_motions: Option<EndOfSmallMotions>,
     /// The largest ratio of a motion to its limit, at the ends of pieces.
@@ -89,7 +89,7 @@ impl Engine {
 impl<'g> Follower<'g> for Pieces<'g> {
     type Report = Event<3>;
 
-    fn set_out(&mut self, journey: &Journey<'g>) -> Result<(), PathEnd<3>> {
+    fn start_leg(&mut self, journey: &Journey<'g>) -> Result<(), PathEnd<3>> {
         let cones = core::mem::take(&mut self.segment.problem.cones);
         self.segment = journey.segment(core::mem::take(&mut self.segment.problem.slips));
         self.segment.problem.cones = cones;
@@ -102,13 +102,13 @@ impl<'g> Follower<'g> for Pieces<'g> {
         Ok(())
     }
 
-    fn go_on(&mut self, journey: &Journey<'g>) -> Result<Advance<Event<3>>, PathEnd<3>> {
-        match self.go_unless_lost(journey) {
+    fn advance(&mut self, journey: &Journey<'g>) -> Result<Advance<Event<3>>, PathEnd<3>> {
+        match self.advance_unless_lost(journey) {
             Err(PathEnd::Lost(loss)) => {
-                let caught = self.caught_by_a_gap(journey, &loss).or_else(|| self.snaps_over(journey, &loss));
+                let caught = self.closing_gap_event(journey, &loss).or_else(|| self.snaps_over(journey, &loss));
                 caught.map(Advance::Reached).ok_or(PathEnd::Lost(loss))
             }
-            came => came,
+            other => other,
         }
     }
 
@@ -160,13 +160,13 @@ impl<'g> Follower<'g> for Pieces<'g> {
     }
 
     fn beyond_a_jump(&self, settings: &Settings) -> Option<Beyond<3>> {
-        self.fallen.as_ref().map(|fallen| beyond_a_jump(fallen, settings))
+        self.failed_jump.as_ref().map(|problem| beyond_a_jump(problem, settings))
     }
 
-    fn edge(&self, _: &Journey<'g>) -> StandAtEdge<'g> {
-        let laws = self.segment.laws_of_rates(&self.node.stands, &self.node.states);
+    fn edge(&self, _: &Journey<'g>) -> StateAtEdge<'g> {
+        let laws = self.segment.laws_of_rates(&self.node.active_sets, &self.node.states);
         let rates = self.segment.rates(self.node.ahead, laws);
-        StandAtEdge { segment: self.segment.clone(), rates, forces: self.node.at.forces.clone() }
+        StateAtEdge { segment: self.segment.clone(), rates, forces: self.node.at.forces.clone() }
     }
 }
 
@@ -180,19 +180,19 @@ impl<'g> Pieces<'g> {
         let (grasp, answer_for, problem) = (journey.grasp, journey.answer_for(), problem.clone());
         let mut segment = Segment { grasp, answer_for, problem, change, course, largest: 0.0 };
         let node = Node::at_start(&mut segment, found);
-        let mut path = Self::standing(segment, node).with_falling_friction(journey)?;
+        let mut path = Self::at_segment_start(segment, node).with_falling_friction(journey)?;
         path.note_how_far(journey);
         Ok(path)
     }
 
     /// A path at the beginning of a segment.
-    pub(super) fn standing(segment: Segment<'g>, node: Node) -> Self {
+    pub(super) fn at_segment_start(segment: Segment<'g>, node: Node) -> Self {
         Self {
             factor: 0.0,
             node,
             segment,
             at_node: false,
-            here: None,
+            point: None,
             behind: Vec::new(),
             energy: Vec::new(),
             stalls: 0,
@@ -201,13 +201,13 @@ impl<'g> Pieces<'g> {
             stopped: (f64::NAN, Vec::new()),
             step_error: 0.0,
             first: None,
-            fallen: None,
+            failed_jump: None,
             end_of_small_motions: None,
             farthest: 0.0,
         }
     }
 
-    fn go_unless_lost(&mut self, journey: &Journey<'g>) -> Result<Advance<Event<3>>, PathEnd<3>> {
+    fn advance_unless_lost(&mut self, journey: &Journey<'g>) -> Result<Advance<Event<3>>, PathEnd<3>> {
         if core::mem::take(&mut self.at_node) {
             return Ok(self.decide(journey)?.map_or(Advance::OnTheWay, Advance::Reached));
         }
@@ -237,18 +237,18 @@ impl<'g> Pieces<'g> {
         }
         let before = self.state_before_event();
         let rested = if self.friction_falls() && self.factor == 0.0 { self.pause() } else { Vec::new() };
-        let mut onward = self.node.go_on(&mut self.segment, journey, self.factor)?;
-        onward.changes.splice(0..0, rested);
+        let mut next = self.node.continue_path(&mut self.segment, journey, self.factor)?;
+        next.changes.splice(0..0, rested);
         let grasp = journey.grasp;
-        let free = self.here.as_ref().map_or(0, |here| here.free_motions.len());
-        let set_free = onward.here.free_motions.len() > free;
-        let free_motions = mapped(&onward.here.free_motions, &|v| grasp.motion_outside(v));
-        self.here = Some(onward.here);
+        let free = self.point.as_ref().map_or(0, |point| point.free_motions.len());
+        let set_free = next.point.free_motions.len() > free;
+        let free_motions = mapped(&next.point.free_motions, &|v| grasp.motion_outside(v));
+        self.point = Some(next.point);
         self.pace = self.pace.at_node();
-        let jump = if self.friction_falls() { self.friction_after(journey, &onward.changes)? } else { None };
-        let (changes, drives) = grasp.contacts_and_drives(onward.changes);
+        let jump = if self.friction_falls() { self.friction_after(journey, &next.changes)? } else { None };
+        let (changes, drives) = grasp.contacts_and_drives(next.changes);
         // At the start of a leg an event is reported if several continuations exist, even if the chosen one changes nothing.
-        let branches = self.factor == 0.0 && onward.other_continuations.is_some_and(|others| others > 0);
+        let branches = self.factor == 0.0 && next.other_continuations.is_some_and(|others| others > 0);
         if changes.is_empty() && drives.is_empty() && !(set_free && before.is_some()) && !branches {
             return Ok(None);
         }
@@ -268,37 +268,36 @@ impl<'g> Pieces<'g> {
             drives,
             state,
             free_motions,
-            other_continuations: onward.other_continuations,
+            other_continuations: next.other_continuations,
             jump,
         }))
     }
 
     /// The equilibrium at the present place in the present states.
     pub(super) fn present_state(&self, journey: &Journey<'g>) -> Option<Equilibrium<3>> {
-        self.state_on(&self.standing_here(journey)?, self.factor)
+        self.state_on(&self.present_stretch(journey)?, self.factor)
     }
 
     /// The present place as a piece of zero length.
-    pub(super) fn standing_here(&self, journey: &Journey<'g>) -> Option<Stretch<'g>> {
-        let here = match &self.here {
-            Some(here) => here.clone(),
-            // If no rates lead further, the state with fixed load and commands.
-            None => self
-                .node
-                .look(&self.segment, self.factor, None)
-                .ok()
-                .or_else(|| self.node.look(&self.segment.at_rest(self.factor), self.factor, None).ok())?,
-        };
-        let there = self.state_after(&here, 0.0);
-        Some(self.stretch(journey, here, self.factor, there))
+    pub(super) fn present_stretch(&self, journey: &Journey<'g>) -> Option<Stretch<'g>> {
+        let point =
+            match &self.point {
+                Some(point) => point.clone(),
+                // If no rates lead further, the piece has the state with fixed load and commands.
+                None => self.node.point_at(&self.segment, self.factor, None).ok().or_else(|| {
+                    self.node.point_at(&self.segment.at_rest(self.factor), self.factor, None).ok()
+                })?,
+            };
+        let end = self.state_after(&point, 0.0);
+        Some(self.stretch(journey, point, self.factor, end))
     }
 
     pub(super) fn stretch(
         &self,
         journey: &Journey<'g>,
-        here: PathPoint,
+        point: PathPoint,
         to: f64,
-        there: PieceState,
+        end: PieceState,
     ) -> Stretch<'g> {
         Stretch {
             leg: journey.program.leg,
@@ -311,30 +310,30 @@ impl<'g> Pieces<'g> {
             bodies: journey.program.bodies.clone(),
             torques: journey.program.torques.clone(),
             states: self.node.states.clone(),
-            here,
-            there,
-            bend: None,
-            fallen: None,
+            here: point,
+            there: end,
+            arc_step: None,
+            jump: None,
         }
     }
 
     /// Takes a step of this length along a sliding arc.
-    pub(super) fn take(
+    pub(super) fn take_step(
         &mut self,
         journey: &Journey<'g>,
-        here: &PathPoint,
+        point: &PathPoint,
         (length, rule): (f64, Rule),
-        reached: &Reached,
+        reached: &FlowStep,
     ) {
-        let (at, to) = (reached.at(), reached.to);
+        let (at, to) = (reached.state(), reached.to);
         if let Some(energy) = self.energy.last_mut() {
             energy.add_part(&reached.energy);
         }
         self.step_error += reached.error;
-        let bend = self.pace.unit.map(|unit| Bend { unit, length, rule });
-        let stretch = self.stretch(journey, here.clone(), to, at.clone());
-        self.behind.push(Stretch { bend, ..stretch });
-        self.node.arrive(&mut self.segment, here, to, &at);
+        let arc_step = self.pace.unit.map(|unit| ArcStep { unit, length, rule });
+        let stretch = self.stretch(journey, point.clone(), to, at.clone());
+        self.behind.push(Stretch { arc_step, ..stretch });
+        self.node.move_to_end(&mut self.segment, point, to, &at);
         self.factor = to;
         self.note_how_far(journey);
     }

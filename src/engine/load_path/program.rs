@@ -79,10 +79,10 @@ impl Program {
     pub(super) fn begin_leg(&mut self) -> bool {
         let Some(leg) = self.legs.get(self.leg - self.done) else { return false };
         (self.course, self.goal) = leg.load.course(&self.goal);
-        leg.commands.lead_on(&mut self.commands);
-        leg.joints.lead_on(&mut self.joints);
-        self.bodies.lead_on(&self.names, &leg.bodies);
-        self.torques.lead_on(&self.held, &leg.torques);
+        leg.commands.append(&mut self.commands);
+        leg.joints.append(&mut self.joints);
+        self.bodies.append(&self.names, &leg.bodies);
+        self.torques.append(&self.held, &leg.torques);
         true
     }
 
@@ -92,7 +92,7 @@ impl Program {
     /// # Errors
     /// [`Error::NotClosed`] naming the quantity that differs at the end.
     pub(super) fn check_closed(&self, part: f64) -> Result<(), Error> {
-        let mut gone = self.clone();
+        let mut after = self.clone();
         let (load, [commands, _], [joints, _]) =
             (self.course.at(0.0), self.commands.clone(), self.joints.clone());
         let largest_of = |numbers: &[f64]| largest(numbers, &|x| x.abs());
@@ -105,22 +105,22 @@ impl Program {
             on_bodies(&self.bodies, 0),
             largest_of(&self.held),
         ];
-        let mut goes = gone.goes();
-        while goes {
-            most[0] = most[0].max(size(&gone.goal)).max(size(&gone.course.at(0.5)));
-            most[1] = most[1].max(largest(&gone.commands[1], &Matrix::amax));
-            most[2] = most[2].max(largest_of(&gone.joints[1]));
-            most[3] = most[3].max(on_bodies(&gone.bodies, 1));
-            most[4] = most[4].max(largest_of(gone.torques.at_end(1)));
-            goes = gone.next_leg();
+        let mut has_leg = after.has_leg();
+        while has_leg {
+            most[0] = most[0].max(size(&after.goal)).max(size(&after.course.at(0.5)));
+            most[1] = most[1].max(largest(&after.commands[1], &Matrix::amax));
+            most[2] = most[2].max(largest_of(&after.joints[1]));
+            most[3] = most[3].max(on_bodies(&after.bodies, 1));
+            most[4] = most[4].max(largest_of(after.torques.at_end(1)));
+            has_leg = after.next_leg();
         }
         let off = [
-            size(&(gone.goal - load)),
-            largest_of(&paired(&gone.commands[1], &commands, &|(end, start)| (end - start).amax())),
-            largest_of(&paired(&gone.joints[1], &joints, &|(end, start)| end - start)),
+            size(&(after.goal - load)),
+            largest_of(&paired(&after.commands[1], &commands, &|(end, start)| (end - start).amax())),
+            largest_of(&paired(&after.joints[1], &joints, &|(end, start)| end - start)),
             // A cycle begins without loads on single bodies.
-            on_bodies(&gone.bodies, 1),
-            largest_of(&paired(gone.torques.at_end(1), &self.held, &|(end, start)| end - start)),
+            on_bodies(&after.bodies, 1),
+            largest_of(&paired(after.torques.at_end(1), &self.held, &|(end, start)| end - start)),
         ];
         let what =
             ["load", "commands of contacts", "commands of joints", "load of a body", "torques of joints"];
@@ -140,7 +140,7 @@ impl Program {
     }
 
     /// Whether there is a leg to follow.
-    pub(super) fn goes(&self) -> bool {
+    pub(super) fn has_leg(&self) -> bool {
         self.leg - self.done < self.legs.len()
     }
 
@@ -165,12 +165,12 @@ impl Program {
         grasp.changed_by(to.iter().zip(from).map(|(to, from)| to - from), Some(&of_joints), change);
     }
 
-    /// Trajectory of the load along the present leg, in inside coordinates.
+    /// Trajectory of the load along the present leg, in the engine's coordinates.
     pub(super) fn inside_course(&self, grasp: &Engine) -> Trajectory<Vector> {
         match &self.course {
             Trajectory::Straight { from, .. } => {
                 let [mut from, mut to] = [from, &self.goal].each(|load| grasp.load_unchecked(load));
-                for [first, last] in self.beside(grasp).into_iter().flatten() {
+                for [first, last] in self.other_loads(grasp).into_iter().flatten() {
                     (from, to) = (from + first, to + last);
                 }
                 let rate = to - &from;
@@ -178,7 +178,7 @@ impl Program {
             }
             Trajectory::Turn { load, angle } => {
                 let mut load = inside(grasp, load);
-                for [constant, _] in self.beside(grasp).into_iter().flatten() {
+                for [constant, _] in self.other_loads(grasp).into_iter().flatten() {
                     load.constant += constant;
                 }
                 Trajectory::Turn { load, angle: *angle }
@@ -187,13 +187,13 @@ impl Program {
     }
 
     /// Loads beside that of the question, on single bodies and by torques of joints, at the beginning and at the end of the leg.
-    fn beside(&self, grasp: &Engine) -> [Option<[Vector; 2]>; 2] {
+    fn other_loads(&self, grasp: &Engine) -> [Option<[Vector; 2]>; 2] {
         [self.bodies.inside(grasp), self.torques.inside(grasp)]
     }
 
     /// The present leg and `fraction`; the end of the last leg once all are done.
     pub(super) fn place(&self, fraction: f64) -> (usize, f64) {
-        if self.goes() || self.leg == 0 { (self.leg, fraction) } else { (self.leg - 1, 1.0) }
+        if self.has_leg() || self.leg == 0 { (self.leg, fraction) } else { (self.leg - 1, 1.0) }
     }
 
     /// The load at a fraction of the present leg.

@@ -17,8 +17,9 @@ impl Segment<'_> {
         let Some(pushed) = pushed else { return rate };
         let apart = pushed - &rate.twist;
         // A velocity along a free motion below this part of the pushing velocity is rounding.
-        let felt = |v: &Vector| v.dot(&apart).abs() > SOLVED_ROUNDING * pushed.norm();
-        let moves = piece.free_motions().iter().any(felt) || piece.neutral_motions().iter().any(felt);
+        let is_driven = |v: &Vector| v.dot(&apart).abs() > SOLVED_ROUNDING * pushed.norm();
+        let moves =
+            piece.free_motions().iter().any(is_driven) || piece.neutral_motions().iter().any(is_driven);
         if moves { self.nearest(piece, rate, pushed) } else { rate }
     }
 

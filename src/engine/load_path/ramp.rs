@@ -31,14 +31,14 @@ pub struct Ramp<const C: usize> {
 }
 
 impl<const C: usize> Ramp<C> {
-    /// A ramp of the load, with constant finger commands. Base in N and N m, direction in N and N m per unit of the factor.
+    /// A ramp of the load, with constant finger commands. Base in N and N m, direction in N and N m per unit of the load factor.
     #[must_use]
     pub fn load(base: Wrench<C>, direction: Wrench<C>) -> Self {
         Self { base, direction, command_change: None, joint_change: None }
     }
 
-    /// A ramp of the finger commands, with a constant load. `change` has one displacement a contact per unit of the factor, in its contact frame (m),
-    /// the normal part positive into the object. All points of a soft fingertip follow one displacement, unless there is one for each point.
+    /// A ramp of the finger commands, with a constant load. `change` has one displacement a contact per unit of the load factor, in its contact frame
+    /// (m), the normal part positive into the object. All points of a soft fingertip follow one displacement, unless there is one for each point.
     #[must_use]
     pub fn commands(load: Wrench<C>, change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         Self::load(load, Wrench::ZERO).with_commands(change)
@@ -51,8 +51,8 @@ impl<const C: usize> Ramp<C> {
         self
     }
 
-    /// This ramp, along which the joint commands of a hand also change: one displacement for each joint and then each tendon, per unit of the factor,
-    /// rad or m.
+    /// This ramp, along which the joint commands of a hand also change: one displacement for each joint and then each tendon, per unit of the load
+    /// factor, rad or m.
     #[must_use]
     pub fn with_joint_commands(mut self, change: impl IntoIterator<Item = f64>) -> Self {
         self.joint_change = Some(change.into_iter().list());
@@ -107,7 +107,7 @@ impl<const C: usize> Ramp<C> {
 }
 
 impl Ramp<3> {
-    /// Rates of the offsets of all sites of a grasp, for each unit of the factor.
+    /// Rates of the offsets of all contacts and drives of a grasp, for each unit of the load factor.
     pub(crate) fn offset_changes(&self, grasp: &Engine) -> Result<Vec<SVector<f64, 3>>, Error> {
         let mut changes = Vec::new();
         self.offset_changes_into(grasp, &mut changes)?;
@@ -133,7 +133,7 @@ impl Ramp<3> {
 }
 
 impl<const C: usize> Ramp<C> {
-    /// The load at a factor, `base + τ direction`.
+    /// The load at a load factor, `base + τ direction`.
     #[must_use]
     pub fn load_at(&self, factor: f64) -> Wrench<C> {
         self.base + self.direction * factor

@@ -37,7 +37,7 @@ struct Turning {
     /// The wrench G v.
     push: Vector,
     /// The row c = Cᵀ d, N/m.
-    felt: SVector<f64, 3>,
+    gradient: SVector<f64, 3>,
     /// The wrench G c.
     pull: Vector,
 }
@@ -63,7 +63,7 @@ pub(super) struct Damped {
 }
 
 impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
-    /// J for these friction forces, along the direction of the path there.
+    /// Computes J at the load factor `factor`, from the friction forces of the sliding contacts and the direction of the path.
     pub(super) fn new(
         arc: &'f Arc<'s, 'g>,
         frictions: &[SVector<f64, 3>],
@@ -84,9 +84,18 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
             let [[_, less], [_, more]] =
                 [-small, small].each(|angle| arc.rates(contact, &turned(angle), &way));
             let change = (more - less) / (2.0 * small);
-            let felt = tangent.matrix().tr_mul(&across);
+            let gradient = tangent.matrix().tr_mul(&across);
             let map = &arc.sites()[contact].map;
-            Turning { contact, tangent, size, across, change, push: map * change, felt, pull: map * felt }
+            Turning {
+                contact,
+                tangent,
+                size,
+                across,
+                change,
+                push: map * change,
+                gradient,
+                pull: map * gradient,
+            }
         };
         let contacts = arc.sliding.iter().zip(frictions).zip(tangents).map(turning).list();
         Self { arc, contacts, stiffness, load, way }
@@ -101,16 +110,16 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
             sizes.push(size);
             if turning.size > 0.0 {
                 let push = &turning.push * (length / size);
-                let felt = self.arc.sites()[turning.contact].support.ranges();
-                stiffness.add(&felt, |i, j| push[i] * turning.pull[j]);
-                load += push * turning.felt.dot(&self.arc.segment.change[turning.contact]);
+                let ranges = self.arc.sites()[turning.contact].support.ranges();
+                stiffness.add(&ranges, |i, j| push[i] * turning.pull[j]);
+                load += push * turning.gradient.dot(&self.arc.segment.change[turning.contact]);
             }
         }
         let (bordered, _) = self.arc.factored(stiffness, &load, &self.way)?;
         Some(Damped { length, bordered, sizes })
     }
 
-    /// Solves `(1 - hJ) Δ = g` in place: friction forces, then twist and factor. Works stay unchanged, since no rate depends on them.
+    /// Solves `(1 - hJ) Δ = g` in place: friction forces, then twist and load factor. Works stay unchanged, since no rate depends on them.
     pub(super) fn solve(&self, damped: &Damped, side: &mut [f64]) {
         let length = damped.length;
         let mut left = Vector::zeros();
@@ -127,7 +136,7 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
         let entries = frictions.chunks_exact_mut(2).zip(&self.contacts).zip(&damped.sizes);
         for (((entry, turning), size), angle) in entries.zip(angles) {
             let [stretch, force] = self.arc.rates(turning.contact, &turning.tangent, &way);
-            let more = if turning.size > 0.0 { length * turning.felt.dot(&stretch) / size } else { 0.0 };
+            let more = if turning.size > 0.0 { length * turning.gradient.dot(&stretch) / size } else { 0.0 };
             let change = (turning.change * (angle + more) + force) * length;
             (1..3).for_each(|a| entry[a - 1] += change[a]);
         }
@@ -151,7 +160,7 @@ mod tests {
     use crate::object::Load;
     use crate::spatial::Contact;
 
-    /// Fingers round a ball, softer along one tangent than the other, all sliding but one; commands change with the factor.
+    /// Fingers round a ball, softer along one tangent than the other, all sliding but one; commands change with the load factor.
     fn fingers(ratio: f64) -> Engine {
         let finger = |i: u8| {
             let (sin, cos) = (1.3 * f64::from(i)).sin_cos();
@@ -188,10 +197,10 @@ mod tests {
             let sliding = frictions.iter().map(|friction| State::Round(Slide::new(friction, 0.0)));
             let states: Vec<_> = core::iter::once(State::Sticking).chain(sliding).collect();
             let arc = Arc::new(&segment, &states, [], 0.5);
-            let way = arc.direction(&arc.tangents(frictions.iter().copied()), 0.0, &Direction::onward());
+            let way = arc.direction(&arc.tangents(frictions.iter().copied()), 0.0, &Direction::forward());
             let way = way.expect("one direction");
 
-            // Rates of friction forces, twist and factor after a change of the friction forces.
+            // Rates of friction forces, twist and load factor after a change of the friction forces.
             let rates = |y: &[f64]| {
                 let moved = frictions.iter().zip(y.chunks_exact(2));
                 let moved = moved.map(|(f, more)| f + SVector::from([0.0, more[0], more[1]]));

@@ -7,14 +7,14 @@
 //! v = W + Σ G_i r_i,     0 <= r_n ⟂ n·G_iᵀv >= 0,     |r_t| <= μ r_n against G_iᵀv
 //! ```
 //!
-//! as if its mass matrix were the identity in inside coordinates: unit mass at the root mean square distance of contacts. Links, and contacts that
-//! neither open nor slide, allow no displacement at their points.
+//! as if its mass matrix were the identity in the engine's coordinates: unit mass at the root mean square distance of contacts. Links, and contacts
+//! that neither open nor slide, allow no displacement at their points.
 
 use super::tolerances::NO_RIGID_MOTION;
 use crate::contact::Law;
 use crate::friction::FrictionProblem;
 use crate::grasp::Space;
-use crate::numerics::{Vector, across, chosen, matrix_of, vector_of};
+use crate::numerics::{Vector, chosen, matrix_of, orthogonal_part, vector_of};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -45,12 +45,12 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     if touching.is_empty() || touching.len() > MOST_RIGID || touching.iter().any(never_slides) {
         return None;
     }
-    let load = across(rates.wrench.clone(), &resisted);
+    let load = orthogonal_part(rates.wrench.clone(), &resisted);
     let mut columns = Vec::new();
     let (mut friction, axes) = (Vec::new(), rates.space().axes());
     for &i in &touching {
         let site = &rates.sites[i];
-        (0..axes).for_each(|axis| columns.push(across(site.map.column(axis), &resisted)));
+        (0..axes).for_each(|axis| columns.push(orthogonal_part(site.map.column(axis), &resisted)));
         let slides_freely = rates.local(i).is_frictionless() || !site.springs.resists_tangentially();
         friction.push(if slides_freely { 0.0 } else { rates.local(i).cone().limit(1.0) });
     }
@@ -81,13 +81,13 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
             resist(&mut resisted, column);
         }
     }
-    let free = across(load.clone(), &resisted);
+    let free = orthogonal_part(load.clone(), &resisted);
     (free.norm() > NO_RIGID_MOTION * load.norm()).then(|| free.normalize())
 }
 
 /// Adds a motion to the basis of resisted ones, unless it depends on them.
 fn resist(basis: &mut Vec<Vector>, motion: &Vector) {
-    let rest = across(motion.clone(), basis);
+    let rest = orthogonal_part(motion.clone(), basis);
     // A direction depends on the others if less than this part of it remains after their components are removed.
     if rest.norm() > 1e-9 * motion.norm() {
         basis.push(rest.normalize());

@@ -3,7 +3,7 @@
 
 use nalgebra::{Matrix, SVector};
 
-use super::first_exits::{FirstExits, first_standing};
+use super::first_exits::{FirstExits, first_reached};
 use super::trajectory::Trajectory;
 use super::turning_state::TurningState;
 use crate::contact::{ActiveSet, Exit, GapLine, Law, Line, State};
@@ -13,12 +13,12 @@ use crate::numerics::{Each, IntoList, Vector, cleared_for, mapped, paired};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
-/// Load and offsets at factor 0 and their rates, with the accumulated slips of the contacts.
+/// Load and offsets at load factor 0 and their rates, with the accumulated slips of the contacts.
 #[derive(Debug, Clone)]
 pub(super) struct Segment<'g> {
     pub(super) grasp: &'g Engine,
     pub(super) answer_for: AnswerFor,
-    /// The problem at factor 0; its offsets count from the accumulated slips.
+    /// The problem at load factor 0; its offsets count from the accumulated slips.
     pub(super) problem: Problem<'g>,
     /// Rates of the offsets; zero while the load turns.
     pub(super) change: Vec<SVector<f64, 3>>,
@@ -28,13 +28,13 @@ pub(super) struct Segment<'g> {
     pub(super) largest: f64,
 }
 
-/// The state at a factor, with its rates: per unit of the factor on a straight piece, per unit of arclength along an arc.
+/// The state at a load factor, with its rates: per unit of the load factor on a straight piece, per unit of arclength along an arc.
 #[derive(Debug, Clone)]
 pub(super) struct PathPoint {
     pub(super) lines: Vec<Line>,
     pub(super) twist: Vector,
     pub(super) twist_rate: Vector,
-    /// Rate of the factor: one on a straight piece, less along an arc.
+    /// Rate of the load factor: one on a straight piece, less along an arc.
     pub(super) factor_rate: f64,
     /// Motions that stretch no spring in these states.
     pub(super) free_motions: Vec<Vector>,
@@ -60,26 +60,26 @@ impl PathPoint {
         PieceState { forces, twist: &self.twist + &self.twist_rate * step }
     }
 
-    /// The same state with all rates multiplied by `part`.
+    /// A copy of this state with all rates multiplied by `part`.
     pub(super) fn slowed(&self, part: f64) -> Self {
-        let mut here = self.clone();
-        here.twist_rate *= part;
-        here.factor_rate *= part;
-        here.rate_sizes = here.rate_sizes.each(|size| size * part);
-        for (line, gap) in here.lines.iter_mut().zip(&mut here.gaps) {
+        let mut point = self.clone();
+        point.twist_rate *= part;
+        point.factor_rate *= part;
+        point.rate_sizes = point.rate_sizes.each(|size| size * part);
+        for (line, gap) in point.lines.iter_mut().zip(&mut point.gaps) {
             line.rate *= part;
             line.rate_size *= part;
             gap.rate *= part;
             gap.rate_size *= part;
         }
-        here
+        point
     }
 }
 
 impl<'g> Segment<'g> {
-    /// Forces, gaps and their rates at a factor. If the states leave motions free, the twist is the one nearest to `near`, and its rate the one
+    /// Forces, gaps and their rates at a load factor. If the states leave motions free, the twist is the one nearest to `near`, and its rate the one
     /// nearest to `pushed`. No force drives the object along free motions, but a contact that touches without force may push it.
-    pub(super) fn look(
+    pub(super) fn point_at(
         &self,
         states: &[State],
         factor: f64,
@@ -89,7 +89,9 @@ impl<'g> Segment<'g> {
         let piece = self.problem.piece(states);
         let rate = match &self.course {
             Trajectory::Straight { rate, .. } => rate,
-            Trajectory::Turn { load, angle } => return self.look_round(&piece, (load, *angle), factor, near),
+            Trajectory::Turn { load, angle } => {
+                return self.point_on_turn(&piece, (load, *angle), factor, near);
+            }
         };
         let base = piece
             .solve(self.problem.sites, &self.problem.offsets, self.problem.load())
@@ -102,11 +104,11 @@ impl<'g> Segment<'g> {
             forces: paired(&base.forces, &rate.forces, &|(f, df)| f + df * factor),
             twist: &base.twist + &rate.twist * factor,
         });
-        Ok(self.here(piece, factor, at, (&rate, 1.0), (0.0, &base)))
+        Ok(self.point_with_rates(piece, factor, at, (&rate, 1.0), (0.0, &base)))
     }
 
-    /// A state on an arc with rates for one unit of arclength, in which the factor changes by `factor_rate`.
-    pub(super) fn along(
+    /// A state on an arc with rates for one unit of arclength, in which the load factor changes by `factor_rate`.
+    pub(super) fn point_on_arc(
         &self,
         piece: &alloc::sync::Arc<Piece>,
         factor: f64,
@@ -114,10 +116,10 @@ impl<'g> Segment<'g> {
         rate: &PieceState,
         factor_rate: f64,
     ) -> PathPoint {
-        self.here(piece.clone(), factor, at.clone(), (rate, factor_rate), (factor, at))
+        self.point_with_rates(piece.clone(), factor, at.clone(), (rate, factor_rate), (factor, at))
     }
 
-    /// The reason for a loss from a factor on: nothing resists the motion `motion`.
+    /// The reason for a loss from a load factor on: nothing resists the motion `motion`.
     pub(super) fn unbalanced(&self, factor: f64, motion: Option<Vector>) -> NoEquilibrium<3> {
         let v = motion.unwrap_or_else(Vector::zeros);
         let work = v.dot(&self.course.rate_at(factor));
@@ -125,9 +127,9 @@ impl<'g> Segment<'g> {
         NoEquilibrium { proof }
     }
 
-    /// A state at a factor with its rates. The rounding of a quantity that vanishes here is scaled by its terms: the state `base` at the factor
-    /// `since`, and the change from there.
-    pub(super) fn here(
+    /// A state at a load factor with its rates. The rounding of a quantity that vanishes here is scaled by its terms: the state `base` at the load
+    /// factor `since`, and the change from there.
+    pub(super) fn point_with_rates(
         &self,
         piece: alloc::sync::Arc<Piece>,
         factor: f64,
@@ -187,8 +189,8 @@ impl<'g> Segment<'g> {
         }
     }
 
-    /// Forces and twist at a factor, solved there: extrapolation from another factor would add the rounding of larger terms. If the states leave
-    /// motions free, the twist is the one nearest to `near`.
+    /// Forces and twist at a load factor, solved there: extrapolation from another load factor would add the rounding of larger terms. If the states
+    /// leave motions free, the twist is the one nearest to `near`.
     pub(super) fn state(&self, piece: &Piece, factor: f64, near: Option<&Vector>) -> Option<PieceState> {
         let wrench = self.course.at(factor);
         let at = piece.solve(self.problem.sites, &self.offsets(factor), &wrench).ok()?;
@@ -196,24 +198,24 @@ impl<'g> Segment<'g> {
     }
 
     /// The step along a straight piece from the state `at` to the exit of a contact.
-    pub(super) fn way_to(
+    pub(super) fn step_to_exit(
         &self,
         contact: usize,
         state: &State,
         exit: &Exit,
-        here: &PathPoint,
+        point: &PathPoint,
         factor: f64,
         at: &PieceState,
     ) -> f64 {
         if state.is_open() {
             let offset = self.problem.offsets[contact] + self.change[contact] * factor;
             let gap = -self.grasp.sites()[contact].stretch(&offset, &at.twist)[0];
-            return gap / -here.gaps[contact].rate;
+            return gap / -point.gaps[contact].rate;
         }
-        self.problem.local(contact).way_to(exit, &at.forces[contact], &here.lines[contact].rate)
+        self.problem.local(contact).step_to_exit(exit, &at.forces[contact], &point.lines[contact].rate)
     }
 
-    /// The offsets at a factor.
+    /// The offsets at a load factor.
     pub(super) fn offsets(&self, factor: f64) -> Vec<SVector<f64, 3>> {
         let mut offsets = Vec::new();
         self.offsets_into(factor, &mut offsets);
@@ -226,14 +228,14 @@ impl<'g> Segment<'g> {
         offsets.extend(self.problem.offsets.iter().zip(&self.change).map(|(a, da)| a + da * factor));
     }
 
-    /// This segment with commands and load fixed at a factor.
+    /// This segment with commands and load fixed at a load factor.
     pub(super) fn at_rest(&self, factor: f64) -> Self {
         let change = vec![SVector::zeros(); self.change.len()];
         let course = Trajectory::Straight { from: self.course.at(factor), rate: Vector::zeros() };
         Segment { problem: self.problem_at(factor), change, course, ..self.clone() }
     }
 
-    /// The local problem at a factor.
+    /// The local problem at a load factor.
     pub(super) fn problem_at(&self, factor: f64) -> Problem<'g> {
         let wrench = self.course.at(factor);
         Problem {
@@ -244,7 +246,7 @@ impl<'g> Segment<'g> {
         }
     }
 
-    /// Adds the present slip of a contact to its memory: its offset counts from there.
+    /// Adds the present slip of a contact to its memory: from now on its offset counts from the slipped position.
     pub(super) fn remember_slip(
         &mut self,
         contact: usize,
@@ -263,27 +265,27 @@ impl<'g> Segment<'g> {
     }
 
     /// The exits through which a contact may leave its state, with their distances.
-    pub(super) fn ways_out(&self, contact: usize, state: &State, here: &PathPoint) -> Vec<Exit> {
-        self.problem.local(contact).ways_out(state, &here.lines[contact], &here.gaps[contact])
+    pub(super) fn ways_out(&self, contact: usize, state: &State, point: &PathPoint) -> Vec<Exit> {
+        self.problem.local(contact).ways_out(state, &point.lines[contact], &point.gaps[contact])
     }
 
     /// The law of the rates of every contact, from its active set and state.
-    pub(super) fn laws_of_rates(&self, stands: &[ActiveSet], states: &[State]) -> Vec<Law> {
-        let locals = self.problem.locals().zip(stands).zip(states);
-        locals.map(|((local, stand), state)| local.law_of_rates(stand, state)).list()
+    pub(super) fn laws_of_rates(&self, active_sets: &[ActiveSet], states: &[State]) -> Vec<Law> {
+        let locals = self.problem.locals().zip(active_sets).zip(states);
+        locals.map(|((local, active), state)| local.law_of_rates(active, state)).list()
     }
 
-    /// The smallest step after which a contact reaches an edge, its apex, a closed gap or a reversal of slip, with all contacts that do so there. For
-    /// a load that turns, steps up to `rest` are searched.
-    pub(super) fn first_exits(&self, states: &[State], here: &PathPoint, rest: f64) -> FirstExits {
-        if let Some(turned) = &here.turned {
+    /// The smallest step after which a contact reaches an edge of its cone, the apex, a closed gap or a reversal of slip, with all contacts that do
+    /// so at that step. For a load that turns, steps up to `rest` are searched.
+    pub(super) fn first_exits(&self, states: &[State], point: &PathPoint, rest: f64) -> FirstExits {
+        if let Some(turned) = &point.turned {
             return turned.first_exits(&self.problem, states, rest);
         }
-        let ways = states.iter().enumerate().map(|(i, state)| (i, self.ways_out(i, state, here)));
-        FirstExits { standing: first_standing(ways.list()), touches: Vec::new() }
+        let ways = states.iter().enumerate().map(|(i, state)| (i, self.ways_out(i, state, point)));
+        FirstExits { reached: first_reached(ways.list()), touches: Vec::new() }
     }
 
-    /// The problem in rates of this segment at a factor, with these laws.
+    /// The problem in rates of this segment at a load factor, with these laws.
     pub(super) fn rates(&self, factor: f64, laws: Vec<Law>) -> Problem<'g> {
         self.problem.at_rates(laws, self.change.clone(), self.course.rate_at(factor))
     }

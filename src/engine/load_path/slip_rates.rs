@@ -15,16 +15,16 @@ pub(super) struct Slips<'g> {
     pub(super) grasp: &'g Engine,
     pub(super) problem: Problem<'g>,
     pub(super) piece: alloc::sync::Arc<Piece>,
-    /// State at factor 0, its rate, and the responses to a unit slip of each sliding contact along both tangents.
+    /// State at load factor 0, its rate, and the responses to a unit slip of each sliding contact along both tangents.
     pub(super) parts: Vec<PieceState>,
     pub(super) sliding: Vec<usize>,
     /// A zero for each contact.
     pub(super) none: Vec<SVector<f64, 3>>,
     /// The largest force at the first slip, N.
     pub(super) largest: f64,
-    /// The largest factor asked about.
+    /// The largest load factor asked about.
     pub(super) most: f64,
-    /// The slip that counts in arclength as much as a factor of one, m.
+    /// The slip that counts in arclength as much as a change of the load factor by one, m.
     pub(super) unit: f64,
     pub(super) small: SmallMotions,
 }
@@ -63,8 +63,8 @@ impl Slips<'_> {
         mapped(&self.sliding, &direction)
     }
 
-    /// The rates of the margin of each sliding contact: with the factor, and with the slip of each sliding contact in units of `unit`. The last row is
-    /// zero.
+    /// The rates of the margin of each sliding contact: with the load factor, and with the slip of each sliding contact in units of `unit`. The last
+    /// row is zero.
     pub(super) fn margin_rates(&self, directions: &[SVector<f64, 3>]) -> Square {
         let mut rates = Square::zeros(Size::of(directions.len() + 1));
         for (row, (i, p)) in self.sliding.iter().zip(directions).enumerate() {
@@ -99,7 +99,7 @@ impl Slips<'_> {
         for (i, slip) in self.sliding.iter().zip(at[2..].chunks_exact(2)) {
             (slips[*i][1], slips[*i][2]) = (slip[0], slip[1]);
         }
-        // The slips so far are all of them: none is left to the springs of a contact that slides.
+        // The slips are known, so that every contact counts as sticking: no further slip is computed from its springs.
         let states: Vec<State> = vec![Mode::Sticking; slips.len()];
         let standing = Standing { offsets, slips: &slips, states: &states, forces, twist };
         self.grasp.counted_motions(&self.small, &standing)

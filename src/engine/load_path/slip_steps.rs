@@ -16,8 +16,8 @@ pub(super) struct SlipStep {
     /// The conditions that must stay positive.
     pub(super) values: Vec<f64>,
 }
-/// Places among the conditions: the factor grows, it is below the largest one, motions are small. Then, for each sliding contact, γ and the normal force,
-/// and the margins of all others.
+/// Places among the conditions: the load factor grows, it is below the largest one, motions are small. Then, for each sliding contact, γ and the
+/// normal force, and the margins of all others.
 pub(super) const GROWS: usize = 0;
 pub(super) const GOES_ON: usize = 1;
 pub(super) const SMALL: usize = 2;
@@ -57,7 +57,7 @@ impl Slips<'_> {
         if start.iter().any(|value| *value <= 0.0) {
             return None;
         }
-        // Most times that a step is shortened because a condition may be violated within it.
+        // Largest number of times that a step is shortened because a condition may be violated within it.
         for _ in 0..20 {
             let mut event = None;
             if let Some(k) = first_crossing(&start, &end.values) {
@@ -83,9 +83,9 @@ impl Slips<'_> {
         mut k: usize,
     ) -> Option<SlipStep> {
         let (mut low, mut high, mut side) = ((0.0, start[k]), (end.length, end.values[k]), 0.0_f64);
-        // Regula falsi by the rule of Illinois aims at a rounding beyond the condition.
+        // Regula falsi with the Illinois rule. Its target lies beyond the zero of the condition by the rounding `within`.
         for _ in 0..100 {
-            // The factor at a maximum is known to the square of its rate.
+            // At a maximum of the load factor its rate is zero only to 1e-9; the load factor is known to the square of that.
             let within = if k == GROWS { 1e-9 } else { 2e-14 };
             let near = high.0 - low.0 <= FEW_ROUNDINGS * high.0;
             if end.values[k] < 0.0 && (end.values[k] > -2.0 * within || near) {

@@ -30,11 +30,11 @@ pub struct EndOfSmallMotions {
     /// Fraction of the leg already followed, from 0 to 1.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub fraction: f64,
-    /// The motion that is too large from there on.
+    /// The motion that is too large beyond this fraction.
     pub what: TooFar,
 }
 
-/// A fraction of the leg, and the motion that is too large there.
+/// A fraction of the leg, and the motion that is too large beyond it.
 type Place = (f64, CountedMotion);
 
 impl<'g> Pieces<'g> {

@@ -9,7 +9,7 @@
 //!
 //! A step of length h solves `(T + D/h) Δq = R`, where D is the matrix on the left and T the tangent stiffness; then every contact remembers what it has
 //! slipped. Steps grow while the imbalance after them is the one expected, D Δq/h. Once forces balance, what is left of R is removed along a leg of its
-//! own, as in [`super::letting_go`], and the path continues from there. A motion that is not small is not made: there the load
+//! own, as in [`super::jump_leg`], and the path continues from there. A motion that is not small is not made: there the load
 //! is lost.
 
 use nalgebra::SVector;
@@ -17,7 +17,7 @@ use nalgebra::SVector;
 use super::event::{Change, Event, Loss, LossKind};
 use super::journey::Journey;
 use super::jump::Jump;
-use super::letting_go::JumpInProgress;
+use super::jump_leg::JumpInProgress;
 use super::node::{Node, directions};
 use super::pieces::Pieces;
 use super::segment::Segment;
@@ -134,7 +134,7 @@ impl<'g> Pieces<'g> {
         let ends_in_balance = matches!(loss.kind, LossKind::Fold | LossKind::Corner);
         if !ends_in_balance
             || self.factor >= 1.0
-            || self.fallen.is_some()
+            || self.failed_jump.is_some()
             || self.pace.steps >= journey.settings.most_steps
         {
             return None;
@@ -147,10 +147,10 @@ impl<'g> Pieces<'g> {
         let mut jump = JumpInProgress::after(leg, &self.segment.problem.slips);
         jump.leg.pace.steps = self.pace.steps + 1;
         jump.note(&changes);
-        jump.go(&goal, journey).ok()?;
+        jump.run(&goal, journey).ok()?;
         let event = self.caught(journey, changes, state);
         let end = core::mem::replace(&mut self.factor, beyond);
-        match self.land(journey, &goal, jump) {
+        match self.end_jump(journey, &goal, jump) {
             Ok(jump) => {
                 self.at_node = true;
                 let jump = Jump { snaps: true, ..jump };
@@ -195,7 +195,7 @@ impl<'g> Pieces<'g> {
             change(was, (states[i], ways[i])).map(|change| (i, change))
         });
         let changes = changes.collect();
-        (Self { at_node: true, ..Self::standing(segment, node) }, changes)
+        (Self { at_node: true, ..Self::at_segment_start(segment, node) }, changes)
     }
 }
 

@@ -19,21 +19,21 @@ impl Pieces<'_> {
     fn fails_at_once(&self, contact: usize, state: State, tolerance: f64) -> bool {
         let mut states = self.node.states.clone();
         states[contact] = state;
-        let Ok(here) = self.segment.tangent(&states, self.factor, &self.node.at, None) else { return false };
-        let unit = here.twist_rate.norm();
+        let Ok(point) = self.segment.tangent(&states, self.factor, &self.node.at, None) else { return false };
+        let unit = point.twist_rate.norm();
         if unit == 0.0 {
             return false;
         }
-        let here = here.slowed(core::f64::consts::FRAC_1_SQRT_2);
-        let flow = Flow::new(&self.segment, &states, self.factor, &here, unit);
-        let mut length = (1.0 - self.factor) / here.factor_rate;
+        let point = point.slowed(core::f64::consts::FRAC_1_SQRT_2);
+        let flow = Flow::new(&self.segment, &states, self.factor, &point, unit);
+        let mut length = (1.0 - self.factor) / point.factor_rate;
         let mut failures = 0;
         for _ in 0..40 {
             // Ratio of the lengths of successive trial steps, and of the first one to the rest of the leg.
             length *= 0.25;
-            let reached = flow.reach(length, StepGoal::after(1.0, 0), Rule::Explicit);
+            let reached = flow.step(length, StepGoal::after(1.0, 0), Rule::Explicit);
             let Some(reached) = reached.filter(|reached| reached.error <= tolerance) else { continue };
-            let watches = watch(&self.segment, &states, (reached.to, &reached.here));
+            let watches = watch(&self.segment, &states, (reached.to, &reached.point));
             let of_it = watches.iter().find(|watch| watch.what == WatchedCondition::Contact(contact));
             if !of_it.is_some_and(Watch::is_broken) {
                 return false;

@@ -2,7 +2,7 @@
 //! While the load turns they are harmonics of its angle, and the event is a root ([`super::turning_load`]).
 
 use super::event::PathEnd;
-use super::first_exits::PathState;
+use super::first_exits::ExitsReached;
 use super::journey::Journey;
 use super::pieces::Pieces;
 use super::segment::PathPoint;
@@ -15,48 +15,48 @@ use crate::search::Doubt;
 impl<'g> Pieces<'g> {
     /// Advances along the present piece to its end: the next edge, or the end of the leg. Returns whether the leg is complete.
     pub(super) fn advance_straight(&mut self, journey: &Journey<'g>) -> Result<bool, PathEnd<3>> {
-        let Some(here) = self.here.clone() else {
+        let Some(point) = self.point.clone() else {
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
         };
         let rest = 1.0 - self.factor;
-        let exits = self.segment.first_exits(&self.node.states, &here, rest).standing;
+        let exits = self.segment.first_exits(&self.node.states, &point, rest).reached;
         // Edges reached together with the end of the leg, up to rounding, are in the active sets when the next leg begins.
-        let at_the_end = |standing: &PathState| {
-            standing.iter().any(|(_, exits)| exits.iter().any(|e| (e.step - rest).abs() <= e.uncertainty))
+        let at_the_end = |reached: &ExitsReached| {
+            reached.iter().any(|(_, exits)| exits.iter().any(|e| (e.step - rest).abs() <= e.uncertainty))
         };
-        let (step, standing, leg_done) = match exits {
-            Some((_, standing)) if at_the_end(&standing) => (rest, standing, true),
-            // While the load turns, every root is refined already.
-            Some((step, standing)) if here.turned.is_some() && self.factor + step < 1.0 => {
-                (step, standing, false)
+        let (step, reached, leg_done) = match exits {
+            Some((_, reached)) if at_the_end(&reached) => (rest, reached, true),
+            // While the load turns, the step is a root that is refined already, and needs no correction.
+            Some((step, reached)) if point.turned.is_some() && self.factor + step < 1.0 => {
+                (step, reached, false)
             }
-            Some((step, standing)) if self.factor + step < 1.0 => {
-                let step = self.corrected(&here, step, &standing);
-                if self.factor + step < 1.0 { (step, standing, false) } else { (rest, standing, true) }
+            Some((step, reached)) if self.factor + step < 1.0 => {
+                let step = self.corrected(&point, step, &reached);
+                if self.factor + step < 1.0 { (step, reached, false) } else { (rest, reached, true) }
             }
-            Some((step, standing)) if step <= rest => (rest, standing, true),
+            Some((step, reached)) if step <= rest => (rest, reached, true),
             _ => (rest, Vec::new(), true),
         };
         let to = if leg_done { 1.0 } else { self.factor + step };
         // A step within its own uncertainty may be zero: two continuations between which rounding chooses could alternate for ever.
-        let uncertain = standing.iter().any(|(_, exits)| exits.iter().any(|exit| step <= exit.uncertainty));
+        let uncertain = reached.iter().any(|(_, exits)| exits.iter().any(|exit| step <= exit.uncertainty));
         self.stalls = if to > self.factor && (leg_done || !uncertain) { 0 } else { self.stalls + 1 };
         // Maximum number of successive steps within their uncertainty that still count as events of one node: more mean that rounding makes the path
         // cycle.
         let piled_up = self.stalls > 64;
-        if piled_up && !self.runs_out(&standing) {
+        if piled_up && !self.runs_out(&reached) {
             // Rounding chooses between continuations, one of which leads back to the other.
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
         }
-        let there = self.state_after(&here, step);
+        let end = self.state_after(&point, step);
         if let Some(energy) = self.energy.last_mut() {
-            energy.add(&self.segment, &self.node.states, &here, self.factor, step);
+            energy.add(&self.segment, &self.node.states, &point, self.factor, step);
         }
-        self.behind.push(self.stretch(journey, here.clone(), to, there.clone()));
-        self.node.arrive(&mut self.segment, &here, to, &there);
-        self.node.reach(self.segment.problem.space().axes(), &standing);
+        self.behind.push(self.stretch(journey, point.clone(), to, end.clone()));
+        self.node.move_to_end(&mut self.segment, &point, to, &end);
+        self.node.add_exits(self.segment.problem.space().axes(), &reached);
         if piled_up {
-            self.let_run_out(&standing);
+            self.put_at_apex(&reached);
         }
         self.factor = to;
         self.note_how_far(journey);
@@ -65,15 +65,16 @@ impl<'g> Pieces<'g> {
     }
 
     /// Forces and twist after a step along the present piece.
-    pub(super) fn state_after(&self, here: &PathPoint, step: f64) -> PieceState {
-        let near = here.after(step);
-        self.segment.state(&here.piece, self.factor + step, Some(&near.twist)).unwrap_or(near)
+    pub(super) fn state_after(&self, point: &PathPoint, step: f64) -> PieceState {
+        let near = point.after(step);
+        self.segment.state(&point.piece, self.factor + step, Some(&near.twist)).unwrap_or(near)
     }
 
-    /// The step to an edge, corrected from the state there: extrapolated from the present state it carries the rounding of that state.
-    fn corrected(&self, here: &PathPoint, step: f64, standing: &PathState) -> f64 {
+    /// The step to an edge of a cone, corrected from the state solved at that edge. The step extrapolated from the present state has the rounding of
+    /// the present state.
+    fn corrected(&self, point: &PathPoint, step: f64, reached: &ExitsReached) -> f64 {
         let mut clearest: Option<(usize, &Exit)> = None;
-        for (i, exits) in standing {
+        for (i, exits) in reached {
             for exit in exits {
                 if clearest.is_none_or(|(_, known)| exit.uncertainty.total_cmp(&known.uncertainty).is_lt()) {
                     clearest = Some((*i, exit));
@@ -81,8 +82,8 @@ impl<'g> Pieces<'g> {
             }
         }
         let Some((i, exit)) = clearest else { return step };
-        let there = self.state_after(here, step);
-        let more = self.segment.way_to(i, &self.node.states[i], exit, here, self.factor + step, &there);
+        let end = self.state_after(point, step);
+        let more = self.segment.step_to_exit(i, &self.node.states[i], exit, point, self.factor + step, &end);
         if more.abs() <= LARGEST_CORRECTION * (self.factor + step) { (step + more).max(0.0) } else { step }
     }
 }

@@ -7,7 +7,7 @@ use nalgebra::SVector;
 use super::body_loads::BodyLoads;
 use super::flow::{Flow, Rule, StepGoal};
 use super::held_torques::HeldTorques;
-use super::path_state::carries_nothing;
+use super::path_state::forces_are_rounding;
 use super::segment::{PathPoint, Segment};
 use super::trajectory::Trajectory;
 use crate::contact::{Line, State};
@@ -16,7 +16,7 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Each, Vector, mapped, paired};
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
-use crate::search::{Effort, Found, FoundBy, told_at_rest};
+use crate::search::{Effort, Found, FoundBy, reported_at_rest};
 
 /// The data from which the state at any fraction of the piece is computed.
 #[derive(Debug)]
@@ -40,25 +40,25 @@ pub(super) struct Stretch<'g> {
     /// State at the fraction `to`.
     pub(super) there: PieceState,
     /// The integration step, if a contact slides on the round cone.
-    pub(super) bend: Option<Bend>,
+    pub(super) arc_step: Option<ArcStep>,
     /// The jump that led to this piece of zero length; `None` for other pieces.
-    pub(super) fallen: Option<Box<Fallen>>,
+    pub(super) jump: Option<Box<JumpRecord>>,
 }
 
 /// A jump at constant load.
 #[derive(Debug)]
-pub(super) struct Fallen {
+pub(super) struct JumpRecord {
     /// Slips before the jump.
     pub(super) slips: Vec<SVector<f64, 3>>,
-    /// Whether each site slid in the jump.
+    /// Whether each contact or drive slid in the jump.
     pub(super) slid: Vec<bool>,
-    /// Successive states of all sites in the jump.
+    /// Successive states of all contacts and drives in the jump.
     pub(super) states: Vec<Vec<State>>,
 }
 
 /// The integration step that made a curved piece.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Bend {
+pub(super) struct ArcStep {
     /// The displacement that contributes as much to arclength as the whole leg, m.
     pub(super) unit: f64,
     /// Length of the step, in arclength.
@@ -67,8 +67,7 @@ pub(super) struct Bend {
 }
 
 impl<'g> Stretch<'g> {
-    /// The equilibrium at a fraction of the leg, with all contacts open that carry no force. `None` if rounding prevents the part of a step up to
-    /// there.
+    /// The equilibrium at a fraction of the leg, with all contacts open that carry no force. `None` if rounding prevents a step to this fraction.
     pub(super) fn state_at(
         &self,
         grasp: &'g Engine,
@@ -77,8 +76,8 @@ impl<'g> Stretch<'g> {
     ) -> Option<Equilibrium<3>> {
         let (problem, found) = self.found_at(grasp, answer_for, fraction)?;
         // In a state without any force nothing defines a small force, and contacts keep their states.
-        let nothing = carries_nothing(&problem, &found.forces, &found.twist);
-        let found = if nothing { found } else { told_at_rest(&problem, found) };
+        let nothing = forces_are_rounding(&problem, &found.forces, &found.twist);
+        let found = if nothing { found } else { reported_at_rest(&problem, found) };
         Some(self.answer(grasp, answer_for, fraction, &problem, found))
     }
 
@@ -101,11 +100,11 @@ impl<'g> Stretch<'g> {
         found: Found,
     ) -> Equilibrium<3> {
         let load = self.load.at(fraction);
-        let grasp = self.torques.put_on(self.bodies.put_on(grasp, fraction), fraction);
+        let grasp = self.torques.apply(self.bodies.apply(grasp, fraction), fraction);
         grasp.equilibrium(problem, &load, found, FoundBy::LoadPath, &Effort::default(), answer_for)
     }
 
-    /// Problem and solution at a fraction of the leg; `None` if rounding prevents the part of a step up to there.
+    /// Problem and solution at a fraction of the leg; `None` if rounding prevents a step to this fraction.
     pub(super) fn found_at(
         &self,
         grasp: &'g Engine,
@@ -113,8 +112,8 @@ impl<'g> Stretch<'g> {
         fraction: f64,
     ) -> Option<(Problem<'g>, Found)> {
         let segment = self.segment(grasp, answer_for);
-        if let Some(bend) = &self.bend {
-            return self.on_the_bend(bend, &segment, fraction);
+        if let Some(arc_step) = &self.arc_step {
+            return self.found_on_arc(arc_step, &segment, fraction);
         }
         let step = fraction - self.from;
         // Interpolation between both ends of the piece, each of which was solved directly.
@@ -141,13 +140,18 @@ impl<'g> Stretch<'g> {
         Some((segment.problem_at(fraction), found))
     }
 
-    fn on_the_bend(&self, bend: &Bend, segment: &Segment<'g>, fraction: f64) -> Option<(Problem<'g>, Found)> {
+    fn found_on_arc(
+        &self,
+        arc_step: &ArcStep,
+        segment: &Segment<'g>,
+        fraction: f64,
+    ) -> Option<(Problem<'g>, Found)> {
         let at = if fraction >= self.to {
             self.there.clone()
         } else if fraction <= self.from {
             start_of(&self.here)
         } else {
-            self.part_of_a_step(bend, segment, fraction)?
+            self.part_of_a_step(arc_step, segment, fraction)?
         };
         let state = |(state, force): (&State, &SVector<f64, 3>)| {
             if state.slides() { State::sliding_along(force) } else { *state }
@@ -171,26 +175,27 @@ impl<'g> Stretch<'g> {
         Some((problem, found))
     }
 
-    /// The state at a fraction within the step. If rounding prevents one step up to there, successively shorter steps lead to it.
-    fn part_of_a_step(&self, bend: &Bend, segment: &Segment<'g>, fraction: f64) -> Option<PieceState> {
-        let (mut from, mut here, mut states) = (self.from, self.here.clone(), self.states.clone());
-        let mut length = bend.length;
-        // Maximum number of parts into which a step is divided if it cannot be repeated at once; each is half as long as the one before.
+    /// The state at a fraction of the leg, within the step. If rounding prevents a single step to this fraction, successively shorter steps lead to
+    /// it.
+    fn part_of_a_step(&self, arc_step: &ArcStep, segment: &Segment<'g>, fraction: f64) -> Option<PieceState> {
+        let (mut from, mut point, mut states) = (self.from, self.here.clone(), self.states.clone());
+        let mut length = arc_step.length;
+        // Maximum number of parts into which a step is divided if it cannot be repeated as a whole; each is half as long as the one before.
         for _ in 0..60 {
-            let flow = Flow::new(segment, &states, from, &here, bend.unit);
-            if let Some(reached) = flow.reach_factor(fraction, length, bend.rule) {
-                return Some(reached.at());
+            let flow = Flow::new(segment, &states, from, &point, arc_step.unit);
+            if let Some(reached) = flow.step_to_factor(fraction, length, arc_step.rule) {
+                return Some(reached.state());
             }
             length *= 0.5;
-            let part = flow.reach(length, StepGoal::after(fraction, 0), bend.rule);
+            let part = flow.step(length, StepGoal::after(fraction, 0), arc_step.rule);
             if let Some(reached) = part.filter(|reached| reached.to <= fraction) {
                 let slid = |(state, line): (&State, &Line)| {
                     if state.slides() { State::sliding_along(&line.force) } else { *state }
                 };
-                states = paired(&states, &reached.here.lines, &slid);
-                (from, here) = (reached.to, reached.here);
+                states = paired(&states, &reached.point.lines, &slid);
+                (from, point) = (reached.to, reached.point);
                 if from == fraction {
-                    return Some(start_of(&here));
+                    return Some(start_of(&point));
                 }
             }
         }
@@ -208,6 +213,6 @@ impl<'g> Stretch<'g> {
 }
 
 /// The state at the beginning of a step.
-fn start_of(here: &PathPoint) -> PieceState {
-    PieceState { forces: mapped(&here.lines, &|line| line.force), twist: here.twist.clone() }
+fn start_of(point: &PathPoint) -> PieceState {
+    PieceState { forces: mapped(&point.lines, &|line| line.force), twist: point.twist.clone() }
 }

@@ -46,7 +46,7 @@ pub(super) const LARGEST_CORRECTION: f64 = 1e-6;
 /// Smaller, a path ends where events accumulate; larger, it skips separate events.
 pub(super) const GATHERED_MARGIN: f64 = 1e-8;
 
-/// A rigid motion below this part of the load, in inside coordinates, counts as zero: contact forces balance the load, up to their rounding.
+/// A rigid motion below this part of the load, in the engine's coordinates, counts as zero: contact forces balance the load, up to their rounding.
 ///
 /// Smaller, rounding moves a grasp that holds; larger, a slow motion counts as none.
 pub(super) const NO_RIGID_MOTION: f64 = 1e-6;
@@ -73,7 +73,8 @@ pub(super) const SHORTEST_STEP: f64 = 1e-12;
 /// Smaller, events that the steps have blurred are found twice; larger, conditions that nearly fail count as events.
 pub(super) const SLACK_ON_AN_ARC: f64 = ZERO_SLACK + 1e-13;
 
-/// Normal force of a sliding contact, as a part of the largest force, below which a course in slips is left to a path: directions turn fast there.
+/// Normal force of a sliding contact, as a part of the largest force, below which a grasp is not followed by its slips but as a load path: directions
+/// of friction then turn fast.
 ///
 /// Smaller, steps become short, and none is implicit; larger, more rows of a batch take the time of a path.
 pub(super) const LITTLE_NORMAL_FORCE: f64 = 1e-3;

@@ -39,7 +39,7 @@ pub(super) fn change(
 
 /// Number of other solutions of the rates, with other forces or with motions that differ by more than free ones. Zero if a P-matrix proves
 /// uniqueness; else all combinations of states are tried if they are few. `None` if they are many.
-pub(super) fn others(rates: &Problem, found: &Found) -> Option<usize> {
+pub(super) fn other_solutions(rates: &Problem, found: &Found) -> Option<usize> {
     // For a round cone, polygons do not decide what happens at its apex.
     if rates.round {
         return None;
@@ -51,7 +51,7 @@ pub(super) fn others(rates: &Problem, found: &Found) -> Option<usize> {
     if rows == 0 || few.as_ref().is_some_and(|few| p_matrix(&few.form)) {
         return Some(0);
     }
-    // Up to this many combinations of states among the contacts on an edge, all are tried to find every continuation of the path.
+    // Up to this many combinations of states among the contacts on the edge of their cones, all are tried to find every continuation of the path.
     if combinations(rates) > 256.0 {
         return None;
     }
@@ -83,7 +83,7 @@ pub(super) fn others(rates: &Problem, found: &Found) -> Option<usize> {
 /// The kinematic form of the rates, with few rows.
 struct FewRows {
     form: Form,
-    /// The largest force of the trial state, in units of the rows.
+    /// The largest force of the elastic trial state, in units of the rows.
     largest: f64,
     /// Whether there are so many coordinates that a band is used.
     many: bool,

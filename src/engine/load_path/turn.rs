@@ -110,14 +110,14 @@ impl<const C: usize> Turn<C> {
 }
 
 impl Turn<3> {
-    /// The load in inside coordinates, once checked; constant torques on joints belong to the constant part.
+    /// The load in the engine's coordinates, once checked; constant torques on joints belong to the constant part.
     pub(crate) fn inside(&self, grasp: &Engine) -> Harmonic<Vector> {
         inside(grasp, &self.load)
     }
 }
 
 impl<const C: usize> Turn<C> {
-    /// The trajectory that starts at `load` and changes like this turn; one unit of the factor is the whole turn.
+    /// The trajectory that starts at `load` and changes like this turn; one unit of the load factor is the whole turn.
     pub(super) fn beginning_with(&self, load: &Wrench<C>) -> Trajectory<Wrench<C>> {
         let load = Harmonic { constant: *load - self.load.cosine, ..self.load };
         Trajectory::Turn { load, angle: self.angle }
@@ -232,7 +232,7 @@ impl Turn<3> {
     }
 }
 
-/// A load that turns in inside coordinates, once checked.
+/// A load that turns in the engine's coordinates, once checked.
 pub(super) fn inside(grasp: &Engine, load: &Harmonic<Wrench<3>>) -> Harmonic<Vector> {
     Harmonic {
         constant: grasp.load_unchecked(&load.constant),
@@ -247,7 +247,7 @@ pub(super) fn inside(grasp: &Engine, load: &Harmonic<Wrench<3>>) -> Harmonic<Vec
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct EdgeTouch {
-    /// The contact or drive that reaches its edge or limit.
+    /// The contact that reaches the edge of its cone, or the drive that reaches its limit.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub of: EdgeOf,
     /// The angle of the load at which the edge or limit is reached, rad.
@@ -255,7 +255,7 @@ pub struct EdgeTouch {
     pub angle: f64,
 }
 
-/// The parts of a grasp that have an edge.
+/// The parts of a grasp that have a limit: contacts with a friction cone, and drives.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(untagged))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -17,7 +17,7 @@ use crate::search::{Settings, settle_at_rest};
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct TurnOnset<const C: usize> {
-    /// The onset, whose factor is the angle, rad. [`Onset::Never`] holds up to the angle asked for.
+    /// The onset, whose load factor is the angle, rad. [`Onset::Never`] holds up to the angle asked for.
     pub onset: Onset<C>,
     /// Contacts that reach the edge of their cone within rounding, without crossing it, before the onset. If there are any, the last digits of the
     /// question may make one of them the onset.
@@ -44,6 +44,6 @@ impl Engine {
         }
         let course = Trajectory::Turn { load: turn.load, angle: 1.0 };
         let rest = settle_at_rest(&segment.problem, settings);
-        Ok(self.walked(segment, &rest, (course, turn.angle), settings))
+        Ok(self.onset_with_closing(segment, &rest, (course, turn.angle), settings))
     }
 }

@@ -16,7 +16,7 @@ use nalgebra::SVector;
 
 use super::crossing::StepEnd;
 use super::event::{LossKind, PathEnd};
-use super::first_exits::PathState;
+use super::first_exits::ExitsReached;
 use super::flow::{Flow, Rule};
 use super::journey::Journey;
 use super::pieces::Pieces;
@@ -33,42 +33,42 @@ use crate::search::Doubt;
 impl<'g> Pieces<'g> {
     /// Makes one step along the arc, up to an event if one comes first. Returns whether the leg is complete.
     pub(super) fn advance_along_arc(&mut self, journey: &Journey<'g>) -> Result<bool, PathEnd<3>> {
-        let Some(here) = self.here.take() else {
+        let Some(point) = self.point.take() else {
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
         };
         // At a node the unit of arclength is chosen so that motion and load contribute equally.
-        let here = if self.pace.unit.is_some() {
-            here
+        let point = if self.pace.unit.is_some() {
+            point
         } else {
-            let unit = self.displacement_rate(&here);
+            let unit = self.displacement_rate(&point);
             self.pace.unit = Some(unit);
-            here.slowed(1.0 / (&here.twist_rate / unit).norm().hypot(1.0))
+            point.slowed(1.0 / (&point.twist_rate / unit).norm().hypot(1.0))
         };
-        self.here = Some(here.clone());
-        if self.slides_away(&here) {
-            return Err(self.lost(journey, LossKind::Asymptote, &here));
+        self.point = Some(point.clone());
+        if self.slides_away(&point) {
+            return Err(self.loss_at_end(journey, LossKind::Asymptote, &point));
         }
         if self.pace.steps >= journey.settings.most_steps {
             return Err(journey.undecided(self.factor, Doubt::OutOfSteps));
         }
-        if let Some(length) = self.straight_length(&here)
-            && let Some(end) = self.step(&here, (length, 0), Rule::Straight)
+        if let Some(length) = self.straight_length(&point)
+            && let Some(end) = self.step(&point, (length, 0), Rule::Straight)
         {
-            self.node.sets_out = false;
-            return self.arrive_at(journey, &here, &end);
+            self.node.starts_at_apex = false;
+            return self.finish_step(journey, &point, &end);
         }
-        let length = self.pace.length.unwrap_or_else(|| self.first_length(&here));
-        let length = length.min(self.way_to_apex(&here)).min(self.part_of_a_turn(&here));
+        let length = self.pace.length.unwrap_or_else(|| self.first_length(&point));
+        let length = length.min(self.way_to_apex(&point)).min(self.part_of_a_turn(&point));
         let tolerance = journey.settings.step_error * self.pace.looser;
-        let (length, rule) = self.stable(&here, length, tolerance);
+        let (length, rule) = self.stable(&point, length, tolerance);
         // Steps shorter than this part of the load factor do not advance: the arc cannot be followed further.
         if length <= 1e-13 * self.factor.max(f64::EPSILON) {
-            if self.node.let_go(&here) {
+            if self.node.release_vanishing(&point) {
                 self.at_node = true;
             } else if self.stops_for_good(tolerance) {
-                return Err(self.lost(journey, LossKind::Corner, &here));
+                return Err(self.loss_at_end(journey, LossKind::Corner, &point));
             } else if !self.pace.loosen(1.0 - self.factor) {
-                let gathered = if self.may_gather() { self.node.gather(&self.segment, &here) } else { None };
+                let gathered = if self.may_gather() { self.node.gather(&self.segment, &point) } else { None };
                 let Some(apart) = gathered else {
                     return Err(journey.undecided(self.factor, Doubt::Inaccurate));
                 };
@@ -77,29 +77,29 @@ impl<'g> Pieces<'g> {
             }
             return Ok(false);
         }
-        let end = self.step(&here, (length, 0), rule);
+        let end = self.step(&point, (length, 0), rule);
         let missed = end.as_ref().map_or(f64::INFINITY, |end| end.reached.error / tolerance);
         let Some(end) = end.filter(|_| missed <= 1.0) else {
             self.pace.refuse(length, missed);
             return Ok(false);
         };
-        let end = self.up_to_a_crossing(&here, end, tolerance);
+        let end = self.up_to_a_crossing(&point, end, tolerance);
         let Some(end) = end.filter(|end| end.located.is_some() || !end.reached.backwards) else {
             self.pace.refuse(length, f64::INFINITY);
             return Ok(false);
         };
-        self.arrive_at(journey, &here, &end)
+        self.finish_step(journey, &point, &end)
     }
 
     /// The step, shortened to the first condition that it violates, at its end or within it.
-    fn up_to_a_crossing(&self, here: &PathPoint, mut end: StepEnd, tolerance: f64) -> Option<StepEnd> {
-        let start = watch(&self.segment, &self.node.states, (self.factor, here));
+    fn up_to_a_crossing(&self, point: &PathPoint, mut end: StepEnd, tolerance: f64) -> Option<StepEnd> {
+        let start = watch(&self.segment, &self.node.states, (self.factor, point));
         let mut looks = 0;
         loop {
             if let Some(condition) = Self::first_crossing(&start, &end) {
-                end = self.locate(here, &start, end, condition)?;
+                end = self.locate(point, &start, end, condition)?;
             }
-            let ends = [here, &end.reached.here];
+            let ends = [point, &end.reached.point];
             // The bounds within a step assume a straight leg: while the load turns, they would shorten steps in vain.
             let is_straight = matches!(self.segment.course, Trajectory::Straight { .. });
             let dip = is_straight
@@ -108,7 +108,7 @@ impl<'g> Pieces<'g> {
             // Maximum number of times that a step is shortened because a condition may fail within it.
             let Some(part) = dip.filter(|_| looks < 20) else { return Some(end) };
             looks += 1;
-            end = self.step(here, (part * end.length, 0), end.rule)?;
+            end = self.step(point, (part * end.length, 0), end.rule)?;
         }
     }
 
@@ -116,8 +116,8 @@ impl<'g> Pieces<'g> {
     fn stops_for_good(&self, tolerance: f64) -> bool {
         let (at, contacts) = &self.stopped;
         // Places closer than this part of the leg are the same.
-        let here = (self.factor - at).abs() <= NEGLIGIBLE;
-        here && contacts.iter().any(|contact| self.neither_sticks_nor_slides(*contact, tolerance))
+        let is_here = (self.factor - at).abs() <= NEGLIGIBLE;
+        is_here && contacts.iter().any(|contact| self.neither_sticks_nor_slides(*contact, tolerance))
     }
 
     /// Whether the path has advanced since events that accumulate were last moved to one place.
@@ -127,21 +127,21 @@ impl<'g> Pieces<'g> {
 
     /// The length of a step along which the load turns by a quarter of a radian. Along a longer step a condition could fail and hold again at the
     /// end.
-    fn part_of_a_turn(&self, here: &PathPoint) -> f64 {
+    fn part_of_a_turn(&self, point: &PathPoint) -> f64 {
         match self.segment.course {
             // Largest turn of the load in a step, rad.
-            Trajectory::Turn { angle, .. } => 0.25 / (angle * here.factor_rate.abs()),
+            Trajectory::Turn { angle, .. } => 0.25 / (angle * point.factor_rate.abs()),
             Trajectory::Straight { .. } => f64::INFINITY,
         }
     }
 
     /// Length and rule of a step for which the relaxation of friction directions is stable.
-    fn stable(&mut self, here: &PathPoint, length: f64, tolerance: f64) -> (f64, Rule) {
+    fn stable(&mut self, point: &PathPoint, length: f64, tolerance: f64) -> (f64, Rule) {
         let unit = self.pace.unit.unwrap_or(1.0);
-        let flow = Flow::new(&self.segment, &self.node.states, self.factor, here, unit);
+        let flow = Flow::new(&self.segment, &self.node.states, self.factor, point, unit);
         // Longest explicit step, in units of the length over which a direction relaxes: from six units on, rounding would grow.
         let stable = 4.0 / flow.fastest_relaxation();
-        let rest = (1.0 - self.factor) / here.factor_rate;
+        let rest = (1.0 - self.factor) / point.factor_rate;
         self.pace.stiff |= self.pace.is_cramped(stable, rest);
         if self.pace.stiff && length > stable {
             (length, Rule::Implicit { tolerance })
@@ -153,43 +153,43 @@ impl<'g> Pieces<'g> {
     /// Whether the object moves on while all forces stay constant: the load factor then approaches a limit that it never reaches. Rounding turns a
     /// friction force the more the faster it relaxes. So its tolerance grows with that rate, and sticking contacts, which balance all others, have
     /// the largest.
-    fn slides_away(&self, here: &PathPoint) -> bool {
-        if here.factor_rate.abs() > STANDS_STILL {
+    fn slides_away(&self, point: &PathPoint) -> bool {
+        if point.factor_rate.abs() > STANDS_STILL {
             return false;
         }
         let unit = self.pace.unit.unwrap_or(1.0);
-        let flow = Flow::new(&self.segment, &self.node.states, self.factor, here, unit);
-        let mut still = vec![flow.fastest_relaxation(); here.lines.len()];
+        let flow = Flow::new(&self.segment, &self.node.states, self.factor, point, unit);
+        let mut still = vec![flow.fastest_relaxation(); point.lines.len()];
         flow.relaxations().for_each(|(contact, rate)| still[contact] = rate);
-        let still = still.into_iter().map(|rate| STANDS_STILL * here.sizes[0] * rate.max(1.0));
-        here.lines.iter().zip(still).all(|(line, still)| line.rate.norm() <= still)
+        let still = still.into_iter().map(|rate| STANDS_STILL * point.sizes[0] * rate.max(1.0));
+        point.lines.iter().zip(still).all(|(line, still)| line.rate.norm() <= still)
     }
 
     /// Length of a step along the tangent; `None` if no such step is to be made. It starts at an apex, where a friction force has no direction yet,
     /// or ends where a normal force that is almost zero vanishes.
-    fn straight_length(&self, here: &PathPoint) -> Option<f64> {
-        let rest = (1.0 - self.factor) / here.factor_rate;
+    fn straight_length(&self, point: &PathPoint) -> Option<f64> {
+        let rest = (1.0 - self.factor) / point.factor_rate;
         let all_but_gone = |(line, state): (&Line, &State)| {
             let falls = state.slides() && line.rate[0] < -ZERO_SLACK * line.rate_size;
             // A falling normal force below this part of its size is followed to zero along the tangent.
             let little = falls && line.force[0] > 0.0 && line.force[0] <= 1e-10 * line.force_size;
             little.then(|| line.force[0] / -line.rate[0])
         };
-        let last = here.lines.iter().zip(&self.node.states).filter_map(all_but_gone);
+        let last = point.lines.iter().zip(&self.node.states).filter_map(all_but_gone);
         if let Some(way) = last.reduce(f64::min).filter(|way| *way < rest) {
             return Some(way);
         }
-        let force_way = here.sizes[0] / here.rate_sizes[0];
+        let force_way = point.sizes[0] / point.rate_sizes[0];
         // Forces that would double within this part of the rest of the leg are rounding of vanishing forces.
         let way = if force_way > SOLVED_ROUNDING * rest { rest.min(force_way) } else { rest };
         // First step from an apex, as a part of the length on which forces change by their own size. Friction directions turn by about the square of
         // this part meanwhile.
-        self.node.sets_out.then_some(1e-6 * way)
+        self.node.starts_at_apex.then_some(1e-6 * way)
     }
 
-    fn first_length(&self, here: &PathPoint) -> f64 {
-        let mut length = (1.0 - self.factor) / here.factor_rate;
-        for (line, state) in here.lines.iter().zip(&self.node.states) {
+    fn first_length(&self, point: &PathPoint) -> f64 {
+        let mut length = (1.0 - self.factor) / point.factor_rate;
+        for (line, state) in point.lines.iter().zip(&self.node.states) {
             let (f, df) = (&line.force, &line.rate);
             // A contact that has just closed has no direction yet.
             let touches = ActiveSet::is_weightless(f, line.force_size);
@@ -205,26 +205,26 @@ impl<'g> Pieces<'g> {
         length
     }
 
-    fn way_to_apex(&self, here: &PathPoint) -> f64 {
+    fn way_to_apex(&self, point: &PathPoint) -> f64 {
         let mut way = f64::INFINITY;
-        for (line, state) in here.lines.iter().zip(&self.node.states) {
+        for (line, state) in point.lines.iter().zip(&self.node.states) {
             if state.slides()
                 && line.rate[0] < -ZERO_SLACK * line.rate_size
                 && !ActiveSet::is_weightless(&line.force, line.force_size)
             {
-                // A step covers at most this part of the way to the place where a sliding contact loses its normal force: directions may turn ever
-                // faster there.
+                // A step covers at most half of the way to the point at which a sliding contact loses its normal force: directions of friction may
+                // turn ever faster near that point.
                 way = way.min(0.5 * line.force[0] / -line.rate[0]);
             }
         }
         way
     }
 
-    /// Moves to the end of a step and adds the edges reached there to the active sets. Returns whether the leg is complete.
-    fn arrive_at(
+    /// Moves to the end of a step and adds the edges of cones reached there to the active sets. Returns whether the leg is complete.
+    fn finish_step(
         &mut self,
         journey: &Journey<'g>,
-        here: &PathPoint,
+        point: &PathPoint,
         end: &StepEnd,
     ) -> Result<bool, PathEnd<3>> {
         let tolerance = journey.settings.step_error * self.pace.looser;
@@ -234,21 +234,21 @@ impl<'g> Pieces<'g> {
         // At a maximum of the load, contacts whose slip the load drives stop together with it.
         let grows = |watch: &Watch| watch.what == WatchedCondition::Growth && watch.is_met();
         let tops = end.located.is_some() && end.watches.iter().any(grows);
-        let there = end.reached.here.clone();
-        let mut standing: PathState = Vec::new();
+        let next = end.reached.point.clone();
+        let mut at_edge: ExitsReached = Vec::new();
         let (mut sticks, mut stops) = (Vec::new(), false);
         for (k, watch) in end.watches.iter().enumerate() {
             if end.located != Some(k) && !(watch.is_met() && watch.falls()) {
                 continue;
             }
             let WatchedCondition::Contact(contact) = watch.what else { continue };
-            let line = &there.lines[contact];
+            let line = &next.lines[contact];
             match self.node.states[contact] {
-                Mode::Open => standing.push((contact, vec![apex()])),
+                Mode::Open => at_edge.push((contact, vec![apex()])),
                 Mode::Sticking => {
                     let rubs = self.segment.problem.local(contact).may_slide();
                     let facet = if rubs { tangential(&line.force).normalize() } else { SVector::zeros() };
-                    standing.push((contact, vec![Exit { facet, ..apex() }]));
+                    at_edge.push((contact, vec![Exit { facet, ..apex() }]));
                 }
                 // At the end of a leg the rates of this leg no longer count.
                 _ if leg_done => {}
@@ -258,33 +258,33 @@ impl<'g> Pieces<'g> {
             }
         }
         let weightless = |i: usize| {
-            let (size, force) = (there.lines[i].force_size, &there.lines[i].force);
+            let (size, force) = (next.lines[i].force_size, &next.lines[i].force);
             self.node.states[i].slides() && ActiveSet::is_weightless(force, size)
         };
-        stops |= !standing.is_empty() || !sticks.is_empty() || (0..self.node.states.len()).any(weightless);
-        let idle = self.stands_still(here, &sticks);
+        stops |= !at_edge.is_empty() || !sticks.is_empty() || (0..self.node.states.len()).any(weightless);
+        let idle = self.stands_still(point, &sticks);
         if !sticks.is_empty() {
             self.stopped = (to, sticks.clone());
         }
-        self.take(journey, here, (end.length, end.rule), &end.reached);
-        self.node.reach(self.segment.problem.space().axes(), &standing);
+        self.take_step(journey, point, (end.length, end.rule), &end.reached);
+        self.node.add_exits(self.segment.problem.space().axes(), &at_edge);
         // If another event happens at the same place, it also decides about contacts that have not slipped during the step.
-        for contact in sticks.iter().filter(|contact| standing.is_empty() || !idle.contains(contact)) {
+        for contact in sticks.iter().filter(|contact| at_edge.is_empty() || !idle.contains(contact)) {
             self.node.stick(*contact);
         }
         self.at_node = leg_done || stops;
         // A maximum at the end of a leg does not end the path: the next leg may change the load in another direction.
-        let lost = (tops && !leg_done).then(|| self.lost(journey, LossKind::Fold, &there));
-        self.here = Some(there);
+        let lost = (tops && !leg_done).then(|| self.loss_at_end(journey, LossKind::Fold, &next));
+        self.point = Some(next);
         lost.map_or(Ok(leg_done), Err)
     }
 
     /// The contacts among these that have not slipped since the step began.
-    fn stands_still(&self, here: &PathPoint, contacts: &[usize]) -> Vec<usize> {
+    fn stands_still(&self, point: &PathPoint, contacts: &[usize]) -> Vec<usize> {
         if contacts.is_empty() {
             return Vec::new();
         }
-        let start = watch(&self.segment, &self.node.states, (self.factor, here));
+        let start = watch(&self.segment, &self.node.states, (self.factor, point));
         let met = |contact: &usize| {
             start.iter().any(|watch| watch.what == WatchedCondition::Contact(*contact) && watch.is_met())
         };
@@ -292,9 +292,9 @@ impl<'g> Pieces<'g> {
     }
 
     /// The loss at the end of an arc; the object leaves along the arc.
-    fn lost(&self, journey: &Journey<'g>, kind: LossKind, here: &PathPoint) -> PathEnd<3> {
+    fn loss_at_end(&self, journey: &Journey<'g>, kind: LossKind, point: &PathPoint) -> PathEnd<3> {
         let slides = (0..self.node.states.len()).filter(|i| self.node.states[*i].slides());
-        let motion = here.twist_rate.normalize();
+        let motion = point.twist_rate.normalize();
         PathEnd::Lost(Box::new(journey.loss(self.factor, kind, slides.list(), Some(&motion))))
     }
 }

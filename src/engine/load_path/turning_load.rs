@@ -14,40 +14,41 @@ use crate::numerics::{Harmonic, Vector, mapped, numbered, paired};
 use crate::object::{Piece, PieceState};
 
 impl Segment<'_> {
-    /// Whether the load turns back at a factor: its rate vanishes there.
+    /// Whether the load turns back at a load factor: its rate vanishes there.
     pub(super) fn load_turns_back(&self, factor: f64) -> bool {
         let Trajectory::Turn { load, angle } = &self.course else { return false };
         // A rate below this part of the fastest counts as zero, since the angle is known to the rounding of a full turn.
         load.rate_at(angle * factor).norm() <= SOLVED_ROUNDING * (load.cosine.norm() + load.sine.norm())
     }
 
-    /// Forces, gaps and their rates at a factor, and their harmonics from there on.
-    pub(super) fn look_round(
+    /// Forces, gaps and their rates at a load factor, and their harmonics from there on.
+    pub(super) fn point_on_turn(
         &self,
         piece: &Arc<Piece>,
         (load, angle): (&Harmonic<Vector>, f64),
         factor: f64,
         near: Option<&Vector>,
     ) -> Result<PathPoint, NoEquilibrium<3>> {
-        let onward = load.from(angle * factor);
+        let turned_load = load.from(angle * factor);
         let at_rest = vec![SVector::zeros(); self.problem.len()];
         let solved = |offsets: &[SVector<f64, 3>], load: &Vector| {
             piece.solve(self.problem.sites, offsets, load).map_err(|u| self.unbalanced(factor, u.motion))
         };
         let parts = Harmonic {
-            constant: solved(&self.problem.offsets, &onward.constant)?,
-            cosine: solved(&at_rest, &onward.cosine)?,
-            sine: solved(&at_rest, &onward.sine)?,
+            constant: solved(&self.problem.offsets, &turned_load.constant)?,
+            cosine: solved(&at_rest, &turned_load.cosine)?,
+            sine: solved(&at_rest, &turned_load.sine)?,
         };
         let rate = PieceState {
             forces: mapped(&parts.sine.forces, &|force| force * angle),
             twist: &parts.sine.twist * angle,
         };
         let at = self.state(piece, factor, near).unwrap_or_else(|| at_start(&parts));
-        let mut here = self.here(piece.clone(), factor, at.clone(), (&rate, 1.0), (factor, &at));
-        let turned = self.turned(&onward, angle, &parts);
+        let mut point = self.point_with_rates(piece.clone(), factor, at.clone(), (&rate, 1.0), (factor, &at));
+        let turned = self.harmonics(&turned_load, angle, &parts);
         // A quantity that vanishes at some angle still carries the rounding of its size at other angles.
-        for ((line, gap), [force, stretch]) in here.lines.iter_mut().zip(&mut here.gaps).zip(&turned.waves) {
+        for ((line, gap), [force, stretch]) in point.lines.iter_mut().zip(&mut point.gaps).zip(&turned.waves)
+        {
             line.force_size = line.force_size.max(force.size);
             line.rate_size = line.rate_size.max(force.turning_size * angle);
             gap.size = gap.size.max(stretch.size);
@@ -59,15 +60,15 @@ impl Segment<'_> {
         };
         for k in 0..2 {
             let [size, rate_size] = most(k);
-            here.sizes[k] = here.sizes[k].max(size);
-            here.rate_sizes[k] = here.rate_sizes[k].max(rate_size);
+            point.sizes[k] = point.sizes[k].max(size);
+            point.rate_sizes[k] = point.rate_sizes[k].max(rate_size);
         }
-        here.turned = Some(Arc::new(turned));
-        Ok(here)
+        point.turned = Some(Arc::new(turned));
+        Ok(point)
     }
 
     /// All quantities as harmonics of the load's angle. `parts` are the solutions under the parts of the load; offsets belong to the constant part.
-    pub(super) fn turned(
+    pub(super) fn harmonics(
         &self,
         load: &Harmonic<Vector>,
         angle: f64,

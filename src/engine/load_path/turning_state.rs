@@ -1,7 +1,7 @@
 //! Forces and motions under a load that turns while contacts keep their states: harmonics of its angle. The first exit is a root of a trigonometric
 //! polynomial.
 
-use super::first_exits::{FirstExits, first_standing};
+use super::first_exits::{FirstExits, first_reached};
 use crate::contact::{Exit, State, TurningExit, Wave};
 use crate::numerics::{Harmonic, Vector, mapped};
 use crate::object::{PieceState, Problem};
@@ -14,19 +14,19 @@ pub(super) struct TurningState {
     pub(super) waves: Vec<[Wave; 2]>,
     pub(super) twist: Harmonic<Vector>,
     pub(super) load: Harmonic<Vector>,
-    /// Angle for one unit of the factor, rad.
+    /// Angle for one unit of the load factor, rad.
     pub(super) angle: f64,
 }
 
 impl TurningState {
-    /// Forces after a step of the factor, and the change of the twist.
+    /// Forces after a step of the load factor, and the change of the twist.
     pub(super) fn after(&self, step: f64) -> PieceState {
         let angle = self.angle * step;
         let forces = mapped(&self.waves, &|[force, _]| force.of.at(angle));
         PieceState { forces, twist: self.twist.at(angle) - self.twist.at(0.0) }
     }
 
-    /// The first exits of contacts in these states, within a step of the factor.
+    /// The first exits of contacts in these states, within a step of the load factor.
     pub(super) fn first_exits(&self, problem: &Problem<'_>, states: &[State], rest: f64) -> FirstExits {
         let (mut ways, mut touches) = (Vec::new(), Vec::new());
         for (i, ((local, state), [force, stretch])) in
@@ -35,7 +35,7 @@ impl TurningState {
             let mut exits = Vec::new();
             for exit in local.turning_exits(state, [force, stretch], rest * self.angle) {
                 match exit {
-                    // Converts an angle to a factor of the leg.
+                    // Converts an angle to the load factor of the leg, which is 1 at its end.
                     TurningExit::Leaves(exit) => exits.push(Exit {
                         step: exit.step / self.angle,
                         uncertainty: exit.uncertainty / self.angle,
@@ -46,9 +46,9 @@ impl TurningState {
             }
             ways.push((i, exits));
         }
-        let standing = first_standing(ways);
-        let end = standing.as_ref().map_or(f64::INFINITY, |(step, _)| step * self.angle);
+        let reached = first_reached(ways);
+        let end = reached.as_ref().map_or(f64::INFINITY, |(step, _)| step * self.angle);
         touches.retain(|(_, angle)| *angle < end);
-        FirstExits { standing, touches }
+        FirstExits { reached, touches }
     }
 }

@@ -45,8 +45,8 @@ impl Watch {
         self.value < -1e3 * SLACK_ON_AN_ARC * self.size
     }
 
-    /// Whether the value decreases by more than rounding, or has an unknown rate. A constant value does not decrease: contacts at rest stay at their
-    /// edge while others slide.
+    /// Whether the value decreases by more than rounding, or has an unknown rate. A constant value does not decrease: contacts that do not move stay
+    /// on the edge of their cones while others slide.
     pub(super) fn falls(&self) -> bool {
         self.rate.is_none_or(|[rate, size]| rate < -SLACK_ON_AN_ARC * size)
     }
@@ -62,7 +62,7 @@ pub(super) fn is_vanishing(line: &Line) -> bool {
     line.rate[0] < 0.0 && line.force[0] <= VANISHING_NORMAL * line.force_size
 }
 
-/// Whether a sliding contact has just lost its normal force: its direction was not accurate enough for a step that ends there.
+/// Whether a sliding contact has just lost its normal force, because its direction was not accurate enough for a step to that event.
 pub(super) fn has_vanished(line: &Line) -> bool {
     line.force[0] < 0.0 && line.force[0] >= -VANISHING_NORMAL * line.force_size
 }
@@ -71,29 +71,29 @@ pub(super) fn has_vanished(line: &Line) -> bool {
 pub(super) fn watch(
     segment: &Segment<'_>,
     states: &[State],
-    (factor, here): (f64, &PathPoint),
+    (factor, point): (f64, &PathPoint),
 ) -> Vec<Watch> {
     // The rate of the load factor is at most 1. At a maximum of the load factor a rate of 1e-8 counts as zero: the factor is known to its square.
     let mut list = vec![
         Watch {
             what: WatchedCondition::Growth,
-            value: here.factor_rate,
+            value: point.factor_rate,
             rate: None,
             size: 1e-8 / SLACK_ON_AN_ARC,
         },
         Watch {
             what: WatchedCondition::Leg,
             value: 1.0 - factor,
-            rate: Some([-here.factor_rate, 1.0]),
+            rate: Some([-point.factor_rate, 1.0]),
             size: 1.0,
         },
     ];
     // A value that changes by less than its rounding over the rest of a straight leg is constant. While the load turns, a rate of zero may grow.
     let straight = matches!(segment.course, Trajectory::Straight { .. });
     // The change of a value over the rest of the leg is compared with rounding; the rest counts as at least a hundredth of the leg.
-    let per_length = here.factor_rate / (1.0 - factor).max(0.01);
+    let per_length = point.factor_rate / (1.0 - factor).max(0.01);
     for (contact, state) in states.iter().enumerate() {
-        let (line, local) = (&here.lines[contact], segment.problem.local(contact));
+        let (line, local) = (&point.lines[contact], segment.problem.local(contact));
         let mut push = |value, rate: Option<[f64; 2]>, size: f64| {
             let slow = |rate_size: f64| if straight { rate_size.max(size * per_length) } else { 0.0 };
             let rate = rate.map(|[rate, rate_size]| [rate, slow(rate_size)]);
@@ -102,7 +102,7 @@ pub(super) fn watch(
         match state {
             Mode::Open if local.is_absent() => {}
             Mode::Open => {
-                let gap = &here.gaps[contact];
+                let gap = &point.gaps[contact];
                 push(gap.gap, Some([gap.rate, gap.rate_size]), gap.size);
             }
             Mode::Sticking if local.may_slide() => {
@@ -124,10 +124,10 @@ pub(super) fn watch(
             _ => {
                 let p = tangential(&line.force) / tangential_norm(&line.force);
                 let site = &segment.grasp.sites()[contact];
-                let change = segment.change[contact] * here.factor_rate;
-                let moving = site.stretch(&change, &here.twist_rate);
-                let give = tangential(&site.springs.give(&line.rate));
-                push(p.dot(&(moving - give)), None, here.gaps[contact].rate_size + give.lp_norm(1));
+                let change = segment.change[contact] * point.factor_rate;
+                let moving = site.stretch(&change, &point.twist_rate);
+                let give = tangential(&site.springs.deflection(&line.rate));
+                push(p.dot(&(moving - give)), None, point.gaps[contact].rate_size + give.lp_norm(1));
             }
         }
     }

@@ -114,8 +114,8 @@ impl<const C: usize> fmt::Display for Event<C> {
         write!(f, "leg {} at {fraction}, {load}:", self.leg)?;
         let contacts = self.whole_changes().into_iter().map(|change| format!(" {change:.digits$}"));
         let drives = self.drives.iter().map(|drive| format!(" {} {}", drive.part.text(), drive.what));
-        let told: Vec<_> = contacts.chain(drives).collect();
-        f.write_str(&if told.is_empty() { " more points change".to_owned() } else { told.join(",") })?;
+        let texts: Vec<_> = contacts.chain(drives).collect();
+        f.write_str(&if texts.is_empty() { " more points change".to_owned() } else { texts.join(",") })?;
         match &self.jump {
             Some(jump) => write!(f, "; {jump:.digits$}"),
             None => Ok(()),
@@ -141,7 +141,7 @@ pub(crate) fn whole_changes<const C: usize>(
         let of_pad = picked(&sites, &|(i, change)| pad.range().contains(i).then_some((*i, change.what)));
         if of_pad[0].0 == *at {
             let whole = |what| WholeChange { contact: pad.contact.clone(), what };
-            all.extend(PadAtEvent::of(state, pad, &of_pad).doings().into_iter().map(whole));
+            all.extend(PadAtEvent::of(state, pad, &of_pad).pad_changes().into_iter().map(whole));
         }
     }
     all
@@ -172,28 +172,28 @@ impl PadAtEvent {
         Self { before, after, slide_back }
     }
 
-    fn doings<const C: usize>(&self) -> Vec<PadChange<C>> {
+    fn pad_changes<const C: usize>(&self) -> Vec<PadChange<C>> {
         let Self { before, after, slide_back } = self;
         let all_slide = |count: &PadCount| count.closed > 0 && count.slide == count.closed;
-        let mut told = Vec::new();
-        let mut tell = |is_so: bool, what| {
+        let mut changes = Vec::new();
+        let mut add = |is_so: bool, what| {
             if is_so {
-                told.push(what);
+                changes.push(what);
             }
         };
         if after.closed == 0 {
-            tell(before.closed > 0, PadChange::Opens);
-            return told;
+            add(before.closed > 0, PadChange::Opens);
+            return changes;
         }
-        tell(before.closed == 0, PadChange::Touches);
-        tell(before.closed > 0 && before.open == 0 && after.open > 0, PadChange::BeginsToOpen);
-        tell(before.closed > 0 && before.open > 0 && after.open == 0, PadChange::TouchesEverywhere);
-        tell(!all_slide(before) && all_slide(after), PadChange::SlidesEverywhere);
-        tell(before.slide == 0 && after.slide > 0 && !all_slide(after), PadChange::BeginsToSlide);
-        tell(before.slide > 0 && after.slide == 0, PadChange::SticksAgain);
-        tell(all_slide(before) && after.slide > 0 && !all_slide(after), PadChange::SticksInPart);
-        tell(*slide_back > 0 && *slide_back == after.slide, PadChange::SlidesBack);
-        told
+        add(before.closed == 0, PadChange::Touches);
+        add(before.closed > 0 && before.open == 0 && after.open > 0, PadChange::BeginsToOpen);
+        add(before.closed > 0 && before.open > 0 && after.open == 0, PadChange::TouchesEverywhere);
+        add(!all_slide(before) && all_slide(after), PadChange::SlidesEverywhere);
+        add(before.slide == 0 && after.slide > 0 && !all_slide(after), PadChange::BeginsToSlide);
+        add(before.slide > 0 && after.slide == 0, PadChange::SticksAgain);
+        add(all_slide(before) && after.slide > 0 && !all_slide(after), PadChange::SticksInPart);
+        add(*slide_back > 0 && *slide_back == after.slide, PadChange::SlidesBack);
+        changes
     }
 }
 

@@ -80,8 +80,8 @@ impl Bounded {
         let nothing = (within_the_error * step_error).max(rounded) * size * weight;
         let third = (a - b) * 2.0 + da + db;
         let second = b - a - da - third;
-        // The error of the cubic is the term of fourth order. It is estimated by that of third order, but by no less than this part of that of second
-        // order. In accepted steps each order is smaller than the one before by at least this factor.
+        // The interpolating cubic neglects the fourth-order term. The third-order term is an upper estimate of it, and so is 0.05 times the
+        // second-order term; the larger of both is taken. In accepted steps each order is at most 0.05 times the one before.
         let bend = third.norm().max(0.05 * second.norm()) * weight;
         Self { points: [a, a + da / 3.0, b - db / 3.0, b], cone, bend, nothing }
     }

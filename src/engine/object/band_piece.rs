@@ -41,12 +41,12 @@ pub(crate) struct BandPiece {
     pub(super) factors: BandFactors,
 }
 
-/// For each contact the coordinates that its springs feel, those with entries in its grasp map.
+/// For each contact the coordinates that stretch its springs: those with nonzero entries in its grasp map.
 #[derive(Debug, Clone)]
 pub(super) struct SpringLists {
     /// Coordinates with entries in the contact's map, by position in the narrow order, contact after contact.
-    felt: Vec<usize>,
-    /// The first entry of each contact in `felt`; the last number is the length of `felt`.
+    coordinates: Vec<usize>,
+    /// The first entry of each contact in `coordinates`; the last number is the length of `coordinates`.
     first: Vec<usize>,
     /// Number of springs of each contact.
     pub(super) counts: Vec<usize>,
@@ -57,7 +57,7 @@ pub(super) struct SpringLists {
 /// The rows of all springs: A or B.
 #[derive(Debug, Clone)]
 pub(super) struct Side {
-    /// Entries for the felt coordinates, spring after spring.
+    /// Entries for the coordinates that stretch a spring, spring after spring.
     rows: Vec<f64>,
     /// Factors that scale each column to length one; one for a zero column.
     units: Vec<f64>,
@@ -66,8 +66,8 @@ pub(super) struct Side {
 }
 
 impl BandPiece {
-    /// The band of these sites and springs; `first_springs` holds the first spring of each contact. `None` with few coordinates, or where T is nearly
-    /// singular other than by free motions.
+    /// The band of these contacts and their springs; `first_springs` holds the first spring of each contact. `None` with few coordinates, or where T
+    /// is nearly singular other than by free motions.
     pub(super) fn new(sites: &[Site], springs: &[Spring], first_springs: &[usize]) -> Option<Self> {
         let count = size_of(sites).count();
         if !uses_band(size_of(sites)) {
@@ -77,16 +77,16 @@ impl BandPiece {
         let numbers = narrow_order(count, &couplings);
         let reach = widest(&numbers, &couplings);
         let mut lists =
-            SpringLists { felt: Vec::new(), first: vec![0], counts: Vec::new(), first_rows: vec![0] };
+            SpringLists { coordinates: Vec::new(), first: vec![0], counts: Vec::new(), first_rows: vec![0] };
         let mut rows = 0;
         for (ranges, ends) in couplings.iter().zip(first_springs.windows(2)) {
-            let (felt, count) = (lists.felt.len(), ends[1] - ends[0]);
+            let (coordinates, count) = (lists.coordinates.len(), ends[1] - ends[0]);
             for range in ranges {
-                lists.felt.extend_from_slice(&numbers[range.clone()]);
+                lists.coordinates.extend_from_slice(&numbers[range.clone()]);
             }
-            lists.first.push(lists.felt.len());
+            lists.first.push(lists.coordinates.len());
             lists.counts.push(count);
-            rows += count * (lists.felt.len() - felt);
+            rows += count * (lists.coordinates.len() - coordinates);
             lists.first_rows.push(rows);
         }
         let side = |of: fn(&Spring) -> &SVector<f64, 3>| {
@@ -106,10 +106,10 @@ impl BandPiece {
         let straight = springs.iter().all(|spring| spring.left == spring.right);
         let left = (!straight).then(|| side(|spring| &spring.left));
         let (mut band, pushes) = (Band::zeros(count, reach), left.as_ref().unwrap_or(&right));
-        lists.for_each(|_, felt, range| {
-            for (j, a) in felt.iter().zip(&right.rows[range.clone()]).filter(|(_, a)| **a != 0.0) {
+        lists.for_each(|_, coordinates, range| {
+            for (j, a) in coordinates.iter().zip(&right.rows[range.clone()]).filter(|(_, a)| **a != 0.0) {
                 let a = a * right.units[*j];
-                let pushed = felt.iter().zip(&pushes.rows[range.clone()]);
+                let pushed = coordinates.iter().zip(&pushes.rows[range.clone()]);
                 pushed.for_each(|(i, b)| band.add(*i, *j, a * b * pushes.units[*i]));
             }
         });
@@ -147,11 +147,11 @@ impl BandPiece {
     }
 
     /// Displacements of the coordinates, in the narrow order, if the springs of a contact push with the forces `pushes`: `T⁻¹Bᵀ` of `pushes`.
-    pub(super) fn moved_by(&self, contact: usize, pushes: &[f64]) -> Vec<f64> {
+    pub(super) fn displacements_under(&self, contact: usize, pushes: &[f64]) -> Vec<f64> {
         let left = self.left.as_ref().unwrap_or(&self.right);
         let mut q = vec![0.0; self.numbers.len()];
-        self.springs.of(contact, |k, felt, range| {
-            felt.iter().zip(&left.rows[range]).for_each(|(i, b)| q[*i] += b * pushes[k]);
+        self.springs.of(contact, |k, coordinates, range| {
+            coordinates.iter().zip(&left.rows[range]).for_each(|(i, b)| q[*i] += b * pushes[k]);
         });
         q.iter_mut().zip(&left.units).for_each(|(q, unit)| *q *= unit);
         self.factors.solve(&mut q);
@@ -159,11 +159,12 @@ impl BandPiece {
         q
     }
 
-    /// The stretches of a contact's springs under the displacements `moved`, summed with the weights `times`.
-    pub(super) fn felt(&self, contact: usize, times: &[f64], moved: &[f64]) -> f64 {
+    /// The stretches of a contact's springs under these displacements of the coordinates, summed with the weights `times`.
+    pub(super) fn weighted_stretch(&self, contact: usize, times: &[f64], displacements: &[f64]) -> f64 {
         let mut sum = 0.0;
-        self.springs.of(contact, |k, felt, range| {
-            let stretch: f64 = felt.iter().zip(&self.right.rows[range]).map(|(j, a)| a * moved[*j]).sum();
+        self.springs.of(contact, |k, coordinates, range| {
+            let stretch: f64 =
+                coordinates.iter().zip(&self.right.rows[range]).map(|(j, a)| a * displacements[*j]).sum();
             sum += times[k] * stretch;
         });
         sum
@@ -199,9 +200,9 @@ impl BandPiece {
     pub(super) fn rows(&self) -> [Option<Vec<Vector>>; 2] {
         let whole = |side: &Side| {
             let mut list = Vec::new();
-            self.springs.for_each(|_, felt, range| {
+            self.springs.for_each(|_, coordinates, range| {
                 let mut whole = vec![0.0; self.numbers.len()];
-                felt.iter().zip(&side.rows[range]).for_each(|(k, x)| whole[*k] = *x);
+                coordinates.iter().zip(&side.rows[range]).for_each(|(k, x)| whole[*k] = *x);
                 list.push(Vector::from_fn(Size::of(whole.len()), |k| whole[self.numbers[k]]));
             });
             list
@@ -211,32 +212,32 @@ impl BandPiece {
 }
 
 impl SpringLists {
-    /// Calls `visit(spring, felt, range of its row)` for every spring; `felt` lists the coordinates with entries.
+    /// Calls `visit(spring, coordinates, range of its row)` for every spring; `coordinates` lists the coordinates with entries.
     fn for_each(&self, mut visit: impl FnMut(usize, &[usize], Range<usize>)) {
         let (mut spring, mut from) = (0, 0);
         for (ends, count) in self.first.windows(2).zip(&self.counts) {
-            let felt = &self.felt[ends[0]..ends[1]];
+            let coordinates = &self.coordinates[ends[0]..ends[1]];
             for _ in 0..*count {
-                visit(spring, felt, from..from + felt.len());
-                (spring, from) = (spring + 1, from + felt.len());
+                visit(spring, coordinates, from..from + coordinates.len());
+                (spring, from) = (spring + 1, from + coordinates.len());
             }
         }
     }
 
-    /// Calls `visit(k, felt, range of its row)` for every spring k of a contact; `felt` lists the coordinates with entries.
+    /// Calls `visit(k, coordinates, range of its row)` for every spring k of a contact; `coordinates` lists the coordinates with entries.
     fn of(&self, contact: usize, mut visit: impl FnMut(usize, &[usize], Range<usize>)) {
-        let felt = &self.felt[self.first[contact]..self.first[contact + 1]];
+        let coordinates = &self.coordinates[self.first[contact]..self.first[contact + 1]];
         for k in 0..self.counts[contact] {
-            let from = self.first_rows[contact] + k * felt.len();
-            visit(k, felt, from..from + felt.len());
+            let from = self.first_rows[contact] + k * coordinates.len();
+            visit(k, coordinates, from..from + coordinates.len());
         }
     }
 
     /// The rows as one side of a band with `count` coordinates.
     fn side(&self, rows: Vec<f64>, count: usize) -> Side {
         let (mut squares, mut longest) = (vec![0.0; count], 0.0_f64);
-        self.for_each(|_, felt, range| {
-            felt.iter().zip(&rows[range.clone()]).for_each(|(k, x)| squares[*k] += x * x);
+        self.for_each(|_, coordinates, range| {
+            coordinates.iter().zip(&rows[range.clone()]).for_each(|(k, x)| squares[*k] += x * x);
             longest = longest.max(rows[range].iter().map(|x| x * x).sum());
         });
         let unit = |square: f64| if square > 0.0 { 1.0 / square.sqrt() } else { 1.0 };
@@ -245,8 +246,8 @@ impl SpringLists {
 
     /// Adds the forces x of the springs to q and scales q by the units of the columns.
     pub(super) fn add(&self, side: &Side, x: &[f64], q: &mut [f64]) {
-        self.for_each(|spring, felt, range| {
-            felt.iter().zip(&side.rows[range]).for_each(|(k, b)| q[*k] += b * x[spring]);
+        self.for_each(|spring, coordinates, range| {
+            coordinates.iter().zip(&side.rows[range]).for_each(|(k, b)| q[*k] += b * x[spring]);
         });
         q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
     }
@@ -254,8 +255,8 @@ impl SpringLists {
     /// Scales q by the units of the columns, and calls `visit(spring, stretch)` for every spring.
     pub(super) fn stretch(&self, side: &Side, q: &mut [f64], mut visit: impl FnMut(usize, f64)) {
         q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
-        self.for_each(|spring, felt, range| {
-            visit(spring, felt.iter().zip(&side.rows[range]).map(|(k, a)| a * q[*k]).sum());
+        self.for_each(|spring, coordinates, range| {
+            visit(spring, coordinates.iter().zip(&side.rows[range]).map(|(k, a)| a * q[*k]).sum());
         });
     }
 }

@@ -44,7 +44,7 @@ impl Piece {
         let mut change = vec![0.0; self.springs.len()];
         let mut doubt = 0.0;
         for _ in 0..MOST_CORRECTIONS {
-            let left = self.left_over(problem, states, &mut forces, &twist, &mut change);
+            let left = self.residual_of(problem, states, &mut forces, &twist, &mut change);
             let push = |(spring, x): (&Spring, &f64)| spring.left.amax() * x.abs();
             let largest = |x: &[f64]| self.springs.iter().zip(x).map(push).fold(0.0, f64::max);
             // Stiff springs amplify the rounding of the twist. Refinement continues until this noise is small beside the correction.
@@ -76,7 +76,7 @@ impl Piece {
     }
 
     /// Moves forces of sliding contacts onto their cones, writes the residual e of each spring, and returns the residual ρ of equilibrium.
-    fn left_over(
+    fn residual_of(
         &self,
         problem: &Problem,
         states: &[State],
@@ -93,7 +93,7 @@ impl Piece {
             for (a, force) in force.iter().enumerate().take(site.springs.axes()) {
                 if across.is_some() || springs.iter().any(|s| s.right[a] != 0.0) {
                     let mut w = twist.stretch(site, a, problem.offsets[contact][a]);
-                    w.subtract(site.springs.precise_give_along(a, *force));
+                    w.subtract(site.springs.precise_deflection_along(a, *force));
                     for (along, spring) in along.iter_mut().zip(springs) {
                         along.add_product_of_twice((spring.right[a], spring.right_rest[a]), w);
                     }

@@ -20,7 +20,7 @@ use crate::prelude::*;
 pub(crate) struct Facet {
     /// The row (κ, c), with c of length one.
     pub(crate) row: SVector<f64, 3>,
-    /// Length of `row`: the factor from an entry that belongs to the row scaled to length one to the entry of this row.
+    /// Length of `row`. An entry for the row scaled to length one, times this length, is the entry for `row` itself.
     pub(crate) unit: f64,
 }
 

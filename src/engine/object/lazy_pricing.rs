@@ -80,7 +80,7 @@ impl LazyPricing {
         slack: &(impl Fn(u32, &Point) -> (u32, f64) + Sync),
     ) {
         let e = along.direction();
-        self.line.line_up(contacts, &|contact| slack(contact, &e));
+        self.line.refill(contacts, &|contact| slack(contact, &e));
         self.looked.clear();
         self.looked.reserve(contacts);
         (self.towards, self.contacts, self.length, self.steps) = (e, contacts, 0.0, 0);
@@ -112,7 +112,7 @@ impl LazyPricing {
     /// Whether a contact has enough slack to keep waiting; otherwise it joins the contacts evaluated
     /// in this step.
     pub(crate) fn puts_off(&mut self, within: f64, contact: u32, stamp: u32, slack: f64) -> bool {
-        let waits = self.line.waits_longer(within, contact, stamp, slack);
+        let waits = self.line.schedule_if_later(within, contact, stamp, slack);
         if !waits {
             self.looked.push(contact);
         }

@@ -50,7 +50,7 @@ pub(super) struct LimitedAnswer {
 
 impl Limited {
     /// The contact on its polygon if `on_polygons`, otherwise on the round cone. `None` for a contact that may open but never slides, and in space
-    /// for rates on an edge of the cone.
+    /// for rates of a contact on the edge of its cone.
     pub(super) fn of(local: &LocalLaw<'_>, offset: &SVector<f64, 3>, on_polygons: bool) -> Option<Self> {
         let (offset, cone) = (*offset, local.cone());
         if local.is_absent() {
@@ -70,7 +70,7 @@ impl Limited {
         };
         let keeps = opens && stiffness[1] > 0.0 && matches!(slides, Slides::Never);
         let is_rate = matches!(local.law, Law::Edge(_));
-        // In rates on an edge, the facets do not form a polygon.
+        // In rates of a contact on the edge of its cone, the facets do not form a polygon.
         (!keeps && (local.is_planar() || !is_rate)).then_some(Self {
             stiffness,
             offset,
@@ -140,12 +140,12 @@ impl Limited {
                 let beyond = |j: usize, at: &SVector<f64, 3>| normals[j].dot(at) - limit;
                 let all = 0..normals.len();
                 let j = all.max_by(|i, j| beyond(*i, &friction).total_cmp(&beyond(*j, &friction)))?;
-                let off = beyond(j, &friction);
-                if off <= 0.0 {
+                let violation = beyond(j, &friction);
+                if violation <= 0.0 {
                     return None;
                 }
                 let (count, size) = (normals.len(), normals[j].norm());
-                let nearest = friction - normals[j] * (off / (size * size));
+                let nearest = friction - normals[j] * (violation / (size * size));
                 // Corner j lies between facets j and j + 1.
                 let [before, behind] = [(j + count - 1) % count, (j + 1) % count];
                 let corner = if beyond(behind, &nearest) > 0.0 {

@@ -5,7 +5,7 @@ use crate::numerics::Vector;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 
-/// A load in inside coordinates (moments about the centroid of the contacts, scaled arms), and the rounding error of its conversion.
+/// A load in the engine's coordinates (moments about the centroid of the contacts, scaled arms), and the rounding error of its conversion.
 #[derive(Debug, Clone)]
 pub(crate) struct Load {
     pub(crate) wrench: Vector,
@@ -13,7 +13,7 @@ pub(crate) struct Load {
 }
 
 impl Engine {
-    /// The caller's load with the pull of vacuums and the constant loads on bodies and joints, in inside coordinates.
+    /// The caller's load with the pull of vacuums and the constant loads on bodies and joints, in the engine's coordinates.
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50; `what` names it.
@@ -31,14 +31,14 @@ impl Engine {
     pub(crate) fn load_unchecked(&self, load: &Wrench<3>) -> Vector {
         let mut inside = self.inside_unchecked(load);
         if let Some(bodies) = self.bodies() {
-            inside += self.put_on_each(bodies, &bodies.loads);
+            inside += self.combine_wrenches(bodies, &bodies.loads);
         }
         if let Some(vacuum) = self.vacuum() {
             inside += &vacuum.inside;
         }
         match self.linkage() {
             None => inside,
-            Some(linkage) => inside + &linkage.held + &linkage.pulled,
+            Some(linkage) => inside + &linkage.held_forces + &linkage.external_torques,
         }
     }
 }

@@ -21,7 +21,7 @@ use crate::numerics::tolerances::SUFFICIENT_DECREASE;
 use crate::numerics::{Vector, in_halves};
 use crate::prelude::*;
 
-/// R and the sizes of its terms.
+/// The residual R of the balance, and the sum of the sizes of its terms.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Imbalance {
     pub(crate) left: Vector,
@@ -82,10 +82,11 @@ pub(crate) fn relaxed_on_cones(problem: &Problem, stuck: &Vector) -> Option<Vect
     let mut twist = stuck.clone();
     let (mut last, mut pace): (Option<Vector>, f64) = (None, 1.0);
     for _ in 0..RELAXING_STEPS {
-        let here = respond(problem, (&twist, 0.0), &mut contacts, &on_cones(problem));
-        let step = factors.solve(&here.left);
+        let response_at = respond(problem, (&twist, 0.0), &mut contacts, &on_cones(problem));
+        let step = factors.solve(&response_at.left);
         let size = step.norm();
-        // The number of such steps after which a sequence that shrinks by this factor ends. Past an equilibrium that is not stable steps are short, but grow.
+        // `whole` is the number of steps like this one in the whole way to rest, if steps keep shrinking by the same ratio. Past an unstable
+        // equilibrium steps are short, but grow.
         let (mut whole, mut next) = (f64::INFINITY, 1.0);
         if let Some(last) = &last {
             let before = last.norm();
@@ -128,21 +129,20 @@ pub(crate) fn newton(
 ) -> Option<(Vector, usize, Imbalance)> {
     contacts.clear();
     contacts.resize(problem.len(), ContactResponse::open());
-    let mut here = respond(problem, (&twist, beside), contacts, response);
+    let mut response_at = respond(problem, (&twist, beside), contacts, response);
     // Most Newton steps: the method converges in a few.
     for steps in 0..20 {
-        let norm = here.left.norm();
-        if norm <= settled * here.size {
-            return Some((twist, steps, here));
+        let norm = response_at.left.norm();
+        if norm <= settled * response_at.size {
+            return Some((twist, steps, response_at));
         }
         if !norm.is_finite() {
             break;
         }
-        let step = problem.tangent_factors(&|i| contacts[i].state).solve(&here.left);
+        let step = problem.tangent_factors(&|i| contacts[i].state).solve(&response_at.left);
         let mut at = |part: f64| respond(problem, (&(&twist + &step * part), beside), contacts, response);
         let (mut part, mut next) = (1.0, at(1.0));
-        // Sufficient decrease: a part of a step must reduce the imbalance by at least that part times this.
-        // Least part of a step that is tried.
+        // Shortest part of a step that is tried. A part p must reduce the imbalance by at least `p SUFFICIENT_DECREASE` of itself.
         let shortest = 1e-3;
         while next.left.norm() > (1.0 - SUFFICIENT_DECREASE * part) * norm && part > shortest {
             part *= 0.5;
@@ -153,7 +153,7 @@ pub(crate) fn newton(
             next = at(part);
         }
         twist += step * part;
-        here = next;
+        response_at = next;
     }
     None
 }

@@ -23,20 +23,24 @@ pub(super) struct NullMotions {
     pub(super) neutral: Vec<Vector>,
     pub(super) unbalanced: Vec<Vector>,
     /// Each motion z with its stretches B z; the lists of stretches are orthonormal.
-    unanswered: Vec<(Vector, Vec<f64>)>,
+    without_response: Vec<(Vector, Vec<f64>)>,
 }
 
 /// Null vectors in two groups: motions that stretch no spring, and the others with the stretches of the springs.
 struct Apart {
-    unfelt: Vec<Vector>,
-    felt: Vec<(Vector, Vec<f64>)>,
+    unstretched: Vec<Vector>,
+    stretched: Vec<(Vector, Vec<f64>)>,
 }
 
 impl NullMotions {
-    /// The null motions of a band; `None` where it is nearly, but not exactly, singular.
+    /// The null motions of the tangent stiffness T that is factored in the band; `None` where T is nearly, but not exactly, singular.
     pub(super) fn of(band: &BandPiece) -> Option<Self> {
-        let nothing =
-            Self { free: Vec::new(), neutral: Vec::new(), unbalanced: Vec::new(), unanswered: Vec::new() };
+        let nothing = Self {
+            free: Vec::new(),
+            neutral: Vec::new(),
+            unbalanced: Vec::new(),
+            without_response: Vec::new(),
+        };
         if !band.factors.is_singular() {
             return Some(nothing);
         }
@@ -44,9 +48,13 @@ impl NullMotions {
         let of_right = apart(band, [right, left], band.factors.null_vectors(), BandFactors::solve)?;
         let of_left =
             apart(band, [left, right], band.factors.left_null_vectors(), BandFactors::solve_transposed)?;
-        let mut found =
-            Self { free: of_right.unfelt, unbalanced: of_left.unfelt, unanswered: of_left.felt, ..nothing };
-        for (mut v, _) in of_right.felt {
+        let mut found = Self {
+            free: of_right.unstretched,
+            unbalanced: of_left.unstretched,
+            without_response: of_left.stretched,
+            ..nothing
+        };
+        for (mut v, _) in of_right.stretched {
             let known: Vec<_> = found.free.iter().chain(&found.neutral).cloned().list();
             orthonormalise_against(&mut v, &known);
             found.neutral.push(v);
@@ -55,9 +63,9 @@ impl NullMotions {
     }
 
     /// The sum of the motions without response, each weighted by the work of the stretches x and the load on it; `None` without work.
-    pub(super) fn worked_on(&self, x: &[f64], load: &Vector) -> Option<Vector> {
+    pub(super) fn motion_of_work(&self, x: &[f64], load: &Vector) -> Option<Vector> {
         let mut sum = Vector::zeros();
-        for (z, stretches) in &self.unanswered {
+        for (z, stretches) in &self.without_response {
             sum += z * (dot(stretches, x) + z.dot(load));
         }
         (sum.norm() > 0.0).then_some(sum)
@@ -65,7 +73,7 @@ impl NullMotions {
 
     /// Whether stretches and load do work on a motion without response, beyond rounding amplified by `growth`.
     pub(super) fn are_out_of_reach(&self, x: &[f64], load: &Vector, growth: impl Fn() -> f64) -> bool {
-        self.unanswered.iter().any(|(z, stretches)| {
+        self.without_response.iter().any(|(z, stretches)| {
             let sizes = |terms: &mut dyn Iterator<Item = f64>| terms.fold(0.0, |sum, term| sum + term.abs());
             let known = NO_WORK
                 * (sizes(&mut stretches.iter().zip(x).map(|(a, b)| a * b))
@@ -114,7 +122,7 @@ fn apart(
     }
     let count = found.len();
     let axes = Singular::new(&matrix_of(count, count, &|i, j| dot(&found[i].1, &found[j].1))).right;
-    let mut apart = Apart { unfelt: Vec::new(), felt: Vec::new() };
+    let mut apart = Apart { unstretched: Vec::new(), stretched: Vec::new() };
     for axis in axes.column_iter() {
         let mut v = Vector::zeros();
         let mut stretches = vec![0.0; springs.counts.iter().sum()];
@@ -125,7 +133,7 @@ fn apart(
         let length = dot(&stretches, &stretches).sqrt();
         // A unit motion is free if its stretches are at most this part of the longest row. Even the softest springs stretch by more than 1e-6.
         if length <= 1e-11 * side.longest {
-            apart.unfelt.push(v);
+            apart.unstretched.push(v);
             continue;
         }
         let mut left = vec![0.0; band.numbers.len()];
@@ -140,7 +148,7 @@ fn apart(
         for x in &mut stretches {
             *x *= unit;
         }
-        apart.felt.push((v * unit, stretches));
+        apart.stretched.push((v * unit, stretches));
     }
     Some(apart)
 }

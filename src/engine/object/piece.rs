@@ -12,7 +12,7 @@ use core::ops::Range;
 use nalgebra::SVector;
 
 use super::band_piece::BandPiece;
-use super::free_motions::worked_on;
+use super::free_motions::motion_of_work;
 use super::null_motions::NullMotions;
 use super::problem::Problem;
 use crate::contact::{Spring, State};
@@ -107,29 +107,34 @@ impl Piece {
 
     /// The rows of the orthogonal factor Q that belong to a contact whose springs lie along its axes. Column a belongs to axis a, and is zero without
     /// a spring.
-    pub(crate) fn seen(&self, contact: usize) -> Map {
-        let mut seen = Map::zeros(self.size);
+    pub(crate) fn factor_rows(&self, contact: usize) -> Map {
+        let mut rows = Map::zeros(self.size);
         for spring in self.first[contact]..self.first[contact + 1] {
-            seen.set_column(self.springs[spring].right.iamax(), self.factor().row(spring));
+            rows.set_column(self.springs[spring].right.iamax(), self.factor().row(spring));
         }
-        seen
+        rows
     }
 
-    /// Whether the piece has factors in a band, and so many coordinates.
+    /// Whether the piece has factors in a band, which it has for many coordinates only.
     pub(crate) fn is_banded(&self) -> bool {
         self.band.is_some()
     }
 
     /// Displacements of the coordinates if a sticking contact pushes along its axes, in units of its springs; `None` without a band.
-    pub(crate) fn moved_by(&self, contact: usize, pushes: &SVector<f64, 3>) -> Option<Vec<f64>> {
-        Some(self.band.as_ref()?.0.moved_by(contact, &self.along_springs(contact, pushes)[..]))
+    pub(crate) fn displacements_under(&self, contact: usize, pushes: &SVector<f64, 3>) -> Option<Vec<f64>> {
+        Some(self.band.as_ref()?.0.displacements_under(contact, &self.along_springs(contact, pushes)[..]))
     }
 
-    /// Stretch of the contact's springs under the displacements `moved`, weighted by axis with `times`.
-    pub(crate) fn felt(&self, contact: usize, times: &SVector<f64, 3>, moved: &[f64]) -> f64 {
-        self.band
-            .as_ref()
-            .map_or(0.0, |(band, _)| band.felt(contact, &self.along_springs(contact, times)[..], moved))
+    /// Stretches of the contact's springs under these displacements of the coordinates, summed with the weights `times` of the axes.
+    pub(crate) fn weighted_stretch(
+        &self,
+        contact: usize,
+        times: &SVector<f64, 3>,
+        displacements: &[f64],
+    ) -> f64 {
+        self.band.as_ref().map_or(0.0, |(band, _)| {
+            band.weighted_stretch(contact, &self.along_springs(contact, times)[..], displacements)
+        })
     }
 
     /// The entries of `axes` in the order of the contact's springs.
@@ -168,16 +173,20 @@ impl Piece {
 
     /// The virtual motion y in the left null space of the tangent stiffness, `Σ G_i C_iᵀG_iᵀ y = 0`, on which offsets and load do the most work.
     /// `None` if they do no work on any.
-    pub(crate) fn unanswered(&self, offsets: &[SVector<f64, 3>], load: &Vector) -> Option<Vector> {
-        let worked = |basis: &[Vector], work: &Vector| {
+    pub(crate) fn motion_without_response(
+        &self,
+        offsets: &[SVector<f64, 3>],
+        load: &Vector,
+    ) -> Option<Vector> {
+        let work_part = |basis: &[Vector], work: &Vector| {
             let part = basis.iter().fold(Vector::zeros(), |sum: Vector, v| sum + v * v.dot(work));
             (part.norm() > 0.0).then_some(part)
         };
-        if let Some(motion) = worked(&self.unbalanced, load) {
+        if let Some(motion) = work_part(&self.unbalanced, load) {
             return Some(motion);
         }
         if let Some((_, null)) = &self.band {
-            return null.worked_on(&self.stretched(|contact| offsets[contact]), load);
+            return null.motion_of_work(&self.stretched(|contact| offsets[contact]), load);
         }
         let (left, coupling) = self.orthogonal().left.as_ref()?;
         let mut kernel: Vec<Vector> = Vec::new();
@@ -186,7 +195,7 @@ impl Piece {
             kernel.push(z);
         }
         let pushed = left.coordinates(&self.stretched(|contact| offsets[contact]));
-        Some(left.preimage(&worked(&kernel, &(pushed + left.load_coordinates(load)))?))
+        Some(left.preimage(&work_part(&kernel, &(pushed + left.load_coordinates(load)))?))
     }
 
     /// Factor by which this piece amplifies relative rounding errors, at least 1.
@@ -199,7 +208,7 @@ impl Piece {
 
     /// Whether the load does no work on the unbalanced motions of this piece.
     pub(crate) fn resists(&self, wrench: &Vector) -> bool {
-        worked_on(&self.unbalanced, wrench).is_none()
+        motion_of_work(&self.unbalanced, wrench).is_none()
     }
 
     /// The springs of every contact that has any, with their index range in the list of springs.

@@ -18,8 +18,8 @@ struct Precise {
 
 impl Precise {
     fn new(size: Size, mut high: Vector, mut low: Vector) -> Self {
-        high.reach(size);
-        low.reach(size);
+        high.grow(size);
+        low.grow(size);
         Self { high, low }
     }
 

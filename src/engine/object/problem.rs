@@ -20,7 +20,7 @@ use crate::grasp::{Engine, Remembered, Site, Space, Wrench, size_of};
 use crate::numerics::{DoubleDouble, cleared_for};
 use crate::prelude::*;
 
-/// Laws, commanded offsets a_i and load of the equation `Σ G_i F_i + W = 0`, in inside coordinates.
+/// Laws, commanded offsets a_i and load of the equation `Σ G_i F_i + W = 0`, in the engine's coordinates.
 #[derive(Debug, Clone)]
 pub(crate) struct Problem<'g> {
     pub(crate) sites: &'g [Site],
@@ -120,7 +120,7 @@ impl<'g> Problem<'g> {
     }
 
     /// The problem in rates, with these laws, rates of the offsets, and the rate of the load. A round cone remains only for contacts at its apex; a
-    /// contact on an edge has facets instead.
+    /// contact on the edge of its cone has facets instead.
     pub(crate) fn at_rates(&self, laws: Vec<Law>, offsets: Vec<SVector<f64, 3>>, wrench: Vector) -> Self {
         let slips = vec![SVector::zeros(); self.len()];
         let wrench_rest = Vector::zeros();
@@ -246,7 +246,7 @@ impl<'g> Problem<'g> {
                 return 0.0;
             }
             let mut slip = twist.stretch(site, a, self.offsets[contact][a]);
-            slip.subtract(site.springs.precise_give_along(a, DoubleDouble::new(friction[a])));
+            slip.subtract(site.springs.precise_deflection_along(a, DoubleDouble::new(friction[a])));
             slip.value()
         })
     }

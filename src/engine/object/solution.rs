@@ -8,7 +8,7 @@
 
 use nalgebra::SVector;
 
-use super::free_motions::worked_on;
+use super::free_motions::motion_of_work;
 use super::load::Load;
 use super::piece::{OrthogonalPiece, Piece};
 use super::precise::{PreciseBalance, PreciseTwist};
@@ -23,7 +23,7 @@ use crate::prelude::*;
 pub(crate) struct PieceState {
     /// F_i in the contact frames, N.
     pub(crate) forces: Vec<SVector<f64, 3>>,
-    /// The twist of least norm, in inside coordinates.
+    /// The twist of least norm, in the engine's coordinates.
     pub(crate) twist: Vector,
 }
 
@@ -49,7 +49,7 @@ pub(crate) struct Unbalanced {
 }
 
 impl Piece {
-    /// Forces and the twist of least norm under these offsets and this load. `sites` are those from which this piece was made.
+    /// Forces and the twist of least norm under these offsets and this load. `sites` are the contacts and drives from which this piece was made.
     pub(crate) fn solve(
         &self,
         sites: &[Site],
@@ -70,7 +70,7 @@ impl Piece {
         (memory, state): (&mut SolutionMemory, &mut PieceState),
     ) -> Result<(), Unbalanced> {
         let load = load.into();
-        if let Some(motion) = worked_on(&self.unbalanced, &load.wrench) {
+        if let Some(motion) = motion_of_work(&self.unbalanced, &load.wrench) {
             return Err(Unbalanced { motion: Some(motion) });
         }
         let SolutionMemory { x, change } = memory;
@@ -91,14 +91,14 @@ impl Piece {
         let factors = self.orthogonal();
         let balance = factors.balance();
         self.stretched_into(x, |contact| offsets[contact]);
-        let pulled = balance.load_coordinates(&load.wrench);
+        let loaded = balance.load_coordinates(&load.wrench);
         let pushed = balance.coordinates(x);
         let step = match &factors.left {
-            None => pushed + &pulled,
+            None => pushed + &loaded,
             Some((_, coupling)) => {
-                let (step, unreached) = coupling.solve(&(&pushed + &pulled));
+                let (step, unreached) = coupling.solve(&(&pushed + &loaded));
                 // The two terms may cancel; their sum is accurate to the rounding of the larger one.
-                let known = NO_WORK * pushed.amax().max(pulled.amax());
+                let known = NO_WORK * pushed.amax().max(loaded.amax());
                 if unreached > known && unreached > known * coupling.growth() {
                     return Err(Unbalanced { motion: None });
                 }

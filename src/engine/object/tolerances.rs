@@ -31,8 +31,8 @@ pub(super) const NEARLY_CORRECTED: f64 = 1e-8;
 /// Most corrections: where a force is exactly zero, each correction leaves 1e-16 of the previous value.
 pub(super) const MOST_CORRECTIONS: usize = 4;
 
-/// Most steps towards the equilibrium to which the stuck grasp relaxes; ten to thirty suffice as a rule. With fewer, Newton's method may go back to an
-/// equilibrium that is not stable, which the steps have passed.
+/// Largest number of steps towards the equilibrium to which the stuck grasp relaxes; ten to thirty suffice as a rule. With fewer, Newton's method may
+/// go back to an equilibrium that is not stable, which the steps have passed.
 pub(super) const RELAXING_STEPS: usize = 300;
 
 /// The object has nearly relaxed where the way that is left is shorter than this part of the way gone: Newton's method takes it. With twenty times as much

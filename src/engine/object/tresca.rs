@@ -30,7 +30,7 @@ struct GivenLimits {
     contacts: Vec<Limited>,
     limits: Vec<f64>,
     /// The coordinates with nonzero entries in each contact's grasp map, and these entries.
-    felt: Vec<(usize, SVector<f64, 3>)>,
+    coupled: Vec<(usize, SVector<f64, 3>)>,
     /// Position of each coordinate in the narrow order.
     numbers: Vec<usize>,
     first: Vec<usize>,
@@ -42,7 +42,7 @@ struct GivenLimits {
 struct Answers {
     of: Vec<LimitedAnswer>,
     /// The imbalance `Σ G_i F_i + W`.
-    left: Vec<f64>,
+    imbalance: Vec<f64>,
 }
 
 /// Proposed contact states, in the plane or on polygons: forces nearly balance, and friction limits nearly agree with the normal forces. `None` with
@@ -51,7 +51,7 @@ pub(crate) fn states_by_tresca(problem: &Problem<'_>) -> Option<Vec<State>> {
     if !uses_band(problem.size()) {
         return None;
     }
-    let (states, _) = GivenLimits::of(problem, true)?.settled()?;
+    let (states, _) = GivenLimits::of(problem, true)?.iterated()?;
     let state = |state: Mode<u16>| match state {
         Mode::Open => Mode::Open,
         Mode::Facet(facet) => Mode::Facet(facet),
@@ -69,7 +69,7 @@ pub(crate) fn twist_by_tresca(problem: &Problem<'_>) -> Option<Vector> {
     }
     let limits = GivenLimits::of(problem, false)?;
     let numbers = limits.numbers.clone();
-    let (_, q) = limits.settled()?;
+    let (_, q) = limits.iterated()?;
     Some(Vector::from_fn(problem.size(), |k| q[numbers[k]]))
 }
 
@@ -79,11 +79,11 @@ impl GivenLimits {
         let couplings: Vec<_> = mapped(problem.sites, &|site| site.support.ranges());
         let numbers = narrow_order(count, &couplings);
         let band = PositiveBand::zeros(count, widest(&numbers, &couplings));
-        let (mut felt, mut first) = (Vec::new(), vec![0]);
+        let (mut coupled, mut first) = (Vec::new(), vec![0]);
         for (site, ranges) in problem.sites.iter().zip(couplings) {
             let entry = |k: usize| (numbers[k], by_axis(|a| site.map[(k, a)]));
-            felt.extend(ranges.into_iter().flatten().map(entry));
-            first.push(felt.len());
+            coupled.extend(ranges.into_iter().flatten().map(entry));
+            first.push(coupled.len());
         }
         let contacts = problem.locals().zip(&problem.offsets);
         let contacts: Option<Vec<_>> =
@@ -93,7 +93,7 @@ impl GivenLimits {
         Some(Self {
             limits: vec![f64::INFINITY; problem.len()],
             contacts: contacts?,
-            felt,
+            coupled,
             numbers,
             first,
             load,
@@ -101,22 +101,22 @@ impl GivenLimits {
         })
     }
 
-    fn felt(&self, contact: usize) -> &[(usize, SVector<f64, 3>)] {
-        &self.felt[self.first[contact]..self.first[contact + 1]]
+    fn coupled(&self, contact: usize) -> &[(usize, SVector<f64, 3>)] {
+        &self.coupled[self.first[contact]..self.first[contact + 1]]
     }
 
     /// Responses of the contacts to a motion by the law `answer`.
     fn answers_by(&self, q: &[f64], answer: impl Fn(usize, &SVector<f64, 3>) -> LimitedAnswer) -> Answers {
-        let (mut of, mut left) = (Vec::with_capacity(self.contacts.len()), self.load.clone());
+        let (mut of, mut imbalance) = (Vec::with_capacity(self.contacts.len()), self.load.clone());
         for (i, contact) in self.contacts.iter().enumerate() {
-            let stretch = self.felt(i).iter().fold(contact.offset, |stretch, (k, g)| stretch - g * q[*k]);
+            let stretch = self.coupled(i).iter().fold(contact.offset, |stretch, (k, g)| stretch - g * q[*k]);
             let answer = answer(i, &stretch);
-            for (k, g) in self.felt(i) {
-                left[*k] += g.dot(&answer.force);
+            for (k, g) in self.coupled(i) {
+                imbalance[*k] += g.dot(&answer.force);
             }
             of.push(answer);
         }
-        Answers { of, left }
+        Answers { of, imbalance }
     }
 
     fn answers(&self, q: &[f64]) -> Answers {
@@ -125,13 +125,13 @@ impl GivenLimits {
 
     /// Factors of T, with the part `kept` of the stiffness of springs that yield.
     fn factor(&mut self, answers: &[LimitedAnswer], kept: f64) -> Option<()> {
-        let Self { felt, first, band, .. } = self;
+        let Self { coupled, first, band, .. } = self;
         band.clear();
         for (answer, ends) in answers.iter().zip(first.windows(2)) {
-            let (springs, felt) = (answer.holds + answer.gives * kept, &felt[ends[0]..ends[1]]);
-            for (j, h) in felt {
+            let (springs, coupled) = (answer.holds + answer.gives * kept, &coupled[ends[0]..ends[1]]);
+            for (j, h) in coupled {
                 let pushed = springs * h;
-                for (i, g) in felt.iter().filter(|(i, _)| i >= j) {
+                for (i, g) in coupled.iter().filter(|(i, _)| i >= j) {
                     band.add(*i, *j, g.dot(&pushed));
                 }
             }
@@ -140,16 +140,16 @@ impl GivenLimits {
     }
 
     /// Iterates limits and motion until they agree. Returns the states and the motion.
-    fn settled(mut self) -> Option<(Vec<Mode<u16>>, Vec<f64>)> {
+    fn iterated(mut self) -> Option<(Vec<Mode<u16>>, Vec<f64>)> {
         let stuck = |contact: &Limited, stretch: &SVector<f64, 3>| {
             let holds = SMatrix::from_diagonal(&contact.stiffness);
             LimitedAnswer { force: holds * stretch, holds, gives: SMatrix::zeros(), state: Mode::Sticking }
         };
         let mut q = vec![0.0; self.load.len()];
         let mut answers = self.answers_by(&q, |i, stretch| stuck(&self.contacts[i], stretch));
-        let size = norm(&answers.left);
+        let size = norm(&answers.imbalance);
         self.factor(&answers.of, 1.0)?;
-        q.clone_from(&answers.left);
+        q.clone_from(&answers.imbalance);
         self.band.solve(&mut q);
         answers = self.answers_by(&q, |i, stretch| stuck(&self.contacts[i], stretch));
         self.limits = self.limits_of(&answers.of);
@@ -184,21 +184,21 @@ impl GivenLimits {
 
     /// Newton's method from a motion to the minimum of energy with the given limits.
     fn least_energy(&mut self, q: &mut Vec<f64>, (kept, enough): (&mut f64, f64)) -> Option<Answers> {
-        let mut here = self.answers(q);
+        let mut present = self.answers(q);
         // Maximum number of Newton steps for the same limits.
         for _ in 0..10 {
-            if norm(&here.left) <= enough {
+            if norm(&present.imbalance) <= enough {
                 break;
             }
-            self.factor(&here.of, *kept)?;
-            let mut step = here.left.clone();
+            self.factor(&present.of, *kept)?;
+            let mut step = present.imbalance.clone();
             self.band.solve(&mut step);
-            let falls = dot(&here.left, &step);
+            let falls = dot(&present.imbalance, &step);
             let mut part = 1.0;
             for shorter in 0.. {
                 let next: Vec<f64> = paired(q, &step, &|(q, step)| q + step * part);
-                here = self.answers(&next);
-                let rises = -dot(&here.left, &step);
+                present = self.answers(&next);
+                let rises = -dot(&present.imbalance, &step);
                 // Line search: the step is reduced, at most eight times, while the energy still rises at its end. A slope below this part of the
                 // initial descent is tolerated.
                 if rises <= SUFFICIENT_DECREASE * falls || shorter == 8 {
@@ -214,7 +214,7 @@ impl GivenLimits {
                 *kept = (*kept * 4.0).min(1.0);
             }
         }
-        Some(here)
+        Some(present)
     }
 }
 

@@ -7,8 +7,8 @@ use super::problem::Problem;
 use crate::contact::State;
 
 impl Problem<'_> {
-    /// The piece in which every contact that is present sticks. At rest it depends on the sites of the grasp alone, not on load
-    /// or commands, and is made once for all questions.
+    /// The piece in which every contact that is present sticks. At rest it depends on contacts and drives alone, not on load or commands, and is
+    /// computed once for all questions.
     pub(crate) fn trial(&self) -> Arc<Piece> {
         let make = || Piece::new(self, &self.unjumped());
         match self.trial {

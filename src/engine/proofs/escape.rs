@@ -5,11 +5,11 @@
 
 use super::tolerances::{ESCAPE, LEAST_WORK};
 
-/// Whether y contradicts all loads on the line between two loads, except very near its start. y does the work `here` on the first load and `past` on
-/// the second. `against` is the most work of a generator against y, `data` the size of the data. At the part t of the line the work is `here + t
-/// (past - here)`: from some t on an escape exceeds the data by [`ESCAPE`].
-pub(crate) fn counts_from_here_on(here: f64, past: f64, against: f64, data: f64) -> bool {
+/// Whether y contradicts all loads on the line between two loads, except very near its start. y does the work `value` on the first load and `past` on
+/// the second. `against` is the most work of a generator against y, `data` the size of the data. At the part t of the line the work is `value + t
+/// (past - value)`. From some t on, forces that escape the contradiction exceed the data by [`ESCAPE`].
+pub(crate) fn counts_from_here_on(value: f64, past: f64, against: f64, data: f64) -> bool {
     // The condition says that the largest part t without a contradiction is at most 1e-6. Loads before it lie within the rounding of the load at
     // which the path ended.
-    ESCAPE * data * against.max(LEAST_WORK) - here <= 1e-6 * (past - here)
+    ESCAPE * data * against.max(LEAST_WORK) - value <= 1e-6 * (past - value)
 }

@@ -22,14 +22,14 @@ use crate::object::Problem;
 use crate::prelude::*;
 
 /// The largest ρ such that no equilibrium exists at any `q* + δ`, for δ up to ρ. Such a δ moves the centroid by at most ρ, and turns the object by at
-/// most ρ over the inside unit of length. It moves each further coordinate by at most ρ. Infinite if no equilibrium exists at all; `None` if nothing
-/// is proved even at q*.
+/// most ρ over the engine's unit of length. It moves each further coordinate by at most ρ. Infinite if no equilibrium exists at all; `None` if
+/// nothing is proved even at q*.
 pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> Option<f64> {
     let work = motion.dot(&problem.wrench);
     let mut size = motion.norm() * problem.wrench.norm();
     let mut resisted = 0.0;
     let mut slope = Vector::zeros();
-    // For each contact that may open: the ρ at which it opens, and the increase of the bound's slope from there.
+    // For each contact that may open: the ρ at which it opens, and the increase of the bound's slope beyond this ρ.
     let mut openings = Vec::new();
     for (i, (site, local)) in problem.sites.iter().zip(problem.locals()).enumerate() {
         let stretch = problem.stretch(i, at);
@@ -41,7 +41,7 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
                 if reach > 0.0 {
                     openings.push((stretch[0].max(0.0) / reach, c * reach));
                 }
-                // A contact that is open at q* adds nothing there; beyond q* it adds at most c times the distance by which it closes.
+                // A contact that is open at q* adds nothing at q*; at a distance from q* it adds at most c times the distance by which it closes.
                 resisted += c * (-stretch[0]).max(0.0);
                 (c * stretch[0], unit::<3>(0) * c)
             }

@@ -65,7 +65,7 @@ pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
 /// these states contacts also do the least work against y, and the virtual forces `-C_iᵀG_iᵀy` balance one another.
 pub(crate) fn yields(problem: &Problem) -> Option<f64> {
     let states = problem.yielding();
-    let motion = Piece::new(problem, &states).unanswered(&problem.offsets, &problem.wrench)?;
+    let motion = Piece::new(problem, &states).motion_without_response(&problem.offsets, &problem.wrench)?;
     let forces = |sign: f64| {
         let force = |((site, local), state): ((&Site, LocalLaw<'_>), &State)| {
             local.tangent(state).matrix().tr_mul(&site.map.tr_mul(&motion)) * -sign

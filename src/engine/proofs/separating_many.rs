@@ -27,11 +27,11 @@ use crate::prelude::*;
 /// The cone of one contact, which responds to a motion by a force.
 struct Pushing {
     /// The coordinates with entries in the contact's map, and these entries, scaled to length one.
-    felt: Vec<(usize, SVector<f64, 3>)>,
+    coupled: Vec<(usize, SVector<f64, 3>)>,
     /// μ of a round cone; `None` for a ray along the first axis.
     cone: Option<f64>,
     /// The multiplier λ_i: the force of this contact in the last round.
-    told: SVector<f64, 3>,
+    multiplier: SVector<f64, 3>,
 }
 
 impl Pushing {
@@ -40,8 +40,8 @@ impl Pushing {
         let Some(mu) = self.cone else {
             let normal = unit::<3>(0);
             let pushes = x[0] > 0.0;
-            let held = if pushes { normal * normal.transpose() } else { SMatrix::zeros() };
-            return (if pushes { normal * x[0] } else { SVector::zeros() }, held);
+            let derivative = if pushes { normal * normal.transpose() } else { SMatrix::zeros() };
+            return (if pushes { normal * x[0] } else { SVector::zeros() }, derivative);
         };
         let size = tangential_norm(x);
         if size <= mu * x[0] {
@@ -54,12 +54,12 @@ impl Pushing {
         let edge = normal + along * mu;
         let share = edge.dot(x) / edge.norm_squared();
         let across = SMatrix::identity() - normal * normal.transpose() - along * along.transpose();
-        let held = edge * edge.transpose() / edge.norm_squared() + across * (mu * share / size);
-        (edge * share, held)
+        let derivative = edge * edge.transpose() / edge.norm_squared() + across * (mu * share / size);
+        (edge * share, derivative)
     }
 
-    fn moved(&self, v: &[f64]) -> SVector<f64, 3> {
-        self.felt.iter().fold(SVector::zeros(), |sum, (k, g)| sum + g * v[*k])
+    fn motion_at(&self, v: &[f64]) -> SVector<f64, 3> {
+        self.coupled.iter().fold(SVector::zeros(), |sum, (k, g)| sum + g * v[*k])
     }
 }
 
@@ -74,7 +74,7 @@ struct PushedBack {
 }
 
 /// The part of a load of many coordinates that no admissible contact forces balance.
-pub(super) enum Left {
+pub(super) enum Residual {
     /// The residual is a separating motion.
     Proof(Vector),
     /// The residual proves nothing.
@@ -83,10 +83,10 @@ pub(super) enum Left {
     Nothing,
 }
 
-/// The residual of a load of length one after rounds of the augmented Lagrangian; `judged` decides whether a residual is a proof.
-pub(super) fn left_of_many(problem: &Problem, judged: &dyn Fn(&Vector) -> bool) -> Left {
+/// The residual of a load of length one after rounds of the augmented Lagrangian; `is_proof` decides whether a residual is a proof.
+pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> bool) -> Residual {
     let Some(mut pushed) = PushedBack::of(problem) else {
-        return Left::Nothing;
+        return Residual::Nothing;
     };
     let mut v = pushed.load.clone();
     let (mut more, mut clearer, mut proof) = (0, 0, None);
@@ -98,10 +98,10 @@ pub(super) fn left_of_many(problem: &Problem, judged: &dyn Fn(&Vector) -> bool) 
         let Some(left) = pushed.round(&mut v, enough) else { break };
         // A residual below this part of the load counts as zero: the load is balanced.
         if left < 1e-5 {
-            return Left::Nothing;
+            return Residual::Nothing;
         }
         let motion = Vector::from_fn(problem.size(), |k| v[pushed.numbers[k]]);
-        if judged(&motion) {
+        if is_proof(&motion) {
             proof = Some(motion);
         }
         clearer += usize::from(proof.is_some());
@@ -112,7 +112,7 @@ pub(super) fn left_of_many(problem: &Problem, judged: &dyn Fn(&Vector) -> bool) 
             more += 1;
         }
     }
-    proof.map_or(Left::Unclear, Left::Proof)
+    proof.map_or(Residual::Unclear, Residual::Proof)
 }
 
 impl PushedBack {
@@ -121,18 +121,18 @@ impl PushedBack {
         let couplings: Vec<_> = mapped(problem.sites, &|site| site.support.ranges());
         let numbers = narrow_order(count, &couplings);
         let band = PositiveBand::zeros(count, widest(&numbers, &couplings));
-        let felt = |contact: usize| {
-            let mut felt = Vec::new();
+        let coupled = |contact: usize| {
+            let mut coupled = Vec::new();
             for range in &couplings[contact] {
                 for k in range.clone() {
-                    felt.push((k, numbers[k]));
+                    coupled.push((k, numbers[k]));
                 }
             }
-            felt
+            coupled
         };
         let ray = |Generator { contact, wrench, .. }: Generator| {
             let along = |(k, number): &(usize, usize)| (*number, unit::<3>(0) * wrench[*k]);
-            Pushing { felt: mapped(&felt(contact), &along), cone: None, told: SVector::zeros() }
+            Pushing { coupled: mapped(&coupled(contact), &along), cone: None, multiplier: SVector::zeros() }
         };
         let mut contacts: Vec<_> = straight_generators(problem)?.into_iter().map(ray).list();
         for (contact, (local, site)) in problem.locals().zip(problem.sites).enumerate() {
@@ -142,7 +142,11 @@ impl PushedBack {
             let size = site.map.column(0).norm();
             let entry = |(k, number): &(usize, usize)| (*number, by_axis(|a| site.map[(*k, a)] / size));
             let cone = Some(local.cone().limit(1.0));
-            contacts.push(Pushing { felt: mapped(&felt(contact), &entry), cone, told: SVector::zeros() });
+            contacts.push(Pushing {
+                coupled: mapped(&coupled(contact), &entry),
+                cone,
+                multiplier: SVector::zeros(),
+            });
         }
         let mut load = vec![0.0; count];
         let size = problem.wrench.norm();
@@ -180,9 +184,9 @@ impl PushedBack {
         }
         let mut left = self.load.clone();
         for contact in &mut self.contacts {
-            let asked = contact.told - contact.moved(v) * self.stiffness;
-            contact.told = contact.nearest(&asked).0;
-            contact.felt.iter().for_each(|(k, g)| left[*k] += g.dot(&contact.told));
+            let asked = contact.multiplier - contact.motion_at(v) * self.stiffness;
+            contact.multiplier = contact.nearest(&asked).0;
+            contact.coupled.iter().for_each(|(k, g)| left[*k] += g.dot(&contact.multiplier));
         }
         Some(norm(&left))
     }
@@ -191,9 +195,9 @@ impl PushedBack {
     fn missing(&self, v: &[f64]) -> Vec<f64> {
         let mut sum: Vec<f64> = self.load.iter().zip(v).map(|(w, v)| w - v).list();
         for contact in &self.contacts {
-            let asked = contact.told - contact.moved(v) * self.stiffness;
+            let asked = contact.multiplier - contact.motion_at(v) * self.stiffness;
             let force = contact.nearest(&asked).0;
-            contact.felt.iter().for_each(|(k, g)| sum[*k] += g.dot(&force));
+            contact.coupled.iter().for_each(|(k, g)| sum[*k] += g.dot(&force));
         }
         sum
     }
@@ -204,14 +208,14 @@ impl PushedBack {
         band.clear();
         (0..v.len()).for_each(|k| band.add(k, k, 1.0));
         for contact in contacts {
-            let asked = contact.told - contact.moved(v) * *stiffness;
-            let held = contact.nearest(&asked).1 * *stiffness;
-            if held.amax() == 0.0 {
+            let asked = contact.multiplier - contact.motion_at(v) * *stiffness;
+            let derivative = contact.nearest(&asked).1 * *stiffness;
+            if derivative.amax() == 0.0 {
                 continue;
             }
-            for (j, h) in &contact.felt {
-                let pushed = held * h;
-                for (i, g) in contact.felt.iter().filter(|(i, _)| i >= j) {
+            for (j, h) in &contact.coupled {
+                let pushed = derivative * h;
+                for (i, g) in contact.coupled.iter().filter(|(i, _)| i >= j) {
                     band.add(*i, *j, g.dot(&pushed));
                 }
             }

@@ -16,7 +16,7 @@
 use nalgebra::SVector;
 
 use super::escape::counts_from_here_on;
-use super::separating_many::{Left, left_of_many};
+use super::separating_many::{Residual, residual_of_many};
 use super::tolerances::{CLEAR_RESIDUAL, ESCAPE, LEAST_WORK, MOST_COORDINATES};
 use crate::contact::{Law, tangential, tangential_norm};
 use crate::grasp::Site;
@@ -66,7 +66,7 @@ pub(crate) fn nearest_forces(
     target: &Vector,
 ) -> NearestForces {
     let mut target = target.clone();
-    target.reach(size);
+    target.grow(size);
     let mut nearest = NearestPoint::new(target.as_slice());
     // Generators of round cones that have joined; their tags follow those of the straight ones.
     let mut joined: Vec<Generator> = Vec::new();
@@ -88,7 +88,9 @@ pub(crate) fn nearest_forces(
         let Some((tag, generator, work)) = worst else { break (v, 0.0) };
         // A generator that works against the residual by less than this part of it does not join.
         let joins = work < -1e-13 * v.norm() && v.norm() > CLEAR_RESIDUAL && !nearest.has(tag);
-        if !joins || joins_left == 0 || !nearest.take_in(tag, generator.wrench.as_slice(), target.as_slice())
+        if !joins
+            || joins_left == 0
+            || !nearest.add_generator(tag, generator.wrench.as_slice(), target.as_slice())
         {
             break (v, -work);
         }
@@ -96,7 +98,7 @@ pub(crate) fn nearest_forces(
         if tag == next {
             joined.push(generator.clone());
         }
-        nearest.settle(target.as_slice());
+        nearest.move_to_closest(target.as_slice());
     };
     let of_tag = |tag: usize| straight.get(tag).unwrap_or_else(|| &joined[tag - straight.len()]).clone();
     let shares = nearest.shares().map(|(tag, share)| (of_tag(tag), share)).list();
@@ -141,12 +143,12 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
     }
 }
 
-/// The unit separating motion in inside coordinates by the nearest forces, if there is a clear one.
+/// The unit separating motion in the engine's coordinates by the nearest forces, if there is a clear one.
 pub(crate) fn separating_motion_of_few(problem: &Problem) -> Option<Vector> {
     LoadAndCones::of(problem)?.separating_motion()
 }
 
-/// The unit separating motion in inside coordinates, if there is a clear one.
+/// The unit separating motion in the engine's coordinates, if there is a clear one.
 ///
 /// With many coordinates the augmented Lagrangian searches for it. If its residual proves nothing, the nearest forces decide, for at most
 /// [`MOST_COORDINATES`] coordinates.
@@ -155,10 +157,10 @@ pub(crate) fn separating_motion(problem: &Problem) -> Option<Vector> {
     if !uses_band(problem.size()) {
         return all.separating_motion();
     }
-    match left_of_many(problem, &|v| all.is_proof(v)) {
-        Left::Proof(v) => Some(v.normalize()),
-        Left::Unclear if problem.size().count() <= MOST_COORDINATES => all.separating_motion(),
-        Left::Unclear | Left::Nothing => None,
+    match residual_of_many(problem, &|v| all.is_proof(v)) {
+        Residual::Proof(v) => Some(v.normalize()),
+        Residual::Unclear if problem.size().count() <= MOST_COORDINATES => all.separating_motion(),
+        Residual::Unclear | Residual::Nothing => None,
     }
 }
 
@@ -188,7 +190,7 @@ pub(crate) fn separates_from_here_on(problem: &Problem, motion: &Vector, rate: &
     let Some(straight) = straight_generators(problem) else { return false };
     let all = straight.into_iter().chain(round_generators(problem, motion));
     let against = all.map(|g| g.works_against(motion)).fold(0.0, f64::max);
-    // The second load exceeds the first by the size of load and squeeze together.
+    // `counts_from_here_on` compares the work of two loads. The second is the first plus, along its rate, a load of the size `data`.
     let data = problem.wrench.norm() + squeeze(problem);
     let (here, gained) = (problem.wrench.dot(motion), rate.dot(motion) / rate.norm());
     gained > CLEAR_RESIDUAL && counts_from_here_on(here, here + data * gained, against, data)

@@ -18,10 +18,10 @@ pub enum FoundBy {
     /// Everything that touches sticks: contacts that would pull are open, and all others satisfy every condition while they stick. No complementarity
     /// problem was made.
     EverythingTouchingSticks,
-    /// Lemke's method on the kinematic form, whose path of jumps starts at the trial state.
+    /// Lemke's method on the kinematic form, whose path of jumps starts at the elastic trial state.
     KinematicForm,
     /// Newton's method for the motion of the object, of which each contact force is a function. On the round cone with few contacts it starts near
-    /// the equilibrium to which the stuck grasp relaxes, and so finds that one of several; otherwise it starts at the trial state.
+    /// the equilibrium to which the stuck grasp relaxes, and so finds that one of several; otherwise it starts at the elastic trial state.
     Newton,
     /// Lemke's method on the force form, whose path of forces starts from zero.
     ForceForm,

@@ -168,7 +168,7 @@ fn worse(worst: f64, value: f64, size: f64) -> f64 {
     if value.is_nan() { f64::INFINITY } else { worst.max(-value / size) }
 }
 
-/// The smallest combination τ of motions (orthonormal, inside coordinates; each with its change of forces) that makes every inequality hold.
+/// The smallest combination τ of motions (orthonormal in the engine's coordinates; each with its change of forces) that makes every inequality hold.
 fn least_admissible_shift(
     problem: &Problem,
     states: &[State],

@@ -16,7 +16,7 @@ use crate::prelude::*;
 pub(super) struct ElasticTrial<'s, 'g> {
     pub(super) problem: &'s Problem<'g>,
     pub(super) settings: &'s Settings,
-    /// The states of the trial: every contact that is present sticks.
+    /// The states of the elastic trial: every contact that is present sticks.
     pub(super) unjumped: Vec<State>,
     pub(super) trial: Arc<Piece>,
     pub(super) state: PieceState,
@@ -36,7 +36,7 @@ impl<'s, 'g> ElasticTrial<'s, 'g> {
         Self { problem, settings, unjumped, trial, state, proposing, with_edges }
     }
 
-    /// The problem for Lemke's method. On the round cone it has polygons, rotated to the friction forces of the trial.
+    /// The problem for Lemke's method. On the round cone it has polygons, rotated to the friction forces of the elastic trial.
     pub(super) fn proposing(&self) -> &Problem<'g> {
         if !self.problem.round {
             return self.problem;
@@ -76,7 +76,7 @@ pub(super) struct Log {
     pub(super) doubt: Doubt,
 }
 
-/// The problem with each contact's polygon rotated so that one corner lies along the friction force of the trial. While friction keeps this
+/// The problem with each contact's polygon rotated so that one corner lies along the friction force of the elastic trial. While friction keeps this
 /// direction, the polygon is as good as the round cone.
 pub(super) fn on_polygons<'g>(
     problem: &Problem<'g>,

@@ -66,7 +66,8 @@ pub(super) const LADDER: [Rung; 8] = [
     Rung { name: "force form", applies: may_be_dense, climb: force_form, finds: Some(FoundBy::ForceForm) },
     Rung {
         name: "separating motion of few",
-        // Also with few contacts and many coordinates: the augmented Lagrangian takes small residuals for zero that the nearest forces still resolve.
+        // This rung also runs with few contacts and many coordinates: the augmented Lagrangian takes small residuals for zero that the nearest forces
+        // still resolve.
         applies: |scene| !has_many_contacts(scene),
         climb: separating_motion_of_few,
         finds: None,
@@ -149,15 +150,15 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
         return Attempt::of(climb(scene.proposing(), &propose, log));
     }
     let from = |twist| polish_from(scene.problem, twist);
-    // With many contacts the steps of relaxation would take longer than Newton's method from the trial.
+    // With many contacts the steps of relaxation would take longer than Newton's method from the elastic trial.
     let relaxed =
         if has_many_contacts(scene) { None } else { relaxed_on_cones(scene.problem, &scene.state.twist) };
     let found = relaxed.and_then(from).or_else(|| from(scene.state.twist.clone()));
-    // With many coordinates the twist by Tresca friction is nearer to the solution than that of the trial.
+    // With many coordinates the twist by Tresca friction is nearer to the solution than that of the elastic trial.
     Attempt::of(found.or_else(|| twist_by_tresca(scene.problem).and_then(from)))
 }
 
-/// In rates at a limit load: all contacts on an edge slide, and nothing resists a motion on which the load works.
+/// In rates at a limit load: all contacts on the edge of their cones slide, and nothing resists a motion on which the load works.
 fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     let proof = proofs::yields(scene.problem);
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(Settled::Contradicted { cases: 1, escape }))
@@ -169,14 +170,14 @@ fn separating_motion(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
 }
 
-/// The same motion, searched for among the nearest forces only.
+/// A motion that separates the load from all admissible contact forces, from the nearest admissible forces.
 fn separating_motion_of_few(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     let motion = proofs::separating_motion_of_few(scene.proposing());
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
 }
 
-/// Lemke's method on the kinematic form. With many coordinates it pivots first on the contacts that leave the trial, then on a dense matrix. It
-/// pivots on lists of contact states only if a matrix is too large. With few coordinates lists come first, since a pivot on them costs a few
+/// Lemke's method on the kinematic form. With many coordinates it pivots first on the contacts that leave the elastic trial, then on a dense matrix.
+/// It pivots on lists of contact states only if a matrix is too large. With few coordinates lists come first, since a pivot on them costs a few
 /// operations a contact. Facets for infinite friction come last.
 fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     let (problem, dense) = (scene.proposing(), may_be_dense(scene));

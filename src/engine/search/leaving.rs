@@ -53,7 +53,7 @@ pub(super) fn propose_of_the_leaving(
     log: &mut Log,
 ) -> Option<Vec<State>> {
     let leaving = breaking(problem, &scene.unjumped, &scene.state);
-    // From this many contacts that leave the trial on, nearer states are computed first: a path costs the cube of their number.
+    // From this many contacts that leave the elastic trial on, nearer states are computed first: a path costs the cube of their number.
     if leaving.len() >= 128
         && let Some(near) = states_by_tresca(problem).and_then(|near| regular(problem, near))
         && let Some(base) = Base::of(problem, near)

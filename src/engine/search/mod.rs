@@ -54,4 +54,4 @@ pub(crate) use polish::{polish, solution_near};
 pub(crate) use proposals::dense_is_affordable;
 pub(crate) use solution_interval::on_the_solution_interval;
 pub(crate) use tree::refute;
-pub(crate) use without_force::{settle_at_rest, told_at_rest};
+pub(crate) use without_force::{reported_at_rest, settle_at_rest};

@@ -23,7 +23,7 @@ use crate::prelude::*;
 use crate::structured;
 use crate::{PolygonCone, planar};
 
-/// Below this part of the largest entry of q a variable may be zero.
+/// A variable below this part of the largest entry of q may be zero.
 const CLEAR: f64 = 1e-9;
 
 /// Combinations of contact states that are listed at most.
@@ -33,7 +33,7 @@ const MOST_STATES: f64 = 200_000.0;
 #[derive(Debug, Default, Clone, Copy)]
 struct Tally {
     scenes: usize,
-    /// Both solved it, with the same states and as many pivots.
+    /// Number of scenes that both solvers solved with the same states and as many pivots.
     same: usize,
     other_pivots: usize,
     other_states: usize,
@@ -92,7 +92,7 @@ impl Tallies {
         if let (true, Some((one, _)), Some((other, _))) = (settled, &dense, &structured)
             && one != other
         {
-            // Both may be right: where all states can be listed there are several equilibria.
+            // Both solvers may be right. Where all combinations of states can be listed, several of them are equilibria.
             let too_many = combinations(problem) > MOST_STATES;
             assert!(too_many || search(problem, false).found.len() > 1, "{one:?} {other:?}");
         }
@@ -176,7 +176,8 @@ where
     for case in 0..cases {
         let mut draw = Draw::new([C as u64, count.end as u64 + u64::from(far_apart), case as u64]);
         let number = count.start + case % count.len();
-        let contacts: Vec<_> = (0..number).map(|_| contact::<C>(&mut draw, far_apart).enter()).collect();
+        let contacts: Vec<_> =
+            (0..number).map(|_| contact::<C>(&mut draw, far_apart).into_inside()).collect();
         let Ok(grasp) = Engine::new(contacts) else { continue };
         let mut problem = grasp.on_polygons(&Wrench::ZERO, &PolygonCone::default()).expect("no load");
         problem.wrench = balancing_load(&problem, &mut draw);
@@ -185,8 +186,8 @@ where
     tallies
 }
 
-/// With every contact closed nothing may differ, with open ones no state. Of 300 scenes with open contacts one may have a tie on the way, which rounding
-/// decides: the path may then end in another equilibrium.
+/// If every contact is closed, both solvers must end with the same states after as many pivots. If contacts are open, the numbers of pivots may
+/// differ. In one of 300 such scenes the states may differ, too: the path then has a tie that rounding decides, and may end in another equilibrium.
 fn agree(tallies: &Tallies) {
     let (closed, opening) = (tallies.closed, tallies.opening);
     assert_eq!(closed.same + closed.neither + closed.only_structured, closed.scenes, "{closed:?}");
@@ -259,8 +260,8 @@ fn symmetric_scenes() {
                         let command = |i: usize| [0.06 / (1 + i % period) as f64, aside];
                         let force = shear * count as f64;
                         let grasp = ring(count, mu, &command);
-                        compare(&grasp, &planar::Wrench::new([0.0, -force], 0.0).enter());
-                        compare(&grasp, &planar::Wrench::new([0.0, 0.0], force).enter());
+                        compare(&grasp, &planar::Wrench::new([0.0, -force], 0.0).into_inside());
+                        compare(&grasp, &planar::Wrench::new([0.0, 0.0], force).into_inside());
                         compare(&pad(count, mu, &command), &Wrench::<3>::force([0.0, force, -0.1]));
                     }
                 }
@@ -270,7 +271,7 @@ fn symmetric_scenes() {
     agree(&tallies);
     let Tallies { closed, opening, unsettled } = tallies;
     assert!(closed.pivots + opening.pivots + unsettled.pivots > 3000, "{tallies:?}");
-    // Some end in another of the bases that meet in their answer: these scenes are not drawn, but rounding decides which.
+    // Some paths end in another of the bases that share one answer, as rounding decides. At most a quarter of these scenes may do so.
     assert!(4 * unsettled.other_states <= unsettled.scenes && unsettled.only_dense == 0, "{unsettled:?}");
 }
 
@@ -279,7 +280,7 @@ fn ring(count: usize, mu: f64, command: &dyn Fn(usize) -> [f64; 2]) -> Engine {
     let contact = |i: usize| {
         let (sin, cos) = (TAU * i as f64 / count as f64).sin_cos();
         let contact = Contact::<2>::new([cos, sin], [-cos, -sin]).series_stiffness(10.0, 5.0);
-        contact.friction(mu).command(command(i)).enter()
+        contact.friction(mu).command(command(i)).into_inside()
     };
     Engine::new((0..count).map(contact).collect()).expect("valid")
 }

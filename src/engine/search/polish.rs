@@ -55,12 +55,12 @@ fn regular_solution(problem: &Problem, states: &[State]) -> Option<PieceState> {
 
 /// The solution on the round cone that Newton's method finds from a twist.
 pub(super) fn polish_from(problem: &Problem, twist: Vector) -> Option<Found> {
-    RoundPieces::arrived(problem, twist)?.solve(problem)
+    RoundPieces::by_newton(problem, twist)?.solve(problem)
 }
 
 /// The solution on the round cone near one on the polygon with these states, if Newton's method finds it.
 pub(crate) fn polish(problem: &Problem, states: &[State], near: &PieceState) -> Option<Found> {
-    let found = RoundPieces::arrived(problem, near.twist.clone())
+    let found = RoundPieces::by_newton(problem, near.twist.clone())
         .and_then(|arrived| arrived.solve(problem))
         .or_else(|| RoundPieces::on_polygons(problem, states, near).solve(problem))?;
     let change = found.forces.iter().zip(&near.forces).map(|(round, polygon)| (round - polygon).norm());

@@ -22,7 +22,7 @@ pub(crate) fn dense_is_affordable(problem: &Problem, times: usize) -> bool {
     (times * rows).pow(3) <= MOST_WORK
 }
 
-/// Whether every combination of contact states may be tried.
+/// Whether there are few enough combinations of contact states to try all of them.
 pub(super) fn enumerable(problem: &Problem, settings: &Settings) -> bool {
     combinations(problem) <= settings.most_states as f64
 }

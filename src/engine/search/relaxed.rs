@@ -49,7 +49,7 @@ pub(super) enum Relaxed {
 }
 
 impl BalanceEquation {
-    /// The equation of a scene with its elastic trial; `None` where the trial carries no force.
+    /// The equation of a problem with its elastic trial; `None` where the elastic trial carries no force.
     pub(super) fn new(problem: &Problem, trial: &Piece, state: &PieceState) -> Option<Self> {
         let size = 3 * problem.len();
         let roots: Vec<_> = mapped(problem.sites, &|site| site.springs.root());
@@ -67,12 +67,12 @@ impl BalanceEquation {
         for x in &mut target {
             *x /= unit;
         }
-        let seen: Vec<_> = numbered(problem.len(), &|contact| trial.seen(contact));
+        let maps: Vec<_> = numbered(problem.len(), &|contact| trial.factor_rows(contact));
         let mut projector = Vec::with_capacity(size * size);
-        for columns in &seen {
+        for columns in &maps {
             for a in 0..3 {
                 let column = columns.column(a);
-                for rows in &seen {
+                for rows in &maps {
                     projector.extend_from_slice(rows.tr_mul(&column).as_slice());
                 }
             }
@@ -111,7 +111,7 @@ impl BalanceEquation {
     }
 
     /// Work of each generator along y: that of its stretch with `(1 - P) y` and of its force with `P y`.
-    fn works<'r>(
+    fn works_of_generators<'r>(
         y: &'r [f64],
         projected: &'r [f64],
         hulls: &'r [impl AsRef<[HullRay]>],
@@ -129,14 +129,14 @@ impl BalanceEquation {
     /// Moves to the nearest point of the cone that these hulls span.
     pub(super) fn relax(&self, hulls: &[impl AsRef<[HullRay]>], nearest: &mut NearestPoint<Tag>) -> Relaxed {
         let (mut column, mut projected) = (Vec::new(), Vec::new());
-        nearest.settle(&self.target);
-        // Generators that have joined since the distance last shrunk; they are not tried again before it shrinks.
+        nearest.move_to_closest(&self.target);
+        // Generators that have become active since the distance last shrank; they are not tried again before it shrinks.
         let mut tried: Vec<Tag> = Vec::new();
         let mut least = f64::INFINITY;
         // Maximum number of generators that join, for each row of the equation.
         for _ in 0..40 * self.target.len() {
             let distance = nearest.distance();
-            // A distance below this part of the trial state counts as zero.
+            // A distance below this part of the elastic trial state counts as zero.
             if distance < 1e-11 || !distance.is_finite() {
                 break;
             }
@@ -149,7 +149,7 @@ impl BalanceEquation {
             // A generator joins if its work along the residual exceeds this part of the residual.
             let (mut best, mut most) = (None, SOLVED_ROUNDING * distance);
             let mut hardest = LEAST_WORK * distance;
-            for (tag, work) in Self::works(nearest.residual(), &projected, hulls) {
+            for (tag, work) in Self::works_of_generators(nearest.residual(), &projected, hulls) {
                 hardest = hardest.max(work);
                 if work > most && !tried.contains(&tag) && !nearest.has(tag) {
                     (best, most) = (Some(tag), work);
@@ -157,7 +157,7 @@ impl BalanceEquation {
             }
             let Some(tag) = best else {
                 let escape = distance * distance / hardest;
-                // A distance below this part of the trial state is too close to its rounding for a contradiction.
+                // A distance below this part of the elastic trial state is too close to rounding for a contradiction.
                 if escape >= ESCAPE && distance >= 1e-10 {
                     return Relaxed::Contradicted { escape };
                 }
@@ -166,8 +166,8 @@ impl BalanceEquation {
             tried.push(tag);
             let ray = &hulls[tag.0].as_ref()[tag.1];
             self.column(tag.0, ray, &mut column);
-            if nearest.take_in(tag, &column, &self.target) {
-                nearest.settle(&self.target);
+            if nearest.add_generator(tag, &column, &self.target) {
+                nearest.move_to_closest(&self.target);
             }
         }
         // Nothing is clearly contradicted. The case is divided further, which is always sound.
@@ -202,17 +202,17 @@ impl BalanceEquation {
         self.projected(y, &mut projected);
         let part =
             |list: &[f64], contact: usize| SVector::<f64, 3>::from_column_slice(&list[3 * contact..][..3]);
-        let seen = self.roots.iter().enumerate().map(|(contact, root)| {
+        let maps = self.roots.iter().enumerate().map(|(contact, root)| {
             let on_force = part(&projected, contact);
             by_axis(|a| if root[a] > 0.0 { on_force[a] / root[a] } else { 0.0 })
         });
-        let motion = trial.solve_roughly(&seen.list(), &Vector::zeros()).twist;
+        let motion = trial.solve_roughly(&maps.list(), &Vector::zeros()).twist;
         let on_stretch = |contact| part(y, contact) - part(&projected, contact);
         let forces = self.roots.iter().enumerate().map(|(i, root)| on_stretch(i).component_mul(root));
         (motion, forces.list())
     }
 
-    /// The length of a difference of forces of a contact in energy units, as a part of the trial state.
+    /// The length of a difference of forces of a contact in energy units, as a part of the elastic trial state.
     pub(super) fn part(&self, contact: usize, difference: &SVector<f64, 3>) -> f64 {
         let root = &self.roots[contact];
         let square: f64 = (0..3)

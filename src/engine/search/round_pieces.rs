@@ -35,9 +35,10 @@ struct Progress {
 
 impl RoundPieces {
     /// Converges by Newton's method on the twist from `from`, with every contact free to change its state.
-    pub(super) fn arrived(problem: &Problem, from: Vector) -> Option<Self> {
+    pub(super) fn by_newton(problem: &Problem, from: Vector) -> Option<Self> {
         let mut contacts = Vec::new();
-        // Imbalance, as a part of the forces, at which Newton's method on the twist ends; steps on the pieces reduce the rest.
+        // Imbalance, as a part of the forces, at which Newton's method on the twist ends; Newton steps with fixed contact states reduce the remaining
+        // imbalance.
         let (twist, ..) = newton_on_cones(problem, (from, NEGLIGIBLE), &mut contacts)?;
         let (states, forces) = contacts.iter().map(|at| (at.state, at.force)).unzip();
         Some(Self { states, forces, twist: PreciseTwist::new(problem.size(), twist) })
@@ -81,7 +82,7 @@ impl RoundPieces {
             }
             // While a motion is free, gaps along it are arbitrary, and open contacts stay open.
             let closing = sharp || piece.free_motions().is_empty();
-            let left = self.leave_states(problem, closing);
+            let left = self.update_states(problem, closing);
             if sharp && !left {
                 return None;
             }
@@ -149,7 +150,7 @@ impl RoundPieces {
     /// stiffest spring, and its length is unknown.
     fn turns(&self, problem: &Problem, motion: &Vector) -> bool {
         problem.sites.iter().zip(&self.states).any(|(site, state)| {
-            let turns = |slide: &Slide| slide.across().dot(&site.map.tr_mul(motion)).abs();
+            let turns = |slide: &Slide| slide.perpendicular().dot(&site.map.tr_mul(motion)).abs();
             // A motion that moves a contact by less than this part of its reach does not move it.
             state.slide().is_some_and(|slide| turns(slide) > 1e-10 * site.map.norm())
         })
@@ -157,7 +158,7 @@ impl RoundPieces {
 
     /// Changes states whose inequalities fail, and turns each slide into the direction of the contact's stretch. Returns whether a contact changed
     /// its kind of state. Open contacts close only if `closing`.
-    fn leave_states(&mut self, problem: &Problem, closing: bool) -> bool {
+    fn update_states(&mut self, problem: &Problem, closing: bool) -> bool {
         let twist = self.twist.value();
         let largest = problem.largest_force(&self.forces, &twist);
         let mut any = false;
@@ -199,7 +200,7 @@ fn next_state(
         _ if !local.may_slide() => *state,
         _ => {
             // The stretch of a stiff spring is computed from its force; displacements would only give its rounding.
-            let give = local.springs.give(force);
+            let give = local.springs.deflection(force);
             let known =
                 by_axis(|axis| if axis == 0 || state.is_sticking() { give[axis] } else { stretch[axis] });
             let near = state.slide().map_or(0.0, |slide| slide.lambda);
@@ -210,7 +211,7 @@ fn next_state(
                     *force = answer.force;
                     answer.state
                 }
-                // Pulled by rounding alone, a contact rubs without a normal force: friction holds nothing.
+                // A contact that only rounding pulls open opens if it slides: without a normal force it has no friction. Otherwise it keeps sticking.
                 Mode::Open if local.may_open() && rubs => opened(force),
                 _ => Mode::Sticking,
             }

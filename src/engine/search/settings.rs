@@ -24,9 +24,9 @@ pub struct Settings {
     pub cone: PolygonCone,
     /// In space, whether equilibria and load paths are for the round cone (the default) or for the polygon itself. Ignored in the plane.
     pub round: bool,
-    /// Most pivots of Lemke's method on one form of a scene. `None` allows about a second. A search over thousands of contacts on which Newton's
-    /// method has failed then gives up with [`Doubt::OutOfPivots`](super::Doubt::OutOfPivots). The dense programs of [`energy`](crate::energy) may
-    /// take some ten seconds.
+    /// Largest number of pivots of Lemke's method on one form of a scene. `None` allows about a second. A search over thousands of contacts on which
+    /// Newton's method has failed then gives up with [`Doubt::OutOfPivots`](super::Doubt::OutOfPivots). The dense programs of
+    /// [`energy`](crate::energy) may take some ten seconds.
     pub max_pivots: Option<usize>,
     /// If neither form gives an answer, all combinations of contact states are tried, provided that they are at most this many. The default is 20
     /// 000, a few hundredths of a second: 7 contacts in the plane, 3 on 8 facets in space. On the round cone branch and bound divides the states and
@@ -39,13 +39,14 @@ pub struct Settings {
     /// times as many steps. If rounding allows only a larger error, [`LoadPath::step_error`](crate::load_path::LoadPath::step_error) reports it.
     /// Straight parts of a path need no steps.
     pub step_error: f64,
-    /// On a load path, most steps along sliding arcs of the round cone within one leg, refused ones included. It also limits the jumps from static to
-    /// kinetic friction (default 20 000). A path that needs more ends [undecided](crate::load_path::PathEnd::Undecided) at the point reached.
+    /// On a load path, the largest number of steps along sliding arcs of the round cone within one leg, refused ones included. It also limits the
+    /// jumps from static to kinetic friction (default 20 000). A path that needs more ends [undecided](crate::load_path::PathEnd::Undecided) at the
+    /// point reached.
     pub most_steps: usize,
     /// Largest load factor up to which [`hold`](crate::ask::Grasp::hold) searches for the loss of the grasp, as a multiple of the load asked about
     /// (default 100). Up to 1 the search stops at the full load.
     pub most_load: f64,
-    /// Most cycles of a repeated load (default 1 000), see [`shake`](crate::ask::Grasp::shake).
+    /// Largest number of cycles of a repeated load (default 1 000), see [`shake`](crate::ask::Grasp::shake).
     pub most_cycles: usize,
     /// Limits of small motions: by default a tenth of a radian, and slips of a tenth of the grasp's size.
     pub small_motions: SmallMotions,

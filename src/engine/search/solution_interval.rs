@@ -14,10 +14,10 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The same forces in states that show the free motions: contacts on an edge of their cone slide, contacts without force open. Returns `found` itself
-/// if these states do not hold.
+/// The same forces in states that show the free motions: contacts on an edge of their cone slide, and contacts without force are open. Returns
+/// `found` itself if these states do not hold.
 pub(crate) fn on_the_solution_interval(problem: &Problem, found: Found) -> Found {
-    // In space the springs perpendicular to the slip resist, and leave no such motion.
+    // In space the springs perpendicular to the slip resist, so that no motion stays free.
     if problem.space() == Space::Spatial {
         return found;
     }

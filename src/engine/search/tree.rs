@@ -41,7 +41,8 @@ struct Case {
     divided: Option<usize>,
 }
 
-/// Whether some contact has a round cone. Otherwise combinations of states on polygons are complete; in rates, a contact on an edge has a facet.
+/// Whether some contact has a round cone. Otherwise combinations of states on polygons are complete; in rates, a contact on the edge of its cone has
+/// a facet.
 pub(super) fn has_round_cones(problem: &Problem) -> bool {
     problem.locals().any(|local| local.is_round()) && !problem.locals().any(|local| local.is_on_an_edge())
 }
@@ -81,7 +82,7 @@ pub(super) fn search_tree(
         }
         cases += 1;
         let mut nearest = Rc::unwrap_or_clone(nearest);
-        nearest.forget(|(contact, _)| divided == Some(contact));
+        nearest.remove_tags(|(contact, _)| divided == Some(contact));
         let (stretches, forces) = match balance.relax(&hulls, &mut nearest) {
             Relaxed::Met(stretches, forces) => (stretches, forces),
             Relaxed::Contradicted { escape } => {
@@ -99,7 +100,7 @@ pub(super) fn search_tree(
         let (contact, error) = farthest_from_the_law(problem, &balance, &labels, &stretches, &forces);
         // Newton's method starts from every fourth case: it costs as much as a few cases.
         let every = 4;
-        // An error of the law below this part of the trial state is rounding: Newton's method should have converged.
+        // An error of the law below this part of the elastic trial state is rounding: Newton's method should have converged.
         let at_the_law = 1e-10;
         if (cases - 1) % every == 0 || error <= at_the_law {
             let from: Vec<_> = paired(&problem.offsets, &stretches, &|(a, v)| a - v);
@@ -157,10 +158,10 @@ fn farthest_from_the_law(
     let mut error = 0.0_f64;
     for (contact, local) in problem.locals().enumerate() {
         let answer = local.answer(&stretches[contact], 0.0);
-        let off = balance.part(contact, &(forces[contact] - answer.force));
-        error = error.max(off);
+        let imbalance = balance.part(contact, &(forces[contact] - answer.force));
+        error = error.max(imbalance);
         // Weight of the error of a contact whose label restricts nothing yet: before it is divided, other divisions contribute little.
-        let weighed = if labels[contact] == Label::Anything { 3.0 * off } else { off };
+        let weighed = if labels[contact] == Label::Anything { 3.0 * imbalance } else { imbalance };
         if weighed > worst {
             (farthest, worst) = (contact, weighed);
         }

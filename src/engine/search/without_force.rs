@@ -31,10 +31,10 @@ pub(crate) fn settle_at_rest(problem: &Problem, settings: &Settings) -> (Settled
 
 /// The solution as it is reported for a problem at rest: contacts without force are open, and free motions are shown. Twist and sizes stay those of
 /// `found`.
-pub(crate) fn told_at_rest(problem: &Problem, found: Found) -> Found {
+pub(crate) fn reported_at_rest(problem: &Problem, found: Found) -> Found {
     let open = opened(problem, &found).unwrap_or_else(|| found.clone());
-    let told = on_the_solution_interval(problem, open);
-    Found { twist: found.twist, sizes: found.sizes, ..told }
+    let shown = on_the_solution_interval(problem, open);
+    Found { twist: found.twist, sizes: found.sizes, ..shown }
 }
 
 /// The same forces with all contacts open that carry none; `None` if there is no such contact. `None` also if no contact carries a force, since

@@ -93,11 +93,11 @@ fn in_the_plane() {
             Contact::new([side, whole(&mut draw, 2.0)], [-side, lean])
                 .series_stiffness(100.0 * (1.0 + whole(&mut draw, 2.0).abs()), 100.0)
                 .friction(0.25 * (1.0 + whole(&mut draw, 3.0).abs()))
-                .enter()
+                .into_inside()
         };
         let contacts: Vec<_> = (0..number).map(contact).collect();
         let grasp = Engine::new(contacts).expect("valid");
-        ask(&grasp, &planar::Wrench::force([0.0, draw.sign()]).enter(), &mut draw, &mut count);
+        ask(&grasp, &planar::Wrench::force([0.0, draw.sign()]).into_inside(), &mut draw, &mut count);
     }
     println!("in the plane {count:?}");
     assert!(count.proved > count.asked / 20 && count.held > count.asked / 20, "{count:?}");

@@ -16,7 +16,7 @@ use super::contact_form::{ContactForm, PairedContact};
 use crate::object::{Slipping, Sums, normal};
 use crate::prelude::*;
 
-/// Indices of the right-hand sides of equilibrium: that of the trial state, of the covering vector, and of the perturbation that breaks ties.
+/// Indices of the right-hand sides of equilibrium: that of the elastic trial state, of the covering vector, and of the perturbation that breaks ties.
 pub(super) const TRIAL: usize = 0;
 pub(super) const COVER: usize = 1;
 pub(super) const PERTURBED: usize = 2;
@@ -179,7 +179,7 @@ impl Default for StateBasis {
 }
 
 impl StateBasis {
-    /// Sets every contact to its trial state, without active pairs.
+    /// Sets every contact to its elastic trial state, without active pairs.
     pub(super) fn unjump(&mut self, contacts: usize) {
         self.active.clear();
         self.active.resize(contacts, Active::EMPTY);

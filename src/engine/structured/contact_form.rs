@@ -53,8 +53,8 @@ pub(crate) struct ContactForm {
 }
 
 impl ContactForm {
-    /// Sets up the form on the trial state in which every contact sticks. `factor` is the orthogonal factor of the trial, and `x` lists x⁰ spring by
-    /// spring.
+    /// Sets up the form on the elastic trial state, in which every contact sticks. `factor` is the orthogonal factor of the trial, and `x` lists x⁰
+    /// spring by spring.
     pub(crate) fn assign(&mut self, problem: &Problem, factor: &Orthogonal, x: &[f64]) {
         let Self { locals, coordinates, size, pairs, widest, covering } = self;
         *size = problem.size();

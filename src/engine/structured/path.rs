@@ -56,7 +56,7 @@ impl StatePath {
         10_000 + 100 * self.form.pairs
     }
 
-    /// Follows the path of a covering vector (0: all ones) from the trial state.
+    /// Follows the path of a covering vector (0: all ones) from the elastic trial state.
     pub(crate) fn run_from_trial(&mut self, attempt: usize, limit: usize) -> PivotEnd {
         self.basis.unjump(self.form.len());
         self.form.scatter(attempt);

@@ -112,7 +112,7 @@ impl ContactForm {
         }
     }
 
-    /// The time until which no variable of this contact can reach zero, on the clock of `object/lazy_pricing` for the direction e.
+    /// The time t of `object/lazy_pricing` until which no variable of this contact can reach zero, while the path follows the direction e.
     pub(super) fn slack(&self, basis: &StateBasis, contact: u32, at: &Point, e: &Point) -> f64 {
         let local = &self.locals[contact as usize];
         let (active, reaction) = (&basis.active[contact as usize], basis.reaction(contact as usize));

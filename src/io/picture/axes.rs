@@ -42,7 +42,7 @@ impl EqualScales {
     }
 
     /// The ends of the part of a straight line inside the window.
-    pub(super) fn across(&self, point: Vector2<f64>, along: Vector2<f64>) -> [Place; 2] {
+    pub(super) fn line_ends(&self, point: Vector2<f64>, along: Vector2<f64>) -> [Place; 2] {
         let half = Vector2::new(self.window.wide, self.window.high) / (2.0 * self.scale);
         let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);
         for axis in 0..2 {

@@ -15,7 +15,7 @@ pub(super) struct Resultant<const C: usize> {
     pub(super) at: SVector<f64, C>,
     pub(super) force: SVector<f64, C>,
     pub(super) normal_force: f64,
-    /// Displacement of the object at that point, m.
+    /// Displacement of the object at the point where the force acts, m.
     pub(super) displacement: SVector<f64, C>,
     /// If the whole fingertip slides, the direction in which the finger slides over the object.
     pub(super) slides: Option<SVector<f64, C>>,

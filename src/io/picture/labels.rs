@@ -61,7 +61,7 @@ impl Labels {
 
     /// The best place beside the point, or anywhere where that covers much, with a line to a point that is not near; `None` if the paper is full.
     fn place(&mut self, paper: &mut Sheet, point: Place, size: (f64, f64)) -> Option<Place> {
-        let beside = self.best(point, self.beside(point, size));
+        let beside = self.best(point, self.plates_beside(point, size));
         let is_clear = |plate: &Plate| self.cost(point, plate) <= COVERS_MUCH;
         let plate = match beside {
             Some(plate) if is_clear(&plate) => plate,
@@ -82,12 +82,12 @@ impl Labels {
 
     /// The rectangle with the least cost among those that touch no other name.
     fn best(&self, point: Place, plates: Vec<Plate>) -> Option<Plate> {
-        let free = plates.into_iter().filter(|plate| !self.meets(plate));
+        let free = plates.into_iter().filter(|plate| !self.overlaps(plate));
         let best = free.map(|plate| (self.cost(point, &plate), plate)).min_by(|a, b| a.0.total_cmp(&b.0));
         best.map(|(_, plate)| plate)
     }
 
-    fn beside(&self, point: Place, (wide, high): (f64, f64)) -> Vec<Plate> {
+    fn plates_beside(&self, point: Place, (wide, high): (f64, f64)) -> Vec<Plate> {
         // Directions from a point to its name, to the right and downwards, in order of preference.
         let sides = [
             (1.0, -1.0),
@@ -137,7 +137,7 @@ impl Labels {
     }
 
     /// Whether another name overlaps this rectangle.
-    fn meets(&self, (middle, (wide, high)): &Plate) -> bool {
+    fn overlaps(&self, (middle, (wide, high)): &Plate) -> bool {
         self.taken.iter().any(|(other, (w, h))| {
             let (x, y) = ((other.0 - middle.0).abs(), (other.1 - middle.1).abs());
             x < f64::midpoint(*wide, *w) + 2.0 && y < f64::midpoint(*high, *h)

@@ -97,11 +97,11 @@ pub(super) struct ChartLayout {
     pub(super) note_line: f64,
     /// Largest number of series whose legend is inside the chart; otherwise names are written beside the chart.
     pub(super) most_inside: usize,
-    /// Most letters of a name beside the chart, of a name in the legend inside it, and of a name at a mark.
+    /// Largest number of letters of a name beside the chart, of a name in the legend inside it, and of a name at a mark.
     pub(super) longest_beside: usize,
     pub(super) longest_inside: usize,
     pub(super) mark_letters: usize,
-    /// Most names in a list of curves that are not drawn, and their most letters.
+    /// Largest number of names in a list of curves that are not drawn, and largest number of letters of each.
     pub(super) listed_names: usize,
     pub(super) listed_letters: usize,
 }

@@ -165,7 +165,7 @@ impl Painting {
                 Shape::Area { corners, ink } if ink.opacity == 1.0 => {
                     inked.extend(corners.iter().map(|corner| (*corner, 20.0)));
                 }
-                // A cone that is only tinted counts by its edges.
+                // Of an area that is only tinted, such as a cone, names should not cover the edges.
                 Shape::Area { corners, .. } => {
                     inked.extend(corners.windows(2).flat_map(|ends| along(ends[0], ends[1], 1.0)));
                 }
@@ -188,6 +188,6 @@ fn along(from: Place, to: Place, width: f64) -> impl Iterator<Item = (Place, f64
     parts.map(move |part| ((from.0 + part * x, from.1 + part * y), width * size / steps))
 }
 
-fn place(seen: &EyePoint) -> Place {
-    (seen.x, seen.y)
+fn place(point: &EyePoint) -> Place {
+    (point.x, point.y)
 }

@@ -77,7 +77,7 @@ impl<'l> LoadOnPaper<'l> {
         }
         if moment == 0.0 && acts {
             // The force is scaled first, because the square of a tiny force may be zero.
-            painting.dashes(axes.across(at, (force / force.amax()).normalize()), GREY, 1.0);
+            painting.dashes(axes.line_ends(at, (force / force.amax()).normalize()), GREY, 1.0);
         }
         if moment != 0.0 {
             // The gap of the arc is in the direction of the force.

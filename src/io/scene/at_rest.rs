@@ -1,7 +1,7 @@
 //! Warnings about contacts and links that at rest press or pull with no force, or with another force than the scene states.
 
 use super::link::LinkSetup;
-use super::odd::put_on;
+use super::odd::applied_loads;
 use super::question::Question;
 use super::setup::Setup;
 use super::tolerances::OTHERWISE_PRESSED;
@@ -15,9 +15,9 @@ use crate::need::Quantity;
 use crate::numerics::summed;
 
 impl Setup<3> {
-    /// Whether nothing presses on contacts. Commands may press, the load at rest of a question, or a load that it applies, as a weight or a jamming
-    /// load does. One question for which none of them presses suffices, unless it seeks the forces at rest.
-    /// Without a question, the commands alone decide.
+    /// Whether nothing presses on contacts under some question of the scene. Contacts may be pressed by commands, by the question's load at rest, or
+    /// by a load that the question applies, such as a weight or a jamming load. A question that seeks the forces at rest does not count. Without a
+    /// question, the commands alone decide.
     pub(super) fn nothing_presses(&self, grasp: &Grasp<3>) -> Result<bool, Error> {
         // A grasp that has links but no contacts needs no squeeze.
         if grasp.presses() || self.entries().next().is_none() {
@@ -33,7 +33,7 @@ impl Setup<3> {
             }
             let grasp = self.grasp_asked(grasp, question)?;
             let mut presses = false;
-            for load in put_on(question) {
+            for load in applied_loads(question) {
                 presses = presses || self.lies_on_a_contact(&load) || jams(&grasp, load)?;
             }
             if !presses {
@@ -65,8 +65,11 @@ impl Setup<3> {
     /// Contacts and links that at rest press or pull with another force than stated. The states at rest are without load, and under the base load of
     /// each question; the state with the fewest warnings counts.
     pub(super) fn otherwise_at_rest(&self, grasp: &Grasp<3>) -> Result<Vec<Warning>, Error> {
-        let told = |entry: &LinkSetup<3>| entry.link.tension.is_none() && entry.link.pretension != 0.0;
-        if self.entries().all(|entry| entry.contact.press.is_none()) && !self.links.iter().any(told) {
+        let is_pretensioned =
+            |entry: &LinkSetup<3>| entry.link.tension.is_none() && entry.link.pretension != 0.0;
+        if self.entries().all(|entry| entry.contact.press.is_none())
+            && !self.links.iter().any(is_pretensioned)
+        {
             return Ok(Vec::new());
         }
         let mut bases = vec![Wrench::ZERO];
@@ -91,16 +94,16 @@ impl Setup<3> {
         let mut warnings = Vec::new();
         let (mut pressed, wholes) = (0, grasp.engine.wholes());
         for (contact, entry) in self.entries().enumerate() {
-            let Some(told) = entry.contact.press else { continue };
+            let Some(nominal) = entry.contact.press else { continue };
             pressed += 1;
             // A pad that touches a curved part presses along its closing direction.
             let along = entry.contact.frame(contact)?.column(0).into_owned();
             let force = summed(&state.contacts[wholes[contact].range.clone()], &|point| {
                 point.force_world.dot(&along)
             });
-            if (force - told).abs() > OTHERWISE_PRESSED * told {
+            if (force - nominal).abs() > OTHERWISE_PRESSED * nominal {
                 let name = entry.contact.label_text(contact);
-                warnings.push(Warning::PressesOtherwise { contact, name, told, force });
+                warnings.push(Warning::PressesOtherwise { contact, name, told: nominal, force });
             }
         }
         if pressed > 0 && warnings.len() == pressed {
@@ -109,14 +112,14 @@ impl Setup<3> {
         }
         let contacts = self.entries().count();
         for (number, LinkSetup { link, .. }) in self.links.iter().enumerate() {
-            let told = link.pretension;
-            if told == 0.0 || link.tension.is_some() {
+            let nominal = link.pretension;
+            if nominal == 0.0 || link.tension.is_some() {
                 continue;
             }
             let force = state.contacts[wholes[contacts + number].range.start].normal_force();
-            if (force - told).abs() > OTHERWISE_PRESSED * told.abs() {
+            if (force - nominal).abs() > OTHERWISE_PRESSED * nominal.abs() {
                 let (link, name) = (number, link.called(number));
-                warnings.push(Warning::PullsOtherwise { link, name, told, force });
+                warnings.push(Warning::PullsOtherwise { link, name, told: nominal, force });
             }
         }
         Ok(warnings)

@@ -163,7 +163,7 @@ impl SceneNames<'_> {
         let least = margins.min_by(|a, b| a.1.margin.total_cmp(&b.1.margin));
         let Some((site, contact)) = least else { return brief };
         let (margin, first) = (Some(contact.margin), Some(self.label(site).text()));
-        Brief { margin, first, does: Some(doing(&contact.state)), ..brief }
+        Brief { margin, first, does: Some(state_text(&contact.state)), ..brief }
     }
 
     fn onset_briefly(&self, question: &'static str, onset: &Onset<3>) -> Brief {
@@ -223,12 +223,13 @@ fn held_briefly(verdict: &Verdict<3>) -> Brief {
         Holding::Undecided { .. } => "undecided",
     };
     let first = verdict.first_slip.as_ref();
-    let who = first.and_then(|first| first.slide.iter().chain(&first.open).chain(&first.would_pull).next());
-    let who = who.map(|part| part.label.clone());
+    let contact =
+        first.and_then(|first| first.slide.iter().chain(&first.open).chain(&first.would_pull).next());
+    let contact = contact.map(|part| part.label.clone());
     let factor = verdict.lost.as_ref().map(|lost| lost.factor);
     let is_lost = matches!(verdict.holding, Holding::Lost);
     let beyond_small_motions = is_lost && verdict.lost.as_ref().is_some_and(|lost| lost.too_far.is_some());
-    Brief { factor, first: who, beyond_small_motions, ..Brief::new("hold", outcome) }
+    Brief { factor, first: contact, beyond_small_motions, ..Brief::new("hold", outcome) }
 }
 
 /// Short answer to `need`: the amount that is needed.
@@ -308,7 +309,7 @@ fn identified_briefly(found: &Identified) -> Brief {
     Brief { factor: first.map(|estimate| estimate.value), ..Brief::new("identify", ended(&found.ending)) }
 }
 
-fn doing(state: &ContactState<3>) -> &'static str {
+fn state_text(state: &ContactState<3>) -> &'static str {
     match state {
         ContactState::Separated => "separated",
         ContactState::Sticking => "sticking",

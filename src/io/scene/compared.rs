@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::held::said;
+use super::held::text;
 use super::labels::SceneNames;
 use crate::energy::Comparison;
 use crate::error::Error;
@@ -40,7 +40,7 @@ impl SceneNames<'_> {
         let is_loaded = *load != Wrench::ZERO;
         let agrees_up_to =
             if is_loaded { energy.agreement(Ramp::load(*base, *load))?.factor() } else { None };
-        let mut says = said(&comparison, words);
+        let mut says = text(&comparison, words);
         if let Some(factor) = agrees_up_to.filter(|factor| factor.is_finite() && *factor > 0.0) {
             let amount = match load.measure() {
                 Some((size, unit)) => format!("{} {unit}", words.number(size * factor)),

@@ -96,7 +96,7 @@ impl<const C: usize> Answer<C> {
 /// The first line of `solve`, such as "EQUILIBRIUM under (0, -4) N: everything sticks".
 fn solved<const C: usize>(under: &str, answer: &SolveAnswer<C>, words: Words) -> String {
     let digits = words.precision();
-    let said = match &answer.outcome {
+    let sentence = match &answer.outcome {
         Outcome::Equilibrium(state) => {
             let caution =
                 state.too_far.as_ref().map_or(String::new(), |far| beyond_small_motions(far, words));
@@ -105,14 +105,14 @@ fn solved<const C: usize>(under: &str, answer: &SolveAnswer<C>, words: Words) ->
         Outcome::NoEquilibrium(none) => format!("NO EQUILIBRIUM{under}: {none:.digits$}"),
         Outcome::Undecided(undecided) => format!("UNDECIDED{under}: {undecided}"),
     };
-    let Some(held) = &answer.from_rest else { return said };
+    let Some(held) = &answer.from_rest else { return sentence };
     let from_rest = format!("put on from rest: {:.digits$}", held.verdict);
     match &answer.outcome {
         // The path from rest loses the load, which is the verdict. The search has neither found nor excluded another equilibrium.
         Outcome::Undecided(doubt) if held.verdict.holds() == Some(false) => {
             format!("{from_rest}. Whether another equilibrium exists elsewhere is undecided: {doubt}")
         }
-        _ => format!("{said}; {from_rest}"),
+        _ => format!("{sentence}; {from_rest}"),
     }
 }
 
@@ -127,7 +127,7 @@ fn in_short<const C: usize>(state: &Equilibrium<C>) -> String {
     for contact in state.whole_contacts() {
         match contact {
             WholeAnswer::Pad(pad) if pad.sliding > 0 && pad.sliding < pad.points - pad.open => {
-                in_part.push(format!("{} ({})", contact.text(), pad.doing()));
+                in_part.push(format!("{} ({})", contact.text(), pad.state_text()));
             }
             WholeAnswer::Pad(pad) if pad.sliding > 0 => slide.push(contact.text()),
             WholeAnswer::Point(point) if matches!(point.state, ContactState::Sliding { .. }) => {
@@ -181,17 +181,17 @@ fn leaving<const C: usize, At>(event: &OnsetAt<C, At>, words: Words) -> (&'stati
     let drives = event.drives.iter().map(|drive| (drive.part.text(), drive.what.to_string()));
     let verbs: Vec<(String, String)> =
         changes.iter().map(|change| (change.contact.text(), change.verb_in(words))).chain(drives).list();
-    let mut told: Vec<String> = Vec::new();
+    let mut clauses: Vec<String> = Vec::new();
     for group in verbs.chunk_by(|a, b| a.1 == b.1) {
         let names: Vec<&str> = mapped(group, &|(name, _)| name.as_str());
-        told.push(plural(&names, &group[0].1));
+        clauses.push(plural(&names, &group[0].1));
     }
     let what = match (slides, changes.is_empty()) {
         (true, _) => "FIRST SLIP",
         (false, true) => "FIRST YIELDING",
         (false, false) => "FIRST OPENING",
     };
-    (what, if told.is_empty() { "points of a fingertip change".to_owned() } else { told.join(", ") })
+    (what, if clauses.is_empty() { "points of a fingertip change".to_owned() } else { clauses.join(", ") })
 }
 
 /// "left slides", "left and right slide": the verb loses its s where several do it.
@@ -220,7 +220,7 @@ fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
             _ => "no contact begins to slide on the way".to_owned(),
         },
     };
-    let said = match &path.end {
+    let sentence = match &path.end {
         PathOutcome::Completed { .. } => format!("HELD to the end: {slip}"),
         PathOutcome::Lost { loss, .. } => {
             format!("LOST at {}: {}; {slip}", place(loss.leg, loss.fraction, &loss.load), loss.kind)
@@ -237,10 +237,10 @@ fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
         Some(far) => {
             let (fraction, what) = (words.number(far.fraction), &far.what);
             format!(
-                "{said}. CAUTION: from {fraction} of leg {} on {what}: results for small motions no longer apply",
+                "{sentence}. CAUTION: from {fraction} of leg {} on {what}: results for small motions no longer apply",
                 far.leg
             )
         }
-        None => said,
+        None => sentence,
     }
 }

@@ -19,7 +19,7 @@ use crate::words::Words;
 pub struct HoldAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// The verdict, field by field.
+    /// The verdict; its fields are written beside the others of this answer.
     #[serde(flatten)]
     pub verdict: Verdict<C>,
 }
@@ -51,14 +51,14 @@ pub struct HoldAnswer<const C: usize> {
 pub struct NeedAnswer {
     /// The answer in a sentence.
     pub says: String,
-    /// The needed amount, field by field.
+    /// The needed amount; its fields are written beside the others of this answer.
     #[serde(flatten)]
     pub needed: Needed,
 }
 
 impl SceneNames<'_> {
     pub(super) fn verdict(&self, mut verdict: Verdict<3>, words: Words) -> HoldAnswer<3> {
-        let says = said(&verdict, words);
+        let says = text(&verdict, words);
         let at_the_loss = verdict.lost.as_mut().and_then(|lost| lost.state.as_mut());
         for state in verdict.state.as_mut().into_iter().chain(at_the_loss) {
             **state = self.equilibrium(state.as_ref().clone());
@@ -69,7 +69,7 @@ impl SceneNames<'_> {
 
 impl NeedAnswer {
     pub(super) fn of(needed: Needed, words: Words) -> Self {
-        Self { says: said(&needed, words), needed }
+        Self { says: text(&needed, words), needed }
     }
 }
 
@@ -100,14 +100,14 @@ impl NeedAnswer {
 pub struct ImproveAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// The better finger places, field by field.
+    /// The better finger places; their fields are written beside the others of this answer.
     #[serde(flatten)]
     pub improved: Improved<C>,
 }
 
 impl<const C: usize> ImproveAnswer<C> {
     pub(super) fn of(improved: Improved<C>, words: Words) -> Self {
-        Self { says: said(&improved, words), improved }
+        Self { says: text(&improved, words), improved }
     }
 }
 
@@ -140,14 +140,14 @@ impl<const C: usize> ImproveAnswer<C> {
 pub struct IdentifyAnswer {
     /// The answer in a sentence.
     pub says: String,
-    /// The estimates, field by field.
+    /// The estimates; their fields are written beside the others of this answer.
     #[serde(flatten)]
     pub identified: Identified,
 }
 
 impl IdentifyAnswer {
     pub(super) fn of(identified: Identified, words: Words) -> Self {
-        Self { says: said(&identified, words), identified }
+        Self { says: text(&identified, words), identified }
     }
 }
 
@@ -176,7 +176,7 @@ impl IdentifyAnswer {
 pub struct ShakeAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// The fate of the repeated load, field by field.
+    /// The verdict on the repeated load; its fields are written beside the others of this answer.
     #[serde(flatten)]
     pub shaken: Shaken<C>,
 }
@@ -220,14 +220,14 @@ const NO_SHAKEDOWN: &str = "UNDECIDED: with all contacts closed no slips keep wh
 
 impl<const C: usize> ShakedownAnswer<C> {
     pub(super) fn of(found: Option<Shakedown<C>>, words: Words) -> Self {
-        let says = found.as_ref().map_or_else(|| NO_SHAKEDOWN.to_owned(), |found| said(found, words));
+        let says = found.as_ref().map_or_else(|| NO_SHAKEDOWN.to_owned(), |found| text(found, words));
         Self { says, rests: found.as_ref().and_then(|found| found.rests(1.0)), found }
     }
 }
 
 impl SceneNames<'_> {
     pub(super) fn shaken(&self, mut shaken: Shaken<3>, words: Words) -> ShakeAnswer<3> {
-        let says = said(&shaken, words);
+        let says = text(&shaken, words);
         if let Some(state) = shaken.state.as_mut() {
             **state = self.equilibrium(state.as_ref().clone());
         }
@@ -235,7 +235,7 @@ impl SceneNames<'_> {
     }
 }
 
-pub(super) fn said(answer: &impl fmt::Display, words: Words) -> String {
+pub(super) fn text(answer: &impl fmt::Display, words: Words) -> String {
     let digits = words.precision();
     format!("{answer:.digits$}")
 }

@@ -43,7 +43,11 @@ impl SceneNames<'_> {
         if let Outcome::Equilibrium(state) = &mut outcome {
             state.accuracy = self.0.accuracy(state);
             let distinct = self.0.distinct(state).into_iter().flatten();
-            state.contacts.iter_mut().zip(distinct).for_each(|(contact, told)| contact.distinct = Some(told));
+            state
+                .contacts
+                .iter_mut()
+                .zip(distinct)
+                .for_each(|(contact, number)| contact.distinct = Some(number));
         }
         self.outcome(outcome)
     }

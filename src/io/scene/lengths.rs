@@ -92,7 +92,7 @@ impl Setup<3> {
     }
 }
 
-/// Calls `look` with every list that is a field `at` of the value.
+/// Calls `look` with every list in a JSON field named `at`.
 fn each_at(value: &Value, look: &mut dyn FnMut(&[Value])) {
     match value {
         Value::Array(list) => list.iter().for_each(|value| each_at(value, look)),
@@ -182,7 +182,7 @@ impl Lengths {
         }
     }
 
-    /// Converts the entries of a list to m for whose index `is_length` holds.
+    /// Converts those entries of a list to m whose index satisfies `is_length`.
     fn each(&self, list: &mut [Value], is_length: impl Fn(usize) -> bool) {
         for (index, value) in list.iter_mut().enumerate() {
             if is_length(index) {

@@ -111,7 +111,7 @@ impl Setup<3> {
         for question in &self.questions {
             // The direction of an onset is scaled by the load factor, so that its size has no meaning.
             if !matches!(question, Question::Onset { .. }) {
-                for load in put_on(question) {
+                for load in applied_loads(question) {
                     heaviest = heaviest.max(force(&load).norm());
                 }
             }
@@ -133,7 +133,7 @@ impl Setup<3> {
         };
         let mut far = 0.0_f64;
         for question in &self.questions {
-            for load in put_on(question) {
+            for load in applied_loads(question) {
                 far = far.max(arm(&load));
             }
         }
@@ -201,7 +201,7 @@ pub(super) fn far_load(distance: f64, size: f64) -> Option<Warning> {
 }
 
 /// The loads that a question applies in addition to the load at rest.
-pub(super) fn put_on(question: &Question<3>) -> Vec<Wrench<3>> {
+pub(super) fn applied_loads(question: &Question<3>) -> Vec<Wrench<3>> {
     match question {
         Question::Hold { load, .. } | Question::Solve { load, .. } | Question::Compare { load, .. } => {
             vec![*load]

@@ -74,7 +74,7 @@ pub struct OnsetAt<const C: usize, At = Factor> {
     /// The joints and tendons that change their state at this load.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub drives: Vec<PartChange>,
-    /// The behaviour beyond; rates are per unit of the factor, or per radian.
+    /// The behaviour beyond; rates are per unit of the load factor, or per radian.
     pub beyond: Beyond<C>,
     /// The equilibrium at first slip.
     pub state: Equilibrium<C>,
@@ -95,7 +95,7 @@ impl<const C: usize, At> OnsetAt<C, At> {
         let mut all = whole_changes(&self.state, &self.leaving.iter().filter_map(change).list());
         for leaving in self.leaving.iter().filter(|leaving| leaving.how == Departure::WouldPull) {
             let contact = leaving.contact.whole();
-            if all.iter().all(|told| told.contact != contact || told.what != PadChange::WouldPull) {
+            if all.iter().all(|change| change.contact != contact || change.what != PadChange::WouldPull) {
                 all.push(WholeChange { contact, what: PadChange::WouldPull });
             }
         }

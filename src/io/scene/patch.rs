@@ -66,7 +66,7 @@ impl Tip {
     /// # Errors
     /// [`Error::Fingertip`] for a number out of range, and for a patch of the plane in space or the reverse.
     pub fn spread<const C: usize>(&self) -> Result<SoftFingertip<C>, Error> {
-        self.spread_inside(if C == 2 { Space::Planar } else { Space::Spatial }).map(Face::leave)
+        self.spread_inside(if C == 2 { Space::Planar } else { Space::Spatial }).map(Face::from_inside)
     }
 
     /// [`Self::spread`] for vectors of three components, in the plane too.

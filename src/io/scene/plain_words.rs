@@ -9,7 +9,7 @@ pub(super) fn in_plain_words(message: &str, here: Option<u8>) -> String {
         .or_else(|| message.strip_prefix("invalid value: "))
         .and_then(|rest| rest.rsplit_once(", expected "))
     {
-        return format!("{} given, must be {}", self::given(given), self::wanted(wanted));
+        return format!("{} given, must be {}", self::given_text(given), self::expected_text(wanted));
     }
     if let Some((length, wanted)) =
         message.strip_prefix("invalid length ").and_then(|rest| rest.split_once(", expected "))
@@ -40,7 +40,10 @@ pub(super) fn in_plain_words(message: &str, here: Option<u8>) -> String {
         return format!("field {field} stands there twice, must be once");
     }
     if let Some(what) = message.strip_prefix("EOF while parsing ") {
-        return format!("the text ends within {}: something is missing, perhaps a bracket", wanted(what));
+        return format!(
+            "the text ends within {}: something is missing, perhaps a bracket",
+            expected_text(what)
+        );
     }
     match message {
         "expected value" | "expected ident" | "key must be a string" if here == Some(b',') => {
@@ -74,7 +77,7 @@ pub(super) fn in_plain_words(message: &str, here: Option<u8>) -> String {
 }
 
 /// Plain words for the value that serde has found.
-fn given(what: &str) -> &str {
+fn given_text(what: &str) -> &str {
     match what {
         "map" => "an object",
         "sequence" => "a list",
@@ -89,7 +92,7 @@ fn given(what: &str) -> &str {
 }
 
 /// Plain words for the value that serde expects.
-fn wanted(what: &str) -> &str {
+fn expected_text(what: &str) -> &str {
     match what {
         "a sequence" => "a list, in [ ]",
         "a string" | "string" => "a text, in double quotes",

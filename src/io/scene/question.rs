@@ -53,16 +53,16 @@ pub enum Question<const C: usize> {
         /// The load that grows from zero in addition to the base.
         load: Wrench<C>,
     },
-    /// The onset of sliding along a ramp: the load is `base + τ direction` at the factor τ, and commands change by τ times their change.
-    /// See [`Grasp::onset`](crate::ask::Grasp::onset).
+    /// The onset of sliding along a ramp: the load is `base + τ direction` at the load factor τ, and commands change by τ times their change. See
+    /// [`Grasp::onset`](crate::ask::Grasp::onset).
     Onset {
-        /// The load at factor 0; zero if left out.
+        /// The load at load factor 0; zero if left out.
         #[serde(default = "no_load::<C>")]
         base: Wrench<C>,
-        /// The change of the load per unit of the factor; zero if left out.
+        /// The change of the load per unit of the load factor; zero if left out.
         #[serde(default = "no_load::<C>")]
         direction: Wrench<C>,
-        /// The change of the finger commands per unit of the factor, one row for each contact, m; zero if left out.
+        /// The change of the finger commands per unit of the load factor, one row for each contact, m; zero if left out.
         #[serde(
             default,
             with = "AsGiven::<Option<Vec<SVector<f64, C>>>>",
@@ -70,10 +70,10 @@ pub enum Question<const C: usize> {
         )]
         #[cfg_attr(feature = "schema", schemars(!default))]
         command_change: Option<Vec<SVector<f64, C>>>,
-        /// The change of a hand's commands per unit of the factor, one for each joint and then each tendon, rad or m; zero if left out.
+        /// The change of a hand's commands per unit of the load factor, one for each joint and then each tendon, rad or m; zero if left out.
         #[serde(default, with = "AsGiven::<Option<Vec<f64>>>", skip_serializing_if = "Option::is_none")]
         joint_change: Option<Vec<f64>>,
-        /// With several bodies: loads on other bodies, by name, in proportion to the factor. The base must then be left out.
+        /// With several bodies: loads on other bodies, by name, in proportion to the load factor. The base must then be left out.
         #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
         together_with: BTreeMap<String, Wrench<C>>,
     },

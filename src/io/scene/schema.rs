@@ -130,16 +130,16 @@ fn angular<K: Bounded>(axes: usize) -> Schema {
     if axes == 1 { json_schema!({ "anyOf": [number::<K>(), listed] }) } else { listed }
 }
 
-/// A wrench or twist: linear part, angular part and that of joints, all optional in input.
+/// A wrench or twist: linear part, angular part and the part of the joints, all optional in input.
 fn by_parts<K: Bounded, const C: usize>(
     generator: &SchemaGenerator,
     [linear, turning]: [(&str, &str); 2],
 ) -> Schema {
     let joints = json_schema!({ "type": "array", "items": number::<K>() });
-    let first = told(generator, list::<K>(C, C), linear.1);
-    let second = told(generator, angular::<K>(Space::of::<C>().planes().len()), turning.1);
+    let first = described(generator, list::<K>(C, C), linear.1);
+    let second = described(generator, angular::<K>(Space::of::<C>().planes().len()), turning.1);
     let joints =
-        told(generator, joints, "Of the joints of a hand; fewer than there are stand for the first.");
+        described(generator, joints, "Of the joints of a hand; fewer than there are stand for the first.");
     let required = if generator.contract().is_serialize() { vec![linear.0, turning.0] } else { Vec::new() };
     json_schema!({
         "type": "object",
@@ -149,7 +149,7 @@ fn by_parts<K: Bounded, const C: usize>(
 }
 
 /// A part with its description; in input it may be `null`.
-fn told(generator: &SchemaGenerator, part: Schema, description: &str) -> Schema {
+fn described(generator: &SchemaGenerator, part: Schema, description: &str) -> Schema {
     let mut part = if generator.contract().is_serialize() {
         part
     } else {
@@ -162,14 +162,14 @@ fn told(generator: &SchemaGenerator, part: Schema, description: &str) -> Schema 
 /// The rotation of the arm that carries a body.
 fn turning<const C: usize>(generator: &SchemaGenerator) -> Schema {
     let rate = || angular::<Given>(Space::of::<C>().planes().len());
-    let about = told(generator, list::<Given>(C, C), "A point of the axis, m; the origin if left out.");
+    let about = described(generator, list::<Given>(C, C), "A point of the axis, m; the origin if left out.");
     let velocity = [("velocity_deg", "degrees/s."), ("velocity_rad", "rad/s, in place of it.")];
     let speeding = [("acceleration_deg", "degrees/s²."), ("acceleration_rad", "rad/s², in place of it.")];
     let mut schema =
         json_schema!({ "type": "object", "properties": { "about": about }, "additionalProperties": false });
     if let Some(properties) = schema.get_mut("properties").and_then(Value::as_object_mut) {
         for (name, unit) in velocity.into_iter().chain(speeding) {
-            properties.insert(name.to_owned(), told(generator, rate(), unit).into());
+            properties.insert(name.to_owned(), described(generator, rate(), unit).into());
         }
     }
     schema
@@ -191,7 +191,7 @@ impl<const C: usize> JsonSchema for Wrench<C> {
         }
         let mut schema = by_parts::<Given, C>(generator, parts);
         let at = list::<Given>(C, C);
-        let at = told(
+        let at = described(
             generator,
             at,
             "Where the force acts, m; at the origin if left out, or at the common centre of mass if shared by mass.",
@@ -211,7 +211,7 @@ impl<const C: usize> JsonSchema for Wrench<C> {
                 ("turning", turning::<C>(generator), "How the arm turns."),
             ];
             for (name, part, description) in body {
-                properties.insert(name.to_owned(), told(generator, part, description).into());
+                properties.insert(name.to_owned(), described(generator, part, description).into());
             }
         }
         schema.insert("additionalProperties".to_owned(), false.into());

@@ -97,16 +97,16 @@ impl<const C: usize> WrittenSurface<C> {
             let space = if is_planar { "the plane" } else { "space" };
             return Err(format!("{name} given, must be one of {allowed} in {space}"));
         }
-        let points = |rows: Vec<AxisRow<Given, C>>| mapped(&rows, &|row| row.0.enter());
-        let two = |ends: [AxisRow<Given, C>; 2]| ends.each(|row| row.0.enter());
+        let points = |rows: Vec<AxisRow<Given, C>>| mapped(&rows, &|row| row.0.into_inside());
+        let two = |ends: [AxisRow<Given, C>; 2]| ends.each(|row| row.0.into_inside());
         Ok(Surface::of(match self {
             Self::Segment(ends) => Shape::Segments(vec![two(ends)]),
             Self::Polyline(rows) => Shape::polyline(&points(rows)),
             Self::Circle { centre, radius } => {
-                Shape::Arc { centre: centre.0.enter(), radius, from: 0.0, over: None }
+                Shape::Arc { centre: centre.0.into_inside(), radius, from: 0.0, over: None }
             }
             Self::Arc { centre, radius, from_deg, over_deg } => Shape::Arc {
-                centre: centre.0.enter(),
+                centre: centre.0.into_inside(),
                 radius,
                 from: from_deg.to_radians(),
                 over: Some(over_deg.to_radians()),
@@ -114,18 +114,18 @@ impl<const C: usize> WrittenSurface<C> {
             Self::Spline(rows) => Shape::spline(points(rows), false),
             Self::ClosedSpline(rows) => Shape::spline(points(rows), true),
             Self::Rectangle { corner, sides } => {
-                Shape::Rectangle { corner: corner.0.enter(), sides: two(sides) }
+                Shape::Rectangle { corner: corner.0.into_inside(), sides: two(sides) }
             }
             Self::Cylinder { axis, radius } => Shape::Cylinder { ends: two(axis), radius },
-            Self::Sphere { centre, radius } => Shape::Sphere { centre: centre.0.enter(), radius },
+            Self::Sphere { centre, radius } => Shape::Sphere { centre: centre.0.into_inside(), radius },
             Self::Triangles(rows) => {
-                Shape::Triangles(mapped(&rows, &|corners| corners.each_ref().each(|row| row.0.enter())))
+                Shape::Triangles(mapped(&rows, &|corners| corners.each_ref().each(|row| row.0.into_inside())))
             }
         }))
     }
 
     fn of(surface: &Surface<C>) -> Self {
-        let row = |inside| AxisRow::new(Face::leave(inside));
+        let row = |inside| AxisRow::new(Face::from_inside(inside));
         match surface.shape() {
             Shape::Segments(parts) => match &parts[..] {
                 [ends] => Self::Segment(ends.each(row)),
@@ -150,7 +150,7 @@ impl<const C: usize> WrittenSurface<C> {
                 over_deg: over.to_degrees(),
             },
             Shape::Spline(spline) => {
-                let given = spline.given().iter().copied().map(row).list();
+                let given = spline.interpolated_points().iter().copied().map(row).list();
                 if spline.is_closed() { Self::ClosedSpline(given) } else { Self::Spline(given) }
             }
             Shape::Rectangle { corner, sides } => {

@@ -227,7 +227,7 @@ impl fmt::Display for Warning {
                 words.number(*pressed)
             ),
             #[cfg(feature = "mesh")]
-            Self::MissesInPart { name, missing, .. } => misses(f, words, name, *missing),
+            Self::MissesInPart { name, missing, .. } => write_missing(f, words, name, *missing),
             #[cfg(feature = "mesh")]
             Self::OverAnEdge { name, angle, .. } => lies_over_an_edge(f, words, name, *angle),
             Self::OnePlace { names, opposite: true, .. } => write!(
@@ -266,7 +266,7 @@ impl fmt::Display for Warning {
 }
 
 #[cfg(feature = "mesh")]
-fn misses(f: &mut fmt::Formatter<'_>, words: Words, name: &str, missing: f64) -> fmt::Result {
+fn write_missing(f: &mut fmt::Formatter<'_>, words: Words, name: &str, missing: f64) -> fmt::Result {
     let percent = words.number(100.0 * missing);
     write!(
         f,

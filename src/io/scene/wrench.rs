@@ -118,7 +118,7 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
             };
             let wrench = Self::among(space, &wrench);
             // Adding a zero wrench would lose the sign of a zero.
-            Ok(carried.load_in(space)?.map_or(wrench, |pull| wrench + Self::leave(pull)))
+            Ok(carried.load_in(space)?.map_or(wrench, |pull| wrench + Self::from_inside(pull)))
         })
     }
 }

@@ -53,13 +53,13 @@ struct Written<const C: usize> {
     /// The direction of the first tangent; chosen from the normal if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     tangent: Option<AxisRow<Given, C>>,
-    /// The object's normal and tangential stiffness, N/m; rigid if left out and the finger is not.
+    /// The object's normal and tangential stiffness, N/m; the object is rigid if only the finger's stiffness is given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     body_stiffness: Option<Springs<C>>,
-    /// The finger's normal and tangential stiffness, N/m; rigid if left out and the object is not.
+    /// The finger's normal and tangential stiffness, N/m; the finger is rigid if only the object's stiffness is given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     finger_stiffness: Option<Springs<C>>,
-    /// The stiffness of object and finger in series, N/m, instead of the two; 1e4 in all directions if there is none at all.
+    /// The stiffness of object and finger in series, N/m, in place of these two; 1e4 in all directions if no stiffness is given.
     #[serde(default, alias = "stiffness", skip_serializing_if = "Option::is_none")]
     series_stiffness: Option<Springs<C>>,
     /// The coefficient of friction; 0 if left out.

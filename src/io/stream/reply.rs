@@ -93,7 +93,7 @@ impl Reply {
 
     fn answer(&mut self, scene: Scene, options: &StreamOptions) -> Result<(), Fault> {
         let mut setup = match scene.space {
-            Space::Planar(setup) => setup.enter(),
+            Space::Planar(setup) => setup.into_inside(),
             Space::Spatial(setup) => setup,
         };
         if setup.questions.is_empty() {

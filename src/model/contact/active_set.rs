@@ -26,14 +26,14 @@ pub(crate) struct ActiveSet {
 
 impl ActiveSet {
     /// The empty set: inside the cone, or open with a gap.
-    pub(crate) const NOWHERE: Self = Self { facets: Vec::new(), apex: false };
+    pub(crate) const EMPTY: Self = Self { facets: Vec::new(), apex: false };
 
-    pub(crate) fn is_nowhere(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         !self.apex && self.facets.is_empty()
     }
 
-    /// Empties the set: the contact leaves all its edges.
-    pub(crate) fn leave(&mut self) {
+    /// Empties the set: the contact leaves all edges of its cone.
+    pub(crate) fn clear(&mut self) {
         self.facets.clear();
         self.apex = false;
     }
@@ -44,7 +44,7 @@ impl ActiveSet {
     }
 
     /// Adds the facets, or the apex, of these exits.
-    pub(crate) fn reach(&mut self, axes: usize, state: &State, exits: &[Exit]) {
+    pub(crate) fn add_exits(&mut self, axes: usize, state: &State, exits: &[Exit]) {
         for exit in exits {
             // A facet of zero marks an exit at which the normal force or the gap vanishes. Normals that differ only by rounding are one facet:
             // on the round cone a facet that is reached again has a slightly different direction.
@@ -61,24 +61,24 @@ impl ActiveSet {
 
 impl LocalLaw<'_> {
     /// The law that the rates of a contact with this active set obey.
-    pub(crate) fn law_of_rates(&self, stand: &ActiveSet, state: &State) -> Law {
+    pub(crate) fn law_of_rates(&self, active: &ActiveSet, state: &State) -> Law {
         if !self.has_edges() {
             Law::Bonded
-        } else if stand.apex {
+        } else if active.apex {
             self.law.clone()
         } else if state.is_open() {
             Law::Absent
-        } else if stand.facets.is_empty() {
+        } else if active.facets.is_empty() {
             Law::Bonded
         } else {
-            Law::Edge(stand.facets.clone())
+            Law::Edge(active.facets.clone())
         }
     }
 
     /// The active set of a closed contact under this force.
-    pub(crate) fn stand(&self, line: &Line) -> ActiveSet {
+    pub(crate) fn active_set(&self, line: &Line) -> ActiveSet {
         if !self.has_edges() {
-            return ActiveSet::NOWHERE;
+            return ActiveSet::EMPTY;
         }
         let apex = line.force.norm() <= ZERO_SLACK * line.force_size;
         let cone = self.cone();
@@ -98,7 +98,7 @@ impl LocalLaw<'_> {
 
     /// The sliding state that shares the force of a sticking contact on an edge of its cone; `None` away from an edge.
     pub(crate) fn on_its_edge(&self, line: &Line) -> Option<State> {
-        let ActiveSet { facets, apex } = self.stand(line);
+        let ActiveSet { facets, apex } = self.active_set(line);
         if apex || facets.is_empty() {
             return None;
         }
@@ -110,31 +110,31 @@ impl LocalLaw<'_> {
     }
 
     /// Removes the facets, or the apex, whose margin, normal force or gap grows at these rates.
-    pub(crate) fn leave(&self, stand: &mut ActiveSet, state: &State, line: &Line, gap: &GapLine) {
+    pub(crate) fn drop_by_rates(&self, active: &mut ActiveSet, state: &State, line: &Line, gap: &GapLine) {
         let falls_short = |margin_rate: f64, weight: f64| margin_rate <= ZERO_SLACK * line.rate_size * weight;
         let stays_at_the_apex = || line.rate[0].abs() <= ZERO_SLACK * line.rate_size;
         let cone = self.cone();
         if state.is_open() {
-            stand.apex &= gap.rate <= ZERO_SLACK * gap.rate_size;
-            stand.facets.clear();
+            active.apex &= gap.rate <= ZERO_SLACK * gap.rate_size;
+            active.facets.clear();
         } else if self.on_round_cone {
             if !matches!(state, Mode::Sticking) {
-                stand.apex = false;
+                active.apex = false;
                 return;
             }
-            if stand.apex {
-                stand.apex = stays_at_the_apex();
+            if active.apex {
+                active.apex = stays_at_the_apex();
                 let along = tangential(&line.rate);
                 let edge = cone.has_edges() && along.norm() > 0.0;
-                stand.facets = if edge { vec![along.normalize()] } else { Vec::new() };
+                active.facets = if edge { vec![along.normalize()] } else { Vec::new() };
             }
-            stand.facets.retain(|p| falls_short(cone.facet_margin(&line.rate, p), cone.round_weight()));
+            active.facets.retain(|p| falls_short(cone.facet_margin(&line.rate, p), cone.round_weight()));
         } else {
-            if stand.apex {
-                stand.apex = stays_at_the_apex();
-                stand.facets = self.facets().to_vec();
+            if active.apex {
+                active.apex = stays_at_the_apex();
+                active.facets = self.facets().to_vec();
             }
-            stand.facets.retain(|h| {
+            active.facets.retain(|h| {
                 self.slides_on(state, h)
                     || falls_short(cone.facet_margin(&line.rate, h), cone.facet_weight(h))
             });
@@ -142,13 +142,13 @@ impl LocalLaw<'_> {
     }
 
     /// Removes the facets, or the apex, that are no longer reached at this force. Facets on which the contact slides stay.
-    pub(crate) fn leave_behind(&self, stand: &mut ActiveSet, state: &State, line: &Line) {
-        let there = self.stand(line);
-        stand.apex &= there.apex;
+    pub(crate) fn drop_by_force(&self, active: &mut ActiveSet, state: &State, line: &Line) {
+        let reached = self.active_set(line);
+        active.apex &= reached.apex;
         if !self.on_round_cone {
-            stand.facets.retain(|h| self.slides_on(state, h) || there.facets.contains(h));
-        } else if state.is_sticking() && !stand.facets.is_empty() {
-            stand.facets = there.facets;
+            active.facets.retain(|h| self.slides_on(state, h) || reached.facets.contains(h));
+        } else if state.is_sticking() && !active.facets.is_empty() {
+            active.facets = reached.facets;
         }
     }
 

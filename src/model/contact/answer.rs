@@ -157,7 +157,7 @@ impl LocalLaw<'_> {
             };
             // At a corner the slip must be a nonnegative combination of both facet normals.
             let (h1, h2) = (&facets[usize::from(at)], &facets[usize::from(after(at))]);
-            let slip = self.springs.give(&(trial - corner(h1, h2) * r));
+            let slip = self.springs.deflection(&(trial - corner(h1, h2) * r));
             let turn = cross(h1, h2);
             if cross(&slip, h2) / turn >= 0.0 && cross(h1, &slip) / turn >= 0.0 {
                 return Mode::Corner(at);
@@ -176,7 +176,7 @@ fn slip_per_force(springs: &Compliance, trial: &SVector<f64, 3>, traction: f64, 
     // Least r, relative to the traction, at which S becomes negligible beside K. With r = 0 no λ would be large enough.
     let excess = traction / r.max(traction * 1e-200);
     if springs.is_isotropic() {
-        return springs.give_along(1, excess - 1.0);
+        return springs.deflection_along(1, excess - 1.0);
     }
     let unit = trial / traction;
     // Largest starting λ, as a multiple of the compliance of the stiffest spring. Beyond it squares underflow, and Newton's steps could not

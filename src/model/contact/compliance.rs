@@ -57,24 +57,24 @@ impl Compliance {
     }
 
     /// Elastic deflection `K⁻¹F`, m, zero along axes without a spring.
-    pub(crate) fn give(&self, force: &SVector<f64, 3>) -> SVector<f64, 3> {
+    pub(crate) fn deflection(&self, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         by_axis(|a| if a < self.axes { force[a] / self.k[a] } else { 0.0 })
     }
 
     /// Component of `K⁻¹F` along an axis with a spring, m.
     #[inline(always)]
-    pub(crate) fn give_along(&self, axis: usize, force: f64) -> f64 {
+    pub(crate) fn deflection_along(&self, axis: usize, force: f64) -> f64 {
         force / self.k[axis]
     }
 
     /// Component of `K⁻¹F` along an axis in double-double precision, m.
-    pub(crate) fn precise_give_along(&self, axis: usize, force: DoubleDouble) -> DoubleDouble {
+    pub(crate) fn precise_deflection_along(&self, axis: usize, force: DoubleDouble) -> DoubleDouble {
         force.over(self.k[axis])
     }
 
     /// The slip: the tangential part of `v - K⁻¹F`, m, or of v itself along axes without a spring.
     pub(crate) fn slip(&self, stretch: &SVector<f64, 3>, force: &SVector<f64, 3>) -> SVector<f64, 3> {
-        let mut slip = stretch - self.give(force);
+        let mut slip = stretch - self.deflection(force);
         slip[0] = 0.0;
         slip
     }

@@ -52,7 +52,7 @@ impl LocalLaw<'_> {
                 visit(f[0], force_size);
             }
         }
-        let give = self.springs.give(f);
+        let give = self.springs.deflection(f);
         let motion_size = SMALLEST + at.span + give.lp_norm(1);
         match state {
             Mode::Open if self.may_open() => visit(-at.stretch[0], motion_size),

@@ -121,7 +121,7 @@ impl LocalLaw<'_> {
     }
 
     /// The step along a straight line of forces at which it reaches the facet, or the apex, of an exit.
-    pub(crate) fn way_to(&self, exit: &Exit, force: &SVector<f64, 3>, rate: &SVector<f64, 3>) -> f64 {
+    pub(crate) fn step_to_exit(&self, exit: &Exit, force: &SVector<f64, 3>, rate: &SVector<f64, 3>) -> f64 {
         let slack = |f: &SVector<f64, 3>| {
             if exit.facet.norm() == 0.0 { f[0] } else { self.cone().facet_margin(f, &exit.facet) }
         };
@@ -183,7 +183,7 @@ impl LocalLaw<'_> {
             if step.is_nan() || step <= 0.0 || step > apex.step || moved > 1e-8 * (apex.step - step) {
                 // Near the apex the two roots differ only by rounding of the discriminant. The margin is negative at the apex, so Newton's
                 // method descends from there to the root before it.
-                let root = from_above(apex.step, |step| {
+                let root = newton_from_above(apex.step, |step| {
                     let at = t0 + t1 * step;
                     (n0 + n1 * step - at.norm(), n1 - leaves(&at).dot(&t1))
                 });
@@ -207,7 +207,7 @@ impl LocalLaw<'_> {
 
 /// Newton's method for the root of a concave function below a start at which the function is negative. `value` returns value and slope. `None`
 /// if no step leads down.
-fn from_above(mut at: f64, value: impl Fn(f64) -> (f64, f64)) -> Option<f64> {
+fn newton_from_above(mut at: f64, value: impl Fn(f64) -> (f64, f64)) -> Option<f64> {
     let start = at;
     // Upper bound of the number of Newton steps. Near the apex the margin bends within a distance of rounding; farther away each step doubles
     // the correct digits.
@@ -248,7 +248,8 @@ mod tests {
                 let (exit, _) = local.first_exit(&line).expect("leaves");
                 let left = missed / f64::sqrt(mu * mu - a * a);
                 assert!((1.0 - exit.step - left).abs() <= rounding, "{mu} {a} {missed}: {}", exit.step);
-                // At the apex some friction remains, whose direction identifies the facet: the exit is not the apex itself.
+                // Some friction remains at the exit, and its direction gives the facet: the line leaves beside the apex. At the apex the facet would
+                // be zero.
                 assert!(exit.facet.norm() > 0.9, "{mu} {a} {missed}: {}", exit.facet);
             }
         }

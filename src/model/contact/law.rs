@@ -146,7 +146,7 @@ impl<'c> LocalLaw<'c> {
         if self.is_absent() { Mode::Open } else { Mode::Sticking }
     }
 
-    /// The state with the least stiffness: sliding on an edge, open at the apex.
+    /// The state with the least stiffness: sliding on an edge of the cone, open at its apex.
     pub(crate) fn yielding(&self) -> State {
         match self.law {
             Law::Edge(facets) if facets.len() == 2 => Mode::Corner(0),

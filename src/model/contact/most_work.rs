@@ -26,7 +26,7 @@ use crate::prelude::*;
 impl LocalLaw<'_> {
     /// Largest work along φ (N) and u (m) over the label's stretches and forces of length one in energy units.
     pub(crate) fn most_work(&self, label: &Label, phi: &SVector<f64, 3>, u: &SVector<f64, 3>) -> f64 {
-        let c = self.springs.give(phi);
+        let c = self.springs.deflection(phi);
         let mut most = f64::NEG_INFINITY;
         // Records the work of a generator (ξ, F), given in force units.
         let mut note = |xi: &SVector<f64, 3>, force: &SVector<f64, 3>| {

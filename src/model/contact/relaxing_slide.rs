@@ -40,14 +40,14 @@ impl RelaxingSlide {
         let [k1, k2] = self.tangential;
         // With equal springs the term `squeezed` vanishes, and s is known.
         if k1 == k2 {
-            return self.drawn(start, per_radius / k1).0;
+            return self.under_stretch(start, per_radius / k1).0;
         }
         let (mut low, mut high) = (per_radius / k1.max(k2), per_radius / k1.min(k2));
         let mut s = per_radius / self.stiffness(start);
         // Upper bound of the number of Newton steps for s; each gains digits.
         for _ in 0..60 {
-            let (p, gone) = self.gone(start, s);
-            let off = gone - per_radius;
+            let (p, integral) = self.split_step(start, s);
+            let off = integral - per_radius;
             *(if off > 0.0 { &mut high } else { &mut low }) = s;
             let newton = s - off / self.stiffness(p);
             let next = if low <= newton && newton <= high { newton } else { 0.5 * (low + high) };
@@ -59,7 +59,7 @@ impl RelaxingSlide {
                 break;
             }
         }
-        self.gone(start, s).0
+        self.split_step(start, s).0
     }
 
     /// Stiffness along the direction p, `p·K p`, N/m.
@@ -68,14 +68,14 @@ impl RelaxingSlide {
     }
 
     /// The direction after the length s, and the integral `∫ p·K p ds` up to there.
-    fn gone(&self, start: [f64; 2], s: f64) -> ([f64; 2], f64) {
-        let (p, first) = self.drawn(start, 0.5 * s);
-        let (p, second) = self.drawn(self.squeezed(p, s), 0.5 * s);
+    fn split_step(&self, start: [f64; 2], s: f64) -> ([f64; 2], f64) {
+        let (p, first) = self.under_stretch(start, 0.5 * s);
+        let (p, second) = self.under_stretch(self.squeezed(p, s), 0.5 * s);
         (p, first + second)
     }
 
     /// Direction and integral after the length s at a constant normal force.
-    fn drawn(&self, p: [f64; 2], s: f64) -> ([f64; 2], f64) {
+    fn under_stretch(&self, p: [f64; 2], s: f64) -> ([f64; 2], f64) {
         let [k1, k2] = self.tangential;
         let size = (self.stretched[0] * self.stretched[0] + self.stretched[1] * self.stretched[1]).sqrt();
         let rate = k1 * k2 * size;
@@ -91,8 +91,8 @@ impl RelaxingSlide {
         let (mean, uneven) = (0.5 * (k1 + k2), 0.5 * (k1 - k2));
         let twice = [e[0] * e[0] - e[1] * e[1], 2.0 * e[0] * e[1]];
         let turned = twice[0] * (cos - cos0) + twice[1] * (sin0 - sin);
-        let gone = (mean + uneven * twice[0]) * s - 2.0 * uneven / rate * turned;
-        ([cos * e[0] - sin * e[1], sin * e[0] + cos * e[1]], gone)
+        let integral = (mean + uneven * twice[0]) * s - 2.0 * uneven / rate * turned;
+        ([cos * e[0] - sin * e[1], sin * e[0] + cos * e[1]], integral)
     }
 
     /// The direction after the length s under a constant tangential stretch, while the normal force changes.
@@ -139,7 +139,7 @@ mod tests {
         p
     }
 
-    fn apart(a: [f64; 2], b: [f64; 2]) -> f64 {
+    fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
         (a[0] - b[0]).hypot(a[1] - b[1])
     }
 
@@ -154,7 +154,7 @@ mod tests {
             let start = [angle.cos(), angle.sin()];
             let exact = in_tiny_steps(&slide, start);
             for steps in [1, 7] {
-                let off = apart(in_steps(&slide, start, steps), exact);
+                let off = distance(in_steps(&slide, start, steps), exact);
                 assert!(off < 3e-11, "{k:?}: {off:e} in {steps} steps");
             }
         }
@@ -166,7 +166,7 @@ mod tests {
             let slide = RelaxingSlide { tangential: [1.0, 3.0], stretched: [0.4, 0.9], growth };
             let start = [0.9_f64.cos(), -0.9_f64.sin()];
             let exact = in_tiny_steps(&slide, start);
-            let off = [4, 8, 16].map(|steps| apart(in_steps(&slide, start, steps), exact));
+            let off = [4, 8, 16].map(|steps| distance(in_steps(&slide, start, steps), exact));
             println!("{off:?}");
             assert!(
                 off[0] < 1e-2 && off.windows(2).all(|off| (3.5..4.5).contains(&(off[0] / off[1]))),
@@ -179,6 +179,6 @@ mod tests {
     fn a_long_way_leads_along_the_stretch() {
         let slide = RelaxingSlide { tangential: [1.0, 3.0], stretched: [4e5, 9e5], growth: 0.0 };
         let p = slide.direction_after([-0.6, 0.8], 1.0);
-        assert!(apart(p, [4.0 / 97.0_f64.sqrt(), 9.0 / 97.0_f64.sqrt()]) < 1e-15);
+        assert!(distance(p, [4.0 / 97.0_f64.sqrt(), 9.0 / 97.0_f64.sqrt()]) < 1e-15);
     }
 }

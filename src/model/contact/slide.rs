@@ -57,12 +57,16 @@ impl Slide {
         let softened = springs.softened(self.lambda);
         let pulled = softened.component_mul(&self.direction);
         let along = 1.0 / self.direction.dot(&pulled);
-        Edge { pull: pulled * along, across: self.across(), stiffness: softened[1] * (softened[2] * along) }
+        Edge {
+            pull: pulled * along,
+            across: self.perpendicular(),
+            stiffness: softened[1] * (softened[2] * along),
+        }
     }
 
     /// The slip direction turned by a right angle, in space.
     #[inline]
-    pub(crate) fn across(&self) -> SVector<f64, 3> {
+    pub(crate) fn perpendicular(&self) -> SVector<f64, 3> {
         right_angle(&self.direction)
     }
 }

@@ -19,7 +19,7 @@ use crate::numerics::rounding_of;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// One such spring: `F = left (right · v)`, v the stretch of a contact.
+/// A spring of a contact: the force `F = left (right · v)` for the stretch v of the contact.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Spring {
     pub(crate) right: SVector<f64, 3>,

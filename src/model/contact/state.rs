@@ -17,9 +17,9 @@ use super::slide::Slide;
 pub(crate) enum Mode<R> {
     Open,
     Sticking,
-    /// On one facet, by its number among [`LocalLaw::facets`](super::LocalLaw::facets).
+    /// The contact slides on one facet, given by its number among [`LocalLaw::facets`](super::LocalLaw::facets).
     Facet(u16),
-    /// In space, at the corner between a facet and the next.
+    /// The contact slides at the corner between a facet and the next; in space only.
     Corner(u16),
     Round(R),
 }

@@ -94,7 +94,7 @@ impl LocalLaw<'_> {
             let across = |v: SVector<f64, 3>| [v[1], v[2]];
             let slide = RelaxingSlide {
                 tangential: across(self.springs.diagonal()),
-                stretched: across(self.springs.give(rate)),
+                stretched: across(self.springs.deflection(rate)),
                 growth: self.friction.limit(rate[0]),
             };
             [direction[1], direction[2]] = slide.direction_after(across(friction / size), per_radius);
@@ -109,7 +109,7 @@ impl LocalLaw<'_> {
             force[0] = normal;
             return ContactResponse { state: Mode::Sticking, force };
         }
-        let lambda = self.springs.give_along(1, 1.0 / holds.clamp(SOLVED_ROUNDING, 1.0) - 1.0);
+        let lambda = self.springs.deflection_along(1, 1.0 / holds.clamp(SOLVED_ROUNDING, 1.0) - 1.0);
         let slide = Slide::new(direction, lambda);
         let mut force = slide.direction * r;
         force[0] = normal;

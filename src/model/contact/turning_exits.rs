@@ -26,7 +26,7 @@ pub(crate) struct Wave {
 
 impl Wave {
     /// A linear function of this wave, as a scalar function of φ.
-    fn seen(&self, by: impl Fn(&SVector<f64, 3>) -> f64) -> Trigonometric {
+    fn component(&self, by: impl Fn(&SVector<f64, 3>) -> f64) -> Trigonometric {
         Trigonometric::linear(&self.of.map(by))
     }
 }
@@ -36,7 +36,7 @@ impl Wave {
 pub(crate) enum TurningExit {
     /// The contact leaves its state; `step` of the exit is the angle, rad.
     Leaves(Exit),
-    /// At this angle, rad, the contact touches an edge to within rounding, without crossing it.
+    /// At this angle, rad, the force touches an edge of the cone to within rounding, without crossing it.
     Touches(f64),
 }
 
@@ -85,7 +85,7 @@ impl LocalLaw<'_> {
             cosine: self.springs.slip(&stretch.of.sine, &force.of.sine),
             sine: -self.springs.slip(&stretch.of.cosine, &force.of.cosine),
         };
-        let give = |force: &SVector<f64, 3>| self.springs.give(force).lp_norm(1);
+        let give = |force: &SVector<f64, 3>| self.springs.deflection(force).lp_norm(1);
         let size = stretch.turning_size + give(&force.of.cosine) + give(&force.of.sine);
         let rate = Wave { of: rate, size, turning_size: size };
         let facets = self.facets();
@@ -106,9 +106,9 @@ impl LocalLaw<'_> {
         let here = wave.of.at(0.0);
         let friction = tangential(&here);
         if cone.round_margin(&here) <= slack && friction.norm() > slack {
-            // On the edge, the margin at the tangent facet decides whether the force moves inwards or outwards.
+            // On the edge of the cone, the margin at the tangent facet decides whether the force moves inwards or outwards.
             let outward = friction.normalize();
-            let margin = wave.seen(|f| cone.facet_margin(f, &outward));
+            let margin = wave.component(|f| cone.facet_margin(f, &outward));
             if Start::of(&margin, slack, ZERO_SLACK * weight * wave.turning_size) == Start::Falls {
                 return linear_exit(wave, |f| cone.facet_margin(f, &outward), weight, outward, most);
             }
@@ -182,7 +182,7 @@ enum Start {
 }
 
 impl Start {
-    /// Classifies a margin. Its value is zero within `slack`, its rates within `rate_slack`.
+    /// Classifies a margin at the start of an arc. A value up to `slack` counts as zero, and so does a rate up to `rate_slack`.
     fn of(margin: &Trigonometric, slack: f64, rate_slack: f64) -> Self {
         let [value, slope, bend] = margin.at_the_beginning();
         // The start of an arc is rounded, since it is where the previous arc ended. A margin that will grow may first decrease, but by no more
@@ -205,12 +205,12 @@ impl Start {
 /// The exit at which a linear function of a wave becomes negative.
 fn linear_exit(
     wave: &Wave,
-    seen: impl Fn(&SVector<f64, 3>) -> f64,
+    component: impl Fn(&SVector<f64, 3>) -> f64,
     weight: f64,
     facet: SVector<f64, 3>,
     most: f64,
 ) -> Option<TurningExit> {
-    let margin = wave.seen(&seen);
+    let margin = wave.component(&component);
     let (slack, fastest) = (ZERO_SLACK * weight * wave.size, weight * wave.turning_size);
     let step = match Start::of(&margin, slack, ZERO_SLACK * fastest) {
         Start::Stays => return None,
@@ -220,7 +220,7 @@ fn linear_exit(
             FirstZero::Touches(angle) => return Some(TurningExit::Touches(angle)),
         },
     };
-    let uncertainty = uncertainty(slack, seen(&wave.of.rate_at(step)), fastest);
+    let uncertainty = uncertainty(slack, component(&wave.of.rate_at(step)), fastest);
     Some(TurningExit::Leaves(Exit { step, uncertainty, facet }))
 }
 

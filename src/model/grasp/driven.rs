@@ -46,7 +46,7 @@ impl Engine {
         if let Some(linkage) = &mut grasp.linkage {
             for (k, torque) in torques.iter().enumerate() {
                 let k = self.space.of_the_object() + k;
-                linkage.pulled[k] = torque / linkage.lengths[k];
+                linkage.external_torques[k] = torque / linkage.lengths[k];
             }
         }
         Ok(grasp)
@@ -54,7 +54,7 @@ impl Engine {
 
     /// The constant torques that act on the joints in addition to the commands, N m or N.
     pub(crate) fn held_torques(&self) -> Vec<f64> {
-        self.linkage().map_or_else(Vec::new, |linkage| mapped(&linkage.joints, &|joint| joint.held))
+        self.linkage().map_or_else(Vec::new, |linkage| mapped(&linkage.joints, &|joint| joint.held_torque))
     }
 
     /// A copy of the grasp with other constant joint torques, one per joint.
@@ -63,8 +63,8 @@ impl Engine {
         if let Some(linkage) = &mut grasp.linkage {
             for (j, torque) in torques.iter().enumerate() {
                 let k = self.space.of_the_object() + j;
-                linkage.held[k] += (torque - linkage.joints[j].held) / linkage.lengths[k];
-                linkage.joints[j].held = *torque;
+                linkage.held_forces[k] += (torque - linkage.joints[j].held_torque) / linkage.lengths[k];
+                linkage.joints[j].held_torque = *torque;
             }
         }
         grasp
@@ -160,8 +160,8 @@ impl Engine {
         self.linkage.as_ref().map_or(&[], |linkage| &linkage.commands)
     }
 
-    /// Offsets of all sites. The offset a_i of a contact is its command in the contact frame, less the clearance along the normal. Offsets of a
-    /// hand's drives follow.
+    /// Offsets of all contacts and drives. The offset a_i of a contact is its command in the contact frame, less the clearance along the normal.
+    /// Offsets of a hand's drives follow.
     pub(crate) fn offsets(&self) -> Vec<SVector<f64, 3>> {
         let mut offsets = Vec::new();
         self.offsets_into(&mut offsets);
@@ -177,7 +177,7 @@ impl Engine {
         );
     }
 
-    /// Offsets of all sites for other commands than those of the grasp.
+    /// Offsets of all contacts and drives for other commands than those of the grasp.
     pub(crate) fn offsets_under(
         &self,
         commands: impl Iterator<Item = SVector<f64, 3>>,

@@ -70,7 +70,7 @@ impl Engine {
             None => Self::of(self.space, self.size, contacts, &|_| true),
             Some(linkage) => {
                 let mut linkage = linkage.stiffened(stiffer);
-                linkage.press_instead(self.space, &self.contacts, &contacts);
+                linkage.replace_pressing_forces(self.space, &self.contacts, &contacts);
                 Self::by_hand(self.size, contacts, linkage)
             }
         }
@@ -87,7 +87,8 @@ impl Engine {
 
     /// Whether anything presses without a load from the caller: a command, a constant force or torque, a vacuum, or a constant load on a body.
     pub(crate) fn presses(&self) -> bool {
-        let by_force = self.linkage().is_some_and(|linkage| linkage.held.iter().any(|force| *force != 0.0));
+        let by_force =
+            self.linkage().is_some_and(|linkage| linkage.held_forces.iter().any(|force| *force != 0.0));
         let by_load =
             self.bodies().is_some_and(|bodies| bodies.loads.iter().any(|load| *load != Wrench::ZERO));
         by_force || by_load || self.vacuum().is_some() || self.offsets().iter().any(|offset| offset[0] > 0.0)
@@ -152,7 +153,7 @@ impl Engine {
         &self.contacts
     }
 
-    /// The contacts as users count them, each with its points.
+    /// The contacts as users count them: a soft fingertip or a link counts as one contact with several points.
     pub(crate) fn wholes(&self) -> &WholeContacts {
         &self.wholes
     }
@@ -217,7 +218,7 @@ impl Engine {
         }
     }
 
-    /// Drives of an actuator, with the indices of their sites. Actuators are the joints, then the tendons.
+    /// Drives of an actuator, with their indices in the list of contacts and drives. Actuators are the joints, then the tendons.
     pub(crate) fn drives_of(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive)> {
         let first = self.len();
         self.linkage()

@@ -35,17 +35,17 @@ pub(crate) trait Face: Sized + Clone + 'static {
     fn narrow(inside: Self::Inside) -> Self;
 
     /// Converts a value for the engine.
-    fn enter(self) -> Self::Inside {
+    fn into_inside(self) -> Self::Inside {
         if const { Self::SAME } { same(self) } else { self.widen() }
     }
 
     /// Converts a copy of the value for the engine.
-    fn entered(&self) -> Self::Inside {
+    fn to_inside(&self) -> Self::Inside {
         if const { Self::SAME } { same(self.clone()) } else { self.widen() }
     }
 
     /// Converts a value of the engine for the caller; values for space are moved.
-    fn leave(inside: Self::Inside) -> Self {
+    fn from_inside(inside: Self::Inside) -> Self {
         if const { Self::SAME } { same(inside) } else { Self::narrow(inside) }
     }
 }
@@ -80,7 +80,7 @@ pub(crate) fn all_inside<T: Face>(values: &[T]) -> Vec<T::Inside> {
 
 /// Converts a value of the engine for the caller; values for space are moved.
 pub(crate) fn outside<T: Face>(inside: T::Inside) -> T {
-    T::leave(inside)
+    T::from_inside(inside)
 }
 
 /// Implements [`Face`] for structures, field by field. A second type parameter is a type that is equal on both sides.
@@ -92,12 +92,12 @@ macro_rules! face_of_struct {
 
             fn widen(&self) -> Self::Inside {
                 let Self { $($(#[$when])? $field),* } = self;
-                $name { $($(#[$when])? $field: crate::grasp::Face::entered($field)),* }
+                $name { $($(#[$when])? $field: crate::grasp::Face::to_inside($field)),* }
             }
 
             fn narrow(inside: Self::Inside) -> Self {
                 let $name { $($(#[$when])? $field),* } = inside;
-                Self { $($(#[$when])? $field: crate::grasp::Face::leave($field)),* }
+                Self { $($(#[$when])? $field: crate::grasp::Face::from_inside($field)),* }
             }
         }
     )*};
@@ -114,14 +114,14 @@ macro_rules! face_of_enum {
             fn widen(&self) -> Self::Inside {
                 match self {
                     $(Self::$variant { $($key: $field),* } =>
-                        $name::$variant { $($key: crate::grasp::Face::entered($field)),* },)*
+                        $name::$variant { $($key: crate::grasp::Face::to_inside($field)),* },)*
                 }
             }
 
             fn narrow(inside: Self::Inside) -> Self {
                 match inside {
                     $($name::$variant { $($key: $field),* } =>
-                        Self::$variant { $($key: crate::grasp::Face::leave($field)),* },)*
+                        Self::$variant { $($key: crate::grasp::Face::from_inside($field)),* },)*
                 }
             }
         }
@@ -147,17 +147,17 @@ macro_rules! same_on_both_sides {
             }
 
             #[inline]
-            fn enter(self) -> Self {
+            fn into_inside(self) -> Self {
                 self
             }
 
             #[inline]
-            fn entered(&self) -> Self {
+            fn to_inside(&self) -> Self {
                 self.clone()
             }
 
             #[inline]
-            fn leave(inside: Self) -> Self {
+            fn from_inside(inside: Self) -> Self {
                 inside
             }
         }
@@ -180,7 +180,7 @@ impl<T: Face> Face for Vec<T> {
     fn narrow(inside: Self::Inside) -> Self {
         let mut all = Self::with_capacity(inside.len());
         for value in inside {
-            all.push(T::leave(value));
+            all.push(T::from_inside(value));
         }
         all
     }
@@ -191,11 +191,11 @@ impl<T: Face> Face for Option<T> {
     const SAME: bool = T::SAME;
 
     fn widen(&self) -> Self::Inside {
-        self.as_ref().map(T::entered)
+        self.as_ref().map(T::to_inside)
     }
 
     fn narrow(inside: Self::Inside) -> Self {
-        inside.map(T::leave)
+        inside.map(T::from_inside)
     }
 }
 
@@ -206,7 +206,7 @@ impl<T: Face> Face for BTreeMap<String, T> {
     fn widen(&self) -> Self::Inside {
         let mut all = BTreeMap::new();
         for (key, value) in self {
-            all.insert(key.clone(), value.entered());
+            all.insert(key.clone(), value.to_inside());
         }
         all
     }
@@ -214,7 +214,7 @@ impl<T: Face> Face for BTreeMap<String, T> {
     fn narrow(inside: Self::Inside) -> Self {
         let mut all = Self::new();
         for (key, value) in inside {
-            all.insert(key, T::leave(value));
+            all.insert(key, T::from_inside(value));
         }
         all
     }
@@ -225,11 +225,11 @@ impl<T: Face> Face for Box<T> {
     const SAME: bool = T::SAME;
 
     fn widen(&self) -> Self::Inside {
-        Box::new(T::entered(self))
+        Box::new(T::to_inside(self))
     }
 
     fn narrow(inside: Self::Inside) -> Self {
-        Self::new(T::leave(*inside))
+        Self::new(T::from_inside(*inside))
     }
 }
 
@@ -238,11 +238,11 @@ impl<A: Face, B: Face> Face for (A, B) {
     const SAME: bool = A::SAME && B::SAME;
 
     fn widen(&self) -> Self::Inside {
-        (self.0.entered(), self.1.entered())
+        (self.0.to_inside(), self.1.to_inside())
     }
 
     fn narrow(inside: Self::Inside) -> Self {
-        (A::leave(inside.0), B::leave(inside.1))
+        (A::from_inside(inside.0), B::from_inside(inside.1))
     }
 }
 
@@ -252,15 +252,19 @@ impl<T: Face> Face for Harmonic<T> {
 
     fn widen(&self) -> Self::Inside {
         Harmonic {
-            constant: self.constant.entered(),
-            cosine: self.cosine.entered(),
-            sine: self.sine.entered(),
+            constant: self.constant.to_inside(),
+            cosine: self.cosine.to_inside(),
+            sine: self.sine.to_inside(),
         }
     }
 
     fn narrow(inside: Self::Inside) -> Self {
         let Harmonic { constant, cosine, sine } = inside;
-        Self { constant: T::leave(constant), cosine: T::leave(cosine), sine: T::leave(sine) }
+        Self {
+            constant: T::from_inside(constant),
+            cosine: T::from_inside(cosine),
+            sine: T::from_inside(sine),
+        }
     }
 }
 
@@ -293,7 +297,7 @@ impl<const C: usize> Face for [f64; C] {
     }
 
     fn narrow(inside: [f64; 3]) -> Self {
-        SVector::<f64, C>::leave(inside.into()).into()
+        SVector::<f64, C>::from_inside(inside.into()).into()
     }
 }
 
@@ -353,9 +357,9 @@ impl<const C: usize> Face for Stiffness<C> {
     fn narrow(inside: Stiffness<3>) -> Self {
         match inside {
             Stiffness::BodyAndFinger { body, finger } => {
-                Self::BodyAndFinger { body: Face::leave(body), finger: Face::leave(finger) }
+                Self::BodyAndFinger { body: Face::from_inside(body), finger: Face::from_inside(finger) }
             }
-            Stiffness::Series(k) => Self::Series(Face::leave(k)),
+            Stiffness::Series(k) => Self::Series(Face::from_inside(k)),
         }
     }
 }

@@ -203,7 +203,7 @@ impl SoftFingertip<2> {
     /// # Errors
     /// [`Error::Fingertip`] unless the width is from 1e-50 to 1e50.
     pub fn pair(width: f64) -> Result<Self, Error> {
-        SoftFingertip::pair_inside(width).map(Self::leave)
+        SoftFingertip::pair_inside(width).map(Self::from_inside)
     }
 
     /// A pad of this width (m). Each half is divided into `strips` of equal width, and two points represent each strip, one of them on its outer
@@ -225,7 +225,7 @@ impl SoftFingertip<2> {
     /// [`Error::Fingertip`] unless the width is from 1e-50 to 1e50, there is at least one strip and
     /// there are at most [`Self::MOST_POINTS`] points.
     pub fn pad(width: f64, strips: usize, pressure: Pressure) -> Result<Self, Error> {
-        SoftFingertip::pad_inside(width, strips, pressure).map(Self::leave)
+        SoftFingertip::pad_inside(width, strips, pressure).map(Self::from_inside)
     }
 }
 

@@ -16,7 +16,7 @@ use crate::words::{Words, listed, printable};
 impl<const C: usize> Wrench<C> {
     /// Magnitude and unit of a load that is a single force along some line, or a pure moment; `None` for other loads.
     pub(crate) fn measure(&self) -> Option<(f64, &'static str)> {
-        let spatial = self.enter();
+        let spatial = self.into_inside();
         let (force, moment) = spatial.components().split_at(3);
         let norm = |x: &[f64]| summed(x, &|x| x * x).sqrt();
         let (force_size, moment_size) = (norm(force), norm(moment));
@@ -34,7 +34,7 @@ impl Words {
     #[must_use]
     pub fn load<const C: usize>(self, load: &Wrench<C>) -> String {
         let space = self.space::<C>();
-        self.load_of(space.axes(), &load.enter().coordinates(space).as_slice()[..space.of_the_object()])
+        self.load_of(space.axes(), &load.into_inside().coordinates(space).as_slice()[..space.of_the_object()])
     }
 
     /// [`Self::load`] from components, the first `axes` of which are the force.
@@ -60,25 +60,25 @@ impl Words {
     /// hardly turns, the sentence begins with the translation.
     #[must_use]
     pub fn motion<const C: usize>(self, twist: &Twist<C>, moved: &[SVector<f64, C>]) -> String {
-        let (words, twist) = (self.in_space(self.space::<C>()), twist.enter());
+        let (words, twist) = (self.in_space(self.space::<C>()), twist.into_inside());
         if moved.is_empty() {
-            return words.moved(&twist, None);
+            return words.motion_text(&twist, None);
         }
         let moved = all_inside(moved);
         let mean = moved.iter().sum::<SVector<f64, 3>>() / moved.len() as f64;
-        words.moved(&twist, Some((mean, largest(&moved, &|u| (u - mean).norm()))))
+        words.motion_text(&twist, Some((mean, largest(&moved, &|u| (u - mean).norm()))))
     }
 
     /// [`Self::motion`] of one of several bodies, with its name.
     #[must_use]
     pub fn body_motion<const C: usize>(self, motion: &BodyMotion<C>) -> String {
         let (words, motion) = (self.in_space(self.space::<C>()), inside(motion));
-        let told = words.moved(&motion.twist, Some((motion.middle_moves(), motion.turning_moves())));
-        format!("{} {told}", printable(&motion.body))
+        let text = words.motion_text(&motion.twist, Some((motion.middle_moves(), motion.turning_moves())));
+        format!("{} {text}", printable(&motion.body))
     }
 
     /// [`Self::motion`] from the mean displacement of points and their largest deviation from it, m; `None` if no points are known.
-    fn moved(self, twist: &Twist<3>, points: Option<(SVector<f64, 3>, f64)>) -> String {
+    fn motion_text(self, twist: &Twist<3>, points: Option<(SVector<f64, 3>, f64)>) -> String {
         let (along, omega) = twist.parts_in(self.space::<3>());
         let (mean, spread) = points.unwrap_or((along, 0.0));
         // The displacement due to rotation counts as rounding below the fraction NEGLIGIBLE of the mean displacement.
@@ -95,15 +95,15 @@ impl Words {
         if !turns {
             return moves(&mean);
         }
-        let seen =
+        let turns_visibly =
             if points.is_none() { along.norm() <= omega.size() } else { spread > SEEN_MOTION * mean.norm() };
-        if !seen {
-            return format!("{}, turns {}", moves(&mean), self.about(&omega));
+        if !turns_visibly {
+            return format!("{}, turns {}", moves(&mean), self.axis_text(&omega));
         }
         // Distance of the points from the axis, m, which scales the rounding of the axis.
         let arm = if spread > 0.0 { spread / omega.size() } else { 1.0 };
         let through = omega.way_to_axis(&along).map(|x| if x.abs() <= NEGLIGIBLE * arm { 0.0 } else { x });
-        let turning = format!("turns {}{}", self.about(&omega), self.point(&through));
+        let turning = format!("turns {}{}", self.axis_text(&omega), self.point(&through));
         let pitch = omega.along_axis(&along);
         if pitch.norm() <= NEGLIGIBLE * spread.max(mean.norm()) {
             return turning;
@@ -131,16 +131,16 @@ impl Words {
             |motion: &BodyMotion<3>| if still { motion.twist.parts().1.size() } else { motion.speed() };
         let fastest = largest(bodies, &speed);
         let moves = bodies.iter().filter(|motion| speed(motion) > SEEN_MOTION * fastest);
-        let told =
+        let texts =
             |motion: &BodyMotion<3>| (printable(&motion.body).into_owned(), self.direction(&motion.twist));
-        let told: Vec<_> = moves.map(told).list();
-        let Some((_, first)) = told.first() else { return "moving nothing but the hand".to_owned() };
+        let texts: Vec<_> = moves.map(texts).list();
+        let Some((_, first)) = texts.first() else { return "moving nothing but the hand".to_owned() };
         // Up to three bodies with the same motion are named one by one.
-        if told.len() > 3 && told.iter().all(|(_, way)| way == first) {
-            let names: Vec<_> = mapped(&told, &|(name, _)| name);
+        if texts.len() > 3 && texts.iter().all(|(_, way)| way == first) {
+            let names: Vec<_> = mapped(&texts, &|(name, _)| name);
             return format!("{}, all {first}", listed(&names));
         }
-        listed(&told.iter().map(|(name, way)| format!("{name} {way}")).list())
+        listed(&texts.iter().map(|(name, way)| format!("{name} {way}")).list())
     }
 
     fn direction(self, twist: &Twist<3>) -> String {
@@ -169,7 +169,7 @@ impl Words {
     }
 
     /// Angle and sense of a rotation: "1.9° about +z" in space, "1.9° clockwise" in the plane.
-    fn about(self, omega: &Rotation) -> String {
+    fn axis_text(self, omega: &Rotation) -> String {
         let angle = self.angle(omega.size());
         match omega {
             Rotation::Plane(turn) if *turn < 0.0 => format!("{angle} clockwise"),

@@ -16,26 +16,26 @@ use crate::error::Error;
 use crate::numerics::DoubleDouble;
 
 impl Engine {
-    /// Checks a wrench and converts it to inside coordinates: moved to the centroid, in the engine's unit of length.
+    /// Checks a wrench and converts it to the engine's coordinates: moved to the centroid, in the engine's unit of length.
     pub(crate) fn inside(&self, wrench: &Wrench<3>, what: &'static str) -> Result<Vector, Error> {
         wrench.check_in(self.space, what)?;
         Ok(self.inside_unchecked(wrench))
     }
 
-    /// Converts a wrench to inside coordinates without a check.
+    /// Converts a wrench to the engine's coordinates without a check.
     pub(crate) fn inside_unchecked(&self, wrench: &Wrench<3>) -> Vector {
         match self.bodies() {
-            Some(bodies) if bodies.is_shared() => self.put_on_each(bodies, &bodies.shared(wrench)),
+            Some(bodies) if bodies.is_shared() => self.combine_wrenches(bodies, &bodies.shared(wrench)),
             _ => self.on_object(wrench),
         }
     }
 
-    /// A wrench on the body whose coordinates are the object's, in inside coordinates.
+    /// A wrench on the body whose coordinates are the object's, in the engine's coordinates.
     pub(crate) fn on_object(&self, wrench: &Wrench<3>) -> Vector {
         self.per_length(self.space.moved_wrench(&-self.origin, &wrench.coordinates(self.space)))
     }
 
-    /// Rounding error of a wrench in inside coordinates: exact minus rounded moments. It is zero if several bodies share the load.
+    /// Rounding error of a wrench in the engine's coordinates: exact minus rounded moments. It is zero if several bodies share the load.
     pub(crate) fn inside_rest(&self, wrench: &Wrench<3>) -> Vector {
         let (w, inside) = (wrench.coordinates(self.space), self.inside_unchecked(wrench));
         let axes = self.space.axes();
@@ -63,7 +63,7 @@ impl Engine {
         self.length
     }
 
-    /// Converts a wrench from inside coordinates to the user's.
+    /// Converts a wrench from the engine's coordinates to the user's.
     pub(crate) fn wrench_outside(&self, w: &Vector) -> Wrench<3> {
         let outside = self.times_length(w.clone());
         let on_object = Wrench::among(self.space, &self.space.moved_wrench(&self.origin, &outside));
@@ -75,17 +75,17 @@ impl Engine {
         }
     }
 
-    /// Converts all coordinates of a motion from the user's to inside coordinates.
+    /// Converts all coordinates of a motion from the user's to the engine's coordinates.
     pub(crate) fn inside_motion(&self, outside: &Vector) -> Vector {
         self.times_length(self.space.moved_twist(&-self.origin, outside))
     }
 
-    /// Converts a motion of the object from inside coordinates to the user's.
+    /// Converts a motion of the object from the engine's coordinates to the user's.
     pub(crate) fn outside(&self, q: &Vector) -> Twist<3> {
         Twist::among(self.space, &self.outside_coordinates(q))
     }
 
-    /// Converts a motion of object, joints and bodies from inside coordinates to the user's.
+    /// Converts a motion of object, joints and bodies from the engine's coordinates to the user's.
     pub(crate) fn motion_outside(&self, q: &Vector) -> Motion<3> {
         let outside = self.outside_coordinates(q);
         let joints = self.linkage().map_or(0, |linkage| linkage.joints.len());

@@ -77,7 +77,7 @@ impl<const C: usize> Payload<C> {
         let Self { mass, centre, inertia } = *self;
         let ArmMotion { gravity, acceleration, about, angular_velocity, angular_acceleration } = *arm;
         let arm = ArmMotion { gravity, acceleration, about, angular_velocity, angular_acceleration };
-        Payload { mass, centre, inertia }.load_in(Space::of::<C>(), &arm).map(Wrench::leave)
+        Payload { mass, centre, inertia }.load_in(Space::of::<C>(), &arm).map(Wrench::from_inside)
     }
 }
 

@@ -6,7 +6,7 @@ use core::fmt;
 
 use crate::numerics::Once;
 
-/// A value that depends only on the sites of a grasp, computed on first use by a caller in a higher module.
+/// A value that depends only on the contacts and drives of a grasp, computed on first use by a caller in a higher module.
 #[derive(Clone, Default)]
 pub(crate) struct Remembered(Once<Arc<dyn Any + Send + Sync>>);
 

@@ -31,7 +31,7 @@ impl Engine {
             |contact: &&ContactPoints| self.contacts[contact.range.start].force.unwrap_or(0.0) != 0.0;
         let slides = self.wholes().iter().filter(is_pushed).count();
         self.linkage().is_some_and(|linkage| {
-            let held = linkage.joints.iter().filter(|joint| joint.held != 0.0).count();
+            let held = linkage.joints.iter().filter(|joint| joint.held_torque != 0.0).count();
             held > slides || linkage.commands.iter().any(|command| *command != 0.0)
         })
     }
@@ -46,7 +46,7 @@ impl Engine {
         let stays = self.linkage().is_some_and(|linkage| {
             let loads = linkage.bodies.as_ref().map_or(&[][..], |bodies| &bodies.loads);
             loads.iter().any(|load| *load != Wrench::ZERO)
-                || linkage.pulled.norm() > 0.0
+                || linkage.external_torques.norm() > 0.0
                 || !linkage.tendons.is_empty()
                 || linkage.joints.iter().any(|joint| joint.limit.is_some())
         });
@@ -56,7 +56,7 @@ impl Engine {
     /// Names of the bodies with a nonzero load of their own.
     pub(crate) fn loaded_bodies(&self) -> Vec<String> {
         let Some(bodies) = self.bodies() else { return Vec::new() };
-        let loaded = bodies.names.iter().zip(&bodies.given).filter(|(_, load)| **load != Wrench::ZERO);
+        let loaded = bodies.names.iter().zip(&bodies.user_loads).filter(|(_, load)| **load != Wrench::ZERO);
         loaded.map(|(name, _)| name.to_string()).list()
     }
 
@@ -72,12 +72,12 @@ impl Engine {
         let of = |is_body, size| PressOfPart { name: name.to_owned(), is_body, size };
         if let Some(bodies) = self.bodies()
             && let Some(body) = bodies.names.iter().position(|other| **other == *name)
-            && bodies.given[body] != Wrench::ZERO
+            && bodies.user_loads[body] != Wrench::ZERO
         {
-            let given = bodies.given[body];
+            let given = bodies.user_loads[body];
             let mut bodies = bodies.clone();
             bodies.loads[body] = bodies.loads[body] + given * (factor - 1.0);
-            bodies.given[body] = given * factor;
+            bodies.user_loads[body] = given * factor;
             return Ok((of(true, given.measure()), self.with_bodies(bodies)));
         }
         let parts = self.wholes();
@@ -103,7 +103,7 @@ impl Engine {
         }
         if let Some(linkage) = self.linkage()
             && let Some(joint) = linkage.joints.iter().position(|joint| joint.name.as_deref() == Some(name))
-            && (linkage.commands[joint] != 0.0 || linkage.joints[joint].held != 0.0)
+            && (linkage.commands[joint] != 0.0 || linkage.joints[joint].held_torque != 0.0)
         {
             let mut grasp = self.clone();
             if let Some(linkage) = &mut grasp.linkage {

@@ -70,14 +70,14 @@ impl Site {
         })
     }
 
-    /// A copy of this site with another map, which is taken as exact.
+    /// A copy of this contact or drive with another map, which is taken as exact.
     pub(crate) fn with_map(&self, mut map: Map) -> Self {
         let mut map_rest = Map::zeros(map.size());
         let (size, support) = (map.norm(), Support::of(self.space, &mut map, &mut map_rest));
         Self { map, map_rest, size, support, ..self.clone() }
     }
 
-    /// A site whose force acts along only one of its axes: a drive of a hand.
+    /// The site of a drive of a hand, whose force acts along only one of its axes.
     pub(super) fn of_axis(
         space: Space,
         size: Size,
@@ -180,7 +180,7 @@ impl Site {
     }
 }
 
-/// Number of coordinates of a grasp with these sites.
+/// Number of coordinates of a grasp with these contacts and drives.
 #[inline]
 pub(crate) fn size_of(sites: &[Site]) -> Size {
     sites.first().map_or(Size::default(), Site::coordinates)

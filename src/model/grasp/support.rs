@@ -1,4 +1,4 @@
-//! The coordinates in which a site's map has entries.
+//! The coordinates in which the map of a contact or drive has nonzero entries.
 
 use crate::numerics::{Map, Size};
 use core::ops::Range;
@@ -21,22 +21,22 @@ impl Support {
     pub(super) fn of(space: Space, map: &mut Map, rest: &mut Map) -> Self {
         let size = map.size();
         let count = size.count();
-        let mut felt = Vec::new();
+        let mut indices = Vec::new();
         for k in map.rows().chain(rest.rows()) {
             let (of_map, of_rest) = (map.row(k), rest.row(k));
             if (0..3).any(|a| of_map[a] != 0.0 || of_rest[a] != 0.0) {
-                felt.push(k);
+                indices.push(k);
             }
         }
-        felt.sort_unstable();
-        felt.dedup();
+        indices.sort_unstable();
+        indices.dedup();
         let object = space.of_the_object().min(count);
-        let others = &felt[felt.partition_point(|k| *k < object)..];
+        let others = &indices[indices.partition_point(|k| *k < object)..];
         let all = others.first().zip(others.last()).map_or(count..count, |(first, last)| *first..last + 1);
-        let of_object = others.len() < felt.len();
-        let ranges = if of_object { [0..object, all] } else { apart(all, others) };
-        map.keep(&ranges);
-        rest.keep(&ranges);
+        let of_object = others.len() < indices.len();
+        let ranges = if of_object { [0..object, all] } else { split_at_gap(all, others) };
+        map.keep_rows(&ranges);
+        rest.keep_rows(&ranges);
         Self { size, object, ranges }
     }
 
@@ -48,11 +48,11 @@ impl Support {
     }
 }
 
-/// Divides a range at its longest gap between the coordinates in `felt`.
-fn apart(range: Range<usize>, felt: &[usize]) -> [Range<usize>; 2] {
+/// Divides a range at its longest gap between the coordinates in `indices`.
+fn split_at_gap(range: Range<usize>, indices: &[usize]) -> [Range<usize>; 2] {
     let Range { start, end } = range;
     let (mut gap, mut last) = (end..end, start);
-    for &k in felt {
+    for &k in indices {
         if k - last > gap.len() + 1 {
             gap = last + 1..k;
         }

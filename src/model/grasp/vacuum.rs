@@ -35,7 +35,7 @@ impl Vacuum {
         let (mut inside, mut outside) = (Vector::zeros(), Vector::zeros());
         for (contact, site) in contacts.iter().zip(sites).filter(|(contact, _)| contact.suction != 0.0) {
             inside -= &site.map.column(0) * contact.suction;
-            outside += contact.pulled(site);
+            outside += contact.suction_wrench(site);
         }
         Some(Box::new(Self { inside, on_object: Wrench::among(space, &outside) }))
     }
@@ -43,7 +43,7 @@ impl Vacuum {
 
 impl Contact<3> {
     /// Wrench of the contact's vacuum on the object, about the origin.
-    pub(crate) fn pulled(&self, site: &Site) -> Vector {
+    pub(crate) fn suction_wrench(&self, site: &Site) -> Vector {
         self.space.wrench_of(&self.point, &(site.frame.column(0) * -self.suction))
     }
 }

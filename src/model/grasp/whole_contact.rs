@@ -133,7 +133,7 @@ impl<const C: usize> Contact<C> {
         self.point_of_pad.unwrap_or(0) == 0
     }
 
-    /// Its name; for a point of a soft fingertip that of the fingertip.
+    /// The name of the contact; for a point of a soft fingertip the name of the fingertip.
     pub(crate) fn whole_name(&self) -> Option<Arc<str>> {
         let name = self.name.as_ref()?;
         let of_the_pad = self.point_of_pad.and_then(|point| name.strip_suffix(&format!(" {point}")));

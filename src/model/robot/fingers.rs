@@ -14,7 +14,7 @@ pub(crate) struct JointGroup {
 
 /// How joints of a finger move a contact.
 pub(crate) enum Mover {
-    /// The first joints of the finger, this many.
+    /// The first joints of the finger move the contact; the number counts them.
     Link(usize),
     /// For each joint the velocity of the contact point (rows 0 to 2) and the angular velocity of the link (rows 3 to 5).
     Jacobian(DMatrix<f64>),

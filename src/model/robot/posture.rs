@@ -18,7 +18,7 @@ impl Robot {
     /// # Errors
     /// [`Error::Robot`] for a joint that is unknown, fixed or mimics another, and for a position that is not finite.
     pub fn posed(mut self, joint: &str, position: f64) -> Result<Self, Error> {
-        self.own(joint, position, "position")?.position = position;
+        self.independent_joint(joint, position, "position")?.position = position;
         Ok(self)
     }
 
@@ -27,7 +27,7 @@ impl Robot {
     /// # Errors
     /// As for [`Self::posed`].
     pub fn commanded(mut self, joint: &str, position: f64) -> Result<Self, Error> {
-        self.own(joint, position, "commanded position")?.commanded = Some(position);
+        self.independent_joint(joint, position, "commanded position")?.commanded = Some(position);
         Ok(self)
     }
 
@@ -52,7 +52,7 @@ impl Robot {
     /// # Errors
     /// As for [`Self::posed`].
     pub fn joint_stiffness(mut self, joint: &str, stiffness: f64) -> Result<Self, Error> {
-        self.own(joint, stiffness, "stiffness")?.stiffness = stiffness;
+        self.independent_joint(joint, stiffness, "stiffness")?.stiffness = stiffness;
         Ok(self)
     }
 
@@ -66,7 +66,7 @@ impl Robot {
     }
 
     /// A joint that has its own coordinate, in order to set one of its numbers.
-    fn own(&mut self, name: &str, value: f64, what: &str) -> Result<&mut RobotJoint, Error> {
+    fn independent_joint(&mut self, name: &str, value: f64, what: &str) -> Result<&mut RobotJoint, Error> {
         let index = self.index(name)?;
         let joint = &self.joints[index];
         let refused = if joint.kind.is_none() {

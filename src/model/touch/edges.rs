@@ -21,9 +21,9 @@ impl Part {
             for side in 0..3 {
                 let ends = [bits(&triangle[side]), bits(&triangle[(side + 1) % 3])];
                 let key = if ends[0] <= ends[1] { ends } else { [ends[1], ends[0]] };
-                let seen = first_normal.entry(key).or_insert((3 * index + side, normal, true));
-                if seen.0 != 3 * index + side {
-                    seen.2 = seen.1.dot(&normal) < least;
+                let entry = first_normal.entry(key).or_insert((3 * index + side, normal, true));
+                if entry.0 != 3 * index + side {
+                    entry.2 = entry.1.dot(&normal) < least;
                 }
             }
         }

@@ -21,7 +21,7 @@ impl List {
     pub(super) fn zeros(count: usize) -> Self {
         match u32::try_from(count) {
             Ok(few) if count <= IN_PLACE => Self::Few(few, [0.0; IN_PLACE]),
-            _ => Self::on_the_heap(count),
+            _ => Self::on_heap(count),
         }
     }
 
@@ -61,21 +61,21 @@ impl List {
 
     /// Extends the list with zeros to at least `count` numbers.
     #[inline]
-    pub(super) fn reach(&mut self, count: usize) {
+    pub(super) fn grow(&mut self, count: usize) {
         match (self, u32::try_from(count)) {
             (Self::Few(len, _), Ok(few)) if count <= IN_PLACE => *len = few.max(*len),
-            (list, _) if list.slice().len() < count => list.move_out(count),
+            (list, _) if list.slice().len() < count => list.move_to_heap(count),
             _ => {}
         }
     }
 
     #[inline(never)]
-    fn on_the_heap(count: usize) -> Self {
+    fn on_heap(count: usize) -> Self {
         Self::More(vec![0.0; count])
     }
 
     #[inline(never)]
-    fn move_out(&mut self, count: usize) {
+    fn move_to_heap(&mut self, count: usize) {
         let mut more = self.slice().to_vec();
         more.resize(count, 0.0);
         *self = Self::More(more);

@@ -46,8 +46,8 @@ impl Map {
     }
 
     /// Stores only the rows of these ranges; all other rows must be zero.
-    pub(crate) fn keep(&mut self, ranges: &[Range<usize>; 2]) {
-        self.entries.keep(ranges);
+    pub(crate) fn keep_rows(&mut self, ranges: &[Range<usize>; 2]) {
+        self.entries.keep_rows(ranges);
     }
 
     #[inline]
@@ -73,7 +73,7 @@ impl Map {
         }
     }
 
-    /// The entries of a column in one of the ranges given to [`Self::keep`].
+    /// The entries of a column in one of the ranges given to [`Self::keep_rows`].
     #[inline]
     pub(crate) fn column_within(&self, a: usize, range: Range<usize>) -> &[f64] {
         self.entries.column(a, range)
@@ -120,13 +120,13 @@ impl Map {
     /// The product `Gᵀv`.
     #[inline]
     pub(crate) fn tr_mul(&self, v: &Vector) -> SVector<f64, 3> {
-        self.entries.felt(self.size, &v.0)
+        self.entries.tr_mul(self.size, &v.0)
     }
 
     /// Adds the product `G f` to a vector.
     #[inline]
     pub(crate) fn push(&self, f: &SVector<f64, 3>, to: &mut Vector) {
-        to.reach(self.size);
+        to.grow(self.size);
         self.entries.add_mapped(f, &mut to.0);
     }
 

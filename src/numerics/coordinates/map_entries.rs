@@ -97,7 +97,7 @@ impl MapEntries {
     }
 
     /// Stores exactly the rows of these ranges; rows that were not stored before get zeros.
-    pub(super) fn keep(&mut self, ranges: &[Range<usize>; 2]) {
+    pub(super) fn keep_rows(&mut self, ranges: &[Range<usize>; 2]) {
         if let Self::Few(_) = self {
             let rows: Vec<usize> = ranges.iter().cloned().flatten().list();
             let mut entries = Vec::with_capacity(3 * rows.len());
@@ -147,26 +147,26 @@ impl MapEntries {
 
     /// The product `Gᵀv`; numbers beyond the end of the list are zero.
     #[inline]
-    pub(super) fn felt(&self, size: Size, list: &List) -> SVector<f64, 3> {
-        let mut felt = SVector::zeros();
+    pub(super) fn tr_mul(&self, size: Size, list: &List) -> SVector<f64, 3> {
+        let mut product = SVector::zeros();
         match (self, list.fixed::<WHOLE>()) {
             (Self::Whole(columns), Some(list)) => {
                 for a in 0..3 {
-                    felt[a] = dot_whole(&columns[a], list);
+                    product[a] = dot_whole(&columns[a], list);
                 }
             }
             (Self::Whole(columns), None) => {
                 for a in 0..3 {
-                    felt[a] = dot(&columns[a], list.slice());
+                    product[a] = dot(&columns[a], list.slice());
                 }
             }
             (Self::Few(few), _) => {
                 for a in 0..3 {
-                    felt[a] = few.felt(a, size.count(), list.slice());
+                    product[a] = few.tr_mul_column(a, size.count(), list.slice());
                 }
             }
         }
-        felt
+        product
     }
 
     /// The squared norm of a column.
@@ -228,7 +228,7 @@ impl FewRows {
 
     /// The product of a column with a vector of `count` components; components beyond the end of its list are zero.
     #[inline]
-    fn felt(&self, a: usize, count: usize, list: &[f64]) -> f64 {
+    fn tr_mul_column(&self, a: usize, count: usize, list: &[f64]) -> f64 {
         let end = count.min(list.len());
         let mut lanes = SumLanes::of(end);
         for (k, x) in self.of_column(a) {
@@ -262,10 +262,10 @@ mod tests {
             map.set_row(k, &SVector::<f64, 3>::new(generic(2 * n), generic(2 * n + 1), generic(80 + n)));
         }
         let v = Vector::from_fn(size, |k| generic(40 + k));
-        let felt = map.tr_mul(&v);
+        let product = map.tr_mul(&v);
         for a in 0..3 {
             let column: Vec<f64> = (0..23).map(|k| map[(k, a)]).collect();
-            assert_eq!(felt[a].to_bits(), dense(&column, v.as_slice()).to_bits());
+            assert_eq!(product[a].to_bits(), dense(&column, v.as_slice()).to_bits());
         }
         let f = SVector::<f64, 3>::new(0.3, -0.7, 0.2);
         let mut pushed = Vector::zeros();

@@ -149,18 +149,18 @@ impl Square {
 
 impl Square {
     /// Adds `w SᵀH S`; `hold` is H, and `None` stands for the identity.
-    pub(crate) fn add_congruent(&mut self, seen: &ScaledMap, hold: Option<&SMatrix<f64, 3, 3>>, weight: f64) {
-        let columns = seen.columns();
-        for (to, moved) in self.as_mut_slice().chunks_exact_mut(columns.len().max(1)).zip(columns) {
-            let moved = SVector::from(*moved);
-            let held = hold.map_or(moved, |hold| hold * moved) * weight;
+    pub(crate) fn add_congruent(&mut self, map: &ScaledMap, hold: Option<&SMatrix<f64, 3, 3>>, weight: f64) {
+        let columns = map.columns();
+        for (to, column) in self.as_mut_slice().chunks_exact_mut(columns.len().max(1)).zip(columns) {
+            let column = SVector::from(*column);
+            let weighted = hold.map_or(column, |hold| hold * column) * weight;
             // For a single object this loop has a length that the compiler knows.
             match columns.len() {
-                WHOLE => add_felt::<WHOLE>(columns, &held, to),
-                3 => add_felt::<3>(columns, &held, to),
+                WHOLE => add_transposed_product::<WHOLE>(columns, &weighted, to),
+                3 => add_transposed_product::<3>(columns, &weighted, to),
                 _ => {
                     for (to, column) in to.iter_mut().zip(columns) {
-                        *to += SVector::from(*column).dot(&held);
+                        *to += SVector::from(*column).dot(&weighted);
                     }
                 }
             }
@@ -170,10 +170,10 @@ impl Square {
 
 /// Adds the products of N columns with a vector of contact axes.
 #[inline]
-fn add_felt<const N: usize>(columns: &[[f64; 3]], held: &SVector<f64, 3>, to: &mut [f64]) {
+fn add_transposed_product<const N: usize>(columns: &[[f64; 3]], weighted: &SVector<f64, 3>, to: &mut [f64]) {
     let (Some(columns), Some(to)) = (columns.first_chunk::<N>(), to.first_chunk_mut::<N>()) else { return };
     for k in 0..N {
-        to[k] += SVector::from(columns[k]).dot(held);
+        to[k] += SVector::from(columns[k]).dot(weighted);
     }
 }
 

@@ -13,7 +13,7 @@ macro_rules! sums {
             #[inline]
             fn $operate_assign(&mut self, other: &Vector) {
                 let other = other.as_slice();
-                self.0.reach(other.len());
+                self.0.grow(other.len());
                 let to = self.0.slice_mut();
                 // For a single object in space the compiler knows the length of the vectors.
                 if let (Some(to), Some(other)) = (to.first_chunk_mut::<WHOLE>(), exactly::<WHOLE>(other)) {

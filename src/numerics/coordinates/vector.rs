@@ -56,15 +56,15 @@ impl Vector {
 
     /// Extends the vector with zeros to one stored component per coordinate.
     #[inline]
-    pub(crate) fn reach(&mut self, size: Size) {
-        self.0.reach(size.count());
+    pub(crate) fn grow(&mut self, size: Size) {
+        self.0.grow(size.count());
     }
 
     /// Adds `times` times another vector.
     #[inline]
     pub(crate) fn add_times(&mut self, other: &Self, times: f64) {
         let other = other.as_slice();
-        self.0.reach(other.len());
+        self.0.grow(other.len());
         let to = self.0.slice_mut();
         // For a single object in space the compiler knows the length of the vectors.
         if let (Some(to), Some(other)) = (to.first_chunk_mut::<WHOLE>(), exactly::<WHOLE>(other)) {
@@ -213,7 +213,7 @@ impl Index<usize> for Vector {
 impl IndexMut<usize> for Vector {
     #[inline]
     fn index_mut(&mut self, k: usize) -> &mut f64 {
-        self.0.reach(k + 1);
+        self.0.grow(k + 1);
         &mut self.0.slice_mut()[k]
     }
 }

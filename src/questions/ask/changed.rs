@@ -47,7 +47,7 @@ impl<const C: usize> Grasp<C> {
         &self,
         commands: impl IntoIterator<Item = impl Into<[f64; C]>>,
     ) -> Result<Self, Error> {
-        let commands: Vec<_> = commands.into_iter().map(|u| SVector::from(u.into()).enter()).list();
+        let commands: Vec<_> = commands.into_iter().map(|u| SVector::from(u.into()).into_inside()).list();
         self.changed(self.engine.with_commands(&commands))
     }
 
@@ -131,7 +131,7 @@ impl<const C: usize> Grasp<C> {
         load: &Wrench<C>,
         others: impl IntoIterator<Item = (N, Wrench<C>)>,
     ) -> Result<Self, Error> {
-        let named = others.into_iter().map(|(name, load)| (Arc::from(name.into()), load.enter()));
+        let named = others.into_iter().map(|(name, load)| (Arc::from(name.into()), load.into_inside()));
         self.changed(self.engine.growing_together(&inside(load), &named.list()))
     }
 
@@ -155,7 +155,7 @@ impl<const C: usize> Grasp<C> {
 
     /// This grasp with other contacts, as many as before, and the same joints.
     pub(crate) fn with_contacts(&self, contacts: Vec<Contact<C>>) -> Result<Self, Error> {
-        self.changed(self.engine.with_data(contacts.enter(), &|_| 1.0))
+        self.changed(self.engine.with_data(contacts.into_inside(), &|_| 1.0))
     }
 
     /// The force with which the named part presses, and this grasp with that force multiplied by `factor`.

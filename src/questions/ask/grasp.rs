@@ -95,7 +95,7 @@ impl<const C: usize> Grasp<C> {
     /// [`Error::EmptyGrasp`], or [`Error::Contact`] with the first contact, field and value out of range.
     pub fn new(contacts: impl IntoIterator<Item = Contact<C>>) -> Result<Self, Error> {
         const { assert_plane_or_space::<C>() };
-        let contacts: Vec<_> = contacts.into_iter().map(Face::enter).list();
+        let contacts: Vec<_> = contacts.into_iter().map(Face::into_inside).list();
         Grasp::installed_by(engine_of_contacts(contacts)?)
     }
 
@@ -373,7 +373,7 @@ impl<const C: usize> Hand<C> {
     /// as for [`Grasp::new`].
     pub fn grasp(self) -> Result<Grasp<C>, Error> {
         const { assert_plane_or_space::<C>() };
-        Grasp::installed_by(self.enter().engine(None)?)
+        Grasp::installed_by(self.into_inside().engine(None)?)
     }
 }
 
@@ -385,7 +385,7 @@ impl<const C: usize> Bodies<C> {
     pub fn grasp(self) -> Result<Grasp<C>, Error> {
         const { assert_plane_or_space::<C>() };
         let (hand, bodies) = self.checked()?;
-        Grasp::installed_by(hand.enter().engine(Some(bodies))?)
+        Grasp::installed_by(hand.into_inside().engine(Some(bodies))?)
     }
 }
 

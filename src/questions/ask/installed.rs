@@ -11,20 +11,24 @@ use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::prelude::*;
 
 impl Grasp<3> {
-    /// This grasp with commands under which each such link pulls with its given tension at rest.
+    /// This grasp with commands under which each link with a given tension pulls with it at rest.
     pub(super) fn installed(self) -> Result<Self, Error> {
         let wanted = |contact: &crate::grasp::Contact<3>| contact.at_rest;
-        let told: Vec<(usize, f64)> =
+        let pressed: Vec<(usize, f64)> =
             self.contacts().iter().enumerate().filter_map(|(i, contact)| Some((i, wanted(contact)?))).list();
-        if told.is_empty() {
+        if pressed.is_empty() {
             return Ok(self);
         }
-        let stiffness: Vec<f64> = mapped(&told, &|(i, _)| self.contacts()[*i].stiffness.series()[0]);
+        let stiffness: Vec<f64> = mapped(&pressed, &|(i, _)| self.contacts()[*i].stiffness.series()[0]);
         let mut commands: Vec<[f64; 3]> = mapped(self.contacts(), &|contact| contact.command.into());
-        let mut off = self.missing(&commands, &told)?;
+        let mut missing = self.missing(&commands, &pressed)?;
         // Limit on Newton steps: one is enough while no contact changes state, and each change of state takes one more.
         for _ in 0..20 {
-            let worst = off.iter().zip(&told).map(|(off, (_, force))| off.abs() / force).fold(0.0, f64::max);
+            let worst = missing
+                .iter()
+                .zip(&pressed)
+                .map(|(missing, (_, force))| missing.abs() / force)
+                .fold(0.0, f64::max);
             // Relative error of a tension at which Newton's method stops.
             if worst <= SOLVED_ROUNDING {
                 break;
@@ -33,34 +37,35 @@ impl Grasp<3> {
             // hardly ever change state within it; if none does, the quotient is exact.
             let nudge = 1e-3;
             // Column k: the change of the missing tensions as the command of link k grows by `nudge` times the stretch of its spring.
-            let mut change = DMatrix::zeros(told.len(), told.len());
-            for (k, (i, force)) in told.iter().enumerate() {
+            let mut change = DMatrix::zeros(pressed.len(), pressed.len());
+            for (k, (i, force)) in pressed.iter().enumerate() {
                 let mut pulled = commands.clone();
                 pulled[*i][0] += nudge * force / stiffness[k];
-                change.set_column(k, &(&off - self.missing(&pulled, &told)?));
+                change.set_column(k, &(&missing - self.missing(&pulled, &pressed)?));
             }
-            let steps = change.lu().solve(&off).filter(|steps| steps.iter().all(|x| x.is_finite()));
+            let steps = change.lu().solve(&missing).filter(|steps| steps.iter().all(|x| x.is_finite()));
             let Some(steps) = steps else { break };
-            for (k, (i, force)) in told.iter().enumerate() {
+            for (k, (i, force)) in pressed.iter().enumerate() {
                 commands[*i][0] += steps[k] * nudge * force / stiffness[k];
             }
-            off = self.missing(&commands, &told)?;
+            missing = self.missing(&commands, &pressed)?;
         }
         // A tension with a larger relative error is refused.
-        match off.iter().zip(&told).find(|(off, (_, force))| off.abs() > NEGLIGIBLE * force) {
+        match missing.iter().zip(&pressed).find(|(missing, (_, force))| missing.abs() > NEGLIGIBLE * force) {
             Some((_, (i, force))) => Err(self.not_held(*i, *force)),
             None => self.with_commands(commands),
         }
     }
 
     /// The given tensions less those with these commands and without load, N.
-    fn missing(&self, commands: &[[f64; 3]], told: &[(usize, f64)]) -> Result<DVector<f64>, Error> {
+    fn missing(&self, commands: &[[f64; 3]], pressed: &[(usize, f64)]) -> Result<DVector<f64>, Error> {
         let outcome = self.with_commands(commands.iter().copied())?.solve(Wrench::ZERO)?;
-        let state = outcome.equilibrium().ok_or_else(|| self.not_held(told[0].0, told[0].1))?;
-        // The gap of a slack link counts as missing tension, too, so that the difference depends on its command there.
+        let state = outcome.equilibrium().ok_or_else(|| self.not_held(pressed[0].0, pressed[0].1))?;
+        // The gap of a slack link, times its stiffness, counts as missing tension, too; so the missing tension depends on the command even of a slack
+        // link.
         let slack = |i: usize| state.contacts[i].gap.max(0.0) * self.contacts()[i].stiffness.series()[0];
-        let each = told.iter().map(|(i, force)| force - state.contacts[*i].normal_force() + slack(*i));
-        Ok(DVector::from_iterator(told.len(), each))
+        let each = pressed.iter().map(|(i, force)| force - state.contacts[*i].normal_force() + slack(*i));
+        Ok(DVector::from_iterator(pressed.len(), each))
     }
 
     fn not_held(&self, contact: usize, force: f64) -> Error {

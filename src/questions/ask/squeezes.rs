@@ -102,7 +102,7 @@ impl<const C: usize> Grasp<C> {
         point: impl Into<[f64; C]>,
     ) -> Result<WeakestDirection<C>, Error> {
         self.engine
-            .weakest_direction(&inside(&base.into()), point.into().enter(), &self.settings)
+            .weakest_direction(&inside(&base.into()), point.into().into_inside(), &self.settings)
             .map(outside)
     }
 }

@@ -36,7 +36,7 @@ pub struct OnsetWorkspace<const C: usize> {
     settings: Settings,
     memory: Memory,
     /// The last onset with `C` components; `kept` is the same onset with the three components of the engine.
-    told: Option<Onset<C>>,
+    returned: Option<Onset<C>>,
     kept: Option<Onset<3>>,
     /// The last ramp, with the three components of the engine.
     ramp: Option<Ramp<3>>,
@@ -54,18 +54,18 @@ impl<const C: usize> OnsetWorkspace<C> {
     /// # Errors
     /// As for [`Grasp::onset`].
     pub fn onset(&mut self, grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<&Onset<C>, Error> {
-        if let (Some(Onset::At(told)), Some(Onset::At(kept))) = (&mut self.told, &mut self.kept) {
-            told.exchange(kept);
+        if let (Some(Onset::At(returned)), Some(Onset::At(kept))) = (&mut self.returned, &mut self.kept) {
+            returned.exchange(kept);
         }
         let kept = self.kept.take();
         let inside = self.ramp.get_or_insert_with(|| Ramp::load(Wrench::ZERO, Wrench::ZERO));
         ramp.enter_into(inside);
         let onset = grasp.engine.onset_in(inside, &self.settings, &mut self.memory, kept)?;
         let onset = self.kept.insert(onset);
-        match (&mut self.told, onset) {
-            (Some(Onset::At(told)), Onset::At(kept)) => told.take_over(kept),
-            (told, onset) => *told = Some(outside(onset.clone())),
+        match (&mut self.returned, onset) {
+            (Some(Onset::At(returned)), Onset::At(kept)) => returned.replace_with(kept),
+            (returned, onset) => *returned = Some(outside(onset.clone())),
         }
-        Ok(self.told.get_or_insert(Onset::Never))
+        Ok(self.returned.get_or_insert(Onset::Never))
     }
 }

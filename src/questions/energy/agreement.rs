@@ -23,7 +23,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum Agreement<const C: usize> {
-    /// Agreement up to this factor, at which the listed friction constraints begin to bind.
+    /// Agreement up to this load factor, at which the listed friction constraints begin to bind.
     UpTo {
         /// The load factor τ >= 0, no unit.
         factor: f64,
@@ -33,7 +33,7 @@ pub enum Agreement<const C: usize> {
     },
     /// Agreement for every factor.
     Always,
-    /// No agreement even at factor 0: the minimum there, or the reason why it has none.
+    /// No agreement even at load factor 0: the minimum at load factor 0, or the reason why there is none.
     Never(MinimumOutcome<C>),
     /// From the start the load direction works on a motion that no spring resists: the program has no minimum for any τ > 0.
     Unbounded,
@@ -42,8 +42,8 @@ pub enum Agreement<const C: usize> {
 }
 
 impl<const C: usize> Agreement<C> {
-    /// The factor up to which the minimum is an equilibrium: infinite for [`Agreement::Always`], 0 for [`Agreement::Unbounded`]. `None` if the
-    /// minimum at factor 0 is not an equilibrium ([`Agreement::Never`]), or if the path is not known ([`Agreement::Unsolved`]).
+    /// The load factor up to which the minimum is an equilibrium: infinite for [`Agreement::Always`], 0 for [`Agreement::Unbounded`]. `None` if the
+    /// minimum at load factor 0 is not an equilibrium ([`Agreement::Never`]), or if the path is not known ([`Agreement::Unsolved`]).
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         match self {
@@ -85,7 +85,7 @@ struct Line<'g> {
 }
 
 impl Line<'_> {
-    /// The forces of these springs at factor 0, and their rates.
+    /// The forces of these springs at load factor 0, and their rates.
     fn forces(&self, springs: &Piece) -> Option<[Vec<SVector<f64, 3>>; 2]> {
         let problem = &self.program.problem;
         let start = springs.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
@@ -112,12 +112,12 @@ impl Line<'_> {
         matches!(path.end(), Some(lcp::PathEnd::Unbounded(_))).then_some(Agreement::Always)
     }
 
-    /// The factor at which a row begins to bind, computed from the springs that are active below it.
+    /// The load factor at which a row begins to bind, computed from the springs that are active below it.
     fn ends(&self, faces: &Faces, row: usize, seen: f64) -> Option<Agreement<3>> {
         let [forces, rates] = self.forces(&self.program.springs(faces))?;
         let friction = &self.program.friction;
         let (value, rate) = (friction[row].value(&forces), friction[row].value(&rates));
-        // The factor of the pivots, if the row does not change with the load.
+        // If the row does not change with the load, the load factor is the one at which the pivoting path ended.
         let factor = if rate < 0.0 { (value / -rate).max(0.0) } else { seen };
         let most = |list: &[SVector<f64, 3>]| largest(list, &SVector::norm);
         let size = most(&forces) + factor * most(&rates);

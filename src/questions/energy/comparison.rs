@@ -63,7 +63,7 @@ pub struct Difference {
 
 #[cfg(feature = "serde")]
 impl<const C: usize> Comparison<C> {
-    /// This comparison as it is after serialisation and reading back: without the motions in inside coordinates.
+    /// This comparison as it is after serialisation and reading back: without the motions in the engine's coordinates.
     pub(crate) fn written(mut self) -> Self {
         if let MinimumOutcome::Minimum(minimum) = &mut self.minimum {
             minimum.inside = Inside::default();
@@ -99,7 +99,7 @@ pub enum ComparisonVerdict {
         /// `|Σ F + W|`, N.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         force: f64,
-        /// The same for moments about the origin, N m.
+        /// The size of the sum of all moments about the origin, `|Σ r × F + M|`, N m.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         moment: f64,
     },
@@ -108,7 +108,7 @@ pub enum ComparisonVerdict {
         /// `|Σ F + W|` of these numbers, N.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         force: f64,
-        /// The same for moments about the origin, N m.
+        /// The size of the sum of all moments about the origin, `|Σ r × F + M|`, N m.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         moment: f64,
     },
@@ -117,7 +117,7 @@ pub enum ComparisonVerdict {
         /// `|Σ F + W|` of the minimum, N.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         force: f64,
-        /// The same for moments about the origin, N m.
+        /// The size of the sum of all moments about the origin, `|Σ r × F + M|`, N m.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         moment: f64,
     },
@@ -217,7 +217,7 @@ impl Engine {
             force_size: 0.0,
             energy_size: equilibrium.stored_energy,
         };
-        // In inside coordinates free motions are orthonormal.
+        // In the engine's coordinates free motions are orthonormal.
         let mut apart: Vector = equilibrium.local.twist.to() - minimum.inside.twist.to();
         for _ in 0..2 {
             for v in equilibrium.local.free_motions.iter().chain(&minimum.inside.free_motions) {

@@ -21,7 +21,7 @@ pub(super) struct ForceCondition {
     pub(super) contact: usize,
     /// The facet of the friction cone; `None` for the normal force.
     pub(super) facet: Option<usize>,
-    /// The same condition on forces: `law·F_i` is `μ F_n - h·F_t`, or F_n.
+    /// The row of the same condition in terms of the force in N: `law·F_i` is `μ F_n - h·F_t`, or F_n.
     law: SVector<f64, 3>,
     /// Unit vector along `K^{1/2} law`.
     pub(super) normal: SVector<f64, 3>,
@@ -30,7 +30,7 @@ pub(super) struct ForceCondition {
     /// Scale of the rounding of [`Self::value`] for forces of size one.
     pub(super) weight: f64,
     /// Qᵀ times the normal: the component of the row along motions of the object.
-    pub(super) seen: Vector,
+    pub(super) rows_of_factor: Vector,
 }
 
 impl ForceCondition {
@@ -38,13 +38,13 @@ impl ForceCondition {
         (contact, local): (usize, &LocalLaw<'_>),
         facet: Option<usize>,
         law: SVector<f64, 3>,
-        seen: &Map,
+        rows_of_factor: &Map,
     ) -> Self {
         let normal = law.component_mul(&local.springs.root());
         let length = normal.norm();
         let normal = normal / length;
         let weight = local.cone().round_weight();
-        Self { contact, facet, law, normal, length, weight, seen: seen * normal }
+        Self { contact, facet, law, normal, length, weight, rows_of_factor: rows_of_factor * normal }
     }
 
     /// The value of the row, N: `μ F_n - h·F_t`, or F_n.
@@ -57,20 +57,20 @@ impl ForceCondition {
         self.value(forces) >= -SOLVED_ROUNDING * largest * self.weight
     }
 
-    /// Whether the row is on its edge, with forces up to `largest`.
+    /// Whether the margin of the row is zero within rounding, with forces up to `largest`.
     pub(super) fn binds(&self, forces: &[SVector<f64, 3>], largest: f64) -> bool {
         self.value(forces) <= SOLVED_ROUNDING * largest * self.weight
     }
 
     /// `n·Π n'`: the coupling of two rows through motions of the object.
     pub(super) fn through_the_object(&self, other: &Self) -> f64 {
-        self.seen.dot(&other.seen)
+        self.rows_of_factor.dot(&other.rows_of_factor)
     }
 
     /// `n·(1 - Π) n'`: the coupling of two rows through forces that balance one another.
     pub(super) fn past_the_object(&self, other: &Self) -> f64 {
         let own = if self.contact == other.contact { self.normal.dot(&other.normal) } else { 0.0 };
-        own - self.seen.dot(&other.seen)
+        own - self.rows_of_factor.dot(&other.rows_of_factor)
     }
 }
 
@@ -92,8 +92,8 @@ pub(super) fn rows(
 ) -> Vec<ForceCondition> {
     let mut rows = Vec::new();
     for (i, local) in problem.locals().enumerate() {
-        let seen = stuck.seen(i);
-        let mut push = |facet, law| rows.push(ForceCondition::new((i, &local), facet, law, &seen));
+        let rows_of_factor = stuck.factor_rows(i);
+        let mut push = |facet, law| rows.push(ForceCondition::new((i, &local), facet, law, &rows_of_factor));
         if presses(&local) {
             push(None, unit(0));
         }
@@ -132,7 +132,7 @@ pub(super) fn most_pivots(rows: usize, settings: &Settings) -> Option<usize> {
     settings.max_pivots.or_else(|| Some(affordable).filter(|most| *most < default))
 }
 
-/// The outcome of Lemke's method on a problem of such rows; `None` if a number overflows.
+/// The outcome of Lemke's method on a complementarity problem with this matrix and vector; `None` if a number overflows.
 pub(super) fn by_pivots(matrix: DMatrix<f64>, vector: DVector<f64>, settings: &Settings) -> Option<Outcome> {
     let max_pivots = most_pivots(vector.len(), settings);
     let settings = lcp::Settings { max_pivots, enumerate_up_to: 0, ..lcp::Settings::default() };

@@ -102,7 +102,7 @@ pub struct MinimumEnergy<const C: usize> {
     pub(super) inside: Inside,
 }
 
-/// Motions of a minimum in inside coordinates, where free motions are orthonormal.
+/// Motions of a minimum in the engine's coordinates, where free motions are orthonormal.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Inside {
     pub(super) twist: Coordinates,
@@ -129,7 +129,7 @@ pub struct MinimumContact<const C: usize> {
     pub gap: f64,
 }
 
-/// A friction constraint on its edge.
+/// An active friction constraint: the force is on the edge of the cone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -105,7 +105,7 @@ impl<'g> EnergyProgram<'g> {
             Some(Outcome::Solved(solution)) => {
                 let mut travelled = Vector::zeros();
                 for (i, (row, z)) in self.rows().zip(solution.z.iter()).enumerate() {
-                    travelled.add_times(&row.seen, if i < self.gaps.len() { *z } else { -z });
+                    travelled.add_times(&row.rows_of_factor, if i < self.gaps.len() { *z } else { -z });
                 }
                 let near = &stuck.twist + self.stuck.motion(&travelled);
                 Ok((self.faces_of(&solution.basis), solution.pivots, near))
@@ -157,7 +157,7 @@ impl<'g> EnergyProgram<'g> {
         }
         let gaps_at = |twist: &Vector| -> Vec<f64> {
             let gap = |i: usize| {
-                let give = problem.sites[i].springs.give_along(0, forces[i][0]);
+                let give = problem.sites[i].springs.deflection_along(0, forces[i][0]);
                 if faces.open[i] { give - problem.stretch(i, twist)[0] } else { 0.0 }
             };
             numbered(forces.len(), &gap)
@@ -173,8 +173,8 @@ impl<'g> EnergyProgram<'g> {
         finite.then_some(ProgramPoint { forces, twist, gaps, multipliers, free })
     }
 
-    /// Moves the binding rows onto their edges, starting from forces that balance without them. Returns the change of the motion, in the coordinates
-    /// of the active springs.
+    /// Makes the binding rows hold as equalities, starting from forces that balance without them. Returns the change of the motion, in the
+    /// coordinates of the active springs.
     ///
     /// Springs of open gaps are removed: x_n is free there, and the binding rows alone determine it, `x_n = (Nᵀλ)_n`. With
     /// `M = [N Q, N_n of the open]` on the binding rows,
@@ -193,7 +193,7 @@ impl<'g> EnergyProgram<'g> {
     ) -> Option<Vector> {
         let problem = &self.problem;
         let rows: Vec<_> = mapped(&faces.binding, &|&r| &self.friction[r]);
-        let seen: Vec<_> = numbered(forces.len(), &|i| springs.seen(i));
+        let rows_of_factor: Vec<_> = numbered(forces.len(), &|i| springs.factor_rows(i));
         let size = problem.size();
         let mut places = size.count()..;
         let place: Vec<_> = faces.open.iter().map(|open| if *open { places.next() } else { None }).list();
@@ -202,7 +202,7 @@ impl<'g> EnergyProgram<'g> {
             return None;
         }
         for (mut column, row) in columns.column_iter_mut().zip(&rows) {
-            let on_object = &seen[row.contact] * row.normal;
+            let on_object = &rows_of_factor[row.contact] * row.normal;
             for k in 0..size.count() {
                 column[k] = on_object[k];
             }
@@ -221,7 +221,7 @@ impl<'g> EnergyProgram<'g> {
             let moved = Vector::from_fn(size, |k| change[k]);
             travelled -= &moved;
             for (i, force) in forces.iter_mut().enumerate() {
-                let mut x = seen[i].tr_mul(&moved);
+                let mut x = rows_of_factor[i].tr_mul(&moved);
                 if let Some(place) = place[i] {
                     x[0] = change[place];
                 }
@@ -251,7 +251,7 @@ impl<'g> EnergyProgram<'g> {
         // Multipliers of rows of unit length have the unit of x = K^{-1/2} F.
         let x = |i: usize| {
             let springs = &problem.sites[i].springs;
-            springs.give(&point.forces[i]).component_mul(&springs.root()).amax()
+            springs.deflection(&point.forces[i]).component_mul(&springs.root()).amax()
         };
         let x_size = (0..problem.len()).map(x).fold(0.0, f64::max);
         let largest = point.multipliers.iter().fold(x_size, |most, l| most.max(l.abs()));
@@ -260,7 +260,7 @@ impl<'g> EnergyProgram<'g> {
         let gap_holds = |row: &ForceCondition| {
             let i = row.contact;
             let (push, held) = (point.forces[i][0], held[i][0]);
-            let span = problem.span(i, &point.twist) + problem.sites[i].springs.give_along(0, push);
+            let span = problem.span(i, &point.twist) + problem.sites[i].springs.deflection_along(0, push);
             point.gaps[i] >= -SOLVED_ROUNDING * span
                 && (faces.open[i] || push - held >= -SOLVED_ROUNDING * most.max(held.abs()))
         };

@@ -153,7 +153,7 @@ impl Engine {
             geometric += &turning_arm(self.space(), size, arm, &(force * on_object));
             self.turning_bodies(i, force, &mut geometric);
         }
-        // Columns are the twists about the origin of unit twists in inside coordinates.
+        // Columns are the twists about the origin of unit twists in the engine's coordinates.
         let units = Square::from_columns(size, |k| self.outside_coordinates(&Vector::unit(size, k)));
         let hessian = &(&units.transpose() * &(elastic.clone() + &geometric)) * &units;
         let (least, most, motion) = extremes(&hessian);
@@ -167,10 +167,11 @@ impl Engine {
         } else {
             StabilityVerdict::Unstable
         };
-        let told = self.space().of_the_object() + self.linkage().map_or(0, |linkage| linkage.joints.len());
+        let retained =
+            self.space().of_the_object() + self.linkage().map_or(0, |linkage| linkage.joints.len());
         Stability {
-            elastic: condensed(&elastic, told),
-            geometric: matrix_of(told, told, &|i, j| geometric[(i, j)]),
+            elastic: condensed(&elastic, retained),
+            geometric: matrix_of(retained, retained, &|i, j| geometric[(i, j)]),
             least_curvature: least,
             most_curvature: most,
             softest: self.motion_outside(&motion),
@@ -180,16 +181,16 @@ impl Engine {
 }
 
 /// The Schur complement of the stiffness on the first coordinates: all others take the values at which no force acts on them.
-fn condensed(stiffness: &Square, told: usize) -> DMatrix<f64> {
+fn condensed(stiffness: &Square, retained: usize) -> DMatrix<f64> {
     let part = |rows: Range<usize>, columns: Range<usize>| {
         matrix_of(rows.len(), columns.len(), &|i, j| stiffness[(rows.start + i, columns.start + j)])
     };
-    let (own, count) = (part(0..told, 0..told), stiffness.size().count());
-    if told == count {
+    let (own, count) = (part(0..retained, 0..retained), stiffness.size().count());
+    if retained == count {
         return own;
     }
-    let across = part(told..count, 0..told);
-    match part(told..count, told..count).lu().solve(&across) {
+    let across = part(retained..count, 0..retained);
+    match part(retained..count, retained..count).lu().solve(&across) {
         Some(moved) => own - across.transpose() * moved,
         None => own,
     }

@@ -109,7 +109,7 @@ impl Engine {
 impl Caught {
     /// The clause about jumps, with the last one: ", caught at 7.5 N of 12 N after slipping 0.4 mm at left". `size` is the magnitude of the load and
     /// its unit.
-    pub(super) fn told(
+    pub(super) fn write_clause(
         all: &[Self],
         size: Option<(f64, &str)>,
         is_held: bool,
@@ -157,13 +157,13 @@ impl fmt::Display for Caught {
         let words = Words::of(f);
         let longest = largest(&self.slips, &|slip| slip.distance);
         // Slips below this fraction of the longest one count as rounding. A larger fraction would hide contacts that matter.
-        let told = self.slips.iter().filter(|slip| slip.distance > 1e-6 * longest);
-        let told = told.map(|slip| format!("{} at {}", words.length(slip.distance), slip.contact.text()));
-        let told = listed(&told.collect::<Vec<_>>());
-        match (self.snaps, told.is_empty()) {
+        let slips = self.slips.iter().filter(|slip| slip.distance > 1e-6 * longest);
+        let slips = slips.map(|slip| format!("{} at {}", words.length(slip.distance), slip.contact.text()));
+        let slips = listed(&slips.collect::<Vec<_>>());
+        match (self.snaps, slips.is_empty()) {
             (true, true) => f.write_str("snaps over"),
-            (true, false) => write!(f, "snaps over, slipping {told}"),
-            (false, _) => write!(f, "after slipping {told}"),
+            (true, false) => write!(f, "snaps over, slipping {slips}"),
+            (false, _) => write!(f, "after slipping {slips}"),
         }
     }
 }

@@ -13,7 +13,7 @@ impl Engine {
         let InSlips { slid, all_slide, factor, end, farthest } =
             self.in_slips(ramp, settings.most_load.max(1.0), settings)?;
         let (contact, first) = *slid.first()?;
-        // At factors that differ from 1 by less than this, rounding would decide.
+        // At load factors that differ from 1 by less than this, rounding would decide.
         let is_clear = |factor: f64| (factor - 1.0).abs() > NEGLIGIBLE;
         if !(is_clear(first) && (is_clear(factor) || matches!(end, SlipEnd::Held))) {
             return None;

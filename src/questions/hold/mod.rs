@@ -24,20 +24,20 @@
 //! Here a_n is the normal command (m), k_n the normal stiffness (N/m) and `( )₊` the positive part. With the v and q of the loss, the terms of opposed
 //! contacts balance as h grows with q, until one contact opens. The radius is the distance from q at which h could reach `W·v`.
 
+mod applied_load;
 mod caught;
 mod face;
 mod in_slips;
 mod left_out;
 mod loss;
-mod put_on;
 mod short;
 mod verdict;
 mod way_out;
 mod way_out_words;
 mod words;
 
+pub(crate) use applied_load::Extent;
 pub use caught::{Caught, MovesTo, SlippedBy};
-pub(crate) use put_on::Extent;
 pub use short::{How, LossVerb, ShortVerdict};
 pub use verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 pub use way_out::WayOut;

@@ -21,7 +21,7 @@ pub struct ShortVerdict {
     /// The load at the first slip, as a multiple of the load asked about; `None` where nothing slips as far as the load was followed.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub first_slip: Option<f64>,
-    /// Largest factor reached with the load held and motions small; see [`Verdict::held_to`].
+    /// Largest load factor reached with the load held and motions small; see [`Verdict::held_to`].
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub held_to: f64,
     /// Factor from which on every contact slides: gross slip. See [`Verdict::everything_slides`].
@@ -49,7 +49,7 @@ pub enum How {
     Lost,
     /// The load at rest has no equilibrium, by a proof; see [`Holding::NoRest`].
     NoRest,
-    /// The load at rest is lost on its path from zero; see [`Holding::LostAtRest`].
+    /// The grasp loses the load at rest as this load grows from zero; see [`Holding::LostAtRest`].
     LostAtRest,
     /// The path could not be followed; see [`Holding::Undecided`].
     Undecided,

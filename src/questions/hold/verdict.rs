@@ -33,7 +33,7 @@ pub struct Verdict<const C: usize> {
     /// caught.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub caught: Vec<Caught>,
-    /// Largest factor reached with the load held and motions [small](crate::Settings::small_motions); 0 where the grasp does not hold at rest.
+    /// Largest load factor reached with the load held and motions [small](crate::Settings::small_motions); 0 where the grasp does not hold at rest.
     ///
     /// The load is followed only up to [`Settings::most_load`](crate::Settings::most_load), so this factor is no upper bound of the load that is held.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
@@ -106,7 +106,8 @@ pub enum Holding<const C: usize> {
     Lost,
     /// The grasp has no equilibrium even under the load at rest. The variant carries the proof.
     NoRest(NoEquilibrium<C>),
-    /// The load at rest is lost as it grows from zero together with the commands. A path shows this loss; it is no proof as in [`Self::NoRest`].
+    /// The grasp loses the load at rest as this load grows from zero together with the commands. A load path shows this loss; it is no proof as in
+    /// [`Self::NoRest`].
     LostAtRest {
         /// The loss; its factor is a multiple of the load at rest.
         at_rest: Box<Lost<C>>,
@@ -118,7 +119,7 @@ pub enum Holding<const C: usize> {
     },
 }
 
-/// The first contacts that stop sticking as the load grows, and their factor.
+/// The first contacts that stop sticking as the load grows, and their load factor.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

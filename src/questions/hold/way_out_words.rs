@@ -19,42 +19,42 @@ impl<const C: usize> fmt::Display for WayOut<C> {
                 write!(f, "the object {goes} off along {}", words.along(direction))
             }
             Self::SlidesOut { .. } | Self::Turns { .. } | Self::TipsOver { .. } => {
-                write!(f, "the object {}", self.goes(words, false))
+                write!(f, "the object {}", self.motion_text(words, false))
             }
             Self::TurnsAbout { about } if words.space::<C>() == Space::Spatial && about.len() == 2 => {
                 write!(f, "the object spins about the line {}–{}", about[0].text(), about[1].text())
             }
             Self::TurnsAbout { about } => write!(f, "the object turns about {}", listed(about)),
             Self::LetsGo { cups } => f.write_str(&vacuum_is_gone(cups)),
-            Self::Apart { bodies } => f.write_str(&told_together(bodies, words)),
+            Self::Apart { bodies } => f.write_str(&body_motions_text(bodies, words)),
             Self::NotKnown => f.write_str("nothing holds on"),
         }
     }
 }
 
 /// The motions of several bodies, grouped by motion: "wedge moves along −x, block and lid turn about (0.1, 0) m".
-fn told_together<const C: usize>(bodies: &[BodyWay<C>], words: Words) -> String {
+fn body_motions_text<const C: usize>(bodies: &[BodyWay<C>], words: Words) -> String {
     let mut ways: Vec<(String, &WayOut<C>, Vec<Cow<'_, str>>)> = Vec::new();
     for BodyWay { body, way } in bodies {
-        let (told, name) = (way.goes(words, false), printable(body));
-        match ways.iter_mut().find(|(other, ..)| *other == told) {
+        let (text, name) = (way.motion_text(words, false), printable(body));
+        match ways.iter_mut().find(|(other, ..)| *other == text) {
             Some((.., names)) => names.push(name),
-            None => ways.push((told, way, vec![name])),
+            None => ways.push((text, way, vec![name])),
         }
     }
-    let told = |(one, way, names): &(String, &WayOut<C>, Vec<_>)| {
+    let text = |(one, way, names): &(String, &WayOut<C>, Vec<_>)| {
         if names.len() == 1 {
             format!("{} {one}", names[0])
         } else {
-            format!("{} {}", listed(names), way.goes(words, true))
+            format!("{} {}", listed(names), way.motion_text(words, true))
         }
     };
-    listed(&mapped(&ways, &told))
+    listed(&mapped(&ways, &text))
 }
 
 impl<const C: usize> WayOut<C> {
     /// The verb of one body or of several that slide or turn: "moves along −x", "turn about (0.1, 0) m".
-    fn goes(&self, words: Words, are_several: bool) -> String {
+    fn motion_text(&self, words: Words, are_several: bool) -> String {
         let ending = if are_several { "" } else { "s" };
         match self {
             Self::SlidesOut { direction } => format!("move{ending} along {}", words.along(direction)),

@@ -22,7 +22,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
         match &self.holding {
             Holding::Sticks => {
                 f.write_str("HOLDS, everything sticks")?;
-                match (self.is_nothing(), self.base == Wrench::ZERO) {
+                match (self.has_no_load(), self.base == Wrench::ZERO) {
                     (true, true) => f.write_str(", without any load"),
                     (true, false) => f.write_str(", under the load at rest alone"),
                     (false, _) => self.margins(f),
@@ -41,13 +41,13 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                     _ => write!(f, ", but {}", does(contacts, "slides", "slide"))?,
                 }
                 self.catches(f)?;
-                let all = self.everything_slides.filter(|all| *all <= 1.0 && self.goes_on_from(*all));
-                if let Some(all) = all.filter(|_| !self.is_nothing()) {
+                let all = self.everything_slides.filter(|all| *all <= 1.0 && self.continues_beyond(*all));
+                if let Some(all) = all.filter(|_| !self.has_no_load()) {
                     let amount = amount_of(self.load.measure(), all, words);
                     write!(f, "; everything slides from {amount} on")?;
                 }
                 match &self.lost {
-                    _ if self.is_nothing() => Ok(()),
+                    _ if self.has_no_load() => Ok(()),
                     Some(lost) => write!(
                         f,
                         "; {} at {}",
@@ -68,7 +68,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
             Holding::Loose => {
                 f.write_str("DOES NOT HOLD: no contact presses, the object lies loose between the fingers")
             }
-            Holding::Lost => self.told_lost(f),
+            Holding::Lost => self.write_loss(f),
             Holding::NoRest(none) => write!(f, "DOES NOT HOLD even at rest: {none:.digits$}"),
             Holding::LostAtRest { at_rest: lost } => {
                 f.write_str("DOES NOT HOLD even at rest, before any load: ")?;
@@ -103,11 +103,11 @@ impl<const C: usize> fmt::Display for Verdict<C> {
 
 impl<const C: usize> Verdict<C> {
     /// The sentence of a load that is lost: the load at the loss and the motion.
-    fn told_lost(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    fn write_loss(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, digits) = (Words::of(f), Words::of(f).precision());
         let Some(lost) = &self.lost else { return f.write_str("LOST") };
         if let Some(far) = &lost.too_far {
-            return self.told_too_far(lost, far, f);
+            return self.write_small_motion_limit(lost, far, f);
         }
         if lost.factor <= NEGLIGIBLE {
             let whole = self.whole(words);
@@ -125,7 +125,12 @@ impl<const C: usize> Verdict<C> {
     }
 
     /// The sentence of a load that ends small motions: gross slip before, or the motion that is too large.
-    fn told_too_far(&self, lost: &Lost<C>, far: &TooFar, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    fn write_small_motion_limit(
+        &self,
+        lost: &Lost<C>,
+        far: &TooFar,
+        f: &mut fmt::Formatter<'_>,
+    ) -> fmt::Result {
         let (words, digits) = (Words::of(f), Words::of(f).precision());
         let amount = |factor: f64| amount_of(self.load.measure(), factor, words);
         match self.everything_slides {
@@ -157,7 +162,7 @@ impl<const C: usize> Verdict<C> {
     }
 
     /// Whether the path continues beyond this multiple of the load, and the multiple exceeds that of the first slip.
-    fn goes_on_from(&self, factor: f64) -> bool {
+    fn continues_beyond(&self, factor: f64) -> bool {
         self.held_to > factor * (1.0 + NEGLIGIBLE)
             && self.first_slip.as_ref().is_none_or(|first| factor > first.factor * (1.0 + NEGLIGIBLE))
     }
@@ -172,7 +177,12 @@ impl<const C: usize> Verdict<C> {
                 write!(f, ": {} until {until}, as {first}", times(lost, " this load"))
             }
             (Some(first), lost) => {
-                write!(f, ": {} until the first slip ({})", times(first.factor, " this load"), first.who())?;
+                write!(
+                    f,
+                    ": {} until the first slip ({})",
+                    times(first.factor, " this load"),
+                    first.leaving_parts()
+                )?;
                 match lost {
                     Some(lost) => write!(f, ", {} until {until}", times(lost, "")),
                     None if self.held_to > first.factor => {
@@ -199,11 +209,16 @@ impl<const C: usize> Verdict<C> {
 
     /// The clause about jumps in which the object slips and is caught.
     fn catches(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        Caught::told(&self.caught, self.load.measure(), matches!(self.holding, Holding::Slides { .. }), f)
+        Caught::write_clause(
+            &self.caught,
+            self.load.measure(),
+            matches!(self.holding, Holding::Slides { .. }),
+            f,
+        )
     }
 
     /// Whether no load is put on.
-    fn is_nothing(&self) -> bool {
+    fn has_no_load(&self) -> bool {
         self.load == Wrench::ZERO
     }
 
@@ -242,7 +257,7 @@ pub(super) fn amount_of(size: Option<(f64, &str)>, factor: f64, words: Words) ->
 
 impl FirstSlip {
     /// The parts that leave, with a verb unless they slide: "left", "thumb opens".
-    fn who(&self) -> String {
+    fn leaving_parts(&self) -> String {
         let mut names = mapped(&self.slide, &|part| part.text().into_owned());
         names.extend(mapped(&self.open, &|part| format!("{} {}", part.text(), opens(part.link))));
         names.extend(mapped(&self.would_pull, &|part| format!("{} would have to pull", part.text())));
@@ -321,11 +336,11 @@ impl fmt::Display for NothingNear {
 /// "left opens", "left and right open, rope goes slack".
 pub(super) fn they_open(parts: &[WholeContact]) -> String {
     let (ropes, contacts): (Vec<_>, Vec<_>) = parts.iter().cloned().partition(|part| part.link.is_some());
-    let told = [contacts, ropes].into_iter().filter_map(|list| {
+    let clauses = [contacts, ropes].into_iter().filter_map(|list| {
         let link = list.first()?.link;
         Some(does(&list, opens(link), open(link)))
     });
-    told.collect::<Vec<_>>().join(", ")
+    clauses.collect::<Vec<_>>().join(", ")
 }
 
 /// Names with a verb in singular or plural: "left slides", "left and right slide".

@@ -10,7 +10,7 @@ use nalgebra::DMatrix;
 use super::answer::{Estimate, Identified};
 use super::fit::{FitEnd, Fitted, fitted_from, rank};
 use super::model::{Linear, Model};
-use super::spread::told;
+use super::spread::identified;
 use super::tolerances::INDISTINCT;
 use crate::error::Error;
 use crate::numerics::{Each, IntoList, two_sided};
@@ -38,7 +38,7 @@ struct Assignments<'a> {
 
 impl Assignments<'_> {
     /// The predicted slips at a point; `None` where some slip is not predicted, or once the limit of work is reached.
-    fn look(&mut self, logs: &[f64]) -> Result<Option<Linear>, Error> {
+    fn evaluate(&mut self, logs: &[f64]) -> Result<Option<Linear>, Error> {
         if self.looks == MOST_LOOKS || self.fits.len() == MOST_FITS {
             return Ok(None);
         }
@@ -63,11 +63,12 @@ impl Assignments<'_> {
         Ok(true)
     }
 
-    /// Searches for an assignment between two points. As one unknown falls, slips begin to depend on it one after the other.
+    /// Searches for another assignment of slips to contacts between two points. As one unknown falls, slips begin to depend on it one after the
+    /// other.
     fn between(&mut self, mut low: Vec<f64>, mut high: Vec<f64>, ends: [&Linear; 2]) -> Result<(), Error> {
         for _ in 0..MOST_BISECTIONS {
             let middle: Vec<f64> = low.iter().zip(&high).map(|(a, b)| 0.5 * (a + b)).list();
-            let Some(linear) = self.look(&middle)? else { break };
+            let Some(linear) = self.evaluate(&middle)? else { break };
             if same_assignment(&linear, ends[0]) {
                 low = middle;
             } else if same_assignment(&linear, ends[1]) {
@@ -86,7 +87,7 @@ impl Assignments<'_> {
         let mut from = self.fits[at].logs.clone();
         for halved in 0..MOST_HALVINGS {
             let begin = weakened(self.model, &self.fits[at].logs, pair, halved);
-            let Some(linear) = self.look(&begin)? else { break };
+            let Some(linear) = self.evaluate(&begin)? else { break };
             if changes_in_steps(&before, &linear) {
                 self.between(from, begin.clone(), [&before, &linear])?;
             }
@@ -113,7 +114,7 @@ pub(super) fn assigned(model: &Model<'_>, first: Fitted) -> Result<Identified, E
     }
     let mut fits = search.fits;
     if fits.len() == 1 {
-        return Ok(told(model, &fits[0]));
+        return Ok(identified(model, &fits[0]));
     }
     let best =
         (1..fits.len()).fold(0, |best, k| if fits_better(model, &fits[k], &fits[best]) { k } else { best });
@@ -135,8 +136,8 @@ pub(super) fn assigned(model: &Model<'_>, first: Fitted) -> Result<Identified, E
     if beside.len() > 1 {
         as_good = beside;
     }
-    let mut answers = as_good.into_iter().map(|fit| told(model, fit));
-    let Some(first) = answers.next() else { return Ok(told(model, &best[0])) };
+    let mut answers = as_good.into_iter().map(|fit| identified(model, fit));
+    let Some(first) = answers.next() else { return Ok(identified(model, &best[0])) };
     Ok(united(first, &answers.list()))
 }
 
@@ -218,7 +219,7 @@ fn depends_alike(one: &Linear, other: &Linear, row: usize) -> bool {
     (0..one.jacobian.ncols()).all(|j| depends(&one.jacobian, row, j) == depends(&other.jacobian, row, j))
 }
 
-/// Whether several different slips depend on other unknowns at the second point, so that one of them may change before another.
+/// Whether two slips or more depend on other unknowns at the second point than at the first, so that one may change before another.
 fn changes_in_steps(one: &Linear, other: &Linear) -> bool {
     let mut rows = (0..one.jacobian.nrows()).filter(|row| !depends_alike(one, other, *row));
     let Some(first) = rows.next() else { return false };

@@ -69,7 +69,7 @@ impl FreeCombination {
             } else {
                 Law::Nearby
             };
-            let says = said(&unknowns, &powers, law);
+            let says = formula_text(&unknowns, &powers, law);
             all.push(Self { unknowns, powers, says });
         }
         all
@@ -87,7 +87,7 @@ enum Law {
     Nearby,
 }
 
-fn said(names: &[String], powers: &[f64], law: Law) -> String {
+fn formula_text(names: &[String], powers: &[f64], law: Law) -> String {
     if let [one] = names {
         return format!("{one} is not fixed: these slips do not depend on it");
     }

@@ -12,17 +12,17 @@ use crate::numerics::numbered;
 use crate::prelude::*;
 
 /// The load factor or angle at first slip.
-pub(super) fn predicted(seen: &SlipToPredict<'_>) -> Result<Result<Predicted, NoSlip>, Error> {
-    let onset = match seen.slip.grown() {
-        Grown::Load(load) => seen.grasp.onset(Ramp::load(seen.base, load))?,
+pub(super) fn predicted(target: &SlipToPredict<'_>) -> Result<Result<Predicted, NoSlip>, Error> {
+    let onset = match target.slip.growing_load() {
+        Grown::Load(load) => target.grasp.onset(Ramp::load(target.base, load))?,
         Grown::Turn(turn) => {
-            let around = turn.beside(seen.base).up_to(turn.angle().max(TAU));
-            seen.grasp.onset_of_turn(around)?.onset
+            let around = turn.beside(target.base).up_to(turn.angle().max(TAU));
+            target.grasp.onset_of_turn(around)?.onset
         }
     };
     Ok(match &onset {
         Onset::At(event) => {
-            let exact = seen.derivatives.then(|| exact(seen, event)).flatten();
+            let exact = target.derivatives.then(|| exact(target, event)).flatten();
             Ok(Predicted { at: event.factor, exact })
         }
         Onset::GivesWay { factor, .. } => Ok(Predicted { at: *factor, exact: None }),
@@ -36,12 +36,12 @@ pub(super) fn predicted(seen: &SlipToPredict<'_>) -> Result<Result<Predicted, No
 }
 
 /// Derivatives of the logarithm of the factor. If several contacts leave together, each has one-sided derivatives at a kink; their mean is returned.
-fn exact(seen: &SlipToPredict<'_>, event: &OnsetEvent<3>) -> Option<Vec<f64>> {
-    let margins = OnsetMargins::new(&seen.grasp.engine, event)?;
-    let space = seen.grasp.engine.space();
+fn exact(target: &SlipToPredict<'_>, event: &OnsetEvent<3>) -> Option<Vec<f64>> {
+    let margins = OnsetMargins::new(&target.grasp.engine, event)?;
+    let space = target.grasp.engine.space();
     let axes = space.axes();
     let leavers = margins.leavers().len();
-    let contacts = seen.grasp.contacts();
+    let contacts = target.grasp.contacts();
     // The parameters of a contact that an unknown scales, each with its change by the logarithm of the unknown.
     let changes = |kind: UnknownKind, contact: usize, value: f64| -> Vec<(Parameter, f64)> {
         let data = &contacts[contact];
@@ -64,16 +64,16 @@ fn exact(seen: &SlipToPredict<'_>, event: &OnsetEvent<3>) -> Option<Vec<f64>> {
             }
         }
     };
-    let presses = seen.is_pressed_by_commands();
-    seen.by_unknowns(&|kind, unknown, value| {
+    let presses = target.is_pressed_by_commands();
+    target.by_unknowns(&|kind, unknown, value| {
         // The squeeze of some contacts scales only their normal commands; the exact derivative includes tangential ones.
         let along = |i: usize| contacts[i].command.iter().skip(1).any(|x| *x != 0.0);
-        let of_some = seen.asked.unknowns[unknown].contacts.is_some();
-        if kind == UnknownKind::Squeeze && (!presses || of_some && seen.contacts_of(unknown).any(along)) {
+        let of_some = target.asked.unknowns[unknown].contacts.is_some();
+        if kind == UnknownKind::Squeeze && (!presses || of_some && target.contacts_of(unknown).any(along)) {
             return None;
         }
         let mut sum = 0.0;
-        for contact in seen.contacts_of(unknown) {
+        for contact in target.contacts_of(unknown) {
             for (parameter, change) in changes(kind, contact, value) {
                 // A zero component of the load has no effect, even where its derivative is infinite.
                 if change != 0.0 {

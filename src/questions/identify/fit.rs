@@ -68,7 +68,7 @@ impl Model<'_> {
     }
 }
 
-/// Logarithms of the unknowns, and the prediction there: of all slips, or the first slip without one.
+/// Logarithms of the unknowns, and the model's prediction of all slips with these unknowns. The error is the first slip that is not predicted.
 type Begun = (Vec<f64>, Result<Linear, (usize, NoSlip)>);
 
 /// The first point at which the model predicts all slips: the given values, or these with all friction multiplied by a common factor. The factor is
@@ -155,10 +155,10 @@ pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, mut linear: Linear
             }
             // A step changes logarithms by at most one, since the linearisation is not valid farther away.
             step *= (1.0 / step.amax()).min(1.0);
-            let there: Vec<f64> = fit.logs.iter().zip(step.iter()).map(|(x, dx)| x + dx).list();
-            match model.linear(&there)? {
+            let stepped: Vec<f64> = fit.logs.iter().zip(step.iter()).map(|(x, dx)| x + dx).list();
+            match model.linear(&stepped)? {
                 Ok(linear) if model.loss(&linear.residuals, &fit.scatter) < loss => {
-                    break Some((there, linear));
+                    break Some((stepped, linear));
                 }
                 // Only the last and shortest step decides whether a slip ceases to be predicted right here.
                 Ok(_) => unseen = None,
@@ -166,12 +166,12 @@ pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, mut linear: Linear
             }
             damping *= 10.0;
         };
-        let Some((there, better)) = better else {
+        let Some((stepped, better)) = better else {
             // No step decreases the loss: a kink at the minimum, unless predictions end there.
             fit.end = unseen.map_or(FitEnd::Converged, |(slip, why)| FitEnd::NoSlip(slip, why));
             break;
         };
-        (fit.logs, linear) = (there, better);
+        (fit.logs, linear) = (stepped, better);
         damping = (damping * 0.1).max(f64::EPSILON);
     }
     // If a slip is not predicted, no errors are reported.
@@ -218,8 +218,8 @@ impl Steps {
     /// The decrease of the quadratic model of the loss by a step.
     fn promise(&self, step: &DVector<f64>) -> f64 {
         let part = |(k, value): (usize, &f64)| {
-            let gone = value * self.directions.column(k).dot(&step.column(0));
-            gone * self.along[k] - 0.5 * gone * gone
+            let component = value * self.directions.column(k).dot(&step.column(0));
+            component * self.along[k] - 0.5 * component * component
         };
         self.values.iter().enumerate().map(part).sum()
     }

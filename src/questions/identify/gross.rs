@@ -17,22 +17,22 @@ use crate::numerics::mapped;
 use crate::prelude::*;
 
 /// The load factor or angle at gross slip.
-pub(super) fn predicted(seen: &SlipToPredict<'_>) -> Result<Result<Predicted, NoSlip>, Error> {
-    let (start, leg, most) = match seen.slip.grown() {
+pub(super) fn predicted(target: &SlipToPredict<'_>) -> Result<Result<Predicted, NoSlip>, Error> {
+    let (start, leg, most) = match target.slip.growing_load() {
         Grown::Load(load) => {
-            let most = seen.grasp.settings().most_load.max(1.0);
-            (seen.base, Leg::load_by(load * most), most)
+            let most = target.grasp.settings().most_load.max(1.0);
+            (target.base, Leg::load_by(load * most), most)
         }
         Grown::Turn(turn) => {
             let most = turn.angle().max(TAU);
-            let around = turn.beside(seen.base).up_to(most);
+            let around = turn.beside(target.base).up_to(most);
             (around.load_at(0.0), Leg::turn(&around), most)
         }
     };
-    let mut path = seen.grasp.follow(start, &[leg])?;
-    let told = |at: f64, motion: Option<&Twist<3>>, forces: &[SVector<f64, 3>]| {
-        let motion = motion.filter(|_| seen.derivatives);
-        let leaving = motion.and_then(|motion| GrossSlip::from_end(seen, at, motion, forces));
+    let mut path = target.grasp.follow(start, &[leg])?;
+    let prediction = |at: f64, motion: Option<&Twist<3>>, forces: &[SVector<f64, 3>]| {
+        let motion = motion.filter(|_| target.derivatives);
+        let leaving = motion.and_then(|motion| GrossSlip::from_end(target, at, motion, forces));
         Predicted { at, exact: leaving.and_then(|leaving| leaving.derivatives()) }
     };
     for event in path.by_ref() {
@@ -42,14 +42,14 @@ pub(super) fn predicted(seen: &SlipToPredict<'_>) -> Result<Result<Predicted, No
             [object] if event.drives.is_empty() => Some(&object.twist),
             _ => None,
         };
-        return Ok(Ok(told(event.fraction * most, motion, &forces)));
+        return Ok(Ok(prediction(event.fraction * most, motion, &forces)));
     }
     Ok(match path.end() {
         Some(PathEnd::Lost(loss)) => {
             let is_one_object = |motion: &&Motion<3>| motion.bodies.is_empty() && motion.joints.is_empty();
             let is_steady = loss.drives.is_empty() && loss.jumped.is_empty();
             let motion = loss.motion.as_ref().filter(|_| is_steady).filter(is_one_object);
-            Ok(told(loss.fraction * most, motion.map(|motion| &motion.object), &path.forces()))
+            Ok(prediction(loss.fraction * most, motion.map(|motion| &motion.object), &path.forces()))
         }
         Some(PathEnd::Completed) => Err(NoSlip::HoldsTooWell("it is not lost as far as it was followed")),
         Some(PathEnd::NoStart(_)) => Err(NoSlip::HoldsTooLittle("nothing holds where it begins")),

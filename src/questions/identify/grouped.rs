@@ -43,8 +43,9 @@ pub(super) struct GroupedError {
 }
 
 impl Grouped {
-    /// From rows in the basis (one slip for each entry of `groups`, then the known sums) and their residuals.
-    pub(super) fn of(rows: &DMatrix<f64>, off: &[f64], groups: &[usize]) -> Self {
+    /// Computes the contribution of each group from the rows in the basis and their residuals. The rows are the slips, one for each entry of
+    /// `groups`, then the known sums.
+    pub(super) fn of(rows: &DMatrix<f64>, residuals: &[f64], groups: &[usize]) -> Self {
         let mut names = groups.to_vec();
         names.sort_unstable();
         names.dedup();
@@ -61,7 +62,7 @@ impl Grouped {
         };
         let group = |those: &Vec<usize>| {
             let tells = square(those);
-            let own = DVector::from_iterator(those.len(), those.iter().map(|row| off[*row]));
+            let own = DVector::from_iterator(those.len(), those.iter().map(|row| residuals[*row]));
             let made_up = inverse_root_of_rest(&tells);
             let moves = &made_up * rows.select_rows(those).tr_mul(&own);
             Group { tells, made_up, moves }
@@ -74,16 +75,16 @@ impl Grouped {
         let sure = unknown.dot(&(&self.known * unknown));
         let variance = sure + summed(&self.groups, &|group| group.moves.dot(unknown).powi(2));
         let made_up: Vec<_> = mapped(&self.groups, &|group| &group.made_up * unknown);
-        let told: Vec<_> = paired(&self.groups, &made_up, &|(group, a)| &group.tells * a);
+        let sums: Vec<_> = paired(&self.groups, &made_up, &|(group, a)| &group.tells * a);
         // Covariances of the groups' contributions, for independent rows.
         let covariance = |g: usize, h: usize| {
-            let own = if g == h { made_up[g].dot(&told[g]) } else { 0.0 };
-            own - told[g].dot(&told[h])
+            let own = if g == h { made_up[g].dot(&sums[g]) } else { 0.0 };
+            own - sums[g].dot(&sums[h])
         };
         let (mut expected, mut squares) = (sure, 0.0);
-        for g in 0..told.len() {
+        for g in 0..sums.len() {
             expected += covariance(g, g);
-            for h in 0..told.len() {
+            for h in 0..sums.len() {
                 squares += covariance(g, h).powi(2);
             }
         }
@@ -116,14 +117,14 @@ mod tests {
     /// For a mean with groups of equal size, CR2 is the variance of the group means, with one degree of freedom less than groups.
     #[test]
     fn a_mean_of_equal_groups() {
-        let off = [0.3, 0.5, 0.1, -0.2, -0.4, -0.1, 0.2, -0.3, 0.4, -0.7, 0.1, 0.1];
-        let mean = off.iter().sum::<f64>() / 12.0;
-        let off = off.map(|x| x - mean);
+        let residuals = [0.3, 0.5, 0.1, -0.2, -0.4, -0.1, 0.2, -0.3, 0.4, -0.7, 0.1, 0.1];
+        let mean = residuals.iter().sum::<f64>() / 12.0;
+        let residuals = residuals.map(|x| x - mean);
         let groups: Vec<usize> = (0..12).map(|k| k / 3).collect();
         let rows = DMatrix::from_element(12, 1, 12_f64.sqrt().recip());
-        let found =
-            Grouped::of(&rows, &off, &groups).of_unknown(&DVector::from_element(1, 12_f64.sqrt().recip()));
-        let means: Vec<f64> = off.chunks(3).map(|three| three.iter().sum::<f64>() / 3.0).collect();
+        let found = Grouped::of(&rows, &residuals, &groups)
+            .of_unknown(&DVector::from_element(1, 12_f64.sqrt().recip()));
+        let means: Vec<f64> = residuals.chunks(3).map(|three| three.iter().sum::<f64>() / 3.0).collect();
         let expected = means.iter().map(|x| x * x).sum::<f64>() / 3.0 / 4.0;
         let found = found.expect("four groups tell it");
         assert!((found.variance / expected - 1.0).abs() < 1e-12, "{} {expected}", found.variance);
@@ -138,8 +139,8 @@ mod tests {
         let design = DMatrix::from_fn(9, 2, |k, j| if j == 0 { 1.0 } else { (k * k) as f64 / 9.0 });
         let directions = in_directions(&design);
         let rest = DMatrix::identity(9, 9) - &directions * directions.transpose();
-        let seen = DVector::from_fn(9, |k, _| (1.7 * k as f64).sin());
-        let off = &rest * seen;
+        let vector = DVector::from_fn(9, |k, _| (1.7 * k as f64).sin());
+        let residuals = &rest * vector;
         let unknown = DVector::from_vec(vec![0.4, -0.9]);
         let (mut variance, mut p) = (0.0, Vec::new());
         for group in 0..3 {
@@ -149,12 +150,13 @@ mod tests {
             let roots = DMatrix::from_diagonal(&eigen.eigenvalues.map(|x| x.sqrt().recip()));
             let root = &eigen.eigenvectors * roots * eigen.eigenvectors.transpose();
             let along = root * directions.select_rows(&own) * &unknown;
-            variance += along.dot(&off.select_rows(&own)).powi(2);
+            variance += along.dot(&residuals.select_rows(&own)).powi(2);
             p.push(rest.select_columns(&own) * along);
         }
         let products = DMatrix::from_fn(3, 3, |g, h| p[g].dot(&p[h]));
         let degrees = products.trace().powi(2) / products.norm_squared();
-        let found = Grouped::of(&directions, off.as_slice(), &groups).of_unknown(&unknown).expect("told");
+        let found =
+            Grouped::of(&directions, residuals.as_slice(), &groups).of_unknown(&unknown).expect("told");
         assert!((found.variance / variance - 1.0).abs() < 1e-9, "{} {variance}", found.variance);
         assert!((found.degrees / degrees - 1.0).abs() < 1e-9, "{} {degrees}", found.degrees);
     }

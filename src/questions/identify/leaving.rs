@@ -24,7 +24,7 @@ use crate::prelude::*;
 
 /// The motion at gross slip. Moments are divided by one length, and rotations multiplied by it.
 pub(super) struct GrossSlip<'a, 's> {
-    seen: &'a SlipToPredict<'s>,
+    target: &'a SlipToPredict<'s>,
     /// The length for moments and rotations, m: the distance of the farthest contact from the origin.
     length: f64,
     /// The load factor, or the angle.
@@ -36,21 +36,21 @@ pub(super) struct GrossSlip<'a, 's> {
 impl<'a, 's> GrossSlip<'a, 's> {
     /// From the end of a load path. `None` if a contact opens as the object leaves, or if these equations do not hold.
     pub(super) fn from_end(
-        seen: &'a SlipToPredict<'s>,
+        target: &'a SlipToPredict<'s>,
         at: f64,
         motion: &Twist<3>,
         forces: &[SVector<f64, 3>],
     ) -> Option<Self> {
-        let contacts = seen.grasp.contacts();
-        let space = seen.grasp.engine.space();
-        let is_round = space == Space::Planar || seen.grasp.settings().round;
-        if !is_round || !seen.is_pressed_by_commands() || forces.len() != contacts.len() {
+        let contacts = target.grasp.contacts();
+        let space = target.grasp.engine.space();
+        let is_round = space == Space::Planar || target.grasp.settings().round;
+        if !is_round || !target.is_pressed_by_commands() || forces.len() != contacts.len() {
             return None;
         }
         let farthest = largest(contacts, &|contact| contact.point.norm());
         let length = if farthest > 0.0 { farthest } else { 1.0 };
         let motion = at_length(space, &motion.coordinates(space), length);
-        let mut pressing = pressing(seen, forces, length);
+        let mut pressing = pressing(target, forces, length);
         let fastest = largest(&pressing, &|contact| contact.velocity(&motion).norm());
         for contact in &mut pressing {
             let opens = contact.normal.dot(&motion).abs() > INDISTINCT * fastest;
@@ -60,13 +60,13 @@ impl<'a, 's> GrossSlip<'a, 's> {
             contact.sticks |=
                 contact.friction > 0.0 && contact.velocity(&motion).norm() <= INDISTINCT * fastest;
         }
-        Self { seen, length, at, motion, pressing }.at_root()
+        Self { target, length, at, motion, pressing }.at_root()
     }
 
     /// Newton's method from this point. `None` unless it converges to a root close to its start.
     fn at_root(mut self) -> Option<Self> {
         let began_at = self.at;
-        let (_, free) = spaces(&self.kept(), self.motion.len());
+        let (_, free) = spaces(&self.fixed_directions(), self.motion.len());
         self.motion = (&free * free.tr_mul(&self.motion)).try_normalize(0.0)?;
         // Newton's method starts near the root and converges quadratically.
         for _ in 0..5 {
@@ -74,8 +74,8 @@ impl<'a, 's> GrossSlip<'a, 's> {
                 break;
             }
             let equations = Equations::of(&self)?;
-            let step = equations.solved(&-self.left_over());
-            self.go(&equations, &step);
+            let step = equations.solved(&-self.residual());
+            self.take_step(&equations, &step);
         }
         let presses =
             |contact: &Pressing| contact.normal_force > 0.0 || (contact.may_pull && !contact.slides());
@@ -86,21 +86,21 @@ impl<'a, 's> GrossSlip<'a, 's> {
 
     fn is_root(&self) -> bool {
         let forces: f64 = summed(&self.pressing, &|contact| contact.normal_force.abs());
-        self.left_over().norm() <= SOLVED_ROUNDING * forces
+        self.residual().norm() <= SOLVED_ROUNDING * forces
     }
 
     /// Directions along which the object does not move as it leaves.
-    fn kept(&self) -> Vec<DVector<f64>> {
-        let mut kept = Vec::new();
+    fn fixed_directions(&self) -> Vec<DVector<f64>> {
+        let mut fixed_directions = Vec::new();
         for contact in &self.pressing {
-            kept.push(contact.normal.clone());
+            fixed_directions.push(contact.normal.clone());
             if contact.sticks {
                 for axis in 0..contact.tangents.ncols() {
-                    kept.push(contact.tangents.column(axis).into_owned());
+                    fixed_directions.push(contact.tangents.column(axis).into_owned());
                 }
             }
         }
-        kept
+        fixed_directions
     }
 
     fn stuck(&mut self) -> impl Iterator<Item = &mut Pressing> {
@@ -108,8 +108,8 @@ impl<'a, 's> GrossSlip<'a, 's> {
     }
 
     /// The residual of equilibrium.
-    fn left_over(&self) -> DVector<f64> {
-        let mut sum = self.one_length(&self.seen.load_at(self.at));
+    fn residual(&self) -> DVector<f64> {
+        let mut sum = self.one_length(&self.target.load_at(self.at));
         for contact in &self.pressing {
             sum += contact.by_newton(&self.motion) * contact.normal_force;
             if contact.sticks {
@@ -120,12 +120,12 @@ impl<'a, 's> GrossSlip<'a, 's> {
     }
 
     fn one_length(&self, load: &Wrench<3>) -> DVector<f64> {
-        let space = self.seen.grasp.engine.space();
+        let space = self.target.grasp.engine.space();
         at_length(space, &load.coordinates(space), self.length.recip())
     }
 
     /// Changes all unknowns by a step.
-    fn go(&mut self, equations: &Equations, step: &DVector<f64>) {
+    fn take_step(&mut self, equations: &Equations, step: &DVector<f64>) {
         let (springs, turns) = (equations.springs.ncols(), equations.turns.ncols());
         let y = &equations.springs * step.rows(0, springs).into_owned();
         for contact in &mut self.pressing {
@@ -145,7 +145,7 @@ impl<'a, 's> GrossSlip<'a, 's> {
     /// Derivatives of the logarithm of the factor or angle by the logarithms of the unknowns. `None` at a kink.
     pub(super) fn derivatives(&self) -> Option<Vec<f64>> {
         let equations = Equations::of(self)?;
-        self.seen.by_unknowns(&|kind, unknown, value| {
+        self.target.by_unknowns(&|kind, unknown, value| {
             let change = self.change(kind, unknown, value);
             let step = equations.solved(&-&change);
             let misses = (&equations.matrix * equations.scaled(&step) + &change).norm();
@@ -156,12 +156,12 @@ impl<'a, 's> GrossSlip<'a, 's> {
     /// The derivative of the residual by the logarithm of an unknown.
     fn change(&self, kind: UnknownKind, unknown: usize, value: f64) -> DVector<f64> {
         let mut sum = DVector::zeros(self.motion.len());
-        let contacts = self.seen.grasp.contacts();
-        let carried = self.seen.contacts_of(unknown).filter(|_| kind == UnknownKind::Carried);
+        let contacts = self.target.grasp.contacts();
+        let carried = self.target.contacts_of(unknown).filter(|_| kind == UnknownKind::Carried);
         for i in carried {
             sum += self.one_length(&carried_by(&contacts[i], value));
         }
-        let is_meant = |i: usize| self.seen.contacts_of(unknown).any(|j| j == i);
+        let is_meant = |i: usize| self.target.contacts_of(unknown).any(|j| j == i);
         for pressing in self.pressing.iter().filter(|pressing| is_meant(pressing.contact)) {
             let pressed = match kind {
                 UnknownKind::Carried => value,
@@ -170,7 +170,7 @@ impl<'a, 's> GrossSlip<'a, 's> {
             };
             sum += pressing.by_newton(&self.motion) * pressed;
             if kind == UnknownKind::Friction && pressing.slides() {
-                sum += pressing.rubbing(&self.motion) * pressing.normal_force;
+                sum += pressing.friction_wrench(&self.motion) * pressing.normal_force;
             }
         }
         sum
@@ -194,9 +194,9 @@ impl Equations {
         let (size, motion, pressing) = (leaving.motion.len(), &leaving.motion, &leaving.pressing);
         let normals: Vec<_> = mapped(pressing, &|contact| contact.normal.clone());
         let (springs, _) = spaces(&normals, size);
-        let mut kept = leaving.kept();
-        kept.push(motion.clone());
-        let (_, turns) = spaces(&kept, size);
+        let mut fixed_directions = leaving.fixed_directions();
+        fixed_directions.push(motion.clone());
+        let (_, turns) = spaces(&fixed_directions, size);
         let mut columns: Vec<DVector<f64>> = Vec::new();
         for y in springs.column_iter() {
             let mut sum = DVector::zeros(size);
@@ -221,7 +221,7 @@ impl Equations {
                 }
             }
         }
-        columns.push(leaving.one_length(&leaving.seen.load_rate(leaving.at)));
+        columns.push(leaving.one_length(&leaving.target.load_rate(leaving.at)));
         let mut scales = DVector::zeros(columns.len());
         for (column, scale) in columns.iter_mut().zip(scales.iter_mut()) {
             *scale = if column.norm() > 0.0 { column.norm().recip() } else { 0.0 };
@@ -234,8 +234,8 @@ impl Equations {
         }
         let parts = Singular::new(&matrix);
         let last = columns.len() - 1;
-        let told = parts.solve(&columns[last], NEGLIGIBLE)[last];
-        ((told - 1.0).abs() <= INDISTINCT).then_some(Self { springs, turns, matrix, scales, parts })
+        let component = parts.solve(&columns[last], NEGLIGIBLE)[last];
+        ((component - 1.0).abs() <= INDISTINCT).then_some(Self { springs, turns, matrix, scales, parts })
     }
 
     /// The least-squares solution of least norm, for the scaled columns.

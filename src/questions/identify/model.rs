@@ -91,7 +91,7 @@ impl Model<'_> {
 
     /// The residuals alone. The inner error is the first slip that is not predicted, and the reason.
     pub(super) fn residuals(&self, logs: &[f64]) -> Result<Result<Vec<f64>, (usize, NoSlip)>, Error> {
-        Ok(self.predicted(logs, false)?.map(|all| self.off(logs, &all)))
+        Ok(self.predicted(logs, false)?.map(|all| self.log_residuals(logs, &all)))
     }
 
     /// The residuals and their derivatives.
@@ -103,8 +103,8 @@ impl Model<'_> {
         let (slips, knowns, columns) = (all.len(), self.asked.known.len(), logs.len());
         let mut jacobian = DMatrix::zeros(slips + knowns, columns);
         let unknown: Vec<_> = chosen(slips, &|k| all[*k].exact.is_none());
-        for (k, told) in all.iter().enumerate() {
-            let Some(exact) = &told.exact else { continue };
+        for (k, prediction) in all.iter().enumerate() {
+            let Some(exact) = &prediction.exact else { continue };
             for j in 0..columns {
                 jacobian[(k, j)] = exact[j];
             }
@@ -123,7 +123,7 @@ impl Model<'_> {
                 jacobian[(slips + k, *j)] = logs[*j].exp() / sum;
             }
         }
-        Ok(Ok(Linear { residuals: self.off(logs, &all), jacobian, by_differences: unknown.len() }))
+        Ok(Ok(Linear { residuals: self.log_residuals(logs, &all), jacobian, by_differences: unknown.len() }))
     }
 
     /// Derivatives of some slips by one unknown, as central differences of exact answers, or one-sided where an answer is missing.
@@ -138,10 +138,10 @@ impl Model<'_> {
             let mut logs = logs.to_vec();
             logs[column] += by;
             let layouts = self.at(&logs)?;
-            let told = self.slips(those, &layouts, false, &logs);
-            let mut all = Vec::with_capacity(told.len());
-            for told in told {
-                all.push(told?);
+            let prediction = self.slips(those, &layouts, false, &logs);
+            let mut all = Vec::with_capacity(prediction.len());
+            for prediction in prediction {
+                all.push(prediction?);
             }
             Ok::<_, Error>(all)
         };
@@ -159,8 +159,13 @@ impl Model<'_> {
     }
 
     /// Logarithms of the observed over the predicted values.
-    fn off(&self, logs: &[f64], all: &[Predicted]) -> Vec<f64> {
-        let slips = self.asked.slips.iter().zip(all).map(|(slip, told)| (slip.seen_at() / told.at).ln());
+    fn log_residuals(&self, logs: &[f64], all: &[Predicted]) -> Vec<f64> {
+        let slips = self
+            .asked
+            .slips
+            .iter()
+            .zip(all)
+            .map(|(slip, prediction)| (slip.observed_at() / prediction.at).ln());
         let knowns = self.asked.known.iter().map(|known| {
             let sum: f64 = summed(&known.unknowns, &|j| logs[*j].exp());
             (known.value / sum).ln()
@@ -175,10 +180,10 @@ impl Model<'_> {
     ) -> Result<Result<Vec<Predicted>, (usize, NoSlip)>, Error> {
         let layouts = self.at(logs)?;
         let numbers: Vec<_> = (0..self.asked.slips.len()).list();
-        let told = self.slips(&numbers, &layouts, derivatives, logs);
-        let mut all = Vec::with_capacity(told.len());
-        for (k, told) in told.into_iter().enumerate() {
-            match told? {
+        let prediction = self.slips(&numbers, &layouts, derivatives, logs);
+        let mut all = Vec::with_capacity(prediction.len());
+        for (k, prediction) in prediction.into_iter().enumerate() {
+            match prediction? {
                 Ok(predicted) => all.push(predicted),
                 Err(why) => return Ok(Err((k, why))),
             }
@@ -204,8 +209,8 @@ impl Model<'_> {
                 distinct.push(*k);
             }
         }
-        let told = map_in_order(&distinct, |k| self.slip(layouts, *k, derivatives, logs));
-        mapped(&alike, &|place| told[*place].clone())
+        let prediction = map_in_order(&distinct, |k| self.slip(layouts, *k, derivatives, logs));
+        mapped(&alike, &|place| prediction[*place].clone())
     }
 
     /// Prediction of one slip.
@@ -225,15 +230,15 @@ impl Model<'_> {
             squeezed = grasp.squeezed(slip.squeeze())?;
             &squeezed
         };
-        let seen =
+        let target =
             SlipToPredict { grasp, base: *base + slip.base(), slip, asked: self.asked, logs, derivatives };
-        let told = match slip.kind {
-            SlipKind::First => first::predicted(&seen)?,
-            SlipKind::Gross => gross::predicted(&seen)?,
+        let prediction = match slip.kind {
+            SlipKind::First => first::predicted(&target)?,
+            SlipKind::Gross => gross::predicted(&target)?,
         };
-        Ok(told.and_then(|told| {
-            if told.at > 0.0 {
-                Ok(told)
+        Ok(prediction.and_then(|prediction| {
+            if prediction.at > 0.0 {
+                Ok(prediction)
             } else {
                 Err(NoSlip::HoldsTooLittle("something slides before anything pulls"))
             }
@@ -256,7 +261,7 @@ pub(super) struct SlipToPredict<'a> {
 impl SlipToPredict<'_> {
     /// The total load at a factor, or an angle.
     pub(super) fn load_at(&self, at: f64) -> Wrench<3> {
-        match self.slip.grown() {
+        match self.slip.growing_load() {
             Grown::Load(load) => self.base + load * at,
             Grown::Turn(turn) => self.base + turn.load_at(at),
         }
@@ -264,7 +269,7 @@ impl SlipToPredict<'_> {
 
     /// The derivative of the total load by the factor, or the angle.
     pub(super) fn load_rate(&self, at: f64) -> Wrench<3> {
-        match self.slip.grown() {
+        match self.slip.growing_load() {
             Grown::Load(load) => load,
             Grown::Turn(turn) => {
                 let ([_, cosine, sine], (sin, cos)) = (turn.parts(), at.sin_cos());

@@ -36,11 +36,11 @@ impl Pressing {
 
     /// The wrench of one newton of normal force; of a sliding contact together with its friction.
     pub(super) fn by_newton(&self, motion: &DVector<f64>) -> DVector<f64> {
-        if self.slides() { &self.normal + self.rubbing(motion) } else { self.normal.clone() }
+        if self.slides() { &self.normal + self.friction_wrench(motion) } else { self.normal.clone() }
     }
 
     /// The wrench of the friction of one newton of normal force.
-    pub(super) fn rubbing(&self, motion: &DVector<f64>) -> DVector<f64> {
+    pub(super) fn friction_wrench(&self, motion: &DVector<f64>) -> DVector<f64> {
         &self.tangents * self.velocity(motion).normalize() * -self.friction
     }
 
@@ -53,8 +53,8 @@ impl Pressing {
 }
 
 /// The contacts that press with the given forces.
-pub(super) fn pressing(seen: &SlipToPredict<'_>, forces: &[SVector<f64, 3>], length: f64) -> Vec<Pressing> {
-    let (space, contacts) = (seen.grasp.engine.space(), seen.grasp.contacts());
+pub(super) fn pressing(target: &SlipToPredict<'_>, forces: &[SVector<f64, 3>], length: f64) -> Vec<Pressing> {
+    let (space, contacts) = (target.grasp.engine.space(), target.grasp.contacts());
     let largest = largest(forces, &|force| force[0].abs());
     let may_pull = |contact: &Contact<3>| contact.hold != Hold::Unilateral;
     let of = |(contact, (data, frame)): (usize, (&Contact<3>, &SMatrix<f64, 3, 3>))| {
@@ -75,7 +75,7 @@ pub(super) fn pressing(seen: &SlipToPredict<'_>, forces: &[SVector<f64, 3>], len
             may_pull: may_pull(data),
         }
     };
-    let all = contacts.iter().zip(seen.grasp.frames()).enumerate();
+    let all = contacts.iter().zip(target.grasp.frames()).enumerate();
     all.filter(|(i, (data, _))| may_pull(data) || forces[*i][0] > INDISTINCT * largest).map(of).list()
 }
 

@@ -259,7 +259,7 @@ impl Grasp<3> {
     }
 }
 
-/// The fault of layouts by points where contacts cannot be moved alone.
+/// The error of a question with `layouts` about a grasp with joints or several bodies, whose contacts cannot be moved one by one.
 pub(crate) const LAYOUTS_OF_HANDS: Error = Error::Question {
     question: "identify",
     field: "layouts",

@@ -61,10 +61,10 @@ pub struct Slip<const C: usize> {
     /// The layout in which the slip was observed; 0, the scene itself, if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) layout: Option<usize>,
-    /// Relative standard deviation of load or angle; for every slip, or for none.
+    /// Relative standard deviation of load or angle; given for every slip, or for none.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) scatter: Option<f64>,
-    /// A number that is the same for slips that may share an error, of one direction or one specimen; for every slip, or for none.
+    /// The number of a group of slips that may share an error, such as those of one direction or one specimen; given for every slip, or for none.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) group: Option<usize>,
 }
@@ -148,7 +148,7 @@ impl Slip<3> {
     /// This slip with the part of its load that presses on the contacts at rest, if nothing else presses. It is the part along the mean of the
     /// contact normals, as a rule a weight. If both parts grew together, the object would slide at once, or never.
     pub(super) fn with_weight_at_rest(mut self, grasp: &Grasp<3>) -> Self {
-        let Grown::Load(load) = self.grown() else { return self };
+        let Grown::Load(load) = self.growing_load() else { return self };
         let is_plain = |contact: &Contact<3>| contact.hold == Hold::Unilateral;
         if self.base() != Wrench::ZERO || grasp.presses() || !grasp.contacts().iter().all(is_plain) {
             return self;
@@ -183,7 +183,7 @@ impl Slip<3> {
     }
 
     /// The load or the turn that grew until the slip.
-    pub(super) fn grown(&self) -> Grown {
+    pub(super) fn growing_load(&self) -> Grown {
         self.turn.map_or_else(|| Grown::Load(self.load.unwrap_or(Wrench::ZERO)), Grown::Turn)
     }
 
@@ -209,8 +209,8 @@ impl Slip<3> {
     }
 
     /// The observed value on the scale of the prediction: 1 for the load, or the angle in rad.
-    pub(super) fn seen_at(&self) -> f64 {
-        match self.grown() {
+    pub(super) fn observed_at(&self) -> f64 {
+        match self.growing_load() {
             Grown::Load(_) => 1.0,
             Grown::Turn(turn) => turn.angle(),
         }
@@ -230,7 +230,7 @@ impl Slip<3> {
             return Err(Error::Question { question: "identify", field: "slips", fault });
         }
         self.base().check_in(space, "base load of a slip")?;
-        match self.grown() {
+        match self.growing_load() {
             Grown::Load(load) if load == Wrench::ZERO => {
                 return wrong("size of the load", 0.0, "more than 0");
             }

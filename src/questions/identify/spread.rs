@@ -13,7 +13,7 @@ use crate::numerics::{IntoList, mapped, numbered, two_sided};
 use crate::prelude::*;
 
 /// The answer at the end of a search.
-pub(super) fn told(model: &Model<'_>, fit: &Fitted) -> Identified {
+pub(super) fn identified(model: &Model<'_>, fit: &Fitted) -> Identified {
     let grasp = &model.layouts[0];
     let names: Vec<String> = mapped(&model.asked.unknowns, &|unknown| unknown.called(grasp));
     let spread = fit.linear.as_ref().map(|linear| Spread::of(model, linear));
@@ -24,7 +24,7 @@ pub(super) fn told(model: &Model<'_>, fit: &Fitted) -> Identified {
         // Beyond this error the interval spans two powers of ten, over which the problem is not linear.
         let is_known = error.is_finite() && error <= 1.0;
         // 0.95 is the probability that the interval contains the true value.
-        let off = (two_sided(0.95, degrees) * error).exp();
+        let factor = (two_sided(0.95, degrees) * error).exp();
         Estimate {
             name: name.clone(),
             kind: model.asked.unknowns[j].kind,
@@ -32,7 +32,7 @@ pub(super) fn told(model: &Model<'_>, fit: &Fitted) -> Identified {
             is_fixed: spread.as_ref().is_some_and(|spread| spread.fixes(j))
                 && (is_known || !error.is_finite()),
             standard_error: is_known.then_some(value * error),
-            interval: is_known.then_some([value / off, value * off]),
+            interval: is_known.then_some([value / factor, value * factor]),
             degrees_of_freedom: degrees.filter(|_| is_known),
         }
     });
@@ -102,9 +102,9 @@ impl Spread {
         let degrees = rows.saturating_sub(rank);
         let scatter = model.scatter(&linear.residuals, rank);
         let huber = model.huber();
-        let all_off = numbered(rows, &|k| linear.residuals[k] / scatter.rows[k]);
-        let off = &all_off[..slips];
-        let inside = off.iter().filter(|u| u.abs() <= huber.0).count();
+        let all_scaled = numbered(rows, &|k| linear.residuals[k] / scatter.rows[k]);
+        let scaled = &all_scaled[..slips];
+        let inside = scaled.iter().filter(|u| u.abs() <= huber.0).count();
         let slope = Huber::slope(slips, inside, unknowns);
         let groups = groups(model);
         // With groups the scatter comes from the limited residuals themselves. Independent slips have the mean square of limited normal residuals.
@@ -113,25 +113,26 @@ impl Spread {
         let (values, directions, _) = singular(&linear.jacobian, &linear.residuals, &weights);
         let square = scatter.estimated.is_none() && degrees > 0;
         let square =
-            square.then(|| huber.squares(off.iter().copied()) / (degrees as f64 * huber.mean_square()));
+            square.then(|| huber.squares(scaled.iter().copied()) / (degrees as f64 * huber.mean_square()));
         let mut spread = Self { values, directions, rank, degrees, scatter, square, grouped: None };
         spread.grouped = groups.map(|groups| {
-            let rows = DMatrix::from_diagonal(&weights.into()) * &linear.jacobian * spread.told_directions();
-            let off = numbered(rows.nrows(), &|k| {
-                if k < slips { huber.pull(all_off[k]) / slope.sqrt() } else { all_off[k] }
+            let rows =
+                DMatrix::from_diagonal(&weights.into()) * &linear.jacobian * spread.scaled_directions();
+            let scaled = numbered(rows.nrows(), &|k| {
+                if k < slips { huber.pull(all_scaled[k]) / slope.sqrt() } else { all_scaled[k] }
             });
-            Grouped::of(&rows, &off, &groups)
+            Grouped::of(&rows, &scaled, &groups)
         });
         spread
     }
 
     /// A basis of the determined directions, as columns, whose lengths are the standard errors for independent slips.
-    fn told_directions(&self) -> DMatrix<f64> {
-        let mut told = self.directions.columns(0, self.rank).into_owned();
-        for (mut column, value) in told.column_iter_mut().zip(&self.values) {
+    fn scaled_directions(&self) -> DMatrix<f64> {
+        let mut directions = self.directions.columns(0, self.rank).into_owned();
+        for (mut column, value) in directions.column_iter_mut().zip(&self.values) {
             column /= *value;
         }
-        told
+        directions
     }
 
     /// Directions that the slips do not determine, as columns.
@@ -150,7 +151,7 @@ impl Spread {
         if !self.fixes(unknown) || degrees == Some(0.0) {
             return None;
         }
-        let along = self.told_directions().row(unknown).transpose();
+        let along = self.scaled_directions().row(unknown).transpose();
         let Some(grouped) = &self.grouped else { return Some((along.norm(), degrees)) };
         let error = grouped.of_unknown(&along)?;
         Some((error.variance.sqrt(), Some(error.degrees)))

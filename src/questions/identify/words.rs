@@ -17,12 +17,12 @@ impl fmt::Display for Identified {
             return write!(f, "NOT FOUND from {slips}: slip {slip} is not predicted, {says}");
         }
         let open: Vec<usize> = (0..self.estimates.len()).filter(|j| self.depends_on_assignment(*j)).list();
-        let said: Vec<_> = (0..self.estimates.len())
+        let clauses: Vec<_> = (0..self.estimates.len())
             .filter(|j| !open.contains(j))
-            .map(|j| self.estimates[j].told(words))
-            .chain((!open.is_empty()).then(|| self.one_of(&open, words)))
+            .map(|j| self.estimates[j].text(words))
+            .chain((!open.is_empty()).then(|| self.alternatives_text(&open, words)))
             .list();
-        write!(f, "{} from {slips}", said.join(", "))?;
+        write!(f, "{} from {slips}", clauses.join(", "))?;
         if let Some(groups) = self.groups {
             write!(f, " in {groups} groups")?;
         }
@@ -84,7 +84,7 @@ impl Identified {
     }
 
     /// "one of the two is 0.423 ± 0.004, which one is not fixed: friction of left or friction of right". If values differ, each has its name.
-    fn one_of(&self, open: &[usize], words: Words) -> String {
+    fn alternatives_text(&self, open: &[usize], words: Words) -> String {
         let names: Vec<_> = mapped(open, &|j| self.estimates[*j].name.clone());
         let fixed: Vec<Vec<&Estimate>> = mapped(&self.assignments, &|each| {
             open.iter().map(|j| &each[*j]).filter(|estimate| estimate.is_fixed).list()
@@ -98,12 +98,12 @@ impl Identified {
                 3 => "three".to_owned(),
                 many => many.to_string(),
             };
-            let value = one.value_told(words);
+            let value = one.value_text(words);
             return format!("one of the {count} is {value}, which one is not fixed: {},", names.join(" or "));
         }
         let each = fixed.iter().filter(|those| !those.is_empty()).map(|those| {
-            let said: Vec<_> = those.iter().map(|estimate| estimate.told(words)).list();
-            said.join(" and ")
+            let clauses: Vec<_> = those.iter().map(|estimate| estimate.text(words)).list();
+            clauses.join(" and ")
         });
         format!("either {}, which is not fixed,", each.list().join(", or "))
     }
@@ -120,16 +120,16 @@ fn capital(text: &str) -> String {
 }
 
 impl Estimate {
-    fn told(&self, words: Words) -> String {
+    fn text(&self, words: Words) -> String {
         if self.is_fixed || self.interval.is_some() {
-            format!("{} {}", self.name, self.value_told(words))
+            format!("{} {}", self.name, self.value_text(words))
         } else {
             format!("{} not fixed", self.name)
         }
     }
 
     /// The value with its unit and its error, if it is known.
-    fn value_told(&self, words: Words) -> String {
+    fn value_text(&self, words: Words) -> String {
         let (unit, behind) = match self.kind {
             UnknownKind::Friction => ("", ""),
             UnknownKind::Carried => (" N", ""),

@@ -17,8 +17,8 @@ pub struct Improved<const C: usize> {
     /// The meaning of `before` and `after`.
     #[cfg_attr(feature = "serde", serde(default))]
     pub goal: ImproveGoal,
-    /// Value of the grasp given: its least first slip as a factor of the loads, or its least reserve, N. `None` where a contact slides at rest or
-    /// nothing holds, and for a reserve where a contact slides under a load.
+    /// Value of the given grasp: the least load factor of first slip, or the least reserve, N. `None` where a contact slides at rest or no
+    /// equilibrium at rest is found, and for a reserve where a contact slides under a load.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub before: Option<f64>,
     /// Value of the best grasp found. `None` where no grasp was found that sticks at rest, and for a reserve under the loads. Infinite where no
@@ -53,7 +53,7 @@ pub struct Improved<const C: usize> {
 pub struct Placed<const C: usize> {
     /// The contact, or the point of a soft fingertip.
     pub contact: WholeContact,
-    /// Name of the surface that it may move along, if any: "edge", "circle", …
+    /// Name of the surface along which the contact may move, if any: "edge", "circle", …
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub surface: Option<String>,
     /// Contact point, m.
@@ -92,7 +92,7 @@ pub struct InTheWay {
     pub binds: Binds,
 }
 
-/// An active event or bound with its multiplier. A gain is an increase of the first slip, as a factor of the loads, or of the reserve, N.
+/// An active event or bound with its multiplier. A gain is an increase of the load factor of first slip, or of the reserve, N.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -107,7 +107,7 @@ pub enum Binds {
         /// Index of the load, from 0; `None` for a force of any direction.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         load: Option<usize>,
-        /// Its multiplier; those of all events add up to one.
+        /// Multiplier of this event in the optimality conditions; the multipliers of all events add up to one.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         share: f64,
     },
@@ -116,7 +116,7 @@ pub enum Binds {
         /// Index of the load, from 0; `None` for a force of any direction.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         load: Option<usize>,
-        /// Its multiplier, as for the first slip.
+        /// Multiplier of this event, as for the first slip.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         share: f64,
     },
@@ -168,7 +168,8 @@ pub enum SearchEnd {
     Unbalanced,
     /// No contact slides, however large the loads are.
     NothingSlides,
-    /// No start sticks at rest and resists the loads, or for a reserve no start sticks under them.
+    /// Every start fails, the given grasp and the random ones: at rest some contact does not stick, or nothing resists the loads. With a reserve as
+    /// the goal some contact does not stick under the loads.
     NoStart,
 }
 

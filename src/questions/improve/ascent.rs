@@ -19,10 +19,10 @@ use crate::prelude::*;
 
 /// A placing that sticks at rest, with its forces.
 #[derive(Debug)]
-pub(super) struct Held {
+pub(super) struct Design {
     pub(super) placing: Placing,
     pub(super) sticking: StickingForces,
-    /// Value of the goal: the least first slip as a factor of the loads, or the least reserve, N.
+    /// Value of the goal: the least load factor of first slip, or the least reserve, N.
     pub(super) value: f64,
     /// Scale of values and gains: the first slip itself, or for a reserve the greatest force at rest, N.
     pub(super) scale: f64,
@@ -30,7 +30,7 @@ pub(super) struct Held {
 
 /// The end of an ascent.
 pub(super) struct Ascent {
-    pub(super) held: Held,
+    pub(super) design: Design,
     pub(super) search: SearchEnd,
     /// Steps so far, including those of earlier ascents.
     pub(super) steps: usize,
@@ -56,8 +56,8 @@ pub(super) struct Climb<'q> {
 
 impl Climb<'_> {
     /// The greatest allowed normal forces of contacts whose squeeze may change.
-    fn most(&self) -> Vec<Option<f64>> {
-        let mut most = vec![None; self.choice.given.len()];
+    fn greatest_presses(&self) -> Vec<Option<f64>> {
+        let mut most = vec![None; self.choice.contacts.len()];
         for variable in &self.choice.variables {
             if let DesignKind::Press { most: force } = variable.what {
                 most[variable.contact] = Some(force);
@@ -67,8 +67,8 @@ impl Climb<'_> {
     }
 
     /// A placing with its forces; all squeezes are reduced by a common factor if one exceeds its limit. `None` where it does not stick at rest.
-    pub(super) fn held(&self, mut placing: Placing) -> Result<Option<Held>, Error> {
-        let (Loaded { base, loads, .. }, most) = (self.loaded, self.most());
+    pub(super) fn evaluate(&self, mut placing: Placing) -> Result<Option<Design>, Error> {
+        let (Loaded { base, loads, .. }, most) = (self.loaded, self.greatest_presses());
         let of = |placing: &Placing| StickingForces::of(self.choice, placing, base, loads);
         let Some(mut sticking) = of(&placing)? else { return Ok(None) };
         let mut part = 1.0_f64;
@@ -88,7 +88,7 @@ impl Climb<'_> {
             let Some(again) = of(&placing)? else { return Ok(None) };
             sticking = again;
         }
-        self.counted(placing, sticking, &most)
+        self.evaluate_sticking(placing, sticking, &most)
     }
 
     /// Value of the grasp given, with its own commands; `None` where a contact slides.
@@ -96,21 +96,22 @@ impl Climb<'_> {
         if self.loaded.goal == ImproveGoal::FirstSlip {
             return Ok(self.loaded.first_slip(self.grasp)?.filter(|factor| *factor > 0.0));
         }
-        let n = self.choice.given.len();
+        let n = self.choice.contacts.len();
         let (spots, presses) = (vec![None; n], vec![None; n]);
         let placing = Placing { spots, presses, ..given.clone() };
         let sticking = StickingForces::of(self.choice, &placing, &self.loaded.base, &self.loaded.loads)?;
-        let held = sticking.map(|sticking| self.counted(placing, sticking, &vec![None; n])).transpose()?;
-        Ok(held.flatten().map(|held| held.value).filter(|reserve| *reserve >= 0.0))
+        let design =
+            sticking.map(|sticking| self.evaluate_sticking(placing, sticking, &vec![None; n])).transpose()?;
+        Ok(design.flatten().map(|design| design.value).filter(|reserve| *reserve >= 0.0))
     }
 
     /// A placing with its value; `None` where it does not stick at rest.
-    fn counted(
+    fn evaluate_sticking(
         &self,
         placing: Placing,
         sticking: StickingForces,
         most: &[Option<f64>],
-    ) -> Result<Option<Held>, Error> {
+    ) -> Result<Option<Design>, Error> {
         let (events, bounds) = events(self.loaded, most, &sticking, &[]);
         let size = (0..most.len()).map(|i| sticking.at_rest(i).norm()).fold(0.0, f64::max);
         if bounds.iter().any(|bound| bound.left < -SOLVED_ROUNDING * size) {
@@ -128,33 +129,35 @@ impl Climb<'_> {
                 (least, if size > 0.0 { size } else { self.choice.unit_of_force() })
             }
         };
-        Ok(Some(Held { placing, sticking, value, scale }))
+        Ok(Some(Design { placing, sticking, value, scale }))
     }
 
     /// Ascent from a start within its parts of surfaces, after `steps` steps.
-    pub(super) fn up(&self, mut held: Held, mut steps: usize) -> Result<Ascent, Error> {
+    pub(super) fn ascend(&self, mut design: Design, mut steps: usize) -> Result<Ascent, Error> {
         let n = self.choice.variables.len();
         // Half widths of the trust region, a box, in units of the variables.
         let [first_radius, largest_radius, least_radius] = [0.1, 1.0, 1e-11];
         let (mut radius, mut curvature) = (first_radius, Curvature::flat(n));
-        let ended = |held, search, steps, last| Ok(Ascent { held, search, steps, last });
+        let ended = |design, search, steps, last| Ok(Ascent { design, search, steps, last });
         let mut before: Option<LastStep> = None;
         loop {
-            if held.value.is_infinite() {
-                return ended(held, SearchEnd::NothingSlides, steps, None);
+            if design.value.is_infinite() {
+                return ended(design, SearchEnd::NothingSlides, steps, None);
             }
-            let Some(derivatives) = held.sticking.derivatives(self.choice, &held.placing) else {
-                return ended(held, SearchEnd::Unbalanced, steps, None);
+            let Some(derivatives) = design.sticking.derivatives(self.choice, &design.placing) else {
+                return ended(design, SearchEnd::Unbalanced, steps, None);
             };
-            let (events, bounds) = events(self.loaded, &self.most(), &held.sticking, &derivatives);
+            let (events, bounds) =
+                events(self.loaded, &self.greatest_presses(), &design.sticking, &derivatives);
             if let Some(old) = before.take() {
-                let fell = fallen(&old, (&events, &bounds), held.scale, self.choice.unit_of_force());
-                curvature.learn(&old.step.d, &fell);
+                let decrease =
+                    gradient_decrease(&old, (&events, &bounds), design.scale, self.choice.unit_of_force());
+                curvature.learn(&old.step.d, &decrease);
             }
-            let (program, rooms) = self.program(&held, &events, &bounds);
+            let (program, rooms) = self.program(&design, &events, &bounds);
             loop {
                 let Some(step) = program.step(radius, &curvature.0) else {
-                    return ended(held, SearchEnd::Stalled, steps, None);
+                    return ended(design, SearchEnd::Stalled, steps, None);
                 };
                 let arrived =
                     step.residual <= ARRIVED_AT_TOP || step.gain <= ROUNDED_GAIN || radius < least_radius;
@@ -169,11 +172,11 @@ impl Climb<'_> {
                         _ if arrived => SearchEnd::Stalled,
                         _ => SearchEnd::OutOfSteps,
                     };
-                    return ended(held, search, steps, Some(LastStep { step, events, bounds, rooms }));
+                    return ended(design, search, steps, Some(LastStep { step, events, bounds, rooms }));
                 }
                 steps += 1;
-                let trial = self.held(self.choice.moved(&held.placing, step.d.as_slice()))?;
-                let gain = trial.as_ref().map_or(-1.0, |trial| (trial.value - held.value) / held.scale);
+                let trial = self.evaluate(self.choice.stepped(&design.placing, step.d.as_slice()))?;
+                let gain = trial.as_ref().map_or(-1.0, |trial| (trial.value - design.value) / design.scale);
                 let as_told = gain / step.gain;
                 // The box grows where the gain is at least three quarters of the predicted one, and shrinks
                 // below a quarter.
@@ -184,7 +187,7 @@ impl Climb<'_> {
                 }
                 if let Some(trial) = trial.filter(|_| as_told >= 1e-4) {
                     before = Some(LastStep { step, events, bounds, rooms });
-                    held = trial;
+                    design = trial;
                     break;
                 }
             }
@@ -192,12 +195,17 @@ impl Climb<'_> {
     }
 
     /// The program of a step, and the contacts of its last bounds, which are ends of surfaces.
-    fn program(&self, held: &Held, events: &[SlipEvent], bounds: &[Constraint]) -> (StepProgram, Vec<usize>) {
+    fn program(
+        &self,
+        design: &Design,
+        events: &[SlipEvent],
+        bounds: &[Constraint],
+    ) -> (StepProgram, Vec<usize>) {
         let variables = &self.choice.variables;
         let force = self.choice.unit_of_force();
         let mut rows: Vec<_> = mapped(bounds, &|bound| (&bound.gradient / force, bound.left / force));
         let (mut rooms, mut reach) = (Vec::new(), vec![[f64::NEG_INFINITY, f64::INFINITY]; variables.len()]);
-        for (i, spot) in held.placing.spots.iter().enumerate() {
+        for (i, spot) in design.placing.spots.iter().enumerate() {
             let Some(spot) = spot else { continue };
             for (row, room) in &spot.rooms {
                 let unit = variables.iter().find(|v| v.contact == i).map_or(1.0, |v| v.unit);
@@ -215,14 +223,14 @@ impl Climb<'_> {
         }
         for (j, variable) in variables.iter().enumerate() {
             if let (DesignKind::Press { most }, Some(press)) =
-                (variable.what, held.placing.presses[variable.contact])
+                (variable.what, design.placing.presses[variable.contact])
             {
                 reach[j] = [-press / variable.unit, (most - press) / variable.unit];
             }
         }
         let program = StepProgram {
-            factors: mapped(events, &|event| 1.0 + (event.value - held.value) / held.scale),
-            gradients: mapped(events, &|event| &event.gradient / held.scale),
+            factors: mapped(events, &|event| 1.0 + (event.value - design.value) / design.scale),
+            gradients: mapped(events, &|event| &event.gradient / design.scale),
             bounds: rows,
             reach,
         };
@@ -231,26 +239,26 @@ impl Climb<'_> {
 }
 
 /// The decrease of the gradient of the Lagrangian along a step: events and bounds, weighted by their multipliers.
-fn fallen(
+fn gradient_decrease(
     old: &LastStep,
     (events, bounds): (&[SlipEvent], &[Constraint]),
     scale: f64,
     force: f64,
 ) -> DVector<f64> {
     let step = &old.step;
-    let mut fell = DVector::zeros(step.d.len());
+    let mut decrease = DVector::zeros(step.d.len());
     for (event, share) in old.events.iter().zip(&step.events).filter(|(_, share)| **share > 0.0) {
         // Of several events of one condition, the one with the nearest value is the same event after the step.
         let same = events.iter().filter(|other| other.condition == event.condition);
         let apart = |other: &&SlipEvent| (other.value - event.value).abs();
         if let Some(same) = same.min_by(|a, b| apart(a).total_cmp(&apart(b))) {
-            fell += (&event.gradient - &same.gradient) * (share / scale);
+            decrease += (&event.gradient - &same.gradient) * (share / scale);
         }
     }
     let is_force = |bound: &&Constraint| bound.kind == ConstraintKind::Force;
     let known = old.bounds.iter().zip(&step.bounds).filter(|(bound, _)| is_force(bound));
     for ((bound, multiplier), new) in known.zip(bounds.iter().filter(is_force)) {
-        fell += (&bound.gradient - &new.gradient) * (multiplier / force);
+        decrease += (&bound.gradient - &new.gradient) * (multiplier / force);
     }
-    fell
+    decrease
 }

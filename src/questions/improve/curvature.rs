@@ -11,13 +11,13 @@ impl Curvature {
         Self(DMatrix::zeros(size, size))
     }
 
-    /// Updates B after a step along which the gradient of the Lagrangian (events and bounds, weighted by their multipliers) decreased by `fell`.
-    pub(super) fn learn(&mut self, step: &DVector<f64>, fell: &DVector<f64>) {
+    /// Updates B after a step along which the gradient of the Lagrangian (events and bounds, weighted by their multipliers) decreased by `decrease`.
+    pub(super) fn learn(&mut self, step: &DVector<f64>, decrease: &DVector<f64>) {
         let length = step.norm_squared();
         if length == 0.0 {
             return;
         }
-        let shown = step.dot(fell);
+        let shown = step.dot(decrease);
         if self.0.amax() == 0.0 {
             if shown > 0.0 {
                 let size = self.0.nrows();
@@ -26,17 +26,17 @@ impl Curvature {
                 return;
             }
         }
-        let told = &self.0 * step;
-        let known = step.dot(&told);
+        let product = &self.0 * step;
+        let known = step.dot(&product);
         // Powell's damping acts where dᵀy is below this fraction of dᵀBd, with the step d and the change y of the gradient.
         let confirmed = 0.2;
         let part = if shown >= confirmed * known { 1.0 } else { (1.0 - confirmed) * known / (known - shown) };
-        let mixed = fell * part + &told * (1.0 - part);
+        let mixed = decrease * part + &product * (1.0 - part);
         let new = step.dot(&mixed);
         if known > 0.0 && new > 0.0 && new.is_finite() {
             for i in 0..step.len() {
                 for j in 0..step.len() {
-                    self.0[(i, j)] += mixed[i] * mixed[j] / new - told[i] * told[j] / known;
+                    self.0[(i, j)] += mixed[i] * mixed[j] / new - product[i] * product[j] / known;
                 }
             }
         }

@@ -22,7 +22,7 @@ pub(super) struct ConeRow {
     pub(super) number: usize,
 }
 
-/// A condition, its value (the factor of the loads at which it is broken, or the reserve, N) and the derivatives of the value by each variable.
+/// A condition, its value (the load factor at which it is broken, or the reserve, N) and the derivatives of the value by each variable.
 #[derive(Debug, Clone)]
 pub(super) struct SlipEvent {
     pub(super) condition: ConeRow,
@@ -131,18 +131,18 @@ impl Pressed<'_> {
 
     /// Slip events under a force of given size and any direction. Column k of `influence` is the contact force under this force along axis k.
     fn under_any_force(&self, influence: &[SVector<f64, 3>]) -> Vec<SlipEvent> {
-        let felt = |row: &SVector<f64, 3>, by: &dyn Fn(usize) -> SVector<f64, 3>| {
+        let gradient = |row: &SVector<f64, 3>, by: &dyn Fn(usize) -> SVector<f64, 3>| {
             vector_of(influence.len(), &|k| row.dot(&by(k)))
         };
         let known = |k: usize| influence[k];
         // The worst direction reduces the margin by the norm of its gradient.
-        let added = |row: &SVector<f64, 3>| -felt(row, &known).norm();
+        let added = |row: &SVector<f64, 3>| -gradient(row, &known).norm();
         let value = |row: &SVector<f64, 3>| self.goal.counts(row.dot(&self.force), added(row));
         let rows = self.edges.least(&|row| value(row).unwrap_or(f64::INFINITY));
         self.events(None, rows, &added, &|row, d| {
-            let v = felt(row, &known);
+            let v = gradient(row, &known);
             let size = v.norm();
-            let changes = felt(row, &|k| d[LOADS + k][self.number]);
+            let changes = gradient(row, &|k| d[LOADS + k][self.number]);
             if size > 0.0 { -v.dot(&changes) / size } else { 0.0 }
         })
     }

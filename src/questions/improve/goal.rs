@@ -1,7 +1,7 @@
 //! The value that is maximised over places and squeezes.
 //!
-//! A condition `a·F >= 0` has the margin `r = a·F⁰` at rest, and a load adds `s = a·F¹`, usually negative. The first slip asks for the factor of the
-//! load that takes all of the margin, `r + τ s = 0`. The reserve asks for the margin under the load, `r + s`.
+//! A condition `a·F >= 0` has the margin `r = a·F⁰` at rest, and a load adds `s = a·F¹`, usually negative. The goal of first slip is the load factor
+//! τ that uses up the margin, `r + τ s = 0`. The goal of a reserve is the margin under the load, `r + s`.
 
 /// The value to be maximised where fingers are improved; it is the least over all loads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -9,7 +9,7 @@
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum ImproveGoal {
-    /// The first slip: the factor of the loads at which a contact slides or opens. For loads that may become larger than expected.
+    /// The first slip: the load factor at which a contact slides or opens. For loads that may become larger than expected.
     #[default]
     FirstSlip,
     /// Friction in reserve while each load acts in full, N: the least [margin](crate::equilibrium::ContactAnswer::margin) of all contacts. For a

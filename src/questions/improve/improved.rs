@@ -1,7 +1,7 @@
 //! All starts, and the best of them.
 
 use super::answer::{Binds, Improved, InTheWay, Placed, SearchEnd};
-use super::ascent::{Ascent, Climb, Held, LastStep};
+use super::ascent::{Ascent, Climb, Design, LastStep};
 use super::events::ConstraintKind;
 use super::goal::ImproveGoal;
 use super::loaded::Loaded;
@@ -68,13 +68,13 @@ impl Improve<3> {
         let numbers: Vec<u64> = (0..(self.starts() * 24) as u64).collect();
         let drawn = in_order(&numbers, &|number| {
             // The last number selects a random stream that no other question uses.
-            let drawn = choice.drawn(&given, &mut Draw::new([self.seed.unwrap_or(0), *number, 48]));
+            let drawn = choice.random(&given, &mut Draw::new([self.seed.unwrap_or(0), *number, 48]));
             // Only places are kept here: the forces of thousands of them would take much memory.
-            Ok::<_, Error>(climb.held(drawn)?.map(|held| (held.value, held.placing)))
+            Ok::<_, Error>(climb.evaluate(drawn)?.map(|design| (design.value, design.placing)))
         });
         let (mut values, mut places) = (Vec::new(), Vec::new());
-        for held in drawn {
-            if let Some((value, placing)) = held? {
+        for design in drawn {
+            if let Some((value, placing)) = design? {
                 values.push(-value);
                 places.push(placing);
             }
@@ -84,7 +84,7 @@ impl Improve<3> {
             placings.push(places[k].clone());
         }
         let ascents = in_order(&placings, &|placing| {
-            climb.held(placing.clone())?.map(|held| climb.over_edges(held)).transpose()
+            climb.evaluate(placing.clone())?.map(|design| climb.over_edges(design)).transpose()
         });
         let (mut count, mut steps) = (0, 0);
         let mut best: Option<Ascent> = None;
@@ -93,8 +93,8 @@ impl Improve<3> {
             count += 1;
             steps += next.steps;
             let is_better = best.as_ref().is_none_or(|best| {
-                let more = next.held.value > best.held.value + NEGLIGIBLE * best.held.scale;
-                let proved = next.held.value >= best.held.value
+                let more = next.design.value > best.design.value + NEGLIGIBLE * best.design.scale;
+                let proved = next.design.value >= best.design.value
                     && next.search == SearchEnd::Optimum
                     && best.search != SearchEnd::Optimum;
                 more || proved
@@ -122,14 +122,14 @@ impl Improve<3> {
             starts: count,
             steps,
         };
-        let Some(Ascent { held, search, last, .. }) = best.filter(|best| best.held.value >= 0.0) else {
+        let Some(Ascent { design, search, last, .. }) = best.filter(|best| best.design.value >= 0.0) else {
             return Ok(answer);
         };
-        (answer.after, answer.search) = (Some(held.value), search);
-        answer.contacts = placed(&choice, &held);
+        (answer.after, answer.search) = (Some(design.value), search);
+        answer.contacts = placed(&choice, &design);
         if let Some(last) = last {
             answer.residual = Some(last.step.residual);
-            answer.in_the_way = in_the_way(&choice, &held, &last);
+            answer.in_the_way = in_the_way(&choice, &design, &last);
         }
         Ok(answer)
     }
@@ -161,22 +161,22 @@ impl Improved<3> {
     }
 }
 
-fn placed(choice: &Choice<'_>, held: &Held) -> Vec<Placed<3>> {
-    let contacts = choice.contacts(&held.placing);
+fn placed(choice: &Choice<'_>, design: &Design) -> Vec<Placed<3>> {
+    let contacts = choice.contacts(&design.placing);
     indexed(&contacts, &|(i, contact)| Placed {
         contact: choice.wholes.at(i).with(1),
         surface: choice.question.surface_of(i).map(|surface| surface.name().to_owned()),
         point: contact.point,
         normal: contact.normal.normalize(),
-        tangent: held.placing.tangents[i],
+        tangent: design.placing.tangents[i],
         command: contact.command,
-        moved: (contact.point - choice.given[i].point).norm(),
-        pressed_with: held.placing.presses[i],
-        normal_force: held.sticking.at_rest(i)[0],
+        moved: (contact.point - choice.contacts[i].point).norm(),
+        pressed_with: design.placing.presses[i],
+        normal_force: design.sticking.at_rest(i)[0],
     })
 }
 
-fn in_the_way(choice: &Choice<'_>, held: &Held, last: &LastStep) -> Vec<InTheWay> {
+fn in_the_way(choice: &Choice<'_>, design: &Design, last: &LastStep) -> Vec<InTheWay> {
     let LastStep { step, events, bounds, rooms } = last;
     let mut all: Vec<(usize, Binds)> = Vec::new();
     let mut shares: Vec<(usize, Option<usize>, f64)> = Vec::new();
@@ -197,7 +197,7 @@ fn in_the_way(choice: &Choice<'_>, held: &Held, last: &LastStep) -> Vec<InTheWay
         all.push((contact, binds));
     }
     let force = choice.unit_of_force();
-    let gain = |multiplier: f64, unit: f64| multiplier * held.scale / unit;
+    let gain = |multiplier: f64, unit: f64| multiplier * design.scale / unit;
     for (k, multiplier) in step.bounds.iter().enumerate().filter(|(_, y)| **y > ROUNDED_MULTIPLIER) {
         if let Some(bound) = bounds.get(k) {
             let per_newton = gain(*multiplier, force);

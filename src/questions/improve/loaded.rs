@@ -36,7 +36,8 @@ impl Loaded {
         }
     }
 
-    /// The least first slip of a grasp; `None` where a contact slides at rest, or nothing holds.
+    /// The least load factor at which a contact stops sticking under one of the loads, or nothing resists it. `None` where a contact slides at rest,
+    /// or no equilibrium at rest is found.
     pub(super) fn first_slip(&self, grasp: &Grasp<3>) -> Result<Option<f64>, Error> {
         if let Some((point, size)) = self.any {
             return Ok(match grasp.weakest_direction(self.base, point)? {

@@ -3,7 +3,7 @@
 //! Normals jump there, so that derivatives on one side say nothing about the other. Fingers at the end of their part are moved to the adjacent parts,
 //! one by one and all at once, and the ascent continues from there. The new place is kept if the value has grown in the end.
 
-use super::ascent::{Ascent, Climb, Held};
+use super::ascent::{Ascent, Climb, Design};
 use super::placing::Placing;
 use crate::error::Error;
 use crate::numerics::tolerances::NEGLIGIBLE;
@@ -11,10 +11,10 @@ use crate::prelude::*;
 
 impl Climb<'_> {
     /// Ascent from a start, continued on adjacent parts as long as the value grows and steps are left.
-    pub(super) fn over_edges(&self, held: Held) -> Result<Ascent, Error> {
-        let mut best = self.up(held, 0)?;
+    pub(super) fn over_edges(&self, design: Design) -> Result<Ascent, Error> {
+        let mut best = self.ascend(design, 0)?;
         let mut steps = best.steps;
-        while let Some(better) = self.beyond(&best, &mut steps)? {
+        while let Some(better) = self.ascend_from_adjacent(&best, &mut steps)? {
             best = better;
         }
         best.steps = steps;
@@ -22,16 +22,16 @@ impl Climb<'_> {
     }
 
     /// The ascent from an adjacent part, if it ends at a larger value.
-    fn beyond(&self, ended: &Ascent, steps: &mut usize) -> Result<Option<Ascent>, Error> {
-        let here = &ended.held;
-        for placing in self.beside(&here.placing) {
+    fn ascend_from_adjacent(&self, ended: &Ascent, steps: &mut usize) -> Result<Option<Ascent>, Error> {
+        let best = &ended.design;
+        for placing in self.adjacent(&best.placing) {
             if *steps >= self.choice.question.steps() {
                 break;
             }
-            let Some(held) = self.held(placing)? else { continue };
-            let next = self.up(held, *steps)?;
+            let Some(design) = self.evaluate(placing)? else { continue };
+            let next = self.ascend(design, *steps)?;
             *steps = next.steps;
-            if next.held.value > here.value + NEGLIGIBLE * here.scale {
+            if next.design.value > best.value + NEGLIGIBLE * best.scale {
                 return Ok(Some(next));
             }
         }
@@ -40,17 +40,17 @@ impl Climb<'_> {
 
     /// Placings with one finger moved from the end of its part to an adjacent part, and one placing with all such fingers moved to their first
     /// adjacent part.
-    fn beside(&self, from: &Placing) -> Vec<Placing> {
+    fn adjacent(&self, from: &Placing) -> Vec<Placing> {
         let (mut placings, mut all, mut move_at_once) = (Vec::new(), from.clone(), 0);
         for (contact, surface) in &self.choice.question.surfaces {
             let Some(spot) = &from.spots[*contact] else { continue };
-            let others = spot.beside(&surface.0);
+            let others = spot.adjacent(&surface.0);
             if let Some(first) = others.first() {
-                all = self.choice.put(&all, *contact, first.clone());
+                all = self.choice.with_spot(&all, *contact, first.clone());
                 move_at_once += 1;
             }
             for other in others {
-                placings.push(self.choice.put(from, *contact, other));
+                placings.push(self.choice.with_spot(from, *contact, other));
             }
         }
         if move_at_once > 1 {

@@ -11,7 +11,7 @@ pub(super) fn unit_direction(to: &SVector<f64, 3>) -> [f64; 3] {
 }
 
 /// The geometry of a surface at one place.
-pub(super) struct There {
+pub(super) struct SurfacePoint {
     /// The place, m.
     pub(super) point: SVector<f64, 3>,
     /// Unit normal.
@@ -30,7 +30,7 @@ pub(super) fn clockwise(a: &SVector<f64, 3>) -> SVector<f64, 3> {
 }
 
 /// The unit vector at a right angle to one direction in the plane, or to two in space.
-fn across(along: &[SVector<f64, 3>]) -> SVector<f64, 3> {
+fn perpendicular(along: &[SVector<f64, 3>]) -> SVector<f64, 3> {
     match along {
         [a, b, ..] => a.cross(b),
         [a] => clockwise(a),
@@ -43,21 +43,21 @@ fn both_across(axis: &SVector<f64, 3>) -> [SVector<f64, 3>; 2] {
     let mut least = SVector::zeros();
     least[axis.iamin()] = 1.0;
     let first = (least - axis * axis.dot(&least)).normalize();
-    [first, across(&[*axis, first])]
+    [first, perpendicular(&[*axis, first])]
 }
 
 /// A place on a triangle, at coordinates in its frame.
-fn on_triangle(corners: &[SVector<f64, 3>; 3], [a, b]: [f64; 2]) -> There {
+fn on_triangle(corners: &[SVector<f64, 3>; 3], [a, b]: [f64; 2]) -> SurfacePoint {
     let [x, y] = frame(corners);
     let point = corners[0] + x * a + y * b;
-    let (along, normal) = (vec![x, y], across(&[x, y]));
+    let (along, normal) = (vec![x, y], perpendicular(&[x, y]));
     let room = |k: usize| {
         let (from, to) = (corners[k], corners[(k + 1) % 3]);
         // Corners run counterclockwise in their frame, so that outward is to the right of each side.
-        let out = across(&[(to - from).normalize(), normal]);
+        let out = perpendicular(&[(to - from).normalize(), normal]);
         ([out.dot(&x), out.dot(&y)], -out.dot(&(point - from)))
     };
-    There { point, normal, bends: vec![0.0; 2], rooms: numbered(3, &room), along }
+    SurfacePoint { point, normal, bends: vec![0.0; 2], rooms: numbered(3, &room), along }
 }
 
 impl Shape {
@@ -75,7 +75,7 @@ impl Shape {
             Shape::Segments(parts) => (parts[part][1] - parts[part][0]).norm(),
             Shape::Triangles(parts) => {
                 let [a, b, c] = &parts[part];
-                across(&[b - a, c - a]).norm()
+                perpendicular(&[b - a, c - a]).norm()
             }
             _ => 1.0,
         }
@@ -91,7 +91,7 @@ impl Shape {
         }
     }
 
-    pub(super) fn there(&self, part: usize, at: [f64; 3]) -> There {
+    pub(super) fn surface_point(&self, part: usize, at: [f64; 3]) -> SurfacePoint {
         let [a, b, c] = at;
         let between = |axis: usize, at: f64, length: f64| {
             let row = |sign: f64| [0, 1].each(|k| if k == axis { sign } else { 0.0 });
@@ -102,9 +102,9 @@ impl Shape {
                 let [from, to] = &parts[part];
                 let (along, length) = ((to - from).normalize(), (to - from).norm());
                 let along = vec![along];
-                There {
+                SurfacePoint {
                     point: from + along[0] * a,
-                    normal: across(&along),
+                    normal: perpendicular(&along),
                     along,
                     bends: vec![0.0],
                     rooms: between(0, a, length).into(),
@@ -116,26 +116,32 @@ impl Shape {
                 let along = SVector::<f64, 3>::from([-sin, cos, 0.0]);
                 let rooms = over.map_or(Vec::new(), |over| between(0, a * radius, over * radius).into());
                 let point = centre + out * *radius;
-                There { point, normal: out, along: vec![along], bends: vec![1.0 / radius], rooms }
+                SurfacePoint { point, normal: out, along: vec![along], bends: vec![1.0 / radius], rooms }
             }
             Shape::Spline(spline) => {
                 let [point, first, second] = spline.at(a);
                 let speed = first.norm();
                 let along = vec![first / speed];
-                let normal = across(&along);
+                let normal = perpendicular(&along);
                 // This follows from the derivative of n·p' = 0 by the parameter.
                 let bends = vec![-normal.dot(&second) / (speed * speed)];
                 let open = !spline.is_closed();
                 let rooms =
                     if open { between(0, a * speed, spline.end() * speed).into() } else { Vec::new() };
-                There { point, normal, along, bends, rooms }
+                SurfacePoint { point, normal, along, bends, rooms }
             }
             Shape::Rectangle { corner, sides } => {
                 let along = sides.each(|side| side.normalize());
                 let mut rooms = Vec::from(between(0, a, sides[0].norm()));
                 rooms.extend(between(1, b, sides[1].norm()));
                 let point = corner + along[0] * a + along[1] * b;
-                There { point, normal: across(&along), along: along.to_vec(), bends: vec![0.0; 2], rooms }
+                SurfacePoint {
+                    point,
+                    normal: perpendicular(&along),
+                    along: along.to_vec(),
+                    bends: vec![0.0; 2],
+                    rooms,
+                }
             }
             Shape::Cylinder { ends, radius } => {
                 let axis = ends[1] - ends[0];
@@ -145,12 +151,18 @@ impl Shape {
                 let (out, around) = (x * cos + y * sin, y * cos - x * sin);
                 let point = ends[0] + axis * a + out * *radius;
                 let rooms = between(0, a, length).into();
-                There { point, normal: out, along: vec![axis, around], bends: vec![0.0, 1.0 / radius], rooms }
+                SurfacePoint {
+                    point,
+                    normal: out,
+                    along: vec![axis, around],
+                    bends: vec![0.0, 1.0 / radius],
+                    rooms,
+                }
             }
             Shape::Sphere { centre, radius } => {
                 let out = SVector::<f64, 3>::from([a, b, c]);
                 let along = both_across(&out).to_vec();
-                There {
+                SurfacePoint {
                     point: centre + out * *radius,
                     normal: out,
                     along,
@@ -202,7 +214,8 @@ impl Shape {
                 let corners = &parts[part];
                 let [x, y] = frame(corners);
                 let flat = |p: &SVector<f64, 3>| [x.dot(&(p - corners[0])), y.dot(&(p - corners[0]))];
-                let ([u, v], there) = (flat(point), |at: [f64; 2]| self.there(part, [at[0], at[1], 0.0]));
+                let ([u, v], there) =
+                    (flat(point), |at: [f64; 2]| self.surface_point(part, [at[0], at[1], 0.0]));
                 if there([u, v]).rooms.iter().all(|(_, room)| *room >= 0.0) {
                     return [u, v, 0.0];
                 }
@@ -211,8 +224,8 @@ impl Shape {
                     let side = to - from;
                     from + side * (side.dot(&(point - from)) / side.norm_squared()).clamp(0.0, 1.0)
                 };
-                let off = |p: &SVector<f64, 3>| (p - point).norm();
-                let nearest = (0..3).map(on_side).min_by(|p, q| off(p).total_cmp(&off(q)));
+                let distance = |p: &SVector<f64, 3>| (p - point).norm();
+                let nearest = (0..3).map(on_side).min_by(|p, q| distance(p).total_cmp(&distance(q)));
                 let [u, v] = flat(&nearest.unwrap_or(corners[0]));
                 [u, v, 0.0]
             }
@@ -220,7 +233,7 @@ impl Shape {
     }
 
     /// Coordinates of a place on a part, uniformly distributed if u and v are uniform between 0 and 1.
-    pub(super) fn drawn(&self, part: usize, [u, v]: [f64; 2]) -> [f64; 3] {
+    pub(super) fn random(&self, part: usize, [u, v]: [f64; 2]) -> [f64; 3] {
         let turn = core::f64::consts::TAU;
         match self {
             Shape::Segments(parts) => [u * (parts[part][1] - parts[part][0]).norm(), 0.0, 0.0],

@@ -34,7 +34,7 @@ pub(super) enum DesignKind {
 #[derive(Debug)]
 pub(super) struct Choice<'q> {
     pub(super) question: &'q Improve<3>,
-    pub(super) given: &'q [Contact<3>],
+    pub(super) contacts: &'q [Contact<3>],
     /// The given contacts, each with its points.
     pub(super) wholes: &'q WholeContacts,
     pub(super) settings: &'q Settings,
@@ -56,23 +56,23 @@ pub(super) struct Placing {
 impl<'q> Choice<'q> {
     /// The variables of a question, and their values in the given grasp. A contact that does not lie on its surface is refused.
     pub(super) fn of(grasp: &'q Grasp<3>, question: &'q Improve<3>) -> Result<(Self, Placing), Error> {
-        let given = grasp.contacts();
+        let contacts = grasp.contacts();
         let tangents: Vec<SVector<f64, 3>> =
             grasp.frames().map(|frame| frame.column(1).into_owned()).collect();
         let length = grasp.engine.length();
         let (mut variables, mut spots, mut presses) = (Vec::new(), Vec::new(), Vec::new());
-        for (contact, at) in given.iter().enumerate() {
+        for (contact, at) in contacts.iter().enumerate() {
             let surface = question.surface_of(contact);
             let spot = surface.map(|surface| Spot::nearest(surface, &at.point, &at.normal));
             if let Some(spot) = &spot {
                 let refused = |field, value, allowed| {
                     Err(Error::Surface { contact: at.label(contact), field, value, allowed })
                 };
-                let off = (spot.point - at.point).norm();
-                if off > OFF_THE_SURFACE * (length + at.point.norm()) {
+                let distance = (spot.point - at.point).norm();
+                if distance > OFF_THE_SURFACE * (length + at.point.norm()) {
                     return refused(
                         "distance of its point from its surface",
-                        off,
+                        distance,
                         "0 m: the point has to lie on it",
                     );
                 }
@@ -95,15 +95,15 @@ impl<'q> Choice<'q> {
         }
         let (settings, tangents_given) = (grasp.settings(), tangents.clone());
         let wholes = grasp.engine.wholes();
-        let choice = Self { question, given, wholes, settings, tangents: tangents_given, variables };
+        let choice = Self { question, contacts, wholes, settings, tangents: tangents_given, variables };
         Ok((choice, Placing { spots, tangents, presses }))
     }
 
     /// A random placing, with every variable squeeze at its limit.
-    pub(super) fn drawn(&self, from: &Placing, draw: &mut Draw) -> Placing {
+    pub(super) fn random(&self, from: &Placing, draw: &mut Draw) -> Placing {
         let mut placing = from.clone();
         for (contact, surface) in &self.question.surfaces {
-            let spot = placing.spots[*contact].as_ref().map(|spot| spot.drawn(&surface.0, draw));
+            let spot = placing.spots[*contact].as_ref().map(|spot| spot.random(&surface.0, draw));
             placing.tangents[*contact] = self.tangent(*contact, &self.tangents[*contact], spot.as_ref());
             placing.spots[*contact] = spot;
         }
@@ -114,7 +114,7 @@ impl<'q> Choice<'q> {
     }
 
     /// The placing with one contact moved to another spot.
-    pub(super) fn put(&self, from: &Placing, contact: usize, spot: Spot) -> Placing {
+    pub(super) fn with_spot(&self, from: &Placing, contact: usize, spot: Spot) -> Placing {
         let mut placing = from.clone();
         placing.tangents[contact] = self.tangent(contact, &from.tangents[contact], Some(&spot));
         placing.spots[contact] = Some(spot);
@@ -122,7 +122,7 @@ impl<'q> Choice<'q> {
     }
 
     /// The placing after a step, given in units of each variable.
-    pub(super) fn moved(&self, from: &Placing, step: &[f64]) -> Placing {
+    pub(super) fn stepped(&self, from: &Placing, step: &[f64]) -> Placing {
         let mut placing = from.clone();
         for (contact, surface) in &self.question.surfaces {
             let mut along = Vec::new();
@@ -131,7 +131,7 @@ impl<'q> Choice<'q> {
                     along.push(variable.unit * step);
                 }
             }
-            let spot = from.spots[*contact].as_ref().map(|spot| spot.moved(&surface.0, &along));
+            let spot = from.spots[*contact].as_ref().map(|spot| spot.stepped(&surface.0, &along));
             placing.tangents[*contact] = self.tangent(*contact, &from.tangents[*contact], spot.as_ref());
             placing.spots[*contact] = spot;
         }
@@ -148,8 +148,8 @@ impl<'q> Choice<'q> {
     /// The first tangent of a frame that follows its normal without turning about it.
     fn tangent(&self, contact: usize, from: &SVector<f64, 3>, spot: Option<&Spot>) -> SVector<f64, 3> {
         let Some(normal) = spot.map(|spot| spot.normal) else { return *from };
-        if self.given[contact].space == Space::Planar {
-            let sign = clockwise(&self.given[contact].normal).dot(&self.tangents[contact]);
+        if self.contacts[contact].space == Space::Planar {
+            let sign = clockwise(&self.contacts[contact].normal).dot(&self.tangents[contact]);
             return clockwise(&normal) * sign.signum();
         }
         let across = from - normal * normal.dot(from);
@@ -172,8 +172,8 @@ impl<'q> Choice<'q> {
 
     /// The contacts of a placing, with their commands.
     pub(super) fn contacts(&self, placing: &Placing) -> Vec<Contact<3>> {
-        numbered(self.given.len(), &|i| {
-            let mut contact = self.given[i].clone();
+        numbered(self.contacts.len(), &|i| {
+            let mut contact = self.contacts[i].clone();
             if let Some(spot) = &placing.spots[i] {
                 (contact.point, contact.normal) = (spot.point, spot.normal);
                 contact.tangent = Some(placing.tangents[i]);

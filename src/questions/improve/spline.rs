@@ -66,7 +66,7 @@ impl Spline {
 
     /// The points that were given, without the second copy of the first point of a closed spline.
     #[cfg(feature = "serde")]
-    pub(crate) fn given(&self) -> &[SVector<f64, 3>] {
+    pub(crate) fn interpolated_points(&self) -> &[SVector<f64, 3>] {
         &self.points[..self.points.len() - usize::from(self.closed)]
     }
 
@@ -106,15 +106,18 @@ impl Spline {
         // The nearest of the samples starts Newton's method.
         let pieces = (self.at.len() - 1) * 32;
         let t = |k: usize| self.end() * k as f64 / pieces as f64;
-        let off = |t: f64| (self.at(t)[0] - point).norm_squared();
-        let begin = (0..=pieces).map(t).min_by(|a, b| off(*a).total_cmp(&off(*b))).unwrap_or(0.0);
+        let square_distance = |t: f64| (self.at(t)[0] - point).norm_squared();
+        let begin = (0..=pieces)
+            .map(t)
+            .min_by(|a, b| square_distance(*a).total_cmp(&square_distance(*b)))
+            .unwrap_or(0.0);
         let mut best = begin;
         for _ in 0..30 {
             let [at, first, second] = self.at(best);
             let away = at - point;
             let curve = first.norm_squared() + away.dot(&second);
             let next = self.within(best - away.dot(&first) / curve);
-            if off(next) >= off(best) || next.is_nan() {
+            if square_distance(next) >= square_distance(best) || next.is_nan() {
                 break;
             }
             best = next;

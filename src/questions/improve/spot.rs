@@ -28,7 +28,7 @@ pub(super) struct Spot {
 
 impl Spot {
     fn new(surface: &Shape, part: usize, at: [f64; 3], side: f64) -> Self {
-        let there = surface.there(part, at);
+        let there = surface.surface_point(part, at);
         let (normal, bends) = (there.normal * side, mapped(&there.bends, &|bend| bend * side));
         Self { part, at, side, point: there.point, normal, along: there.along, bends, rooms: there.rooms }
     }
@@ -41,14 +41,14 @@ impl Spot {
             if side > 0.0 { spot } else { Self::new(surface, part, spot.at, side) }
         });
         // Where parts meet, the part with the most similar normal is taken.
-        let off = |spot: &Self| (spot.point - point).norm();
+        let distance = |spot: &Self| (spot.point - point).norm();
         let turned = |spot: &Self| 1.0 - spot.normal.dot(normal) / normal.norm();
         let edge = SOLVED_ROUNDING * surface.largest();
         let mut best: Option<Self> = None;
         for spot in spots {
             let better = best.as_ref().is_none_or(|best| {
-                off(&spot) < off(best) - edge
-                    || (off(&spot) <= off(best) + edge && turned(&spot) < turned(best))
+                distance(&spot) < distance(best) - edge
+                    || (distance(&spot) <= distance(best) + edge && turned(&spot) < turned(best))
             });
             if better {
                 best = Some(spot);
@@ -58,7 +58,7 @@ impl Spot {
     }
 
     /// The place after a step along its directions, m.
-    pub(super) fn moved(&self, surface: &Shape, step: &[f64]) -> Self {
+    pub(super) fn stepped(&self, surface: &Shape, step: &[f64]) -> Self {
         let [a, b, c] = self.at;
         let (first, second) = (step[0], step.get(1).copied().unwrap_or(0.0));
         let at = match surface {
@@ -99,8 +99,8 @@ impl Spot {
         moved
     }
 
-    /// The same place on the adjacent parts, if it is at the end of its own.
-    pub(super) fn beside(&self, surface: &Shape) -> Vec<Self> {
+    /// The same place on the adjacent parts, if it is at the end of its own part of the surface.
+    pub(super) fn adjacent(&self, surface: &Shape) -> Vec<Self> {
         let near = NEGLIGIBLE * surface.largest();
         if surface.parts() == 1 || self.rooms.iter().all(|(_, room)| *room > near) {
             return Vec::new();
@@ -112,7 +112,7 @@ impl Spot {
     }
 
     /// A uniformly random place on the whole surface, on the same side.
-    pub(super) fn drawn(&self, surface: &Shape, draw: &mut Draw) -> Self {
+    pub(super) fn random(&self, surface: &Shape, draw: &mut Draw) -> Self {
         let sizes: Vec<f64> = numbered(surface.parts(), &|part| surface.size(part));
         let mut left = draw.uniform() * sizes.iter().sum::<f64>();
         let mut part = 0;
@@ -122,7 +122,7 @@ impl Spot {
         }
         let [u, v] = [draw.uniform(), draw.uniform()];
         // The corners of all triangles have one order, and so have the ends of all edges, so that the side stays the same.
-        Self::new(surface, part, surface.drawn(part, [u, v]), self.side)
+        Self::new(surface, part, surface.random(part, [u, v]), self.side)
     }
 }
 
@@ -137,9 +137,9 @@ mod tests {
         for unit in [1e-10, 1.0, 1e16] {
             let Surface(corner) = Surface::polyline([[0.0, 0.0], [unit, 0.0], [unit, unit]]);
             let on_the_first = |part: f64| Spot::new(&corner, 0, [part * unit, 0.0, 0.0], 1.0);
-            assert!(on_the_first(0.5).beside(&corner).is_empty(), "{unit:e}");
-            assert!(on_the_first(0.0).beside(&corner).is_empty(), "{unit:e}");
-            let beside = on_the_first(1.0).beside(&corner);
+            assert!(on_the_first(0.5).adjacent(&corner).is_empty(), "{unit:e}");
+            assert!(on_the_first(0.0).adjacent(&corner).is_empty(), "{unit:e}");
+            let beside = on_the_first(1.0).adjacent(&corner);
             assert_eq!(beside.iter().map(|spot| spot.part).collect::<Vec<_>>(), [1], "{unit:e}");
         }
     }

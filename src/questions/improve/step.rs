@@ -70,9 +70,10 @@ impl StepProgram {
                 (ends[j][0], left[j]) = (-left[j], 0.0);
             }
         }
-        let met = events.iter().zip(&self.factors).map(|(y, factor)| y * (factor - now)).sum::<f64>()
-            + bounds.iter().zip(&self.bounds).map(|(y, (_, left))| y * left.max(0.0)).sum::<f64>();
-        let residual = left.amax().max(met);
+        let complementarity =
+            events.iter().zip(&self.factors).map(|(y, factor)| y * (factor - now)).sum::<f64>()
+                + bounds.iter().zip(&self.bounds).map(|(y, (_, left))| y * left.max(0.0)).sum::<f64>();
+        let residual = left.amax().max(complementarity);
         let gain = least - now - 0.5 * (&curvature * &d).dot(&d);
         Some(TrialStep { d, gain, events, bounds, ends, residual })
     }

@@ -91,7 +91,7 @@ impl Surface<2> {
 
 /// A point of the plane with a third component of zero.
 fn in_space(point: impl Into<[f64; 2]>) -> SVector<f64, 3> {
-    SVector::from(point.into()).enter()
+    SVector::from(point.into()).into_inside()
 }
 
 impl Surface<3> {
@@ -141,8 +141,9 @@ impl<const C: usize> Surface<C> {
         point: impl Into<[f64; C]>,
         normal: impl Into<[f64; C]>,
     ) -> Result<([f64; C], [f64; C]), Error> {
-        let [point, normal] = self.0.nearest_to(point.into().enter().into(), normal.into().enter().into())?;
-        Ok((Face::leave(point), Face::leave(normal)))
+        let [point, normal] =
+            self.0.nearest_to(point.into().into_inside().into(), normal.into().into_inside().into())?;
+        Ok((Face::from_inside(point), Face::from_inside(normal)))
     }
 }
 

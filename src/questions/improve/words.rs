@@ -39,15 +39,15 @@ impl Improved<3> {
             None if is_reserve => write!(f, "{what} {} {unit} instead of sliding", much(after))?,
             None => write!(f, "{what} {} {unit} instead of sliding at rest", much(after))?,
         }
-        let told = self.told(words);
-        if !told.is_empty() {
-            write!(f, ": {told}")?;
+        let changes = self.changes_text(words);
+        if !changes.is_empty() {
+            write!(f, ": {changes}")?;
         }
         write!(f, ". {}", self.proof(words))
     }
 
     /// "left moves 3.1 mm along its edge, right 2 mm along its circle; both press with 10 N".
-    fn told(&self, words: Words) -> String {
+    fn changes_text(&self, words: Words) -> String {
         let mut far = 0.0_f64;
         for placed in &self.contacts {
             far = far.max(placed.moved);
@@ -61,16 +61,16 @@ impl Improved<3> {
                 pressed.push(placed);
             }
         }
-        let mut told = Vec::new();
+        let mut clauses = Vec::new();
         if moves.len() > MOST_NAMES {
-            told.push(format!("{} contacts move", moves.len()));
+            clauses.push(format!("{} contacts move", moves.len()));
         } else if !moves.is_empty() {
             let one = |k: usize| {
                 let (placed, verb) = (moves[k], if k == 0 { "moves " } else { "" });
                 let surface = placed.surface.as_deref().unwrap_or("surface");
                 format!("{} {verb}{} along its {surface}", placed.contact, words.length(placed.moved))
             };
-            told.push(listed(&numbered(moves.len(), &one)));
+            clauses.push(listed(&numbered(moves.len(), &one)));
         }
         let force = |placed: &Placed<3>| words.number(placed.normal_force);
         if let Some(first) = pressed.first() {
@@ -85,16 +85,16 @@ impl Improved<3> {
                     2 => ("both".to_owned(), "press"),
                     _ => ("all".to_owned(), "press"),
                 };
-                told.push(format!("{who} {verb} with {} N", force(first)));
+                clauses.push(format!("{who} {verb} with {} N", force(first)));
             } else if pressed.len() <= MOST_NAMES {
                 let each = numbered(pressed.len(), &|k| {
                     let verb = if k == 0 { "presses with " } else { "with " };
                     format!("{} {verb}{} N", pressed[k].contact.text(), force(pressed[k]))
                 });
-                told.push(listed(&each));
+                clauses.push(listed(&each));
             }
         }
-        told.join("; ")
+        clauses.join("; ")
     }
 
     /// The active events and bounds, or the reason why the search ended.

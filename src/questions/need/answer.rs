@@ -15,7 +15,7 @@ use crate::prelude::*;
 pub struct Needed {
     /// The sought quantity.
     pub quantity: Quantity,
-    /// The demand on it.
+    /// The demand that the amount has to meet.
     pub demand: Demand,
     /// The least or greatest amount that meets the demand, for the data as given, in the unit of `quantity`.
     pub amount: Amount,

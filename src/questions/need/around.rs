@@ -20,7 +20,8 @@ pub(super) struct Around {
 }
 
 impl SearchPlan {
-    /// `count` amounts beyond `from`, upwards or downwards, inside the range that forces can balance. With `coarse` also one at a ratio of 16.
+    /// `count` amounts beyond `from`, upwards or downwards, inside the range that forces can balance. With `coarse` the list also has the amount at a
+    /// ratio of 16 to `from`.
     fn scanned(&self, from: f64, up: bool, count: usize, coarse: bool) -> Vec<f64> {
         // The k-th of n amounts is at the ratio 4^((k/n)³). A larger ratio scans more coarsely near the start.
         let fine = (1..=count).map(|k| 4.0_f64.powf((k as f64 / count as f64).powi(3)));
@@ -42,8 +43,8 @@ impl SearchPlan {
 }
 
 impl Around {
-    /// Tries `scan` amounts on both sides of a bound, beside those `known`, inside the range that forces can balance. With `far` also one at a ratio of
-    /// 16.
+    /// Tries `scan` amounts on both sides of a bound, beside those `known`, inside the range that forces can balance. With `far` the scan also tries
+    /// the amount at a ratio of 16 to the bound.
     pub(super) fn of(
         bound: &Threshold,
         scan: usize,

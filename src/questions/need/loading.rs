@@ -158,7 +158,7 @@ impl Loading {
             let wanted = if demand == Demand::Sticks { &sticks } else { &held };
             if let Trial::DoesNot { .. } = wanted {
                 first.set(which);
-                // A load that is not held slides, too. If one slides before all were tried, it stays open whether all are held.
+                // A load that is not held also slides. If one slides before all were tried, it is not known whether all are held.
                 let held = (!held.does() || k + 1 == ramps.len()).then_some(held);
                 return Ok(Trials { held, sticks: Some(sticks) });
             }

@@ -15,7 +15,7 @@ use crate::words::{ALIKE_IN_WORDS, MOST_NAMES, Words, listed};
 pub struct Press {
     /// The contact, or the soft fingertip.
     pub part: WholeContact,
-    /// Its normal force, N; of a soft fingertip the sum over its points.
+    /// Normal force of the contact, N; for a soft fingertip the sum over its points.
     pub force: f64,
     /// Whether a command, a force or a vacuum of its own presses it; else it presses by reaction. `false` for all contacts where joints or tendons
     /// press.

@@ -26,7 +26,7 @@ pub enum Demand {
     Sticks,
     /// The object comes to rest while the loads are put on and taken off in turn, again and again; see [`Grasp::shake`](crate::ask::Grasp::shake).
     Rests,
-    /// The object does not walk under such loads; contacts may slide to and fro for ever.
+    /// The object does not walk while the loads are put on and taken off in turn; contacts may slide to and fro for ever.
     Stays,
 }
 
@@ -44,7 +44,7 @@ impl Demand {
 pub struct Need<const C: usize> {
     /// The sought quantity.
     pub(crate) quantity: Quantity,
-    /// The demand on it: by default that the object is held. Then the answer adds the amount with which nothing slides.
+    /// The demand that the amount has to meet: by default that the object is held. Then the answer adds the amount with which nothing slides.
     #[cfg_attr(feature = "serde", serde(default))]
     pub(super) demand: Demand,
     /// The load at rest; none if left out. It is constant, except where a force without `of` is sought: then amounts multiply it.

@@ -16,8 +16,8 @@ use crate::prelude::*;
 pub(super) struct Tries<'t> {
     /// The trial by the whole search for equilibria.
     pub(super) whole: TrialOf<'t>,
-    /// The same without the enumeration of contact states, which is slowest where no equilibrium exists; such a trial is undecided. With `true`, loads
-    /// beyond those asked about are not followed, so that the distance of a sufficient amount from the bound stays unknown.
+    /// A quick trial leaves out the enumeration of contact states, which is slowest where no equilibrium exists; such a trial is undecided. With
+    /// `true`, loads beyond those asked about are not followed, so that the distance of a sufficient amount from the bound stays unknown.
     pub(super) quick: &'t dyn Fn(f64, bool) -> Result<Trial, Error>,
 }
 

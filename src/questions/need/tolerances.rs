@@ -26,7 +26,7 @@ pub(super) const NEAR_AN_END: [f64; 3] = [4e-13, 1e-8, 1e-5];
 /// A bracket beyond it is halved in logarithms, since means of amounts that far apart approach the smaller one slowly.
 pub(super) const FAR_APART: f64 = 4.0;
 
-/// Ratio to the start up to which the search takes small steps; beyond it, the ratio of successive amounts.
+/// Ratio of an amount to the start up to which the search takes small steps. Beyond it, successive amounts have this ratio to each other.
 ///
 /// If smaller, windows of sufficient amounts a little away from the start are passed over. If larger, a search of an insufficient grasp takes longer.
 pub(super) const FAR_FROM_START: f64 = (1u32 << NEAR_DOUBLINGS) as f64;

@@ -20,7 +20,7 @@ pub(super) enum Trial {
         says: String,
         /// The fraction of the load that is carried; below 0 where the load at rest is not carried in full.
         carried: f64,
-        /// The same margin. It falls below 0 continuously at a bound where the carried part jumps.
+        /// The second margin of an amount that does not suffice: it falls below 0 continuously at a bound where the carried part jumps.
         other: f64,
         /// Whether the object is held, but moves farther than small motions.
         is_too_far: bool,

@@ -42,7 +42,7 @@ impl<const C: usize, Q: ScreeningQuestion<C>> OnVectors for BatchPart<'_, C, Q> 
             let [mut a, mut b, mut c, mut d] = [Forces::<C, Lanes>::none(); 4];
             self.screen(vectors, [&mut a, &mut b, &mut c, &mut d]);
         } else {
-            // On the heap: batches of few contacts have no use for so large a frame.
+            // These forces are on the heap, since batches of few contacts have no use for so large a stack frame.
             let mut rooms = Vec::new();
             rooms.resize(4, WideForces::<C>::none());
             if let [a, b, c, d] = &mut rooms[..] {

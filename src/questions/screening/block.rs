@@ -63,7 +63,7 @@ impl<const C: usize> Layout<C> {
         Self::OF_A_CONTACT * contacts + 3
     }
 
-    /// The same count, together with the commands and clearances that are also stored apart.
+    /// The count of numbers of one scene, together with the commands and clearances that are also stored apart.
     const fn with_parts(contacts: usize) -> usize {
         Self::numbers(contacts) + 2 * contacts
     }

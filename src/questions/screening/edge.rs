@@ -11,7 +11,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 /// no contact leaves.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LeavingEdge<const C: usize, X: Packed> {
-    /// The factor of the load at which the margin vanishes.
+    /// The load factor at which the margin vanishes.
     pub(super) factor: X,
     /// The index of the leaving contact; -1 where there is none.
     pub(super) contact: X,
@@ -22,7 +22,7 @@ pub(super) struct LeavingEdge<const C: usize, X: Packed> {
     pub(super) by_friction: [X; MOST_SCREENED],
     /// The rate m' along the load.
     pub(super) rate: X,
-    /// Positive if the least factor has a kink here, so that derivatives are one-sided.
+    /// Positive if the least load factor has a kink at these data, so that derivatives are one-sided.
     pub(super) kink: X,
 }
 
@@ -41,8 +41,8 @@ impl<const C: usize, X: Packed> LeavingEdge<C, X> {
         }
     }
 
-    /// Advances `forces` to the factor at which the first contact leaves. The edge is that of contact `which` if this contact leaves there, else that
-    /// of the first contact that leaves.
+    /// Advances `forces` to the load factor at which the first contact leaves. The edge is that of contact `which` if this contact leaves there, else
+    /// that of the first contact that leaves.
     #[inline(always)]
     pub(super) fn reach(
         &mut self,

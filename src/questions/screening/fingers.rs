@@ -49,15 +49,15 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
         (Kernels::get().prepare)(contacts).map(|grasp| Self { grasp })
     }
 
-    /// The factor at which the first contact stops sticking as the load grows, and the contacts that leave there. Where screening cannot decide, the
-    /// verdict says why.
+    /// The load factor at which the first contact stops sticking as the load grows, and the contacts that leave there. Where screening cannot decide,
+    /// the verdict says why.
     #[must_use]
     pub fn onset(&self, pull: &Pull<C>) -> Screened {
         Kernels::get().pull.ask(&self.grasp, pull)
     }
 
     /// Derivatives of the onset by all data of the grasp and the load: one gradient for each contact that leaves there, in rising order. Without a
-    /// factor there is none.
+    /// load factor there is none.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Fingers, Pull, Wrench};
@@ -88,7 +88,7 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
     }
 
     /// Derivatives of the onset, the first of [`Self::onset_gradients`] alone, written into memory that is reused. Afterwards `gradients` holds this
-    /// one gradient, with NaN if there is no factor. Nothing is allocated if it held a gradient of as many contacts before.
+    /// one gradient, with NaN if there is no load factor. Nothing is allocated if it held a gradient of as many contacts before.
     pub fn onset_gradient_into(&self, pull: &Pull<C>, gradients: &mut ScreenedGradients<C>) {
         gradients.contacts = N;
         gradients.numbers.clear();

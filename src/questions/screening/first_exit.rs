@@ -13,9 +13,9 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 
 /// Where one contact leaves its cone.
 struct Exit<X: Packed> {
-    /// The factor at which it leaves; infinite if it never does, a code if that is not known.
+    /// The load factor at which it leaves; infinite if it never does, a code if that is not known.
     factor: X,
-    /// The margin to the edge at factor zero.
+    /// The margin to the edge of the cone at load factor zero.
     margin: X,
     /// The rounding of that margin.
     rounding: X,
@@ -23,7 +23,7 @@ struct Exit<X: Packed> {
     lost: X,
 }
 
-/// The factor at which `F + factor · F'` leaves the cone. The margin at factor zero must not be negative.
+/// The load factor at which `F + factor · F'` leaves the cone. The margin at load factor zero must not be negative.
 ///
 /// With n and t for `α F_n` and `β F_t` the margin `n - |t|` is concave along the line. For large factors it closes at the rate `|t'| - n'`; the line
 /// leaves at all only if that exceeds its rounding. In the plane the margin is the least of two straight lines. In space its first root solves a
@@ -63,14 +63,15 @@ fn exit<const C: usize, X: Packed>(
     Exit { factor, margin, rounding: weight * base.of[contact].rounding, lost }
 }
 
-/// The factor if the margin closes there at a clear rate. It is infinite if the rate is zero up to rounding, and a code if the rate is not clear.
+/// The load factor at which the margin vanishes, if it does so at a clear rate. It is infinite if the rate is zero up to rounding, and a code if the
+/// rate is not clear.
 #[inline(always)]
 fn known<X: Packed>(factor: X, closing: X, noise: X) -> X {
     let factor = closing.above(X::all(SHARP_MARGIN) * noise, factor, X::all(UNCLEAR));
     closing.above(noise, factor, X::all(f64::INFINITY))
 }
 
-/// The verdicts on the scenes of a block, from the forces at factor zero and their rates.
+/// The verdicts on the scenes of a block, from the forces at load factor zero and their rates.
 #[inline(never)]
 pub(super) fn judge<V: Vectors, const C: usize, X: Packed>(
     v: V,
@@ -102,7 +103,7 @@ fn judged<const C: usize, X: Packed>(
         start.add(exit.margin, exit.rounding, exit.lost);
     }
     let until = X::all(1.0 + SOLVED_ROUNDING) * first;
-    // A finger of several points leaves where one of them does.
+    // A finger of several points leaves if one of its points leaves by then.
     let (mut leaving, mut leaves, mut finger) = (zero, zero, X::all(1.0));
     for i in 0..contacts {
         leaves = factors[i].above(until, leaves, finger);

@@ -1,4 +1,4 @@
-//! The first slip of one grasp, at a factor or an angle.
+//! The first slip of one grasp, at a load factor or an angle.
 
 use core::fmt;
 
@@ -8,9 +8,9 @@ use crate::prelude::*;
 /// The first slip of one grasp encoded as numbers, so that kernels select it without a branch.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct SlipCode {
-    /// The factor or the angle (rad), infinite if no contact leaves, or one of the codes below.
+    /// The load factor or the angle (rad), infinite if no contact leaves, or one of the codes below.
     pub(super) code: f64,
-    /// Sum of 2^i over the contacts i that leave at this factor or angle.
+    /// Sum of 2^i over the contacts i that leave at this load factor or angle.
     pub(super) leaving: f64,
 }
 
@@ -30,16 +30,16 @@ pub enum ScreeningVerdict {
     Leaves,
     /// However large the load grows, or as far as it turns, no contact stops sticking.
     Never,
-    /// Not every contact sticks at factor or angle zero: one would slide or be open there, or there may be no equilibrium.
+    /// Not every contact sticks at load factor or angle zero: one would slide or be open, or there may be no equilibrium.
     /// [`Grasp::onset`](crate::ask::Grasp::onset) and [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn) decide which.
     NotSticking,
-    /// The load works on a motion that no contact resists, at factor or angle zero or beyond.
+    /// The load works on a motion that no contact resists, at load factor or angle zero or beyond.
     GivesWay,
     /// Single passes of floating-point arithmetic cannot decide. [`Grasp::onset`](crate::ask::Grasp::onset) or
     /// [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn) can.
     ///
-    /// * A contact is within rounding of the edge of its cone at factor or angle zero.
-    /// * A margin closes so slowly that rounding would show in the factor or the angle.
+    /// * A contact is within rounding of the edge of its cone at load factor or angle zero.
+    /// * A margin closes so slowly that rounding would show in the load factor or the angle.
     /// * While the load turns, the margin of a contact comes within rounding of zero, so that the contact may or may not leave. Or it leaves where
     ///   the turn ends.
     /// * Two contacts in the plane do not hold the object because friction is missing.

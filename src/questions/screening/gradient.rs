@@ -1,4 +1,4 @@
-//! Derivatives of the factor of a pull by all data of a grasp.
+//! Derivatives of the load factor at first slip by all data of a grasp.
 //!
 //! The factor is where the margin m of the leaving contact vanishes, so that `dτ = -dm / m'`. Let g = ∂m/∂F of that contact. The springs are solved
 //! once more, with g as the command of its finger and nothing else. All derivatives follow from the forces P and the motion (v, ω̄) of the object in
@@ -26,7 +26,7 @@ use super::screened::Screened;
 use super::springs::Cause;
 use crate::numerics::Vectors;
 
-/// The derivatives of the factor of a pull.
+/// The derivatives of the load factor at which a pull makes a contact slide.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GradientOf<const C: usize> {
     pub(super) pull: Pull<C>,

@@ -1,4 +1,4 @@
-//! The derivatives of one factor, in a row of numbers.
+//! The derivatives of one load factor, in a row of numbers.
 
 use super::answer_slots::AnswerSlots;
 use super::block::{Block, Layout, MOST_SCREENED, count};
@@ -47,9 +47,9 @@ const LONGEST_ROW: usize = GradientRow::<3>::numbers(MOST_SCREENED);
 pub(super) struct Slopes<'a, const C: usize, X: Packed> {
     pub(super) method: Method,
     pub(super) edge: &'a LeavingEdge<C, X>,
-    /// F and P of [`super::gradient`].
+    /// The forces F and P that [`super::gradient`] defines.
     pub(super) forces: [&'a AnyForces<C, X>; 2],
-    /// (u, ω) and (v, ω̄) of [`super::gradient`].
+    /// The motions (u, ω) and (v, ω̄) that [`super::gradient`] defines.
     pub(super) motions: [&'a ObjectMotion<C, X>; 2],
     pub(super) first: X::Each<Screened>,
 }

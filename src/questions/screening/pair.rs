@@ -134,7 +134,7 @@ impl<X: Packed> Pair<X> {
         }
     }
 
-    /// Scale of the rounding of forces by commands.
+    /// Scale of the rounding of the forces that commands cause.
     #[inline(always)]
     fn size_of<const C: usize>(&self, length: X, asked: &Commanded<'_, C, X>) -> X {
         let mut commands = X::all(0.0);

@@ -13,7 +13,7 @@ pub(super) struct AlongTheLine<X: Packed> {
 }
 
 impl<X: Packed> AlongTheLine<X> {
-    /// For the line between two points.
+    /// The exchange for the line between two points.
     #[inline(always)]
     pub(super) fn between<const C: usize>(points: &[&[X]; C]) -> Self {
         let (zero, one) = (X::all(0.0), X::all(1.0));

@@ -31,14 +31,14 @@ impl Screened {
         self.0.place()
     }
 
-    /// Whether every contact is known to stick up to and including this factor. For negative factors nothing is known.
+    /// Whether every contact is known to stick up to and including this load factor. For negative load factors nothing is known.
     #[must_use]
     pub fn holds_up_to(&self, factor: f64) -> bool {
         self.0.holds_up_to(factor)
     }
 
-    /// The contacts that leave at the factor, counted from 0, in rising order. They are several if their factors agree to twelve digits, and none
-    /// unless the verdict is [`ScreeningVerdict::Leaves`].
+    /// The contacts that leave at the load factor, counted from 0, in rising order. They are several if their load factors agree to twelve digits,
+    /// and none unless the verdict is [`ScreeningVerdict::Leaves`].
     pub fn leaving(&self) -> impl Iterator<Item = usize> + use<> {
         self.0.leaving()
     }

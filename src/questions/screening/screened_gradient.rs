@@ -5,7 +5,7 @@ use super::gradient_row::GradientRow;
 use super::screened::Screened;
 use crate::prelude::*;
 
-/// Derivatives of many factors, in the order of their answers: rows of numbers in memory that is reused.
+/// Derivatives of many load factors, in the order of their answers: rows of numbers in memory that is reused.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ScreenedGradients<const C: usize> {
     pub(super) contacts: usize,
@@ -83,8 +83,8 @@ pub struct ScreenedGradient<'a, const C: usize> {
 }
 
 impl<const C: usize> ScreenedGradient<'_, C> {
-    /// The answer itself, equal bit for bit to that of [`Fingers::onset`](crate::screening::Fingers::onset): the factor, and the contacts that leave
-    /// there.
+    /// The answer itself, equal bit for bit to that of [`Fingers::onset`](crate::screening::Fingers::onset): the load factor, and the contacts that
+    /// leave at it.
     #[must_use]
     pub fn screened(&self) -> Screened {
         Screened(SlipCode {
@@ -93,7 +93,7 @@ impl<const C: usize> ScreenedGradient<'_, C> {
         })
     }
 
-    /// The contact whose margin vanishes, counted from 0: the active event. `None` without a factor.
+    /// The contact whose margin vanishes, counted from 0: the active event. `None` without a load factor.
     #[must_use]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // it is a small whole number
     pub fn contact(&self) -> Option<usize> {
@@ -101,7 +101,7 @@ impl<const C: usize> ScreenedGradient<'_, C> {
         (contact >= 0.0).then_some(contact as usize)
     }
 
-    /// Whether the factor has a kink here, so that derivatives are one-sided.
+    /// Whether the load factor has a kink at these data, so that derivatives are one-sided.
     #[must_use]
     pub fn is_one_sided(&self) -> bool {
         self.row[GradientRow::<C>::KINK] > 0.0
@@ -144,8 +144,8 @@ impl<const C: usize> ScreenedGradient<'_, C> {
         self.row[GradientRow::<C>::friction(self.contacts)..GradientRow::<C>::load(self.contacts)][contact]
     }
 
-    /// Derivatives by the components of the base load, 1/N and 1/(N m), moments about the origin. Derivatives by the direction are the factor times
-    /// these.
+    /// Derivatives by the components of the base load, 1/N and 1/(N m), moments about the origin. Derivatives by the direction are the load factor
+    /// times these.
     #[must_use]
     pub fn base_load(&self) -> &[f64] {
         &self.row[GradientRow::<C>::load(self.contacts)..]

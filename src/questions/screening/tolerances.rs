@@ -2,7 +2,7 @@
 //!
 //! All of them are dimensionless. Screening makes single passes, so an answer that would need a refinement is called unclear.
 
-/// A contact may be on the edge of its cone if its margin at factor zero is below this fraction of the forces there.
+/// A contact may be on the edge of its cone if its margin at load factor zero is below this fraction of the forces.
 ///
 /// If smaller, rounding would decide whether it sticks. If larger, more grasps would be unclear.
 pub(super) const ON_THE_EDGE: f64 = 1e-12;

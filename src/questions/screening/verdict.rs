@@ -4,13 +4,13 @@ use super::first_slip::{GIVES_WAY, NOT_STICKING, SlipCode, UNCLEAR};
 use super::lanes::Packed;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 
-/// The state of scenes at factor or angle zero.
+/// The state of scenes at load factor or angle zero.
 pub(super) struct Start<X: Packed> {
-    /// The least margin of a contact to the edge of its cone, of those whose squares keep their digits.
+    /// The least distance of a contact force to the edge of its cone, among contacts whose squared forces neither over- nor underflow.
     margin: X,
-    /// The least of these margins less their rounding.
+    /// The least of these distances less their rounding.
     sure: X,
-    /// Minus infinity where the squares of some contact over- or underflow, so that nothing is certain of it; else zero.
+    /// Minus infinity where squared forces of some contact over- or underflow, so that no verdict is certain; else zero.
     lost: X,
     /// Positive if the load works on a motion that no contact resists.
     pub(super) free: X,
@@ -39,7 +39,7 @@ impl<X: Packed> Start<X> {
     }
 }
 
-/// The verdicts. The factor or angle at which contacts leave first (infinite, or a code) is valid if all of them stick at the start and forces
+/// The verdicts. The load factor or angle at which contacts leave first (infinite, or a code) is valid if all of them stick at the start and forces
 /// balance.
 #[inline(always)]
 pub(super) fn verdicts<A: Copy, X: Packed>(

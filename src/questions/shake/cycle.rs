@@ -29,13 +29,13 @@ pub(super) struct Cycle {
 impl Cycle {
     /// The next cycle; `None` if its path ends before the cycle does.
     pub(super) fn next(engine: &Engine, cycles: &mut Cycles<'_>) -> Option<Self> {
-        let from = cycles.standing()?;
-        let record = cycles.go()?;
-        let to = cycles.standing()?;
+        let from = cycles.cycle_state()?;
+        let record = cycles.follow_cycle()?;
+        let to = cycles.cycle_state()?;
         Some(Self { scale: scale_of(engine, &record, &to), from, to, record })
     }
 
-    /// A cycle that begins at the state `there`, and the follower of the cycles after it.
+    /// A cycle that begins at the state `there`, and the program that continues with the cycles after it.
     pub(super) fn beginning_at<'g>(
         engine: &'g Engine,
         cycles: &Cycles<'g>,
@@ -50,7 +50,7 @@ impl Cycle {
         Some((cycle, others))
     }
 
-    /// Appends the next cycle, so that both count as one.
+    /// Appends the next cycle, so that this cycle and the next count as one.
     pub(super) fn append(&mut self, next: &Self) {
         self.record.append(&next.record);
         self.scale = Scale {
@@ -65,7 +65,7 @@ impl Cycle {
         place.numbers(&self.scale, &|i| self.record.open[i].is_some())
     }
 
-    /// The change of these numbers from the beginning of the cycle to its end.
+    /// The change of forces and gaps from the beginning of the cycle to its end, without unit.
     pub(super) fn difference(&self) -> DVector<f64> {
         self.numbers(&self.to) - self.numbers(&self.from)
     }
@@ -96,7 +96,7 @@ impl Cycle {
         first.map(|cycles| cycles.max(0.0) as usize)
     }
 
-    /// Whether a site slides in the cycle.
+    /// Whether a contact or drive slides in the cycle.
     pub(super) fn slides(&self, site: usize) -> bool {
         self.record.slid[site] > NEGLIGIBLE * self.scale.stretch
     }
@@ -116,7 +116,7 @@ impl Cycle {
 fn scale_of(engine: &Engine, record: &CycleRecord, at: &CycleState) -> Scale {
     let softness = |(site, force): (&Site, &SVector<f64, 3>)| {
         let size = force.norm();
-        if size > 0.0 { site.springs.give(force).norm() / size } else { 0.0 }
+        if size > 0.0 { site.springs.deflection(force).norm() / size } else { 0.0 }
     };
     let softest = engine.sites().iter().zip(&at.forces).map(softness).fold(0.0, f64::max);
     let force = if record.largest > 0.0 { record.largest } else { 1.0 };

@@ -24,7 +24,7 @@ impl Engine {
         settings: &Settings,
     ) -> Result<Shaken<3>, Error> {
         let cycles = Cycles::at_rest(self, (base, legs), settings)?;
-        let Some(rest) = cycles.standing() else {
+        let Some(rest) = cycles.cycle_state() else {
             let repeats =
                 Repeats::NoRest { rest: Box::new(self.hold(&Ramp::load(*base, Wrench::ZERO), settings)?) };
             return Ok(Shaken {
@@ -68,7 +68,7 @@ struct Shaking<'g, 's> {
     cycles: Cycles<'g>,
     /// The states between the last cycles with the same events.
     places: Vec<CycleState>,
-    /// Whether each site has slid so far.
+    /// Whether each contact or drive has slid so far.
     slid: Vec<bool>,
     round: Round,
     /// The period in cycles.
@@ -89,17 +89,18 @@ impl<'g> Shaking<'g, '_> {
             self.followed += 1;
             self.cycles_gone += 1;
             let Some(cycle) = Cycle::next(self.engine, &mut self.cycles) else {
-                let repeats = self.ended(self.cycles_gone);
-                return walked_out.unwrap_or_else(|| self.shaken(repeats, (change, 0.0), None));
+                let repeats = self.repeats_at_end(self.cycles_gone);
+                return walked_out.unwrap_or_else(|| self.answer(repeats, (change, 0.0), None));
             };
             change = cycle.change();
             let mut round = core::mem::replace(&mut self.round, Round::new());
             let alone = (change <= cycle.same()).then_some((&cycle, 1));
             if let Some((closed, many)) = alone.or_else(|| round.closed_by(&cycle)) {
                 let Some(more) = closed.cycles_until_closing() else {
-                    let (repeats, change) = (self.told(closed, Some(self.cycles_gone)), closed.change());
+                    let (repeats, change) =
+                        (self.repeats_from(closed, Some(self.cycles_gone)), closed.change());
                     self.every = many;
-                    return self.shaken(repeats, (change, 0.0), Some(&cycle.to));
+                    return self.answer(repeats, (change, 0.0), Some(&cycle.to));
                 };
                 // Until a contact closes, every further cycle, or every group of `many` cycles, repeats this one.
                 let there = closed.to.moved_on(&closed.from, more as f64);
@@ -108,16 +109,16 @@ impl<'g> Shaking<'g, '_> {
                 {
                     self.note(&cycle);
                     (self.cycles, last) = (further, None);
-                    self.begin_at(there, many * more);
+                    self.restart_from(there, many * more);
                     continue;
                 }
             }
             self.round = round;
             self.note(&cycle);
             if walked_out.is_none() && self.has_walked_out(&cycle) {
-                let repeats = self.told(&cycle, Some(self.cycles_gone));
-                walked_out = Some(self.shaken(repeats, (change, 0.0), Some(&cycle.to)));
-                // A steady walk that begins within these further cycles is a better answer.
+                let repeats = self.repeats_from(&cycle, Some(self.cycles_gone));
+                walked_out = Some(self.answer(repeats, (change, 0.0), Some(&cycle.to)));
+                // A steady walk would be a better answer, so that some further cycles are followed.
                 most_cycles = most_cycles.min(self.followed + 2 * KEPT_STATES);
             }
             let is_alike = last.as_ref().is_some_and(|last| last.record.is_like(&cycle.record));
@@ -130,14 +131,14 @@ impl<'g> Shaking<'g, '_> {
             // The limit is extrapolated after three cycles with the same events, and again after each three
             // more.
             if self.alike > 0 && self.alike.is_multiple_of(3) {
-                match self.ahead(&cycle) {
+                match self.extrapolate(&cycle) {
                     Ahead::To { limit, ratio, error } => {
-                        let repeats = self.told(&limit, None);
-                        return self.shaken(repeats, (error, ratio), Some(&limit.to));
+                        let repeats = self.repeats_from(&limit, None);
+                        return self.answer(repeats, (error, ratio), Some(&limit.to));
                     }
                     Ahead::Further { cycle, cycles, passed } => {
                         self.cycles = *cycles;
-                        self.begin_at(cycle.to.clone(), passed + 1);
+                        self.restart_from(cycle.to.clone(), passed + 1);
                         last = Some(*cycle);
                         continue;
                     }
@@ -146,12 +147,12 @@ impl<'g> Shaking<'g, '_> {
             }
             last = Some(cycle);
         }
-        walked_out.unwrap_or_else(|| self.shaken(Repeats::Undecided { doubt: None }, (change, 0.0), None))
+        walked_out.unwrap_or_else(|| self.answer(Repeats::Undecided { doubt: None }, (change, 0.0), None))
     }
 
     /// Continues from another state, `passed` cycles later.
-    fn begin_at(&mut self, there: CycleState, passed: usize) {
-        self.places = vec![there];
+    fn restart_from(&mut self, state: CycleState, passed: usize) {
+        self.places = vec![state];
         self.round = Round::new();
         self.alike = 0;
         self.cycles_gone += passed;
@@ -161,7 +162,7 @@ impl<'g> Shaking<'g, '_> {
     ///
     /// The states from which these events follow form a convex set, and changes die out from the last state to the extrapolated one. If the events are
     /// the same at both, they are the same at all states in between. Two events that only swap their order do not change the map.
-    fn ahead(&mut self, last: &Cycle) -> Ahead<'g> {
+    fn extrapolate(&mut self, last: &Cycle) -> Ahead<'g> {
         let places = self.places.clone();
         let numbers: Vec<_> = mapped(&places, &|place| last.numbers(place));
         let Some(recurrence) = Recurrence::of(&places, &numbers, last.same()) else {
@@ -170,22 +171,23 @@ impl<'g> Shaking<'g, '_> {
         let near = if last.record.step_error > 0.0 { NEAR_THE_LIMIT_ON_ARCS } else { NEAR_THE_LIMIT };
         // If an earlier trial this close to the limit failed, the next one is closer.
         let near = near.min(1e-3 * last.change()).max(last.same());
-        let farthest = recurrence.until(near);
+        let farthest = recurrence.cycles_until(near);
         let mut passed = farthest;
         // The least number of cycles that a trial looks ahead.
         let fewest = 4;
         loop {
-            let (there, foretold) = recurrence.after(passed);
+            let (state, predicted) = recurrence.after(passed);
             self.followed += 1;
-            let tried = Cycle::beginning_at(self.engine, &self.cycles, &there, self.settings);
+            let tried = Cycle::beginning_at(self.engine, &self.cycles, &state, self.settings);
             let is_so = |cycle: &Cycle| {
-                let off = (last.numbers(&cycle.to) - last.numbers(&cycle.from) - &foretold).amax();
-                off <= last.same() || (cycle.record.is_like(&last.record) && off <= 1e-3 * foretold.amax())
+                let error = (last.numbers(&cycle.to) - last.numbers(&cycle.from) - &predicted).amax();
+                error <= last.same()
+                    || (cycle.record.is_like(&last.record) && error <= 1e-3 * predicted.amax())
             };
             match tried.filter(|(cycle, _)| is_so(cycle)) {
                 Some((cycle, cycles)) if passed >= fewest || passed == farthest => {
                     if passed == farthest
-                        && foretold.amax() <= 2.0 * near
+                        && predicted.amax() <= 2.0 * near
                         && let Some(limit) = self.limit(&recurrence, last)
                     {
                         let (error, ratio) = (limit.change(), recurrence.ratio());
@@ -222,7 +224,7 @@ impl<'g> Shaking<'g, '_> {
     }
 
     /// The verdict where the path ends within a cycle.
-    fn ended(&self, cycle: usize) -> Repeats<3> {
+    fn repeats_at_end(&self, cycle: usize) -> Repeats<3> {
         match self.cycles.end() {
             Some(PathEnd::Lost(loss)) => {
                 let (leg, fraction) = self.cycles.place();
@@ -239,7 +241,7 @@ impl<'g> Shaking<'g, '_> {
     }
 
     /// The verdict from a cycle that repeats itself. `number` counts it from rest; it is `None` for the limit of a sequence of cycles.
-    fn told(&self, cycle: &Cycle, number: Option<usize>) -> Repeats<3> {
+    fn repeats_from(&self, cycle: &Cycle, number: Option<usize>) -> Repeats<3> {
         let (slides, dissipated) = (self.parts(&|i| cycle.slides(i)), cycle.record.dissipated);
         if !(0..self.slid.len()).any(|i| cycle.slides(i)) {
             let slid = self.parts(&|i| self.slid[i]);
@@ -260,8 +262,8 @@ impl<'g> Shaking<'g, '_> {
     }
 
     /// The answer, with the motion at the state `at`, or at the end of the path.
-    fn shaken(&self, repeats: Repeats<3>, (change, ratio): (f64, f64), at: Option<&CycleState>) -> Shaken<3> {
-        let here = self.cycles.standing();
+    fn answer(&self, repeats: Repeats<3>, (change, ratio): (f64, f64), at: Option<&CycleState>) -> Shaken<3> {
+        let here = self.cycles.cycle_state();
         let moved = at.or(here.as_ref()).map(|at| self.moves(&self.rest, at)).unwrap_or_default();
         let state = self.cycles.end().is_none().then(|| self.cycles.state()).flatten().map(Box::new);
         Shaken {

@@ -33,8 +33,8 @@ impl<'p> Recurrence<'p> {
             let (last, others) = changes.split_last()?;
             let decomposed = Singular::new(&DMatrix::from_columns(others));
             let coefficients = decomposed.solve(last, SOLVED_ROUNDING * decomposed.values[0]);
-            let told = others.iter().zip(coefficients.iter());
-            let left = told.fold(last.clone(), |left, (change, weight)| left - change * *weight);
+            let terms = others.iter().zip(coefficients.iter());
+            let left = terms.fold(last.clone(), |left, (change, weight)| left - change * *weight);
             let coefficients = coefficients.iter().copied().list();
             (left.amax() <= error).then_some(Self { places, changes, coefficients })
         })
@@ -48,7 +48,7 @@ impl<'p> Recurrence<'p> {
 
     /// The number of cycles until changes are at most `small`, from their ratio. It is at most a million, and a million if changes do not shrink.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to a million")]
-    pub(super) fn until(&self, small: f64) -> usize {
+    pub(super) fn cycles_until(&self, small: f64) -> usize {
         let last = self.changes[self.changes.len() - 1].amax();
         let cycles = (small / last).ln() / self.ratio().ln();
         let farthest = 1_usize << 20;
@@ -124,7 +124,7 @@ fn power_and_sum(a: &DMatrix<f64>, n: usize) -> (DMatrix<f64>, DMatrix<f64>) {
 }
 
 impl CycleState {
-    /// Forces and gaps as numbers without unit, and which sites slide with less friction than at rest; gaps of sites `aside` are zero.
+    /// Forces and gaps as numbers without unit, and which contacts slide with kinetic friction; gaps of the contacts `aside` are zero.
     pub(super) fn numbers(&self, scale: &Scale, aside: &dyn Fn(usize) -> bool) -> DVector<f64> {
         let mut numbers = Vec::new();
         for force in &self.forces {

@@ -5,13 +5,13 @@
 
 use super::cycle::Cycle;
 
-/// The cycles since the state of comparison.
+/// The cycles since the earlier state with which new ones are compared.
 #[derive(Debug)]
 pub(super) struct Round {
     /// These cycles joined to one.
     all: Option<Cycle>,
     many: usize,
-    /// Number of cycles after which the state of comparison is replaced.
+    /// Number of cycles after which this earlier state is replaced.
     most: usize,
 }
 

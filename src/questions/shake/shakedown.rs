@@ -30,12 +30,12 @@ pub struct Shakedown<const C: usize> {
     /// of the loads, as long as no contact opens. This is a proof, by linear programming, up to 1e-9.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub factor: f64,
-    /// Slips with which nothing slides at that factor, m, in contact frames; their normal components are zero.
+    /// Slips with which nothing slides under the loads times `factor`, m, in contact frames; their normal components are zero.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Vec<SVector<f64, C>>>"))]
     pub slips: Vec<SVector<f64, C>>,
-    /// The contacts that would slide first with a larger factor, and the load under which.
+    /// The contacts that would slide first if the loads grew beyond `factor`, each with the load under which it slides.
     pub binding: Vec<BindingContact>,
-    /// Whether slips change normal forces. If not, the grasp comes to rest up to the factor; otherwise it may not.
+    /// Whether slips change normal forces. If not, the grasp comes to rest under loads up to `factor`; otherwise it may not.
     pub slips_change_normal_forces: bool,
     /// Whether some contacts have [less friction](crate::grasp::Contact::kinetic) once they slide. They may then slide past the slips that would keep
     /// them at rest.
@@ -104,9 +104,9 @@ impl Engine {
         }
         let program = Program::new(&sticking.edges, &rest.of, &under, &slips.iter().map(|(_, f)| f).list());
         let Some((factor, sizes, multipliers)) = program.solved() else { return Ok(None) };
-        let mut told = none;
+        let mut residual_slips = none;
         for (((i, axis), _), size) in slips.iter().zip(&sizes) {
-            told[*i][*axis] = *size;
+            residual_slips[*i][*axis] = *size;
         }
         let most = multipliers.iter().copied().fold(0.0, f64::max);
         let mut binding = Vec::new();
@@ -126,7 +126,7 @@ impl Engine {
         let around_the_round_cone = settings.is_round(self.space());
         Ok(Some(Shakedown {
             factor,
-            slips: told,
+            slips: residual_slips,
             binding,
             slips_change_normal_forces,
             friction_falls: self.weaker_once_they_slide().next().is_some(),
@@ -137,12 +137,12 @@ impl Engine {
 
 /// The linear program: the greatest λ >= 0 with `b + λ a + S s >= 0`, scaled to numbers near one.
 struct Program {
-    /// The load, 0 for that at rest, and the site of each row.
+    /// The load of each row, 0 for that at rest, and its contact or drive.
     of: Vec<(usize, usize)>,
     b: Vec<f64>,
     a: Vec<f64>,
     s: DMatrix<f64>,
-    /// Units of the factor, and of each slip.
+    /// Units of the load factor, and of each slip.
     units: (f64, Vec<f64>),
 }
 

@@ -76,7 +76,7 @@ pub enum Repeats<const C: usize> {
         dissipated: f64,
     },
     /// The object moves by the same amount in every cycle. Or it has walked farther than the distance of its contacts while forces still
-    /// [change](Shaken::change); motions are not small there, so the walk is not followed further.
+    /// [change](Shaken::change); such motions are not small, so the walk is not followed further.
     Walks {
         /// The motion per period, of the object or of each body.
         by: Vec<BodyMotion<C>>,

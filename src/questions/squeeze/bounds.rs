@@ -45,7 +45,7 @@ impl<const C: usize> Bounds<C> {
         self
     }
 
-    /// Bounds of the components of the load direction, N and N m for each unit of the factor.
+    /// Bounds of the components of the load direction, N and N m for each unit of the load factor.
     #[must_use]
     pub fn with_direction(mut self, bounds: Wrench<C>) -> Self {
         self.direction = bounds;

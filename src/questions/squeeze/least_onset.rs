@@ -27,7 +27,7 @@ use crate::search::Settings;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum LeastOnset<const C: usize> {
-    /// At this factor a contact stops sticking in the worst case, and at no smaller factor in any case.
+    /// At this load factor a contact stops sticking in the worst case, and at no smaller one in any case.
     #[non_exhaustive]
     At {
         /// The load factor, exact up to rounding.
@@ -41,7 +41,7 @@ pub enum LeastOnset<const C: usize> {
     },
     /// All contacts keep sticking for all data within the bounds, at every load factor.
     Never,
-    /// For some data within the bounds this contact is open or slides at factor 0 already.
+    /// For some data within the bounds this contact is open or slides at load factor 0 already.
     NotSticking {
         /// The contact, from 0.
         contact: usize,
@@ -120,11 +120,11 @@ impl Engine {
         let mut commands: Vec<_> = mapped(self.contacts(), &Contact::commanded);
         let (mut base, mut direction) = (ramp.base.coordinates(space), ramp.direction.coordinates(space));
         for (share, sign) in shares.iter().zip(signs) {
-            let off = sign * share.bound;
+            let shift = sign * share.bound;
             match share.datum {
-                Datum::Command(contact, axis) => commands[contact][axis] += off,
-                Datum::Base(component) => base[component] += off,
-                Datum::Direction(component) => direction[component] += off,
+                Datum::Command(contact, axis) => commands[contact][axis] += shift,
+                Datum::Base(component) => base[component] += shift,
+                Datum::Direction(component) => direction[component] += shift,
             }
         }
         let (base, direction) = (Wrench::among(space, &base), Wrench::among(space, &direction));

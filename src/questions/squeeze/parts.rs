@@ -98,9 +98,9 @@ impl<'l> Parts<'l> {
             Loads::AnyForce { base, size, point } => {
                 let (force, influence) = (self.base[0].of[contact] + squeeze, &self.influences[contact]);
                 let condition = |row: SVector<f64, 3>| {
-                    let felt = influence.felt(&row);
-                    let against: [f64; 3] = (felt / -felt.norm().max(f64::MIN_POSITIVE)).into();
-                    let value = row.dot(&force) - size * felt.norm();
+                    let gradient = influence.gradient_of(&row);
+                    let against: [f64; 3] = (gradient / -gradient.norm().max(f64::MIN_POSITIVE)).into();
+                    let value = row.dot(&force) - size * gradient.norm();
                     let load = *base + push(point, &against) * *size;
                     Condition { row, value, size: pressed + influence.size * size, load }
                 };

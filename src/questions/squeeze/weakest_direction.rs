@@ -22,11 +22,11 @@ pub enum WeakestDirection<const C: usize> {
     /// A force of this size in this direction makes a contact slide; no smaller force does in any direction.
     #[non_exhaustive]
     Force {
-        /// Its size, N, exact up to rounding.
+        /// Size of the force, N, exact up to rounding.
         size: f64,
         /// Unit direction, coordinate axes.
         direction: [f64; C],
-        /// The base load with that force.
+        /// The base load together with the least force.
         load: Wrench<C>,
         /// The contact that stops sticking, or the drive of a hand that reaches its limit.
         leaver: Leaver,
@@ -100,10 +100,10 @@ impl Least {
     ) -> bool {
         let mut cut = |rows: Vec<SVector<f64, 3>>| {
             for row in rows {
-                let felt = influence.felt(&row);
-                let size = row.dot(force).max(0.0) / felt.norm();
+                let gradient = influence.gradient_of(&row);
+                let size = row.dot(force).max(0.0) / gradient.norm();
                 if size < self.size {
-                    *self = Self { size, direction: -felt.normalize(), site };
+                    *self = Self { size, direction: -gradient.normalize(), site };
                 }
             }
             self.size

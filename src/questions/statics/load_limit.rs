@@ -18,12 +18,12 @@ use crate::search::Settings;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum LoadLimit<const C: usize> {
-    /// The load can be balanced up to a factor.
+    /// The load can be balanced up to a multiple of it.
     #[non_exhaustive]
     Factor {
-        /// Lower bound of the factor.
+        /// Lower bound of the load factor.
         at_least: f64,
-        /// Upper bound of the factor. Both differ by about 1e-9 of it at most, unless rounding ended the search before.
+        /// Upper bound of the load factor. The bounds differ by about 1e-9 of it at most, unless rounding ended the search before.
         at_most: f64,
         /// Forces on the object in the contact frames, N, that balance the load at `at_least`.
         forces: Vec<SVector<f64, C>>,
@@ -96,10 +96,10 @@ fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLi
     if begin.stretch > begin.reach * (1.0 + SOLVED_ROUNDING) {
         return LoadLimit::NoBase { motion: set.motion(-begin.normal.normalize()) };
     }
-    let here = forces(&set, &simplex, &begin);
+    let at_begin = forces(&set, &simplex, &begin);
     if let Some(motion) = unheld(rate) {
         let motion = set.motion(-motion);
-        return LoadLimit::Factor { at_least: 0.0, at_most: 0.0, forces: here, motion };
+        return LoadLimit::Factor { at_least: 0.0, at_most: 0.0, forces: at_begin, motion };
     }
     let plane = |normal: &Vector| normal.dot(&(support(normal) - base)) / normal.dot(rate);
     let (mut at_most, mut normal) = (plane(rate), rate.clone());
@@ -118,7 +118,7 @@ fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLi
     }
     let motion = set.motion(-normal.normalize());
     if at_most <= SOLVED_ROUNDING * base.norm().max(support(rate).norm()) {
-        return LoadLimit::Factor { at_least: 0.0, at_most: 0.0, forces: here, motion };
+        return LoadLimit::Factor { at_least: 0.0, at_most: 0.0, forces: at_begin, motion };
     }
     // The last load that a ray reaches inside the set, reduced by as little as rounding allows.
     let reached = |(factor, crossing): &(f64, RayExit)| crossing.stretch <= 1.0 && *factor <= at_most;
@@ -130,7 +130,7 @@ fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLi
         Some((at_least, crossing)) => {
             LoadLimit::Factor { at_least, at_most, forces: forces(&set, &simplex, &crossing), motion }
         }
-        None => LoadLimit::Factor { at_least: 0.0, at_most, forces: here, motion },
+        None => LoadLimit::Factor { at_least: 0.0, at_most, forces: at_begin, motion },
     }
 }
 

@@ -11,11 +11,11 @@ use crate::numerics::{Each, IntoList, Size, Vector, largest, numbered};
 use crate::object::PieceState;
 use crate::prelude::*;
 
-/// Forces of all sites (gaps of open sites) due to one source: for the data as given, and their changes by each datum.
+/// Forces of all contacts and drives (gaps where these are open) due to one source: for the data as given, and their changes by each datum.
 #[derive(Debug, Clone)]
 pub(super) struct Course {
     pub(super) known: Vec<SVector<f64, 3>>,
-    /// For each datum, its effect on each site.
+    /// For each datum, its effect on each contact or drive.
     pub(super) off: Vec<Vec<Effect>>,
 }
 

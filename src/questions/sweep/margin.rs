@@ -170,8 +170,7 @@ impl UncertainForce<'_> {
         factor * normal + other
     }
 
-    /// `φ(β) E[(X' - β')₊]` per unit of the angle, while the row changes at the rate `turned`. X is the margin about its mean, in standard deviations,
-    /// and X' is independent of X.
+    /// The mean number of crossings `φ(β) E[(X' - β')₊]` per unit of the angle θ, see [`super::failure`], while the row changes at the rate `turned`.
     pub(super) fn crossings(&self, margin: &FacetMargin, turned: &SVector<f64, 3>) -> f64 {
         if margin.steepness == 0.0 {
             return 0.0;
@@ -200,7 +199,7 @@ impl UncertainForce<'_> {
 /// Forces to first order about the known data, the same for all facets.
 pub(super) struct FirstOrder {
     force: SVector<f64, 3>,
-    /// Covariance of the force, without friction.
+    /// Covariance of the force, without the part due to uncertain friction.
     spread: SMatrix<f64, 3, 3>,
     friction: f64,
 }

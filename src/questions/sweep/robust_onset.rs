@@ -51,13 +51,13 @@ pub struct OnsetSpread {
     pub deviation: Option<f64>,
 }
 
-/// The spread of the factor at which one contact leaves, or one drive of a hand.
+/// The spread of the load factor at which one contact leaves, or one drive of a hand.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct LeaverSpread {
     /// The contact or drive that leaves.
     pub leaving: Leaver,
-    /// Standard deviation of that factor.
+    /// Standard deviation of the load factor at which it leaves.
     pub deviation: f64,
 }
 
@@ -110,7 +110,7 @@ impl Engine {
             [one, other] => {
                 let apart = norm(&|g| g[0] - g[1]).powi(2) / TAU;
                 let variance = 0.5 * (one.deviation.powi(2) + other.deviation.powi(2)) - apart;
-                // As a difference the variance may be negative by rounding where neither factor moves.
+                // As a difference the variance may be negative by rounding where neither load factor depends on the data.
                 let variance = if variance < 0.0 { 0.0 } else { variance };
                 (Some(event.factor - apart.sqrt()), Some(variance.sqrt()))
             }

@@ -76,7 +76,7 @@ impl StuckGrasp {
         (1.0 - 0.2) * normal_tail(self.sigmas)
     }
 
-    /// The largest factor with at most the allowed failure probability.
+    /// The largest load factor with at most the allowed failure probability.
     pub(super) fn most(&self, direction: &Wrench<3>) -> f64 {
         let size = largest(direction.components(), &|x| x.abs());
         let work = |motion: &Wrench<3>| dot(motion.components(), direction.components());
@@ -84,7 +84,7 @@ impl StuckGrasp {
             return 0.0;
         }
         let rate = Course::of(&self.by_component, self.space, direction);
-        // Reliabilities are nearly linear in the factor, unlike probabilities.
+        // Reliabilities are nearly linear in the load factor, unlike probabilities.
         let allowed = reliability(self.allowed());
         let left = |factor: f64| allowed - reliability(self.failure(&rate, factor));
         if allowed >= reliability(self.fails_at_base.iter().sum()) {
@@ -107,7 +107,7 @@ impl StuckGrasp {
         root(&left, (guess, slope), far * start, PRECISE_FACTOR)
     }
 
-    /// Sum of the first-order failure probabilities of all contacts under the load of this factor.
+    /// Sum of the first-order failure probabilities of all contacts under the load times this factor.
     fn roughly(&self, rate: &Course, factor: f64) -> f64 {
         let mut memory = Vec::new();
         let mut sum = 0.0;
@@ -117,7 +117,7 @@ impl StuckGrasp {
         sum
     }
 
-    /// Upper bound of the probability that some contact leaves on the way to this factor.
+    /// Upper bound of the probability that some contact leaves on the way to this load factor.
     fn failure(&self, rate: &Course, factor: f64) -> f64 {
         let mut memory = [Vec::new(), Vec::new()];
         let mut margins = MarginPair::default();
@@ -162,7 +162,7 @@ impl StuckGrasp {
     }
 }
 
-/// Approximately the β of a failure probability `Φ(-β)`, and as nearly linear in the factor; only differences are used.
+/// Approximately the β of a failure probability `Φ(-β)`, and as nearly linear in the load factor; only differences are used.
 fn reliability(fails: f64) -> f64 {
     // Probabilities below 1e-300 count as 1e-300.
     (-2.0 * fails.clamp(1e-300, 1.0).ln()).sqrt()

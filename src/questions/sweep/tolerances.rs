@@ -1,8 +1,8 @@
 //! The accuracy of factors and probabilities.
 
-/// Relative accuracy of the factor that holds with a probability.
+/// Relative accuracy of the load factor that holds with a probability.
 ///
-/// If smaller, the search takes more steps, each with the failure probabilities of all contacts. If larger, the factor jumps with the data.
+/// If smaller, the search takes more steps, each with the failure probabilities of all contacts. If larger, the load factor jumps with the data.
 pub(super) const PRECISE_FACTOR: f64 = 1e-8;
 
 /// Number of directions around a round cone among which the worst is sought.

@@ -25,7 +25,7 @@ pub(super) struct Shown<const C: usize> {
 
 /// The content of a picture.
 pub(super) enum What<const C: usize> {
-    /// An equilibrium, and the motion of the object if it is lost there.
+    /// An equilibrium; if the object is lost at this state, also its motion.
     State { state: Box<Equilibrium<C>>, leaving: Option<Motion<C>> },
     /// The grasp without an equilibrium, and the load if it is known.
     Nothing { load: Option<Wrench<C>> },

@@ -23,12 +23,12 @@ pub(crate) struct First {
     /// The force at first slip, N; infinite if no contact ever slips, NaN if unknown.
     pub(crate) factor: f64,
     /// The contacts that stop sticking and what they do, in words; or why there is no first slip.
-    pub(crate) who: String,
+    pub(crate) contacts: String,
 }
 
 impl First {
-    fn told(factor: f64, who: &str) -> Self {
-        Self { factor, who: who.to_owned() }
+    fn without_contact(factor: f64, contacts: &str) -> Self {
+        Self { factor, contacts: contacts.to_owned() }
     }
 }
 
@@ -57,24 +57,24 @@ pub(crate) fn first<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<
             verbs.sort_unstable();
             verbs.dedup();
             // Many points of a soft fingertip stop sticking at once, and count as one contact.
-            let who = verbs.into_iter().rev().flat_map(|verb| {
+            let contacts = verbs.into_iter().rev().flat_map(|verb| {
                 let does = |i: usize| {
                     event.leaving.iter().any(|left| left.contact.index == i && left.verb() == verb)
                 };
                 grasp.whole_contacts(does).into_iter().map(move |part| format!("{part} {verb}"))
             });
             let drives = event.drives.iter().map(|drive| format!("{} gives way", drive.part.text()));
-            let mut who: Vec<_> = who.chain(drives).collect();
+            let mut contacts: Vec<_> = contacts.chain(drives).collect();
             // If more than four contacts stop sticking, only the first is named and the others are counted.
-            if who.len() > 4 {
-                let others = who.len() - 1;
-                who = vec![format!("{} and {others} others", who[0])];
+            if contacts.len() > 4 {
+                let others = contacts.len() - 1;
+                contacts = vec![format!("{} and {others} others", contacts[0])];
             }
-            First { factor: event.factor, who: who.join(", ") }
+            First { factor: event.factor, contacts: contacts.join(", ") }
         }
-        Onset::Never => First::told(f64::INFINITY, "never"),
-        Onset::GivesWay { factor, .. } => First::told(factor, "nothing resists"),
-        _ => First::told(f64::NAN, "not known"),
+        Onset::Never => First::without_contact(f64::INFINITY, "never"),
+        Onset::GivesWay { factor, .. } => First::without_contact(factor, "nothing resists"),
+        _ => First::without_contact(f64::NAN, "not known"),
     })
 }
 

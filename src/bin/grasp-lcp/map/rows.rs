@@ -22,6 +22,6 @@ pub(super) fn row(direction: &str, first: &First, reserve: f64, last: &Last, mos
         number(reserve),
         last.words(most),
         last.end.word(),
-        first.who
+        first.contacts
     );
 }

@@ -83,7 +83,7 @@ pub(crate) fn map(
     let first = first(weakest)?;
 
     let drawing = Drawing { grasp: &grasp, pictures, title: &title, words: &words, unsure };
-    let weak = format!("Weakest: {onset:.6} N along ({}), where {}.", components(weakest), first.who);
+    let weak = format!("Weakest: {onset:.6} N along ({}), where {}.", components(weakest), first.contacts);
     drawing.of_onsets(grid, &firsts, (weakest, onset, &weak))?;
     drawing.of_reserves(coarse, reserves)?;
     match lasts.filter(|lasts| lasts.iter().any(|last| last.factor.is_finite())) {

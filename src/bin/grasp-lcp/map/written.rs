@@ -28,7 +28,7 @@ impl<const C: usize> WrittenMap<'_, C> {
             json!({
                 "direction": direction.to_vec(),
                 "onset": force(first.factor, "never"),
-                "leaves_first": first.who,
+                "leaves_first": first.contacts,
             })
         };
         let reserve = |(direction, held): &([f64; C], f64)| json!({ "direction": direction.to_vec(), "held": force(*held, "never") });

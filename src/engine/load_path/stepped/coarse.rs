@@ -1,7 +1,8 @@
-//! A second path with the same steps, each made at once. The distance between both paths measures the remaining effect of all errors.
+//! A second path with the same steps, each made as a whole and not in two halves. The distance between both paths measures the remaining effect of
+//! all errors.
 //!
-//! The error of a step in two halves is a third of its difference from the step made at once. But errors do not add up: directions of slip relax, so
-//! that their errors decay, and errors of different steps affect different contacts. Errors of the second path decay in the same way, so that
+//! The error of a step in two halves is a third of its difference from the step made as a whole. But errors do not add up: directions of slip relax,
+//! so that their errors decay, and errors of different steps affect different contacts. Errors of the second path decay in the same way, so that
 //!
 //! ```text
 //! distance = error of the second - error of the first = 3 times the error of the first
@@ -12,10 +13,10 @@
 use super::one_step::{StepProblem, SteppedState};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 
-/// The second path, of steps made at once.
+/// The second path, of steps made as a whole.
 #[derive(Debug, Clone)]
 pub(super) struct Coarse {
-    pub(super) standing: SteppedState,
+    pub(super) present: SteppedState,
     /// Sum of the distances, over the largest force, at which the second path was lost and restarted from the first.
     lost: f64,
     /// The largest distance so far plus those sums, over the largest force.
@@ -23,13 +24,13 @@ pub(super) struct Coarse {
 }
 
 impl Coarse {
-    /// The second path at the common beginning of both.
-    pub(super) fn starting_at(standing: &SteppedState) -> Self {
-        Self { standing: standing.clone(), lost: 0.0, farthest: 0.0 }
+    /// The second path, which begins where the first one does.
+    pub(super) fn starting_at(present: &SteppedState) -> Self {
+        Self { present: present.clone(), lost: 0.0, farthest: 0.0 }
     }
 
-    /// Makes the step of the first path between two places. `at_once` is that step made at once. If the second path finds no step of its own, or only
-    /// one to a distant state, it moves to `at_once`. `beside` is memory for its own step.
+    /// Makes the step of the first path between two places. `at_once` is that step made as a whole. If the second path finds no step of its own, or
+    /// only one to a distant state, it moves to `at_once`. `beside` is memory for its own step.
     pub(super) fn follow(
         &mut self,
         along: &mut StepProblem<'_>,
@@ -37,20 +38,20 @@ impl Coarse {
         beside: &mut SteppedState,
     ) {
         let largest = to.largest_force().max(from.largest_force()).max(f64::MIN_POSITIVE);
-        let distance = from.apart(&self.standing);
-        let near = &to.twist + &self.standing.twist - &from.twist;
-        // Growth of the distance between both paths in one step beyond which the second path is abandoned. With a small factor it would be at each change of
-        // states, and errors that decay would be added up.
-        let by = 10.0 * distance + to.apart(at_once);
-        let step = || along.step(&self.standing, (to.fraction - from.fraction, near), beside);
+        let distance = from.distance_to(&self.present);
+        let near = &to.twist + &self.present.twist - &from.twist;
+        // If the second path's own step ends farther than this from `at_once`, the second path moves to `at_once` instead. With a smaller limit this
+        // would happen at each change of contact states, and errors that decay would be added up.
+        let by = 10.0 * distance + to.distance_to(at_once);
+        let step = || along.step(&self.present, (to.fraction - from.fraction, near), beside);
         // If the paths differ by less than this part of the largest force, the difference is below the tolerance of Newton's method, and the second
         // path moves to `at_once`. With a larger part, errors that decay would be added up.
-        if distance > SOLVED_ROUNDING * largest && step().is_some() && beside.apart(at_once) <= by {
-            core::mem::swap(&mut self.standing, beside);
+        if distance > SOLVED_ROUNDING * largest && step().is_some() && beside.distance_to(at_once) <= by {
+            core::mem::swap(&mut self.present, beside);
         } else {
             self.lost += distance / largest;
-            self.standing.join(at_once);
+            self.present.join(at_once);
         }
-        self.farthest = self.farthest.max(self.lost + to.apart(&self.standing) / largest);
+        self.farthest = self.farthest.max(self.lost + to.distance_to(&self.present) / largest);
     }
 }

@@ -10,11 +10,11 @@ use crate::prelude::*;
 use crate::search::{Doubt, Settled, settle};
 
 impl<'g> Steps<'g> {
-    /// The end of a path if no step leads further. The motion, or a proof that nothing balances the rates of the contacts on an edge, gives the
-    /// reason. Otherwise the path is undecided, for the reason `doubt`.
+    /// The end of a path if no step leads further. The motion, or a proof that nothing balances the rates of the contacts on the edge of their cones,
+    /// gives the reason. Otherwise the path is undecided, for the reason `doubt`.
     pub(super) fn end_here(&self, journey: &Journey<'g>, doubt: Doubt) -> PathEnd<3> {
-        let fraction = self.standing.fraction;
-        let edge = self.standing.edge(journey);
+        let fraction = self.present.fraction;
+        let edge = self.present.edge(journey);
         let leaves = |i: &usize| matches!(edge.rates.laws[*i], Law::Edge(_) | Law::Cone { .. });
         let leaving = chosen(edge.rates.len(), &leaves);
         if self.pace.speeds.run_to(fraction) {

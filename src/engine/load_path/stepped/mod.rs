@@ -3,8 +3,8 @@
 //! [`LoadPath`](super::LoadPath) finds every event of a few hundred contacts. If thousands slide on the round cone, their directions of slip turn all
 //! the time. Here a step assumes that the stretch of every contact changes along a straight line, for which its slip is exact. Newton's method finds
 //! the motion of the object that balances the load at the end of the step. The remaining error is that stretches are not straight in between. To
-//! measure it, each step is made once at once and once in two halves. A second path of steps made at once measures the part of the error that later
-//! steps retain.
+//! measure it, each step is made once as a whole and once in two halves. A second path of steps made as a whole measures the part of the error that
+//! later steps retain.
 //!
 //! | file | idea |
 //! |---|---|

@@ -11,7 +11,7 @@ use crate::numerics::{Vector, cleared_for, largest};
 use crate::object::{Problem, newton};
 use crate::prelude::*;
 
-/// The state at a place of the path, in inside coordinates.
+/// The state at a place of the path, in the engine's coordinates.
 #[derive(Debug, Clone)]
 pub(super) struct SteppedState {
     /// Fraction of the leg already followed.
@@ -30,7 +30,7 @@ impl SteppedState {
     }
 
     /// The largest difference between contact forces of two states, N.
-    pub(super) fn apart(&self, other: &Self) -> f64 {
+    pub(super) fn distance_to(&self, other: &Self) -> f64 {
         let pairs = self.forces.iter().zip(&other.forces);
         pairs.map(|(a, b)| (a - b).norm_squared()).fold(0.0, f64::max).sqrt()
     }
@@ -75,7 +75,7 @@ impl<'g> StepProblem<'g> {
     }
 
     /// Prepares the next leg, in the same memory.
-    pub(super) fn set_out(&mut self, journey: &Journey<'g>) {
+    pub(super) fn start_leg(&mut self, journey: &Journey<'g>) {
         self.course = journey.program.inside_course(journey.grasp);
         journey.program.offsets_into(journey.grasp, &mut self.offsets);
     }

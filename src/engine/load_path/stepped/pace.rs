@@ -35,8 +35,8 @@ impl StepPace {
     }
 
     /// Restarts the control on the next leg, in the same memory.
-    pub(super) fn set_out<X>(&mut self, course: &Trajectory<X>) {
-        self.speeds.forget();
+    pub(super) fn start_leg<X>(&mut self, course: &Trajectory<X>) {
+        self.speeds.clear();
         *self = Self { speeds: core::mem::take(&mut self.speeds), ..Self::along(course) };
     }
 }

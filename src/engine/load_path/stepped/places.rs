@@ -3,7 +3,7 @@
 use super::one_step::SteppedState;
 use crate::numerics::Each;
 
-/// The states of a step made twice: in two halves, which the path takes, and at once.
+/// The states of a step made twice: in two halves, which the path takes, and as a whole.
 #[derive(Debug)]
 pub(super) struct Places {
     pub(super) middle: SteppedState,

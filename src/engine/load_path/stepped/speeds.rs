@@ -17,11 +17,11 @@ pub(super) struct Speeds(Vec<[f64; 2]>);
 
 impl Speeds {
     /// Removes all records.
-    pub(super) fn forget(&mut self) {
+    pub(super) fn clear(&mut self) {
         self.0.clear();
     }
 
-    /// Records the speed of a step that has arrived at a fraction.
+    /// Records the speed of the object in a step that has ended at this fraction of the leg.
     pub(super) fn note(&mut self, fraction: f64, speed: f64) {
         // A speed is recorded if it exceeds the last one by this factor.
         if self.0.last().is_none_or(|[_, fastest]| speed > 2.0 * fastest) {

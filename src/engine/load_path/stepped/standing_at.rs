@@ -1,11 +1,11 @@
-//! The equilibrium at the present place of a path, and the contacts on an edge there.
+//! The equilibrium at the present place of a path, and the contacts that are on the edge of their cones.
 
 use nalgebra::SVector;
 
 use super::one_step::SteppedState;
 use crate::contact::{Line, Mode, Slide, ZERO_SLACK};
 use crate::equilibrium::Equilibrium;
-use crate::load_path::follower::StandAtEdge;
+use crate::load_path::follower::StateAtEdge;
 use crate::load_path::journey::Journey;
 use crate::numerics::{mapped, numbered};
 use crate::search::Found;
@@ -27,8 +27,8 @@ impl SteppedState {
         journey.equilibrium(&problem, self.fraction, found)
     }
 
-    /// The problem in rates, with contacts near an edge, within the resolution of the last steps, taken as on it.
-    pub(super) fn edge<'g>(&self, journey: &Journey<'g>) -> StandAtEdge<'g> {
+    /// The problem in rates. Contacts near the edge of their cones, within the resolution of the last steps, count as on it.
+    pub(super) fn edge<'g>(&self, journey: &Journey<'g>) -> StateAtEdge<'g> {
         let segment = journey.segment(self.slips.clone());
         let (offsets, largest) = (segment.offsets(self.fraction), self.largest_force());
         // A friction reserve, or a force to close a gap, counts as zero below this part of the largest force. The last steps are 1e-12 of a leg. If
@@ -39,14 +39,14 @@ impl SteppedState {
             let (local, state) = (segment.problem.local(i), &self.states[i]);
             let line =
                 Line { force: self.forces[i], rate: SVector::zeros(), force_size: near, rate_size: 0.0 };
-            let mut stand = local.stand(&line);
+            let mut active = local.active_set(&line);
             if state.is_open() {
                 let gap = -segment.problem.sites[i].stretch(&offsets[i], &self.twist)[0];
-                stand.apex = local.springs.force_along(0, gap) <= at_an_edge * largest;
+                active.apex = local.springs.force_along(0, gap) <= at_an_edge * largest;
             }
-            local.law_of_rates(&stand, state)
+            local.law_of_rates(&active, state)
         };
         let laws = numbered(segment.problem.len(), &law);
-        StandAtEdge { rates: segment.rates(self.fraction, laws), segment, forces: self.forces.clone() }
+        StateAtEdge { rates: segment.rates(self.fraction, laws), segment, forces: self.forces.clone() }
     }
 }

@@ -13,21 +13,21 @@ use crate::numerics::{Vector, largest};
 use crate::prelude::*;
 use crate::search::Doubt;
 
-/// Result of a step made in two halves and at once.
+/// Result of a step made both in two halves and as a whole.
 #[derive(Debug)]
 struct Twice {
     /// The largest contact force at the ends of the step, N.
     largest: f64,
-    /// The error that both may share, over the largest force.
+    /// The error that the whole step and its two halves may have in common, as a part of the largest force.
     unseen: f64,
     /// The largest change of force that the motion of the object would cause in the springs of a sticking contact, N.
-    felt: f64,
+    force_change: f64,
 }
 
 impl<'g> Steps<'g> {
     /// Tries a step; reports it if its error is allowed.
-    pub(super) fn try_a_step(&mut self, journey: &Journey<'g>) -> Result<Advance<Step<3>>, PathEnd<3>> {
-        let from = self.standing.fraction;
+    pub(super) fn try_step(&mut self, journey: &Journey<'g>) -> Result<Advance<Step<3>>, PathEnd<3>> {
+        let from = self.present.fraction;
         if self.pace.tried == journey.settings.most_steps {
             return Err(journey.undecided(from, Doubt::OutOfSteps));
         }
@@ -59,41 +59,41 @@ impl<'g> Steps<'g> {
             };
         }
         let to = &self.places.to;
-        self.pace.rate = Some((&to.twist - &self.standing.twist) / length);
-        self.pace.speeds.note(to.fraction, twice.felt / length);
-        self.pace.changed = to.apart(&self.standing) / twice.felt;
-        Ok(Advance::Reached(self.arrive(journey, &twice)))
+        self.pace.rate = Some((&to.twist - &self.present.twist) / length);
+        self.pace.speeds.note(to.fraction, twice.force_change / length);
+        self.pace.changed = to.distance_to(&self.present) / twice.force_change;
+        Ok(Advance::Reached(self.accept_step(journey, &twice)))
     }
 
     /// The error of a step, as a part of the allowed one.
     fn part_of_what_is_allowed(&self, twice: &Twice) -> f64 {
-        let (from, Places { to, at_once, .. }, largest) = (&self.standing, &self.places, twice.largest);
+        let (from, Places { to, at_once, .. }, largest) = (&self.present, &self.places, twice.largest);
         let length = to.fraction - from.fraction;
-        let way = to.apart(from) / largest;
+        let way = to.distance_to(from) / largest;
         // Half of the allowed error is divided among steps in proportion to their size, the largest of three measures. These are the fraction of the
         // leg, the change of forces over the largest force, and the change that sticking springs would feel. An error of direction decays while that
         // last change grows to the largest force.
-        let even = 0.5 * self.error * length.max(way).max(twice.felt / largest);
+        let even = 0.5 * self.error * length.max(way).max(twice.force_change / largest);
         // The error budget of a contact grows with the sum of the changes of forces over the largest force, up to twice the allowed error. The error
         // is a third of the distance between the two paths; a larger budget would exceed the allowed error.
         let budget = self.error * (self.way + way).min(2.0);
         // Errors below this part of the largest force are rounding.
         let rounding = 1e-13;
         let part = |i: usize| {
-            let so_far = (from.forces[i] - self.coarse.standing.forces[i]).norm() / largest;
+            let so_far = (from.forces[i] - self.coarse.present.forces[i]).norm() / largest;
             // Part of a contact's remaining error budget that a step may use. With more, a few steps would use it up, and the others would have as
             // little as if errors never decayed. With less, steps are shorter than the error requires.
             let allowed = even.max(0.05 * (budget - so_far)).max(rounding);
             (to.forces[i] - at_once.forces[i]).norm() / largest / allowed
         };
-        let seen = (0..to.forces.len()).map(part).fold(0.0, f64::max);
+        let used = (0..to.forces.len()).map(part).fold(0.0, f64::max);
         // A tenth of the allowed error is for errors that a step and its halves share. A contact makes such an error a few times a leg.
-        seen.max(twice.unseen / (0.1 * self.error).max(rounding))
+        used.max(twice.unseen / (0.1 * self.error).max(rounding))
     }
 
-    /// Makes a step in two halves and at once; `None` if one of them finds no equilibrium, or only a distant one.
+    /// Makes a step both in two halves and as a whole; `None` if one of them finds no equilibrium, or only a distant one.
     fn twice(&mut self, length: f64) -> Option<Twice> {
-        let Self { along, standing: from, places: Places { middle, to, at_once, .. }, .. } = self;
+        let Self { along, present: from, places: Places { middle, to, at_once, .. }, .. } = self;
         let rate = self.pace.rate.clone().unwrap_or_else(Vector::zeros);
         let near = |at: &SteppedState, rate: &Vector, length: f64| &at.twist + rate * length;
         along.step(from, (0.5 * length, near(from, &rate, 0.5 * length)), middle)?;
@@ -102,27 +102,27 @@ impl<'g> Steps<'g> {
         let largest = to.largest_force().max(from.largest_force()).max(f64::MIN_POSITIVE);
         let off = &middle.twist - (&from.twist + &to.twist) * 0.5;
         let sites = along.problem.sites;
-        let felt = most_felt(sites, &(&to.twist - &from.twist));
+        let force_change = largest_force_of_motion(sites, &(&to.twist - &from.twist));
         // A step is a jump if its middle is off the straight line between its ends by more than a quarter of its length. Springs must also feel the
         // step by more than a twentieth of the largest force.
-        if felt > 0.05 * largest && most_felt(sites, &off) > 0.25 * felt {
+        if force_change > 0.05 * largest && largest_force_of_motion(sites, &off) > 0.25 * force_change {
             return None;
         }
         let unseen = along.unseen([from, middle, to]) / largest;
         along.step(from, (length, to.twist.clone()), at_once)?;
-        let finite = unseen.is_finite() && (to.apart(at_once) / largest).is_finite();
-        finite.then_some(Twice { largest, unseen, felt })
+        let finite = unseen.is_finite() && (to.distance_to(at_once) / largest).is_finite();
+        finite.then_some(Twice { largest, unseen, force_change })
     }
 
-    fn arrive(&mut self, journey: &Journey<'g>, twice: &Twice) -> Step<3> {
+    fn accept_step(&mut self, journey: &Journey<'g>, twice: &Twice) -> Step<3> {
         let Twice { largest, unseen, .. } = *twice;
         let Places { to, at_once, beside, .. } = &mut self.places;
-        self.coarse.follow(&mut self.along, [&self.standing, to, at_once], beside);
+        self.coarse.follow(&mut self.along, [&self.present, to, at_once], beside);
         self.unseen = self.unseen.max(unseen);
-        self.way += to.apart(&self.standing) / largest;
-        let error = (to.apart(at_once) / largest).max(unseen);
-        core::mem::swap(&mut self.standing, to);
-        let to = &self.standing;
+        self.way += to.distance_to(&self.present) / largest;
+        let error = (to.distance_to(at_once) / largest).max(unseen);
+        core::mem::swap(&mut self.present, to);
+        let to = &self.present;
         let (leg, fraction) = (journey.program.leg, to.fraction);
         Step {
             leg,
@@ -136,7 +136,7 @@ impl<'g> Steps<'g> {
 }
 
 /// The largest force that a motion would cause in the springs of a sticking contact, N.
-fn most_felt(sites: &[Site], motion: &Vector) -> f64 {
+fn largest_force_of_motion(sites: &[Site], motion: &Vector) -> f64 {
     largest(sites, &|site| pull(site, motion))
 }
 

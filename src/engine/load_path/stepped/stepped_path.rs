@@ -10,7 +10,7 @@ use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::load_path::event::PathEnd;
-use crate::load_path::follower::{Advance, Follower, StandAtEdge};
+use crate::load_path::follower::{Advance, Follower, StateAtEdge};
 use crate::load_path::following::Following;
 use crate::load_path::journey::Journey;
 use crate::load_path::leg::Leg;
@@ -28,14 +28,14 @@ pub(crate) struct Steps<'g> {
     /// The problem whose solution is the end of a step.
     pub(super) along: StepProblem<'g>,
     /// The state at the present place.
-    pub(super) standing: SteppedState,
+    pub(super) present: SteppedState,
     /// The states at the ends of the last step tried.
     pub(super) places: Places,
     /// Step control along the leg.
     pub(super) pace: StepPace,
     /// The allowed error of the forces, over the largest force.
     pub(super) error: f64,
-    /// A second path with the same steps, each made at once instead of in two halves.
+    /// A second path with the same steps, each made as a whole instead of in two halves.
     pub(super) coarse: Coarse,
     /// Largest error that both paths may share, over the largest force.
     pub(super) unseen: f64,
@@ -88,12 +88,12 @@ impl Engine {
         check_leg_error("error of a leg", error)?;
         let settings = Settings { round: true, ..*settings };
         let path = Following::start(self, (start, legs), &settings, |journey, problem| {
-            let standing = at_start(problem, journey.start(problem)?);
+            let present = at_start(problem, journey.start(problem)?);
             let along = StepProblem::along(journey);
             let pace = StepPace::along(&along.course);
-            let coarse = Coarse::starting_at(&standing);
+            let coarse = Coarse::starting_at(&present);
             let places = Places::nowhere();
-            Ok(Steps { along, standing, places, pace, error, coarse, unseen: 0.0, way: 0.0 })
+            Ok(Steps { along, present, places, pace, error, coarse, unseen: 0.0, way: 0.0 })
         })?;
         Ok(Path::new(Box::new(path)))
     }
@@ -115,35 +115,35 @@ fn at_start(problem: &Problem<'_>, found: Found) -> SteppedState {
 impl<'g> Follower<'g> for Steps<'g> {
     type Report = Step<3>;
 
-    fn set_out(&mut self, journey: &Journey<'g>) -> Result<(), PathEnd<3>> {
-        self.along.set_out(journey);
-        self.pace.set_out(&self.along.course);
-        self.standing.fraction = 0.0;
-        self.coarse.standing.fraction = 0.0;
+    fn start_leg(&mut self, journey: &Journey<'g>) -> Result<(), PathEnd<3>> {
+        self.along.start_leg(journey);
+        self.pace.start_leg(&self.along.course);
+        self.present.fraction = 0.0;
+        self.coarse.present.fraction = 0.0;
         Ok(())
     }
 
-    fn go_on(&mut self, journey: &Journey<'g>) -> Result<Advance<Step<3>>, PathEnd<3>> {
-        if self.standing.fraction >= 1.0 { Ok(Advance::EndOfLeg) } else { self.try_a_step(journey) }
+    fn advance(&mut self, journey: &Journey<'g>) -> Result<Advance<Step<3>>, PathEnd<3>> {
+        if self.present.fraction >= 1.0 { Ok(Advance::EndOfLeg) } else { self.try_step(journey) }
     }
 
     fn fraction(&self) -> f64 {
-        self.standing.fraction
+        self.present.fraction
     }
 
     fn state(&self, journey: &Journey<'g>) -> Option<Equilibrium<3>> {
-        Some(self.standing.equilibrium(journey))
+        Some(self.present.equilibrium(journey))
     }
 
     fn forces(&self, _: &Journey<'g>) -> Vec<SVector<f64, 3>> {
-        self.standing.forces.clone()
+        self.present.forces.clone()
     }
 
     fn step_error(&self) -> f64 {
         self.coarse.farthest + self.unseen
     }
 
-    fn edge(&self, journey: &Journey<'g>) -> StandAtEdge<'g> {
-        self.standing.edge(journey)
+    fn edge(&self, journey: &Journey<'g>) -> StateAtEdge<'g> {
+        self.present.edge(journey)
     }
 }

@@ -22,7 +22,7 @@ use crate::contact::{Mode, Slide, tangential, tangential_norm};
 use crate::numerics::{Each, Vector};
 
 impl StepProblem<'_> {
-    /// Largest error of a contact force at the end of a step in two halves, N, that its difference from the step made at once does not show.
+    /// Largest error of a contact force at the end of a step in two halves, N, that its difference from the step made as a whole does not show.
     pub(super) fn unseen(&self, at: [&SteppedState; 3]) -> f64 {
         (0..self.problem.len()).map(|i| self.unseen_by(i, at)).fold(0.0, f64::max)
     }

@@ -30,7 +30,7 @@ struct Paper {
     window: Window,
     /// Margins for names: to either side, and above and below the grasp.
     border: (f64, f64),
-    /// Most letters of a line of a sentence.
+    /// Largest number of letters in a line of a sentence.
     letters: usize,
 }
 

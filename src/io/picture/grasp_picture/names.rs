@@ -52,7 +52,7 @@ impl Picture<'_> {
         if let Some(at) = leaves {
             labels.write(paper, at, &["where it goes, not to scale"], PLANAR.letters);
         }
-        // A body has room for its name, which gives way to all others.
+        // The name of a body is written last, inside the body, so that it leaves room for all other names.
         for (motion, outline) in self.of.state.iter().flat_map(|state| &state.bodies).zip(&self.of.outlines) {
             if outline.len() > 2 {
                 let middle = outline.iter().sum::<Vector2<f64>>() / outline.len() as f64;

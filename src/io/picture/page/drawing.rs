@@ -144,8 +144,10 @@ impl<'p> Drawing<'p> {
                 most.displacement = most.displacement.max(resultant.displacement.norm());
             }
             for line in &self.page.outlines {
-                let away =
-                    line.corners.iter().map(|corner| goes(state, line.body, &Vector3::from(*corner)).norm());
+                let away = line
+                    .corners
+                    .iter()
+                    .map(|corner| displacement_at(state, line.body, &Vector3::from(*corner)).norm());
                 most.displacement = away.fold(most.displacement, f64::max);
             }
         }
@@ -224,7 +226,7 @@ pub(super) fn twist_of(state: &Equilibrium, body: usize) -> &Twist {
 }
 
 /// The displacement of a point of a body, to first order.
-pub(super) fn goes(state: &Equilibrium, body: usize, point: &Vector3<f64>) -> Vector3<f64> {
+pub(super) fn displacement_at(state: &Equilibrium, body: usize, point: &Vector3<f64>) -> Vector3<f64> {
     let (moves, turns) = halves(&twist_of(state, body).to_vector());
     moves + turns.cross(point)
 }

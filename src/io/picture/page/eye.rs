@@ -115,7 +115,7 @@ impl Eye {
     }
 
     /// The projection of a point: pixels to the right and downwards on paper, and its depth towards the eye, pixels.
-    pub(super) fn see(&self, point: &Vector3<f64>) -> Vector3<f64> {
+    pub(super) fn to_view(&self, point: &Vector3<f64>) -> Vector3<f64> {
         let (x, y) = self.window.middle();
         let away = point - self.target;
         let [right, up, towards] =

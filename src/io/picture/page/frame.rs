@@ -57,7 +57,7 @@ impl Frame<2> {
     /// The answer with vectors of three components, as far as tables show it.
     pub(super) fn widened(&self) -> Frame<3> {
         let shown = match &self.shown {
-            Ok(state) => Ok(state.entered()),
+            Ok(state) => Ok(state.to_inside()),
             Err(why) => Err(why.clone()),
         };
         let mut frame = Frame::new(self.label.clone(), shown);

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::drawing::{Drawing, goes};
+use super::drawing::{Drawing, displacement_at};
 use super::frame::Frame;
 use super::leaving::MovedLines;
 use super::mark::{Mark, MarkLayer, MarkShape};
@@ -46,8 +46,9 @@ pub(super) fn marks_of_the_answer(drawing: &Drawing, frame: Option<&Frame<3>>) -
     let mut marks = Vec::new();
     if let Some(state) = state.filter(|_| drawing.displacement > 0.0) {
         for outline in &page.outlines {
-            let moved =
-                |corner: &Vector3<f64>| corner + goes(state, outline.body, corner) * drawing.displacement;
+            let moved = |corner: &Vector3<f64>| {
+                corner + displacement_at(state, outline.body, corner) * drawing.displacement
+            };
             marks.extend(
                 closed(mapped(&points(&outline.corners), &moved)).map(|corners| {
                     line(corners, PINK, Some(SPATIAL.moved_dashes)).on(MarkLayer::Displacements)

@@ -17,20 +17,20 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
     for mark in marks {
         match &mark.shape {
             MarkShape::Line { corners, ink, width, dashes } => {
-                let corners: Vec<_> = mapped(corners, &|corner| eye.see(corner));
+                let corners: Vec<_> = mapped(corners, &|corner| eye.to_view(corner));
                 let pieces = dashes.map_or_else(|| pairs(&corners), |(on, off)| dashed(&corners, on, off));
                 for ends in pieces {
                     painting.line(ends, *ink, *width);
                 }
             }
             MarkShape::Edge { corners } => {
-                let corners: Vec<_> = mapped(corners, &|corner| eye.see(corner));
+                let corners: Vec<_> = mapped(corners, &|corner| eye.to_view(corner));
                 for ends in pairs(&corners) {
                     painting.line(ends, shade(f64::midpoint(ends[0].z, ends[1].z)), 1.2);
                 }
             }
             MarkShape::Arrow { from, along, ink, width, heads } => {
-                painting.arrow([eye.see(from), eye.see(&(from + along))], *ink, *width, *heads);
+                painting.arrow([eye.to_view(from), eye.to_view(&(from + along))], *ink, *width, *heads);
             }
             MarkShape::Load { from, along, width, heads, .. } => {
                 let (ends, _) = load_ends(eye, from, along);
@@ -46,17 +46,18 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
                 let sides = 72_u32;
                 let rim = (0..=sides).map(|k| {
                     let (sin, cos) = (TAU * f64::from(k % sides) / f64::from(sides)).sin_cos();
-                    eye.see(&(middle + a * cos + b * sin))
+                    eye.to_view(&(middle + a * cos + b * sin))
                 });
                 let rim: Vec<_> = rim.list();
                 for ends in pairs(&rim) {
                     painting.line(ends, *ink, 1.0);
                 }
-                cone(&mut painting, &eye.see(apex), &rim[1..], *ink);
+                cone(&mut painting, &eye.to_view(apex), &rim[1..], *ink);
             }
-            MarkShape::Dot { at, radius, ink, open } => painting.dot(eye.see(at), *radius, *ink, *open),
+            MarkShape::Dot { at, radius, ink, open } => painting.dot(eye.to_view(at), *radius, *ink, *open),
             MarkShape::Body { corners } => {
-                let corners = corners.iter().map(|corner| eye.see(corner)).map(|seen| (seen.x, seen.y));
+                let corners =
+                    corners.iter().map(|corner| eye.to_view(corner)).map(|point| (point.x, point.y));
                 let corners = hull(corners.list());
                 // Bodies are behind all other marks. Faces hide contours, of which only the outer half, outside all bodies, remains visible.
                 painting.contour(corners.clone(), CONTOUR, 2.4, f64::NEG_INFINITY);
@@ -76,7 +77,7 @@ pub(super) fn load_ends(eye: &Eye, from: &Vector3<f64>, along: &Vector3<f64>) ->
     let size = along.amax();
     let unit = if size > 0.0 { (along / size).normalize() } else { *along };
     let along = if is_to_scale { *along } else { unit * (MARKS.shortest_load / eye.scale) };
-    ([eye.see(from), eye.see(&(from + along))], is_to_scale)
+    ([eye.to_view(from), eye.to_view(&(from + along))], is_to_scale)
 }
 
 /// The grey of an edge of the object as a function of its depth.
@@ -85,7 +86,7 @@ fn shades(eye: &Eye, marks: &[Mark]) -> impl Fn(f64) -> Rgb + use<> {
     for mark in marks {
         if matches!(mark.shape, MarkShape::Edge { .. }) {
             for point in mark.points() {
-                let depth = eye.see(&point).z;
+                let depth = eye.to_view(&point).z;
                 (far, near) = (far.min(depth), near.max(depth));
             }
         }

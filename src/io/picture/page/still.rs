@@ -51,7 +51,7 @@ impl SpatialPage {
         };
         let frame = answer.map(chosen).transpose()?;
         let drawing = Drawing::new(self)?;
-        // The most letters of a line of the title and of the label.
+        // Largest number of letters in a line of the title and of the label.
         let letters = (70, 96);
         let title = lines(&self.title, letters.0);
         let label = frame.map_or_else(Vec::new, |frame| {
@@ -88,7 +88,7 @@ impl SpatialPage {
             for mark in &marks {
                 let (seen, words) = match &mark.shape {
                     MarkShape::Name { at, words } if mark.layer != Some(MarkLayer::Pointed) => {
-                        (eye.see(at), words.as_str())
+                        (eye.to_view(at), words.as_str())
                     }
                     MarkShape::Load { from, along, name, otherwise, .. } => {
                         let ([_, tip], is_to_scale) = load_ends(&eye, from, along);

@@ -89,14 +89,14 @@ fn write_words(
         page,
         "<p>Under {} {}; residual {}.</p>",
         words.load(&state.load),
-        escaped(&state.told_motions(words).join("; ")),
+        escaped(&state.motion_sentences(words).join("; ")),
         Words::with_digits(1).number(state.residuals.worst())
     );
     let caution = caution(Some(state), says.iter().map(String::as_str)).map(|words| format!("{words}."));
     for note in state.vacuum_gone().into_iter().chain(caution) {
         let _ = writeln!(page, "<p class=\"none\">{}</p>", escaped(&note));
     }
-    for motion in state.told_free_motions(words) {
+    for motion in state.free_motion_sentences(words) {
         let _ = writeln!(page, "<p>{}.</p>", escaped(&motion));
     }
     let at_their_limit = mapped(&actuators.that_yield(state), &|(name, _)| escaped(name));
@@ -192,7 +192,7 @@ fn write_row(
     let state = match contact.link {
         Some(LinkKind::Cable) if look == "separated" => "slack".to_owned(),
         Some(_) => "carries".to_owned(),
-        None => answer.doing(),
+        None => answer.state_text(),
     };
     let _ = write!(page, "<td class=\"{}\">{state}</td>", look.replace(' ', "-"));
     for (_, words) in words.iter().enumerate().filter(|(column, _)| has_pads || *column != MOMENT) {

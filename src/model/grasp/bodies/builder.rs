@@ -165,13 +165,13 @@ impl<const C: usize> Bodies<C> {
         }
         let sharing = match loaded {
             Loaded::ByMass => {
-                Sharing::ByParts(mapped(&bodies, &|body| (body.mass / mass, body.centre.enter())))
+                Sharing::ByParts(mapped(&bodies, &|body| (body.mass / mass, body.centre.into_inside())))
             }
             Loaded::First | Loaded::Body(_) => Sharing::OnObject,
         };
-        let loads = mapped(&bodies, &|body| (body.load + body.weight(&gravity)).enter());
-        let given = mapped(&bodies, &|body| body.load.enter());
-        Ok((hand, PlacedBodies::new(names, object, (loads, given), sharing)))
+        let loads = mapped(&bodies, &|body| (body.load + body.weight(&gravity)).into_inside());
+        let user_loads = mapped(&bodies, &|body| body.load.into_inside());
+        Ok((hand, PlacedBodies::new(names, object, (loads, user_loads), sharing)))
     }
 }
 

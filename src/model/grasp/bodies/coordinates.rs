@@ -1,4 +1,4 @@
-//! Conversion of loads and motions of several bodies between inside coordinates and the user's.
+//! Conversion of loads and motions of several bodies between the engine's coordinates and the user's.
 
 use alloc::sync::Arc;
 
@@ -23,8 +23,8 @@ impl Engine {
         self.bodies().map_or(1.0, |bodies| bodies.sign(contact, bodies.object))
     }
 
-    /// Combines one wrench on each body into a vector of inside coordinates.
-    pub(crate) fn put_on_each(&self, bodies: &PlacedBodies, loads: &[Wrench<3>]) -> Vector {
+    /// Combines one wrench on each body into a vector in the engine's coordinates.
+    pub(crate) fn combine_wrenches(&self, bodies: &PlacedBodies, loads: &[Wrench<3>]) -> Vector {
         let mut inside = Vector::zeros();
         for (body, (place, load)) in bodies.places.iter().zip(loads).enumerate() {
             if body == bodies.object {
@@ -40,7 +40,7 @@ impl Engine {
         inside
     }
 
-    /// Moments about the origin of a contact's `force` at `point`, in inside coordinates. The components of the force itself are zero. The
+    /// Moments about the origin of a contact's `force` at `point`, in the engine's coordinates. The components of the force itself are zero. The
     /// result measures how rounding of the contact point affects rotations.
     pub(crate) fn moments_of(
         &self,
@@ -119,7 +119,7 @@ impl Engine {
     /// Nonzero loads that a load program has applied to bodies.
     pub(crate) fn body_loads(&self) -> Vec<BodyLoad<3>> {
         let Some(bodies) = self.bodies() else { return Vec::new() };
-        let named = bodies.names.iter().zip(&bodies.put_on).filter(|(_, load)| **load != Wrench::ZERO);
+        let named = bodies.names.iter().zip(&bodies.program_loads).filter(|(_, load)| **load != Wrench::ZERO);
         named.map(|(body, load)| BodyLoad { body: body.clone(), load: *load }).list()
     }
 
@@ -140,7 +140,7 @@ impl Engine {
         indexed(&bodies.places, &of)
     }
 
-    /// Motion of each body, or of the single object, in the user's coordinates, from inside coordinates.
+    /// Motion of each body, or of the single object, in the user's coordinates, from the engine's coordinates.
     pub(crate) fn each_moves(&self, inside: &Vector) -> Vec<BodyMotion<3>> {
         let outside = self.outside_coordinates(inside);
         if self.bodies().is_some() {

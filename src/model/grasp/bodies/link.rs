@@ -187,7 +187,7 @@ impl<const C: usize> Link<C> {
         self
     }
 
-    /// Sets the total stiffness of its points along each direction that it blocks, N/m; [`Self::STIFF`] by default.
+    /// Sets the total stiffness of the link's points along each direction that the link blocks, N/m; [`Self::STIFF`] by default.
     #[must_use]
     pub fn stiffness(mut self, stiffness: f64) -> Self {
         self.stiffness = Some(stiffness);

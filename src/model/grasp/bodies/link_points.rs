@@ -85,7 +85,7 @@ impl Link<3> {
             LinkPlace::Cable { from, to } => vec![contact(*from, to - from)],
             LinkPlace::Slide { point, direction, length } => {
                 let along = direction.normalize();
-                let (half, across) = (0.5 * length, across(space, &along));
+                let (half, across) = (0.5 * length, normals_to(space, &along));
                 let mut points = Vec::new();
                 for normal in &across {
                     // Bearings lie at both ends. In space they also lie on both sides of the slide, so that it cannot turn about its direction.
@@ -162,7 +162,7 @@ impl Link<3> {
 }
 
 /// Unit vectors normal to `along`: one in the plane, two orthogonal ones in space.
-fn across(space: Space, along: &SVector<f64, 3>) -> Vec<SVector<f64, 3>> {
+fn normals_to(space: Space, along: &SVector<f64, 3>) -> Vec<SVector<f64, 3>> {
     if space == Space::Planar {
         return vec![[-along[1], along[0], 0.0].into()];
     }

@@ -47,9 +47,9 @@ pub(crate) struct PlacedBodies {
     /// Constant load on each body, in addition to the load of a question.
     pub(crate) loads: Vec<Wrench<3>>,
     /// The part of `loads` that the user gave as loads, without weights.
-    pub(crate) given: Vec<Wrench<3>>,
+    pub(crate) user_loads: Vec<Wrench<3>>,
     /// The part of `loads` that a load program has applied; usually empty.
-    pub(super) put_on: Vec<Wrench<3>>,
+    pub(super) program_loads: Vec<Wrench<3>>,
     pub(super) sharing: Sharing,
     pub(crate) places: Vec<BodyPlace>,
     /// For each contact, the body into which its normal points and the body on the other side, if any.
@@ -60,11 +60,21 @@ impl PlacedBodies {
     pub(super) fn new(
         names: Vec<Arc<str>>,
         object: usize,
-        (loads, given): (Vec<Wrench<3>>, Vec<Wrench<3>>),
+        (loads, user_loads): (Vec<Wrench<3>>, Vec<Wrench<3>>),
         sharing: Sharing,
     ) -> Self {
-        let (put_on, places, sides) = (Vec::new(), Vec::new(), Vec::new());
-        Self { space: Space::Spatial, names, object, loads, given, put_on, sharing, places, sides }
+        let (program_loads, places, sides) = (Vec::new(), Vec::new(), Vec::new());
+        Self {
+            space: Space::Spatial,
+            names,
+            object,
+            loads,
+            user_loads,
+            program_loads,
+            sharing,
+            places,
+            sides,
+        }
     }
 
     /// Assigns coordinates to every body, starting at `first`, and returns the next free index.
@@ -195,10 +205,10 @@ impl PlacedBodies {
         })
     }
 
-    /// These bodies with the loads `put_on` added to their constant loads.
-    pub(super) fn under(&self, put_on: Vec<Wrench<3>>) -> Self {
-        let loads = paired(&self.loads, &put_on, &|(always, more)| *always + *more);
-        Self { loads, put_on, ..self.clone() }
+    /// These bodies with the loads `program_loads` added to their constant loads.
+    pub(super) fn under(&self, program_loads: Vec<Wrench<3>>) -> Self {
+        let loads = paired(&self.loads, &program_loads, &|(always, more)| *always + *more);
+        Self { loads, program_loads, ..self.clone() }
     }
 
     /// Whether the load of a question is shared among the bodies.

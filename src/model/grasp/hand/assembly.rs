@@ -40,7 +40,7 @@ impl Hand<3> {
             joints,
             lengths: Vector::from_fn(most, |_| 1.0),
             drives: Vec::new(),
-            held: Vector::zeros(),
+            held_forces: Vector::zeros(),
             presses: Vec::new(),
             bones: Vec::new(),
         };
@@ -118,7 +118,7 @@ impl Assembly {
             let length = self.lengths[k];
             let mut along = Vector::zeros();
             along[k] = 1.0;
-            self.held[k] += torque / length;
+            self.held_forces[k] += torque / length;
             if stiffness > 0.0 {
                 let spring = Spring { along, stiffness: stiffness / (length * length), unit: length };
                 self.drive(Owner::Joint(j), &spring, (j, length), limit, true);
@@ -186,7 +186,7 @@ impl Assembly {
             return Self::fault(label, "arm over every joint", 0.0, "more than nothing over one of them");
         }
         let (spring, unit) = self.over(&arms, tendon.stiffness);
-        self.held += &spring.along * (tendon.tension * unit);
+        self.held_forces += &spring.along * (tendon.tension * unit);
         if tendon.stiffness > 0.0 {
             let actuator = self.joints.len() + number;
             self.drive(Owner::Tendon(number), &spring, (actuator, 1.0 / unit), tendon.limit, tendon.pushes);
@@ -195,11 +195,11 @@ impl Assembly {
             name: tendon.name.clone(),
             limit: tendon.limit,
             kind: JointKind::Slides,
-            held: tendon.tension,
+            held_torque: tendon.tension,
         })
     }
 
-    /// A spring over joints with these moment arms, in inside coordinates, and the power of two by which the arms were divided.
+    /// A spring over joints with these moment arms, in the engine's coordinates, and the power of two by which the arms were divided.
     fn over(&self, arms: &[(usize, f64)], stiffness: f64) -> (Spring, f64) {
         let mut along = Vector::zeros();
         for &(j, arm) in arms {
@@ -242,7 +242,7 @@ impl Assembly {
                 self.used += 1;
                 let stiffness = 2.0 * drive.stiffness;
                 let below = if pushes { bound } else { 0.0 };
-                self.held += &drive.along * bound - &between * (bound + below);
+                self.held_forces += &drive.along * bound - &between * (bound + below);
                 let rest = below / stiffness;
                 let (along, above) = (&between - &drive.along, bound / stiffness);
                 let lower = Drive { role: Role::EndsBelow, along: between, stiffness, rest, ..drive.clone() };
@@ -265,7 +265,7 @@ impl Assembly {
             name: joint.name.clone(),
             limit: joint.limit,
             kind: joint.kind(),
-            held: joint.torque,
+            held_torque: joint.torque,
         };
         let linkage = Linkage {
             joints: mapped(&self.joints, &name),
@@ -273,8 +273,8 @@ impl Assembly {
             lengths: Vector::from_fn(size, |k| self.lengths[k]),
             motions: self.motions,
             drives: self.drives,
-            held: self.held,
-            pulled: Vector::zeros(),
+            held_forces: self.held_forces,
+            external_torques: Vector::zeros(),
             bodies: bodies.map(Box::new),
             bones: self.bones,
             centres: mapped(&self.joints, &|joint| joint.motion.centre()),
@@ -284,7 +284,7 @@ impl Assembly {
     }
 }
 
-/// A spring of one axis in inside coordinates.
+/// A spring of one axis in the engine's coordinates.
 struct Spring {
     along: Vector,
     stiffness: f64,

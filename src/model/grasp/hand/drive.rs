@@ -35,7 +35,7 @@ pub(crate) enum Role {
     EndsBelow,
 }
 
-/// A drive in inside coordinates: its force is in N and its displacement a length, for any units of its joints.
+/// A drive in the engine's coordinates: its force is in N and its displacement a length, for any units of its joints.
 #[derive(Debug, Clone)]
 pub(crate) struct Drive {
     pub(crate) owner: Owner,
@@ -70,12 +70,12 @@ impl Drive {
         }
     }
 
-    /// The axis of the drive's site along which the spring acts.
+    /// The axis of the drive's frame along which the spring acts.
     fn axis(&self) -> usize {
         usize::from(self.role == Role::Slips)
     }
 
-    /// The site that models this drive by a contact law.
+    /// The point contact that models this drive by a contact law.
     pub(crate) fn site(&self, space: Space, size: Size) -> Site {
         let slips = self.role == Role::Slips;
         let springs = Compliance::new(&SVector::repeat(self.stiffness), if slips { space.axes() } else { 1 });
@@ -94,7 +94,7 @@ impl Drive {
         site
     }
 
-    /// Stretch of the drive's site under these commands.
+    /// Stretch of the drive's springs under these commands, in its frame.
     pub(super) fn stretch(&self, commands: &[f64]) -> SVector<f64, 3> {
         let mut stretch = self.change(commands);
         stretch[self.axis()] += self.rest;
@@ -104,15 +104,15 @@ impl Drive {
         stretch
     }
 
-    /// Change of the site's stretch for a change of the commands.
+    /// Change of the drive's stretch for a change of the commands.
     pub(super) fn change(&self, commands: &[f64]) -> SVector<f64, 3> {
         let mut stretch = SVector::zeros();
         stretch[self.axis()] = self.commands.iter().map(|&(k, weight)| weight * commands[k]).sum();
         stretch
     }
 
-    /// Torque or tension of the owner for a force of the site. `None` for the lower half of a saturating drive, since the upper half returns the
-    /// value.
+    /// Torque of the drive's joint, or tension of its tendon, for a force of the drive. `None` for the lower half of a saturating drive, since the
+    /// upper half returns the value.
     pub(crate) fn carried(&self, force: &SVector<f64, 3>) -> Option<f64> {
         match self.role {
             Role::EndsBelow => None,
@@ -137,7 +137,7 @@ impl Drive {
         if matches!(self.role, Role::EndsAbove | Role::EndsBelow) { 2.0 } else { 1.0 }
     }
 
-    /// Derivative of the site's force with respect to the owner's stiffness, N m/rad or N/m, at constant stretch.
+    /// Derivative of the drive's force with respect to the stiffness of its joint or tendon, N m/rad or N/m, at constant stretch.
     pub(crate) fn by_stiffness(&self, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         let mut more = SVector::zeros();
         // The elastic force of each half of a saturating drive is measured from its bound.
@@ -150,7 +150,7 @@ impl Drive {
         more
     }
 
-    /// Derivatives with respect to the owner's limit: of the site's stretch, and of the constant force on the coordinates.
+    /// Derivatives with respect to the limit of the joint or tendon: of the drive's stretch, and of the constant force on the coordinates.
     pub(crate) fn by_limit(&self) -> (SVector<f64, 3>, Vector) {
         let (mut stretch, per_force) = (SVector::zeros(), 1.0 / self.unit);
         let held = match self.role {
@@ -158,7 +158,8 @@ impl Drive {
                 stretch[0] = per_force / self.stiffness;
                 Vector::zeros()
             }
-            // The bound acts on both sides of each half. The lower bound is zero if the drive only pulls.
+            // The limit enters both the stretch of a half and its constant force. The lower half of a drive that only pulls has the bound zero,
+            // whatever the limit.
             Role::EndsAbove | Role::EndsBelow if !self.pulls_only() => {
                 stretch[0] = per_force / self.stiffness;
                 -&self.along * per_force
@@ -169,7 +170,7 @@ impl Drive {
     }
 
     /// Stretch of the drive's spring under a force.
-    pub(crate) fn give(&self, force: f64) -> f64 {
+    pub(crate) fn deflection(&self, force: f64) -> f64 {
         force / self.stiffness
     }
 
@@ -178,7 +179,7 @@ impl Drive {
         self.role == Role::Pulls || (self.role == Role::EndsBelow && self.rest == 0.0)
     }
 
-    /// Stored energy, J, at a force of the site. The upper half of a saturating drive returns the energy of both halves.
+    /// Stored energy, J, at a force of the drive. The upper half of a saturating drive returns the energy of both halves.
     pub(crate) fn stored(&self, force: &SVector<f64, 3>) -> f64 {
         let square = |force: f64| force * force / self.stiffness;
         match self.role {
@@ -188,7 +189,7 @@ impl Drive {
         }
     }
 
-    /// Displacement of the owner, or change of its command, for a displacement of the site.
+    /// Displacement of the joint or tendon, or change of its command, for a displacement of the drive.
     pub(crate) fn displacement(&self, along: f64) -> f64 {
         // The work, force times displacement, is the same in both units.
         along / self.unit

@@ -25,9 +25,9 @@ impl<const C: usize> Face for JointMotion<C> {
         match self {
             Self::Revolute { point, .. } => {
                 // A revolute joint of the plane has no axis vector.
-                JointMotion::Revolute { point: point.entered(), axis: SVector::from([0.0, 0.0, 1.0]) }
+                JointMotion::Revolute { point: point.to_inside(), axis: SVector::from([0.0, 0.0, 1.0]) }
             }
-            Self::Prismatic { direction } => JointMotion::Prismatic { direction: direction.entered() },
+            Self::Prismatic { direction } => JointMotion::Prismatic { direction: direction.to_inside() },
             Self::Given => JointMotion::Given,
         }
     }
@@ -35,9 +35,11 @@ impl<const C: usize> Face for JointMotion<C> {
     fn narrow(inside: JointMotion<3>) -> Self {
         match inside {
             JointMotion::Revolute { point, axis } => {
-                Self::Revolute { point: Face::leave(point), axis: Face::leave(axis) }
+                Self::Revolute { point: Face::from_inside(point), axis: Face::from_inside(axis) }
             }
-            JointMotion::Prismatic { direction } => Self::Prismatic { direction: Face::leave(direction) },
+            JointMotion::Prismatic { direction } => {
+                Self::Prismatic { direction: Face::from_inside(direction) }
+            }
             JointMotion::Given => Self::Given,
         }
     }

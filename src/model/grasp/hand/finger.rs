@@ -10,7 +10,7 @@ use crate::prelude::*;
 /// How a contact moves with the joints of its finger.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum ContactMover {
-    /// The first joints of the finger, this many, move the contact.
+    /// The first joints of the finger move the contact; the number counts them.
     Link(usize),
     /// This Jacobian, along the coordinate axes, gives the motion.
     World(DMatrix<f64>),

@@ -8,7 +8,7 @@ use super::joint::Joint;
 use crate::error::Error;
 use crate::grasp::contact::Contact;
 
-/// The beginning of the name of such a slide; the name of its contact follows.
+/// The beginning of the name of the slide of a contact that is held by a force; the name of the contact follows.
 pub(crate) const SLIDE_OF: &str = "slide of ";
 
 impl<const C: usize> Finger<C> {

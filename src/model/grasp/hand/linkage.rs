@@ -14,7 +14,7 @@ use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::words::printable;
 
-/// Joints, tendons, drives and bodies of a grasp, in inside coordinates.
+/// Joints, tendons, drives and bodies of a grasp, in the engine's coordinates.
 #[derive(Debug, Clone)]
 pub(crate) struct Linkage {
     pub(crate) joints: Vec<Named>,
@@ -23,12 +23,12 @@ pub(crate) struct Linkage {
     pub(crate) lengths: Vector,
     /// Motion of each contact along the coordinate axes, per unit of each coordinate after the object's.
     pub(crate) motions: Vec<Vec<(usize, SVector<f64, 3>)>>,
-    /// Drives, one for each site after those of the contacts.
+    /// Drives, in the order in which they follow the contacts in the list of sites.
     pub(crate) drives: Vec<Drive>,
     /// Constant generalised forces on the coordinates, from joint torques, tensions and contacts with a constant force.
-    pub(crate) held: Vector,
-    /// External torques on the joints, in inside coordinates.
-    pub(crate) pulled: Vector,
+    pub(crate) held_forces: Vector,
+    /// External torques on the joints, in the engine's coordinates.
+    pub(crate) external_torques: Vector,
     /// The bodies, if there is more than one object.
     pub(crate) bodies: Option<Box<PlacedBodies>>,
     /// Line segments from joint to joint and on to the contacts, for pictures only.
@@ -47,7 +47,7 @@ pub(crate) struct Named {
     /// Kind of motion; that of a tendon is not used.
     pub(crate) kind: JointKind,
     /// Constant torque or tension, N m or N.
-    pub(crate) held: f64,
+    pub(crate) held_torque: f64,
 }
 
 /// A joint or a tendon of a hand.
@@ -96,7 +96,7 @@ impl PartLabel {
 }
 
 impl Linkage {
-    /// Stretches of the sites of all drives under these commands.
+    /// Stretches of all drives under these commands.
     pub(crate) fn stretches(&self, commands: &[f64]) -> impl Iterator<Item = SVector<f64, 3>> {
         self.drives.iter().map(move |drive| drive.stretch(commands))
     }
@@ -129,17 +129,22 @@ impl Linkage {
     /// Multiplies the constant torque of a joint by `factor`.
     pub(crate) fn hold_joint(&mut self, space: Space, joint: usize, factor: f64) {
         let (k, joint) = (space.of_the_object() + joint, &mut self.joints[joint]);
-        self.held[k] += (factor - 1.0) * (joint.held / self.lengths[k]);
-        joint.held *= factor;
+        self.held_forces[k] += (factor - 1.0) * (joint.held_torque / self.lengths[k]);
+        joint.held_torque *= factor;
     }
 
     /// Replaces the constant forces of the contacts `before` by those of the contacts `now`.
-    pub(crate) fn press_instead(&mut self, space: Space, before: &[Contact<3>], now: &[Contact<3>]) {
+    pub(crate) fn replace_pressing_forces(
+        &mut self,
+        space: Space,
+        before: &[Contact<3>],
+        now: &[Contact<3>],
+    ) {
         for ((before, now), motions) in before.iter().zip(now).zip(&self.motions) {
             if let (Some(before), Some(now), Some((slide, _))) = (before.force, now.force, motions.first()) {
                 let k = space.of_the_object() + slide;
-                self.held[k] += (now - before) / self.lengths[k];
-                self.joints[*slide].held += now - before;
+                self.held_forces[k] += (now - before) / self.lengths[k];
+                self.joints[*slide].held_torque += now - before;
             }
         }
     }

@@ -120,10 +120,10 @@ mod tests {
     #[test]
     fn what_is_indefinite_is_told_by_its_eigenvalue() {
         let saddle = DMatrix::from_row_slice(2, 2, &[1.0, 2.0, 2.0, 1.0]);
-        let told = squares(&saddle, 2);
+        let result = squares(&saddle, 2);
         assert!(
-            matches!(told, Err(NotPositive::Eigenvalue(value)) if (value + 1.0).abs() < 1e-14),
-            "{told:?}"
+            matches!(result, Err(NotPositive::Eigenvalue(value)) if (value + 1.0).abs() < 1e-14),
+            "{result:?}"
         );
         let zero_diagonal = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 1.0, 0.0]);
         assert!(matches!(squares(&zero_diagonal, 2), Err(NotPositive::Eigenvalue(_))));

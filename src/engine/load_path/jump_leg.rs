@@ -21,7 +21,7 @@ use super::journey::Journey;
 use super::jump::{Jump, JumpSlip};
 use super::node::Node;
 use super::pieces::Pieces;
-use super::stretch::{Bend, Fallen};
+use super::stretch::{ArcStep, JumpRecord};
 use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, tangential_norm};
 use crate::equilibrium::ACCURATE;
@@ -34,10 +34,10 @@ use crate::search::{Doubt, Found, Settings, Settled, settle};
 pub(super) struct JumpInProgress<'g> {
     /// The leg along which the external force that replaces lost friction is removed.
     pub(super) leg: Pieces<'g>,
-    /// Slips before the jump, and all states so far of all sites in it.
-    fallen: Fallen,
+    /// Slips before the jump, and all states so far of all contacts and drives in it.
+    record: JumpRecord,
     pub(super) changes: Vec<(usize, Change<3>)>,
-    /// Sites whose gaps have closed at the end of a free motion.
+    /// Contacts whose gaps have closed at the end of a free motion.
     pub(super) reaches: Vec<usize>,
 }
 
@@ -48,29 +48,29 @@ impl<'g> JumpInProgress<'g> {
         for (i, slip) in slips.iter().enumerate() {
             slid[i] = leg.segment.problem.slips[i] != *slip;
         }
-        let fallen = Fallen { slid, slips: slips.to_vec(), states: Vec::new() };
-        Self { leg, fallen, changes: Vec::new(), reaches: Vec::new() }
+        let record = JumpRecord { slid, slips: slips.to_vec(), states: Vec::new() };
+        Self { leg, record, changes: Vec::new(), reaches: Vec::new() }
     }
 
     /// Follows the leg to its end; the forces that further contacts lose are removed as well.
-    pub(super) fn go(&mut self, goal: &Vector, journey: &Journey<'g>) -> Result<(), PathEnd<3>> {
-        // Limit on how often a force is removed anew, sixteen times for each site. Each repetition loses energy: only through rounding can contacts
-        // stick and slide again more often.
-        let mut left = 16 * self.fallen.slid.len();
+    pub(super) fn run(&mut self, goal: &Vector, journey: &Journey<'g>) -> Result<(), PathEnd<3>> {
+        // Limit on how often a force is removed anew, sixteen times for each contact or drive. Each repetition loses energy: only through rounding
+        // can contacts stick and slide again more often.
+        let mut left = 16 * self.record.slid.len();
         loop {
-            let begin = match self.go_to_the_next_node(journey) {
+            let begin = match self.advance_to_node(journey) {
                 Ok(None) => return Ok(()),
                 Ok(Some(begin)) if begin.is_empty() => continue,
                 Ok(Some(begin)) => begin,
                 Err(PathEnd::Lost(loss)) => {
-                    self.go_on_freely(&loss, goal, journey)?;
+                    self.follow_free_motion(&loss, goal, journey)?;
                     Vec::new()
                 }
                 Err(end) => return Err(end),
             };
             left = left.checked_sub(1).ok_or_else(|| journey.undecided(0.0, Doubt::OnTheBoundary))?;
             if !begin.is_empty()
-                && let Some(leg) = self.leg.let_go(goal, &begin, journey)?
+                && let Some(leg) = self.leg.leg_of_release(goal, &begin, journey)?
             {
                 self.leg = leg;
             }
@@ -79,33 +79,33 @@ impl<'g> JumpInProgress<'g> {
 
     /// Advances along the leg, or decides its continuation. Returns the contacts that begin to slide with kinetic friction below their static
     /// friction; `None` at the end of the leg.
-    fn go_to_the_next_node(&mut self, journey: &Journey<'g>) -> Result<Option<Vec<usize>>, PathEnd<3>> {
+    fn advance_to_node(&mut self, journey: &Journey<'g>) -> Result<Option<Vec<usize>>, PathEnd<3>> {
         let leg = &mut self.leg;
         if !core::mem::take(&mut leg.at_node) {
             let done =
                 if leg.node.turns() { leg.advance_along_arc(journey) } else { leg.advance_straight(journey) };
             return Ok(if done? { None } else { Some(Vec::new()) });
         }
-        let onward = leg.node.go_on(&mut leg.segment, journey, leg.factor)?;
-        leg.here = Some(onward.here);
+        let next = leg.node.continue_path(&mut leg.segment, journey, leg.factor)?;
+        leg.point = Some(next.point);
         leg.pace = leg.pace.at_node();
         leg.friction_of_rest();
-        let begin = leg.begin_to_slide(&onward.changes);
-        self.note(&onward.changes);
+        let begin = leg.begin_to_slide(&next.changes);
+        self.note(&next.changes);
         Ok(Some(begin))
     }
 
     pub(super) fn note(&mut self, changes: &[(usize, Change<3>)]) {
         self.changes.extend(changes);
         let states = &self.leg.node.states;
-        self.fallen.slid.iter_mut().zip(states).for_each(|(slid, state)| *slid |= state.slides());
-        self.fallen.states.push(states.clone());
+        self.record.slid.iter_mut().zip(states).for_each(|(slid, state)| *slid |= state.slides());
+        self.record.states.push(states.clone());
     }
 
     /// Slips of the contacts in the jump so far.
     fn slips(&self, journey: &Journey<'g>) -> Vec<JumpSlip<3>> {
-        let contacts = journey.grasp.contacts().iter().enumerate().filter(|(i, _)| self.fallen.slid[*i]);
-        let slip = |i: usize| self.leg.segment.problem.slips[i] - self.fallen.slips[i];
+        let contacts = journey.grasp.contacts().iter().enumerate().filter(|(i, _)| self.record.slid[*i]);
+        let slip = |i: usize| self.leg.segment.problem.slips[i] - self.record.slips[i];
         contacts.map(|(i, contact)| JumpSlip { contact: contact.label(i), slip: slip(i) }).list()
     }
 }
@@ -113,7 +113,7 @@ impl<'g> JumpInProgress<'g> {
 impl<'g> Pieces<'g> {
     /// The leg along which an external force is removed after the contacts `begin` have begun to slide; at its end the load is `goal`. `None` if they
     /// start from an apex, with no force to lose: the continuation is then decided once more, with kinetic friction.
-    pub(super) fn let_go(
+    pub(super) fn leg_of_release(
         &mut self,
         goal: &Vector,
         begin: &[usize],
@@ -135,7 +135,7 @@ impl<'g> Pieces<'g> {
                 (states[i], forces[i]) = (answer.state, answer.force);
                 any = true;
             } else {
-                self.node.stands[i].apex = true;
+                self.node.active_sets[i].apex = true;
             }
         }
         if !any {
@@ -154,12 +154,12 @@ impl<'g> Pieces<'g> {
         let mut node = Node::at_start(&mut segment, Found::new(states, forces, self.node.at.twist.clone()));
         node.holds.clone_from(&self.node.holds);
         for i in slide_on {
-            if node.stands[i].is_nowhere() {
-                node.stands[i] = self.node.stands[i].clone();
+            if node.active_sets[i].is_empty() {
+                node.active_sets[i] = self.node.active_sets[i].clone();
             }
         }
         segment.largest = self.segment.largest;
-        let mut leg = Self { at_node: true, ..Self::standing(segment, node) };
+        let mut leg = Self { at_node: true, ..Self::at_segment_start(segment, node) };
         leg.pace.steps = self.pace.steps + 1;
         Ok(Some(leg))
     }
@@ -183,60 +183,62 @@ impl<'g> Pieces<'g> {
             PathEnd::Undecided { doubt, .. } => journey.undecided(factor, doubt),
             end => end,
         };
-        let Some(leg) = self.let_go(&goal, begin, journey).map_err(end_here)? else { return Ok(None) };
-        let mut fall = JumpInProgress::after(leg, &self.segment.problem.slips);
-        fall.note(&[]);
-        if let Err(end) = fall.go(&goal, journey) {
+        let Some(leg) = self.leg_of_release(&goal, begin, journey).map_err(end_here)? else {
+            return Ok(None);
+        };
+        let mut jump = JumpInProgress::after(leg, &self.segment.problem.slips);
+        jump.note(&[]);
+        if let Err(end) = jump.run(&goal, journey) {
             let PathEnd::Lost(loss) = end else { return Err(end_here(end)) };
             let (fraction, load) = (self.factor, journey.program.load_at(self.factor));
-            let loss = Loss { fraction, load, jumped: fall.slips(journey), ..*loss };
-            self.fallen = Some(fall.leg.segment.problem_at(1.0));
+            let loss = Loss { fraction, load, jumped: jump.slips(journey), ..*loss };
+            self.failed_jump = Some(jump.leg.segment.problem_at(1.0));
             return Err(PathEnd::Lost(Box::new(loss)));
         }
-        self.land(journey, &goal, fall).map(Some)
+        self.end_jump(journey, &goal, jump).map(Some)
     }
 
     /// Moves to the end of a jump, at the load `goal`.
-    pub(super) fn land(
+    pub(super) fn end_jump(
         &mut self,
         journey: &Journey<'g>,
         goal: &Vector,
-        fall: JumpInProgress<'g>,
+        jump: JumpInProgress<'g>,
     ) -> Result<Jump<3>, PathEnd<3>> {
-        let slips = fall.slips(journey);
+        let slips = jump.slips(journey);
         let mut segment = self.segment.clone();
-        let (problem, leg) = (&mut segment.problem, fall.leg);
+        let (problem, leg) = (&mut segment.problem, jump.leg);
         let relaxed = leg.segment.problem;
         for (i, slip) in relaxed.slips.iter().enumerate() {
             problem.offsets[i] -= slip - problem.slips[i];
         }
         (problem.slips, problem.cones) = (relaxed.slips, relaxed.cones);
         segment.largest = segment.largest.max(leg.segment.largest);
-        let landed = Self { factor: self.factor, ..Self::standing(segment, leg.node) };
+        let after_jump = Self { factor: self.factor, ..Self::at_segment_start(segment, leg.node) };
         let inaccurate = || journey.undecided(self.factor, Doubt::Inaccurate);
-        let mut stands = landed.standing_here(journey).ok_or_else(inaccurate)?;
-        if landed.node.turns() {
+        let mut place = after_jump.present_stretch(journey).ok_or_else(inaccurate)?;
+        if after_jump.node.turns() {
             // Close to an asymptote the contact states hardly determine the twist: the twist at the end of the leg is kept, as along an arc.
-            stands.there = landed.node.at.clone();
-            stands.bend = Some(Bend { unit: 1.0, length: 0.0, rule: Rule::Explicit });
+            place.there = after_jump.node.at.clone();
+            place.arc_step = Some(ArcStep { unit: 1.0, length: 0.0, rule: Rule::Explicit });
         }
-        let state = landed.state_on(&stands, self.factor);
+        let state = after_jump.state_on(&place, self.factor);
         let state = state.filter(|state| state.residuals.worst() <= ACCURATE).ok_or_else(inaccurate)?;
-        stands.fallen = Some(Box::new(fall.fallen));
-        self.segment = landed.segment;
-        let before = core::mem::replace(&mut self.node, landed.node).at;
+        place.jump = Some(Box::new(jump.record));
+        self.segment = after_jump.segment;
+        let before = core::mem::replace(&mut self.node, after_jump.node).at;
         self.step_error += leg.step_error;
         self.pace.steps = leg.pace.steps;
         let energy = self.energy_of(goal, &before.forces, &before.twist);
         if let Some(leg) = self.energy.last_mut() {
             leg.add_part(&energy);
         }
-        self.here = Some(stands.here.clone());
-        self.behind.push(stands);
+        self.point = Some(place.here.clone());
+        self.behind.push(place);
         self.note_how_far(journey);
-        let (changes, _): (Vec<ContactChange<3>>, _) = journey.grasp.contacts_and_drives(fall.changes);
+        let (changes, _): (Vec<ContactChange<3>>, _) = journey.grasp.contacts_and_drives(jump.changes);
         let moved = journey.grasp.each_moves(&(&self.node.at.twist - &before.twist));
-        let (reaches, _) = journey.grasp.sites_apart(fall.reaches);
+        let (reaches, _) = journey.grasp.sites_apart(jump.reaches);
         Ok(Jump { changes, slips, reaches, snaps: false, moved, energy_lost: energy.dissipated, state })
     }
 
@@ -252,8 +254,8 @@ impl<'g> Pieces<'g> {
 }
 
 /// Whether any equilibrium exists at the load at which a jump found none, with the friction that remains.
-pub(super) fn beyond_a_jump(fallen: &Problem<'_>, settings: &Settings) -> Beyond<3> {
-    match settle(fallen, settings).0 {
+pub(super) fn beyond_a_jump(problem: &Problem<'_>, settings: &Settings) -> Beyond<3> {
+    match settle(problem, settings).0 {
         Settled::Found(..) => Beyond::Snap,
         Settled::Undecided(doubt) => Beyond::Undecided { doubt },
         _ => Beyond::LimitLoad,

@@ -13,7 +13,12 @@ use nalgebra::{DVector, SVector};
 impl<const C: usize> FrictionProblem<C> {
     /// These forces with those of open contacts set to zero, and forces just outside a cone moved onto its edge. u holds their velocities; ρ of
     /// each contact converts velocities to forces.
-    pub(super) fn tidied(&self, mut r: DVector<f64>, u: &DVector<f64>, rho: &[f64]) -> DVector<f64> {
+    pub(super) fn snapped_to_cones(
+        &self,
+        mut r: DVector<f64>,
+        u: &DVector<f64>,
+        rho: &[f64],
+    ) -> DVector<f64> {
         for (i, rho) in rho.iter().enumerate() {
             let (force, velocity): (SVector<f64, C>, SVector<f64, C>) = (part(&r, i), part(u, i));
             if Self::state(&force, &velocity, self.mu[i], *rho) == ContactMode::Open {
@@ -35,7 +40,12 @@ impl<const C: usize> FrictionProblem<C> {
     }
 
     /// The solution with these forces; `None` if its residuals exceed the tolerance.
-    pub(super) fn settled(&self, mut r: DVector<f64>, rho: &[f64], tolerance: f64) -> Option<Solution> {
+    pub(super) fn checked_solution(
+        &self,
+        mut r: DVector<f64>,
+        rho: &[f64],
+        tolerance: f64,
+    ) -> Option<Solution> {
         let states = |r: &DVector<f64>| -> Vec<ContactMode> {
             let u = self.velocities(r);
             let state = |i| Self::state(&part(r, i), &part(&u, i), self.mu[i], rho[i]);
@@ -48,7 +58,7 @@ impl<const C: usize> FrictionProblem<C> {
         let mut residuals = self.residuals(&r);
         let mut found = found;
         if !residuals.within(tolerance) || self.leaves_cones(&r) {
-            r = self.without_noise(self.tidied(r.clone(), &self.velocities(&r), rho));
+            r = self.without_noise(self.snapped_to_cones(r.clone(), &self.velocities(&r), rho));
             residuals = self.residuals(&r);
             found = states(&r);
         }

@@ -38,7 +38,8 @@ impl Engine {
         Ok(self.hold_with(ramp, settings, Extent::Whole)?.0)
     }
 
-    /// The verdict, and the largest ratio of a motion to its limit while the load is put on; of a brief one, up to its loss.
+    /// The verdict, and the largest ratio of a motion to its limit. The ratio covers the growth of the load to its full size, for a brief verdict its
+    /// growth up to the loss.
     pub(crate) fn hold_with(
         &self,
         ramp: &Ramp<3>,
@@ -69,19 +70,19 @@ impl Engine {
             path.run();
         }
         let mut farthest = path.farthest();
-        let mut gone = 1.0;
+        let mut largest_factor = 1.0;
         if is_on && settings.most_load > 1.0 {
-            gone = settings.most_load;
-            path.continue_with(&[Leg::along(&ramp.times(gone - 1.0))])?;
+            largest_factor = settings.most_load;
+            path.continue_with(&[Leg::along(&ramp.times(largest_factor - 1.0))])?;
             path.run_while_small();
         }
         if extent == Extent::Brief {
             farthest = path.farthest();
         }
         let reached = |(leg, fraction): (usize, f64)| {
-            if leg == 0 { fraction } else { 1.0 + fraction * (gone - 1.0) }
+            if leg == 0 { fraction } else { 1.0 + fraction * (largest_factor - 1.0) }
         };
-        let too_far = too_far_on(&path);
+        let too_far = end_before_loss(&path);
         let end = too_far.map_or(path.place(), |far| (far.leg, far.fraction));
         let held_to = reached(end);
         let is_small = |first: &FirstSlip| too_far.is_none() || first.factor <= held_to;
@@ -89,9 +90,9 @@ impl Engine {
         let while_on = state.is_some().then(|| path.everything_slides_from((1, 0.0))).flatten();
         let everything_slides = while_on.or_else(|| path.everything_slides_from(end)).map(reached);
         let holding = match &state {
-            Some(state) => self.held(state, &events, first_slip.as_ref()),
+            Some(state) => self.holding(state, &events, first_slip.as_ref()),
             None if too_far.is_some() => Holding::Lost,
-            None => self.not_held(&path, &ramp.base, settings),
+            None => self.holding_of_end(&path, &ramp.base, settings),
         };
         let went_too_far = too_far.map(|far| {
             let state = path.state_at(far.leg, far.fraction);
@@ -131,18 +132,17 @@ impl Engine {
             verdict.lost.iter_mut().for_each(|lost| lost.state = None);
             return Ok((verdict, farthest));
         }
-        let there = state.as_ref().or_else(|| verdict.lost.as_ref()?.state.as_deref());
+        let end = state.as_ref().or_else(|| verdict.lost.as_ref()?.state.as_deref());
         let rest =
             path.state_at(0, 0.0).filter(|_| ramp.command_change.is_none() && ramp.joint_change.is_none());
-        verdict.left_out =
-            rest.zip(there).and_then(|(rest, there)| self.left_out_by_small_motions(&rest, there));
+        verdict.left_out = rest.zip(end).and_then(|(rest, end)| self.left_out_by_small_motions(&rest, end));
         verdict.caught = Caught::among(self.wholes(), &events);
         verdict.state = state.map(Box::new);
         Ok((verdict, farthest))
     }
 
     /// The conclusion where the path ended before the whole load was applied.
-    fn not_held(&self, path: &LoadPath<'_, 3>, base: &Wrench<3>, settings: &Settings) -> Holding<3> {
+    fn holding_of_end(&self, path: &LoadPath<'_, 3>, base: &Wrench<3>, settings: &Settings) -> Holding<3> {
         let inaccurate = Holding::Undecided { doubt: Doubt::Inaccurate };
         let or_at_rest = |otherwise: Holding<3>| {
             self.lost_at_rest(base, settings).map_or(otherwise, |at_rest| Holding::LostAtRest { at_rest })
@@ -173,13 +173,13 @@ impl Engine {
         path.run();
         let loss = path.end().and_then(PathEnd::loss)?;
         let lost = grasp.lost(path.place().1, loss, path.state());
-        // The state there carries a part of the load at rest, not the load of the question, so it is left out.
+        // The state at the loss carries a part of the load at rest, not the load of the question, so it is left out.
         Some(Box::new(Lost { state: None, ..lost }))
     }
 
     /// The conclusion where the whole load is held. A contact has slid if it slides now, slipped in a jump, or began to slide at an event. Slips in the
     /// state do not show that, since a contact that was open has one, too.
-    fn held(
+    fn holding(
         &self,
         state: &Equilibrium<3>,
         events: &[Event<3>],
@@ -213,9 +213,12 @@ impl Engine {
         let slides_at_once = |i: usize| at_once().any(|event| begins_to_slide(event, i));
         match onset {
             Onset::At(event) => {
-                let leaves = |so: fn(&Departure<3>) -> bool| {
+                let leaves = |matches: fn(&Departure<3>) -> bool| {
                     let is_meant = |i: usize| {
-                        event.leaving.iter().any(|leaving| leaving.contact.index == i && so(&leaving.how))
+                        event
+                            .leaving
+                            .iter()
+                            .any(|leaving| leaving.contact.index == i && matches(&leaving.how))
                     };
                     parts.with(&is_meant)
                 };
@@ -283,7 +286,7 @@ fn begins_to_slide(event: &Event<3>, contact: usize) -> bool {
 }
 
 /// The end of small motions, if it comes before the loss of equilibrium.
-fn too_far_on<'p>(path: &'p LoadPath<'_, 3>) -> Option<&'p EndOfSmallMotions> {
+fn end_before_loss<'p>(path: &'p LoadPath<'_, 3>) -> Option<&'p EndOfSmallMotions> {
     let loss = path.end().and_then(PathEnd::loss);
     let before = |far: &&EndOfSmallMotions| {
         loss.is_none_or(|loss| (far.leg, far.fraction) < (loss.leg, loss.fraction * (1.0 - NEGLIGIBLE)))
