@@ -111,7 +111,7 @@ fn a_frictionless_finger_that_opens_does_not_end_the_agreement() {
         assert_eq!(state.contacts[0].state == ContactState::Separated, w > 0.8);
     }
     let beyond = grasp.energy().compare(weight + pull * 1.01).unwrap();
-    assert!(matches!(beyond.verdict, ComparisonVerdict::NoEquilibrium { .. }), "{}", beyond.verdict);
+    assert!(matches!(beyond.verdict, ComparisonVerdict::NoEquilibrium { .. }), "{:?}", beyond.verdict);
     let ends = grasp.energy().agreement(Ramp::load(weight, pull)).unwrap();
     let Agreement::UpTo { factor, binding } = ends else { panic!("{ends:?}") };
     assert!((factor - 1.0).abs() < 1e-14, "{factor}");

@@ -67,7 +67,7 @@ fn beyond_the_onset_the_rows_are_out_of_equilibrium() {
             (missing[1] + (w - onset)).abs() < 1e-14 && missing[0].abs() < 1e-15 && missing[2].abs() < 1e-13
         );
         let ComparisonVerdict::NoEquilibrium { force, moment } = comparison.verdict else {
-            panic!("{}", comparison.verdict)
+            panic!("{:?}", comparison.verdict)
         };
         assert!((force - (w - onset)).abs() < 1e-14 && moment < 1e-13);
         assert!(comparison.difference.is_none());
@@ -78,8 +78,8 @@ fn beyond_the_onset_the_rows_are_out_of_equilibrium() {
         let sum: SVector<f64, 2> = minimum.contacts.iter().map(|c| c.force_world).sum();
         assert!((sum[1] - w - missing[1]).abs() < 1e-14);
     }
-    let text = grasp.energy().compare(down() * 0.14).unwrap().verdict.to_string();
-    assert!(text.contains(" 0.017845 N, 0.000000 N m"), "{text}");
+    let text = grasp.energy().compare(down() * 0.14).unwrap().to_string();
+    assert!(text.ends_with("misses the load by 0.0178446 N"), "{text}");
 }
 
 #[test]

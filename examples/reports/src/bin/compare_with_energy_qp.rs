@@ -43,7 +43,7 @@ fn along_the_load(grasp: &Grasp, onset: f64) -> Result<()> {
             Some(difference) => print!("     {:7.0e}   ", difference.relative()),
             None => print!("        -      "),
         }
-        println!("   {:.6}       {}", minimum.out_of_balance().0, comparison.verdict);
+        println!("   {:.6}       {}", minimum.out_of_balance().0, comparison);
 
         // The program as printed in the paper, in all displacements, by Lemke's method and by an interior-point method.
         let printed = grasp.energy().printed_qp(load, &settings.cone)?;
