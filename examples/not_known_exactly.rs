@@ -23,11 +23,7 @@ fn main() -> Result<(), grasp_lcp::Error> {
         .with_squeeze(0.05)
         .with_position(1e-3)
         .with_normal(2_f64.to_radians());
-    let robust = grasp.robust_onset(&ramp, &uncertainty)?;
-    println!("slides {}", robust.onset);
-    if let Some(deviation) = robust.spread.and_then(|spread| spread.deviation) {
-        println!("to first order that is off by {deviation:.6} N (one standard deviation)");
-    }
+    println!("slides {}", grasp.onset(&ramp)?);
     let held = grasp.reserve(Wrench::ZERO, &uncertainty, 3.0)?.along(&Wrench::force([0.0, -1.0]));
     println!(
         "with three standard deviations in reserve {held:.6} N are held: fewer than one in 740 slides below"

@@ -5,6 +5,3 @@
 pub use crate::grasp::{Pressure, SuctionCup};
 
 crate::planar::names!(3);
-
-/// Results on the inscribed, the round and the circumscribed friction cone; see [`crate::equilibrium::Bracket`].
-pub type Bracket = crate::equilibrium::Bracket<3>;

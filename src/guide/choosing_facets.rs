@@ -12,8 +12,8 @@
 //!
 //! # Where facets are used
 //!
-//! Polygons are used by [`Settings::on_the_polygon`](crate::Settings::on_the_polygon), for comparison with codes that have nothing else; by the
-//! quadratic programs of [`energy`](crate::energy); and by [`Grasp::bracket`](crate::ask::Grasp::bracket), which shows their effect.
+//! Polygons are used by [`Settings::on_the_polygon`](crate::Settings::on_the_polygon), for comparison with codes that have nothing else, and by the
+//! quadratic programs of [`energy`](crate::energy).
 //!
 //! A regular polygon of m facets inside a circle of radius `μ F_n` has its facets at `μ F_n cos(π/m)`; around it, its corners lie at `μ F_n / cos(π/m)`:
 //!

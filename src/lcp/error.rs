@@ -3,8 +3,6 @@
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
-use crate::prelude::*;
-
 /// Faults in the input of a problem.
 ///
 /// That no solution exists is not an error but an answer, see [`Outcome`](super::Outcome).
@@ -29,34 +27,6 @@ pub enum LcpError {
         /// Its length.
         given: usize,
         /// The required length.
-        needed: usize,
-    },
-    /// An entry of a sparse matrix lies outside of it.
-    #[error("entry ({row}, {column}) is outside of M, which has {size} rows and columns")]
-    Place {
-        /// Row of the entry, counted from 0.
-        row: usize,
-        /// Column of the entry, counted from 0.
-        column: usize,
-        /// Rows and columns of the matrix.
-        size: usize,
-    },
-    /// A word of a text is not a number, or the first word is not the number of pairs.
-    #[error("word {at} is `{word}`, but must be {allowed}")]
-    Word {
-        /// Number of words before it.
-        at: usize,
-        /// The word.
-        word: String,
-        /// The required kind of word.
-        allowed: &'static str,
-    },
-    /// A text has too few or too many numbers.
-    #[error("the text has {given} numbers, but must have {needed}: n, n rows of M and q")]
-    Count {
-        /// Number of numbers in the text.
-        given: usize,
-        /// Required number, 1 + n² + n.
         needed: usize,
     },
     /// A vector must have one entry per row of M.

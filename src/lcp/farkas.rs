@@ -25,8 +25,8 @@ impl Lcp {
         self.contradicts(y, |_| false, |_| Domain::NotNegative)
     }
 
-    /// Whether y proves that some constraints contradict each other: rows of M z + q that are zero or nonnegative, and unknowns of the three
-    /// kinds of [`Domain`]. The proof needs y_i ≥ 0 in nonnegative rows, (Mᵀy)_j ≤ 0 for z_j ≥ 0, (Mᵀy)_j = 0 for free z_j, and qᵀy < 0.
+    /// Whether y proves that some constraints contradict each other: rows of M z + q that are zero or nonnegative, and unknowns of the two
+    /// kinds of [`Domain`]. The proof needs y_i ≥ 0 in nonnegative rows, (Mᵀy)_j ≤ 0 for z_j ≥ 0, and qᵀy < 0.
     pub(super) fn contradicts(
         &self,
         y: &DVector<f64>,
@@ -39,7 +39,6 @@ impl Lcp {
             && self.columns().enumerate().all(|(j, column)| match domain(j) {
                 Domain::Zero => true,
                 Domain::NotNegative => times(column, y).sign() != Ordering::Greater,
-                Domain::Free => times(column, y).sign() == Ordering::Equal,
             })
     }
 
@@ -139,8 +138,6 @@ impl Lcp {
 /// The values that an unknown may have.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Domain {
-    /// Any value.
-    Free,
     /// z_j ≥ 0.
     NotNegative,
     /// z_j = 0.

@@ -43,8 +43,7 @@
 //! [`Outcome`] says which of these happened. It says "solved" only after the residuals have been recomputed from the given M and q. If a ray
 //! proves nothing, further attempts follow, which [`Lcp::solve_with`] lists.
 //!
-//! Proofs that no solution exists are checked without rounding. [`Lcp::verify`] proves on request, with error bounds, that a basis has an exact
-//! solution.
+//! Proofs that no solution exists are checked without rounding.
 //!
 //! # Units, ties, cost
 //!
@@ -58,9 +57,9 @@
 
 // Files, lowest level first. `tolerances` holds every number with which a value is compared. `problem` is validated input, `scaling` balances
 // it, and a `dictionary` represents one of its bases. `path`, `lemke` and `refactor` move from dictionary to dictionary and recompute them.
-// `point` and `conclusion` check the end of a path against the data. `farkas` and `exclusion` prove without rounding that no solution exists,
-// `verified` proves that one exists. One `attempt` is one path with its end; the `ladder` defines the sequence of attempts. The entry points are
-// `solve`, `enumerate`, `series`, `parametric` and `mixed`.
+// `point` and `conclusion` check the end of a path against the data. `farkas` and `exclusion` prove without rounding that no solution exists.
+// One `attempt` is one path with its end; the `ladder` defines the sequence of attempts. The entry points are
+// `solve`, `enumerate`, `series` and `parametric`.
 
 mod attempt;
 mod basis;
@@ -72,16 +71,14 @@ mod error;
 mod exclusion;
 mod farkas;
 mod few_rows;
-mod given;
 mod kernel;
 mod ladder;
 mod lemke;
 mod linear_program;
 mod logarithms;
-mod matrix_class;
 mod memory;
-mod mixed;
 mod outcome;
+mod p_matrix;
 mod parametric;
 mod path;
 mod pattern;
@@ -90,7 +87,6 @@ mod principal;
 mod problem;
 mod quadratic_program;
 mod ratio;
-mod reduction;
 mod refactor;
 mod residuals;
 mod scaling;
@@ -99,26 +95,18 @@ mod settings;
 mod solution;
 mod solve;
 pub(crate) mod tolerances;
-mod verified;
 mod vertices;
 mod workspace;
-#[cfg(feature = "serde")]
-mod written;
 
 pub use basis::{Basis, Variable};
 pub use enumerate::AllSolutions;
 pub use error::LcpError;
-pub use matrix_class::{Copositivity, Definiteness, Guarantee, MatrixClass};
-pub use mixed::{MixedLcp, MixedSolution};
 pub use outcome::{BreakdownCause, Certificate, Outcome, OutcomeView, Ray};
 pub use parametric::{Breakpoint, Parametric, PathEnd, Trend};
 pub use problem::Lcp;
-pub(crate) use quadratic_program::quadratic_program;
+pub(crate) use quadratic_program::{optimality_conditions, quadratic_program};
 pub use residuals::Residuals;
 pub use series::Series;
 pub use settings::Settings;
 pub use solution::{Solution, SolutionView};
-pub use verified::Verified;
 pub use workspace::Workspace;
-#[cfg(feature = "serde")]
-pub(crate) use written::list;

@@ -1,11 +1,9 @@
 //! A point z with its slacks, and its residuals.
 
 use super::basis::Basis;
-use super::principal;
 use super::problem::Lcp;
-use super::residuals::{Residuals, is_lost, residuals_from, slack_and_terms};
+use super::residuals::{Residuals, residuals_from, slack_and_terms};
 use super::tolerances::ZERO_VALUE;
-use crate::numerics::IntoList;
 use crate::prelude::*;
 use nalgebra::DVector;
 
@@ -47,15 +45,6 @@ impl LcpPoint {
     /// Whether w_i exceeds the tolerance. It is called for basic z_i, whose w_i should vanish.
     pub(super) fn has_slack(&self, i: usize, tolerance: f64) -> bool {
         self.w[i] > tolerance * self.terms[i]
-    }
-
-    /// Whether the basis of this point is singular. Two conditions must hold. In a row whose w_i must be zero, some q_i ≠ 0 is smaller than the
-    /// rounding of the terms. A factorisation of the block finds no inverse.
-    ///
-    /// Entries of such a point are quotients of rounding errors, however small its residuals are.
-    pub(super) fn is_noise(&self, lcp: &Lcp, basic: impl Iterator<Item = usize> + Clone) -> bool {
-        let lost = |i: usize| lcp.q[i] != 0.0 && is_lost(lcp.q[i], self.terms[i]);
-        basic.clone().any(lost) && principal::solve(lcp, &basic.list()).is_none()
     }
 
     /// Sets w_i to zero where z_i is basic, and negative w_i to zero elsewhere. Returns whether a basic variable is zero.

@@ -1,6 +1,7 @@
 //! The linear complementarity problem.
 
 use super::error::LcpError;
+use crate::numerics::matrix_of;
 use nalgebra::{DMatrix, DVector};
 
 /// A linear complementarity problem (M, q) with finite entries: find z with 0 ≤ z ⟂ w = M z + q ≥ 0
@@ -24,6 +25,26 @@ impl Lcp {
         Ok(Self { m, q })
     }
 
+    /// The problem with the rows of M, each of n entries, and q.
+    ///
+    /// ```
+    /// use grasp_lcp::lcp::Lcp;
+    ///
+    /// let problem = Lcp::from_rows(&[[2.0, 1.0], [1.0, 2.0]], &[-5.0, -6.0])?;
+    /// assert_eq!(problem.matrix()[(1, 0)], 1.0);
+    /// # Ok::<(), grasp_lcp::lcp::LcpError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`LcpError::RowLength`] for a row whose length differs from the number of rows. Otherwise as for [`Lcp::new`].
+    pub fn from_rows<R: AsRef<[f64]>>(rows: &[R], q: &[f64]) -> Result<Self, LcpError> {
+        let n = rows.len();
+        if let Some(row) = rows.iter().position(|row| row.as_ref().len() != n) {
+            return Err(LcpError::RowLength { row, given: rows[row].as_ref().len(), needed: n });
+        }
+        Self::new(matrix_of(n, n, &|i, j| rows[i].as_ref()[j]), DVector::from_column_slice(q))
+    }
     /// The matrix M (n × n).
     #[must_use]
     pub fn matrix(&self) -> &DMatrix<f64> {

@@ -3,11 +3,12 @@
 use crate::numerics::vector_of;
 use nalgebra::{DMatrix, DVector};
 
+use super::error::LcpError;
 use super::outcome::Outcome;
 use super::problem::Lcp;
 use super::settings::Settings;
 
-/// The minimiser x and the multipliers y of the rows of
+/// The optimality conditions of
 ///
 /// ```text
 /// minimise  gᵀx + ½ xᵀH x     subject to  A x + b >= 0,  x >= 0,
@@ -16,7 +17,24 @@ use super::settings::Settings;
 /// ```
 ///
 /// `None` for H means H = 0. For a positive semidefinite H the matrix `[H, -Aᵀ; A, 0]` is copositive-plus, so Lemke's method finds a minimum if
-/// one exists. Returns `None` without a minimum, or if rounding prevents the solution.
+/// one exists.
+pub(crate) fn optimality_conditions(
+    h: Option<&DMatrix<f64>>,
+    g: &DVector<f64>,
+    a: &DMatrix<f64>,
+    b: &DVector<f64>,
+) -> Result<Lcp, LcpError> {
+    let (rows, columns) = a.shape();
+    let mut m = DMatrix::zeros(columns + rows, columns + rows);
+    if let Some(h) = h {
+        m.view_mut((0, 0), (columns, columns)).copy_from(h);
+    }
+    m.view_mut((columns, 0), (rows, columns)).copy_from(a);
+    m.view_mut((0, columns), (columns, rows)).copy_from(&-a.transpose());
+    Lcp::new(m, vector_of(columns + rows, &|i| if i < columns { g[i] } else { b[i - columns] }))
+}
+
+/// The minimiser x of this program and the multipliers y of its rows; `None` without a minimum, or if rounding prevents the solution.
 pub(crate) fn quadratic_program(
     h: Option<&DMatrix<f64>>,
     g: &DVector<f64>,
@@ -25,13 +43,7 @@ pub(crate) fn quadratic_program(
     settings: &Settings,
 ) -> Option<[DVector<f64>; 2]> {
     let (rows, columns) = a.shape();
-    let mut m = DMatrix::zeros(columns + rows, columns + rows);
-    if let Some(h) = h {
-        m.view_mut((0, 0), (columns, columns)).copy_from(h);
-    }
-    m.view_mut((columns, 0), (rows, columns)).copy_from(a);
-    m.view_mut((0, columns), (columns, rows)).copy_from(&-a.transpose());
-    let q = vector_of(columns + rows, &|i| if i < columns { g[i] } else { b[i - columns] });
-    let Outcome::Solved(solution) = Lcp::new(m, q).ok()?.solve_with(settings) else { return None };
+    let conditions = optimality_conditions(h, g, a, b).ok()?;
+    let Outcome::Solved(solution) = conditions.solve_with(settings) else { return None };
     Some([solution.z.rows(0, columns).into_owned(), solution.z.rows(columns, rows).into_owned()])
 }

@@ -5,7 +5,7 @@ use crate::numerics::{Each, ExactSum, times_power_of_two};
 use core::fmt;
 use nalgebra::DMatrix;
 
-/// Residuals of 0 ≤ z ⟂ w = M z + q ≥ 0 at a point z, and of the equalities in a [`MixedLcp`](super::MixedLcp), without units.
+/// Residuals of 0 ≤ z ⟂ w = M z + q ≥ 0 at a point z, without units.
 ///
 /// Row i is measured relative to the magnitude of its terms, a_i = |q_i| + Σ_j |M_ij| |z_j| (W. Oettli and W. Prager, Numer. Math. 6, 1964). An
 /// entry z_j is measured by its largest contribution to any row, s_j = max_i |M_ij| |z_j| / a_i.
@@ -14,11 +14,8 @@ use nalgebra::DMatrix;
 ///
 /// A z_j ≠ 0 whose column of M is zero has s_j = 1, since no change of the rows could compensate it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Residuals {
-    /// max_i |A u + C z + b|_i / a_i over the equality rows of a mixed problem; zero without any.
-    pub equality: f64,
     /// max_j s_j over the j with z_j < 0.
     pub negative_z: f64,
     /// max_i −w_i / a_i over the i with w_i < 0.
@@ -28,30 +25,26 @@ pub struct Residuals {
 }
 
 impl Residuals {
-    /// The largest of the four; NaN if any of them is NaN.
+    /// The largest of the three; NaN if any of them is NaN.
     #[must_use]
     pub fn max(&self) -> f64 {
         let all = self.all();
         if all.iter().any(|r| r.is_nan()) { f64::NAN } else { all.into_iter().fold(0.0, f64::max) }
     }
 
-    /// Whether all four are numbers of at most this size.
+    /// Whether all three are numbers of at most this size.
     #[must_use]
     pub fn within(&self, tolerance: f64) -> bool {
         self.all().iter().all(|r| *r <= tolerance)
     }
 
-    fn all(&self) -> [f64; 4] {
-        [self.equality, self.negative_z, self.negative_w, self.complementarity]
+    fn all(&self) -> [f64; 3] {
+        [self.negative_z, self.negative_w, self.complementarity]
     }
 
     /// Residuals that no tolerance accepts.
-    pub(super) const UNUSABLE: Self = Self {
-        equality: f64::INFINITY,
-        negative_z: f64::INFINITY,
-        negative_w: f64::INFINITY,
-        complementarity: f64::INFINITY,
-    };
+    pub(super) const UNUSABLE: Self =
+        Self { negative_z: f64::INFINITY, negative_w: f64::INFINITY, complementarity: f64::INFINITY };
 }
 
 impl fmt::Display for Residuals {
@@ -72,7 +65,7 @@ pub(super) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f
 }
 
 /// Whether q_i is smaller than the rounding of the terms of its row.
-pub(super) fn is_lost(q: f64, terms: f64) -> bool {
+fn is_lost(q: f64, terms: f64) -> bool {
     q.abs() <= LOST * terms
 }
 
@@ -119,7 +112,7 @@ fn add_four(columns: [(&[f64], f64); 4], w: &mut [f64], terms: &mut [f64]) {
 /// The residuals at z, given w = M z + q and the magnitudes a of its terms.
 pub(super) fn residuals_from(m: &DMatrix<f64>, q: &[f64], z: &[f64], w: &[f64], terms: &[f64]) -> Residuals {
     let n = z.len();
-    let mut out = Residuals { equality: 0.0, negative_z: 0.0, negative_w: 0.0, complementarity: 0.0 };
+    let mut out = Residuals { negative_z: 0.0, negative_w: 0.0, complementarity: 0.0 };
     if n == 0 {
         return out;
     }

@@ -55,18 +55,6 @@ pub(super) const RETIRING_PIVOT: f64 = 1e-5;
 /// save them, and so are P-matrices close to singular.
 pub(super) const ELIMINATED_PIVOT: f64 = 1e-14;
 
-/// An entry of the tableau of a mixed problem is zero below this limit; balanced entries are near 1.
-///
-/// Whole rows and columns are eliminated without refinement, so thousands of roundings are allowed for. Smaller, a free variable is eliminated
-/// by a pivot of noise; larger, determined variables count as undetermined.
-pub(super) const FREE_PIVOT: f64 = 1e-12;
-
-/// A dependent equality is satisfied if its constant is below this fraction of 1 plus the largest constant.
-///
-/// Constants have passed through all eliminations. Smaller, problems with consistent equalities are solved in the split form, which is larger;
-/// larger, contradictions are found only by the residuals.
-pub(super) const DEPENDENT_EQUALITY: f64 = 1e-10;
-
 /// A point whose residuals exceed rounding must solve the problem for a q close to the given one. In balanced rows the two may differ by this
 /// fraction of the largest entry.
 ///
@@ -106,12 +94,6 @@ pub(super) fn elimination_rounding(n: usize) -> f64 {
     8.0 * n as f64 * f64::EPSILON
 }
 
-/// The remainder of a semidefinite matrix after elimination is zero if all its entries are below this multiple of [`elimination_rounding`].
-///
-/// Off-diagonal entries are not chosen as pivots, so their rounding may exceed that of the diagonal. Smaller, semidefinite matrices count as
-/// indefinite; larger, slightly indefinite ones pass.
-pub(super) const OFF_DIAGONAL: f64 = 4.0;
-
 /// The largest n for which all 2ⁿ bases are tried, about a million.
 ///
 /// Larger, a call takes minutes; smaller, problems remain undecided that nothing else decides.
@@ -134,16 +116,6 @@ pub(super) const LARGEST_WHOLE: f64 = 9_007_199_254_740_992.0;
 ///
 /// Smaller, a bound may claim too much; larger, it is weaker than necessary.
 pub(super) const BOUND_ROUNDING: f64 = 1e-14;
-
-/// Factor by which the bounds of a verified solution are widened, far more than the rounding of their computation.
-///
-/// Closer to 1, a bound may be too small; larger, bounds lose accuracy that hardly matters.
-pub(super) const SAFE_BOUND: f64 = 1.0 + 1e-12;
-
-/// Largest error due to underflow in a bound of a verified solution.
-///
-/// Smaller, products of subnormal numbers are not covered; larger, problems in very small units are not verified.
-pub(super) const UNDERFLOW: f64 = 1e-300;
 
 /// Magnitude of the terms of a row below which products may have underflowed or lost digits. Such rows are summed again without rounding.
 ///

@@ -65,17 +65,6 @@ impl ExactSum {
         }
     }
 
-    /// The sum as a double, with a relative error below 2⁻⁵¹ or an error below the smallest positive number; infinite if too large.
-    pub(crate) fn rounded(&self) -> f64 {
-        self.rounded_in(1.0)
-    }
-
-    /// The sum times a power of two as a double, rounded once. A sum that would underflow otherwise keeps its digits.
-    pub(crate) fn rounded_in(&self, unit: f64) -> f64 {
-        let ((x, k), (m, e)) = (self.leading(), parts(unit));
-        times_power_of_two(x * m as f64, k + e)
-    }
-
     /// The leading digits of the sum as `(x, k)`: `x 2ᵏ` has a relative error below 2⁻⁵², and x is zero or 1 ≤ |x| < 2¹²⁸.
     pub(crate) fn leading(&self) -> (f64, i32) {
         let mut size = self.0;

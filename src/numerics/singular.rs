@@ -55,7 +55,11 @@ impl Singular {
     /// The parts of a vector along the left vectors; zero along those without a value.
     pub(crate) fn along(&self, vector: &DVector<f64>) -> Vec<f64> {
         numbered(self.values.len(), &|k| {
-            if self.values[k] > 0.0 { self.scaled_left.column(k).dot(vector) / self.values[k] } else { 0.0 }
+            if self.values[k] > 0.0 {
+                self.scaled_left.column(k).dot(&vector.column(0)) / self.values[k]
+            } else {
+                0.0
+            }
         })
     }
 

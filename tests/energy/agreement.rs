@@ -9,7 +9,7 @@ use std::cell::Cell;
 
 use grasp_lcp::Settings;
 use grasp_lcp::ask::Grasp;
-use grasp_lcp::energy::{ComparisonVerdict, MinimumOutcome, QpOutcome};
+use grasp_lcp::energy::{ComparisonVerdict, MinimumOutcome};
 use grasp_lcp::grasp::Contact;
 use nalgebra::{DVector, SVector};
 use proptest::prelude::*;
@@ -94,7 +94,7 @@ fn agree<const D: usize, const C: usize>(counts: std::ops::Range<usize>, decades
         raise(&worst.decomposition, apart(&forces, &truth) / size);
 
         let printed = grasp.energy().printed_qp(load, &settings.cone).unwrap();
-        let QpOutcome::Minimum(qp) = printed.program.solve().unwrap() else {
+        let Some(qp) = printed.program.solve().unwrap() else {
             return Err(TestCaseError::fail("no minimum"));
         };
         let from_multipliers: Vec<_> =
@@ -185,16 +185,16 @@ fn same_minimum<const D: usize, const C: usize>(
             close(x, *tolerance, "interior point")?;
             compared.set(compared.get() + 1);
         }
-        let QpOutcome::Minimum(lemke) = printed.program.solve().unwrap() else {
+        let Some(lemke) = printed.program.solve().unwrap() else {
             return Err(TestCaseError::fail("printed program"));
         };
         close(&lemke.x, 1e-13, "Lemke")?;
-        let QpOutcome::Minimum(smaller) = reduced.program.solve().unwrap() else {
+        let Some(smaller) = reduced.program.solve().unwrap() else {
             return Err(TestCaseError::fail("reduced program"));
         };
         prop_assert!((smaller.value + reduced.constant - value).abs() <= 1e-9 * size);
         // A program with fewer unknowns has no lower minimum.
-        if let QpOutcome::Minimum(fewer) = twist_only.program.solve().unwrap() {
+        if let Some(fewer) = twist_only.program.solve().unwrap() {
             prop_assert!(fewer.value + twist_only.constant >= value - 1e-9 * size);
         }
         let counter = if minimum.binding.is_empty() { &sticking } else { &binding };

@@ -89,7 +89,7 @@ fn same_onset<const D: usize, const C: usize>(
                 let beyond = at(1.001 * factor + 1e-9);
                 prop_assert!(
                     !matches!(beyond, ComparisonVerdict::Agree | ComparisonVerdict::TwoEquilibria),
-                    "{beyond}"
+                    "{beyond:?}"
                 );
             }
             (Onset::Never, Agreement::Always) => add(&tally.never),

@@ -10,7 +10,7 @@
 )]
 
 use crate::common::{Exact, Random, samples, seeded};
-use grasp_lcp::lcp::{Basis, Lcp, MixedLcp, MixedSolution, Outcome, Parametric, PathEnd, Series, Settings};
+use grasp_lcp::lcp::{Basis, Lcp, Outcome, Parametric, PathEnd, Series, Settings};
 use nalgebra::{DMatrix, DVector};
 use num_rational::BigRational;
 use num_traits::{FromPrimitive, Signed};
@@ -209,71 +209,6 @@ pub(crate) fn judge(lcp: &Lcp, outcome: &Outcome, tally: &mut Tally) -> Result<(
     Ok(())
 }
 
-/// A mixed problem of small integers: arbitrary blocks, a singular symmetric A, or the saddle point of a quadratic program.
-pub(crate) fn mixed(random: &mut Random, kind: usize) -> MixedLcp {
-    let (free, n) = (random.integer(1, 3) as usize, random.integer(1, 3) as usize);
-    let size = random.integer(1, [2, 20, 3][kind % 3]);
-    let mut block = |rows: usize, columns: usize| {
-        DMatrix::from_fn(rows, columns, |_, _| random.integer(-size, size) as f64)
-    };
-    let factor = block(free, free);
-    let (mut a, c) = (block(free, free), block(free, n));
-    let (mut d, mut m) = (block(n, free), block(n, n));
-    if kind == 1 {
-        // The rank is one less than the size, with an integer null vector.
-        let mut low = factor.clone();
-        low.column_mut(0).fill(0.0);
-        a = &low * low.transpose();
-    }
-    if kind == 2 {
-        a.fill(0.0);
-        d = -c.transpose();
-        m = &m * m.transpose();
-    }
-    let b = DVector::from_fn(free, |_, _| random.integer(-2, 2) as f64);
-    let q = DVector::from_fn(n, |_, _| random.integer(-2, 2) as f64);
-    MixedLcp::new(&a, &c, &d, &m, &b, &q).expect("sizes match")
-}
-
-/// Checks one answer to a mixed problem.
-pub(crate) fn judge_mixed(
-    problem: &MixedLcp,
-    outcome: &Outcome<MixedSolution>,
-    tally: &mut Tally,
-) -> Result<(), String> {
-    let split = problem.split();
-    let exact = Exact::of(split.matrix(), split.vector());
-    let equalities = (1 << (2 * problem.free())) - 1_u32;
-    let at = |alpha: u32| alpha << (2 * problem.free()) | equalities;
-    let solvable = || (0..1_u32 << problem.len()).any(|alpha| exact.has_point(at(alpha), at(alpha)));
-    let feasible = || exact.has_point(at((1 << problem.len()) - 1), at(0));
-    match outcome {
-        Outcome::Solved(_) => {
-            tally.solved += 1;
-            if !solvable() {
-                tally.unsolvable += 1;
-                return Err("a false solution".into());
-            }
-        }
-        Outcome::Infeasible(certificate) => {
-            tally.infeasible += 1;
-            if feasible() || !problem.proves_infeasible(&certificate.y) {
-                return Err("a false proof".into());
-            }
-        }
-        Outcome::NoBasis { .. } => {
-            tally.without += 1;
-            if solvable() {
-                return Err("a false exclusion".into());
-            }
-        }
-        Outcome::NearlyInfeasible(_) => tally.nearly += 1,
-        _ if solvable() => tally.missed += 1,
-        _ => tally.open += 1,
-    }
-    Ok(())
-}
-
 fn finite(m: &DMatrix<f64>, q: &DVector<f64>) -> bool {
     m.iter().chain(q).all(|x| x.is_finite())
 }
@@ -311,23 +246,6 @@ fn no_answer_says_more_than_is_known() {
             let Tally { unsolvable, coarse, nearly, missed, open, .. } = tally;
             assert_eq!([unsolvable, coarse, nearly, missed, open], [0; 5], "{family:?}");
         }
-    }
-}
-
-#[test]
-fn no_answer_to_a_mixed_problem_says_more_than_is_known() {
-    for kind in 0..3 {
-        let mut random = seeded(1000 + kind as u64);
-        let mut tally = Tally::default();
-        for _ in 0..samples(200) {
-            let problem = mixed(&mut random, kind);
-            let outcome = problem.solve();
-            if let Err(fault) = judge_mixed(&problem, &outcome, &mut tally) {
-                panic!("{fault}: {problem:?} {outcome:?}");
-            }
-        }
-        println!("mixed {kind}: {tally:?}");
-        assert_eq!(tally.missed, 0);
     }
 }
 

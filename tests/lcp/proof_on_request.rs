@@ -26,7 +26,9 @@ fn without_the_search_a_ray_stays_a_ray() {
     let mut rays = 0;
     for _ in 0..samples(400) {
         let lcp = infeasible(&mut random, 6);
-        let Outcome::Infeasible(proof) = lcp.solve_with(&one_path) else { panic!("a vector exists: {lcp}") };
+        let Outcome::Infeasible(proof) = lcp.solve_with(&one_path) else {
+            panic!("a vector exists: {lcp:?}")
+        };
         assert!(lcp.proves_infeasible(&proof.y));
         match lcp.solve_with(&one_path.clone().with_prove_infeasible(false)) {
             Outcome::Ray(ray) => {

@@ -3,7 +3,7 @@
 mod amount_batch;
 mod point_batch;
 mod reserve;
-mod robust_onset;
+mod samples;
 mod screened_scenes;
 mod screening;
 mod screening_exact;

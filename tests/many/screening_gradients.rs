@@ -4,7 +4,7 @@
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::{Contact, Wrench};
-use grasp_lcp::load_path::{Leaver, Ramp};
+use grasp_lcp::load_path::{Leaver, Parameter, Ramp};
 use grasp_lcp::screening::{Batch, Fingers, Pull, ScreenedGradient, ScreenedGradients, ScreeningVerdict};
 use grasp_lcp::sweep::onset_gradients_of_batch;
 use grasp_lcp::{planar, spatial};
@@ -94,25 +94,33 @@ fn compare<const C: usize>(
     let onset = grasp.onset(Ramp::load(pull[0], pull[1])).unwrap();
     let event = onset.event()?;
     let contact = Leaver::Contact(ours.contact()?);
-    let gradients = grasp.sensitivity().onset_gradients(event);
-    let theirs = gradients.iter().find(|gradient| gradient.leaving == contact)?;
-    let geometry = grasp.sensitivity().onset_gradients_by_geometry(event).unwrap();
-    let geometry = geometry.iter().find(|gradient| gradient.leaving == contact)?;
+    let margins = grasp.sensitivity().onset(event)?;
+    let leaving = margins.leavers().into_iter().position(|leaver| leaver == contact)?;
+    let by = |parameter| margins.by(parameter).map_or(f64::NAN, |by| by[leaving]);
     let frames: Vec<_> = grasp.frames().collect();
     let all = 0..frames.len();
-    compared.field(all.clone().map(|i| (ours.friction(i), theirs.friction[i])));
+    compared.field(all.clone().map(|i| (ours.friction(i), by(Parameter::Friction { contact: i }))));
     compared.field(all.clone().flat_map(|i| {
         let [normal, tangential] = ours.stiffness(i);
-        let of = &theirs.stiffness[i];
-        [(normal, of[0]), (tangential, of.rows_range(1..).sum())]
+        let of = |axis| by(Parameter::Stiffness { contact: i, axis });
+        [(normal, of(0)), (tangential, (1..C).map(of).sum())]
     }));
-    let pairs = |ours: SVector<f64, C>, theirs: &SVector<f64, C>, from: usize| {
-        (from..C).map(|axis| (ours[axis], theirs[axis])).collect::<Vec<_>>()
+    let pairs = |ours: SVector<f64, C>, theirs: &dyn Fn(usize) -> Parameter, from: usize| {
+        (from..C).map(|axis| (ours[axis], by(theirs(axis)))).collect::<Vec<_>>()
     };
-    compared.field(all.clone().flat_map(|i| pairs(along(frames[i], ours.command(i)), &theirs.command[i], 0)));
-    compared.field(all.clone().flat_map(|i| pairs(SVector::from(ours.point(i)), &geometry.point[i], 0)));
-    compared.field(all.clone().flat_map(|i| pairs(along(frames[i], ours.normal(i)), &geometry.normal[i], 1)));
-    compared.field(ours.base_load().iter().copied().zip(theirs.base_load.iter().copied()));
+    compared.field(all.clone().flat_map(|i| {
+        pairs(along(frames[i], ours.command(i)), &|axis| Parameter::Command { contact: i, axis }, 0)
+    }));
+    compared.field(
+        all.clone().flat_map(|i| {
+            pairs(SVector::from(ours.point(i)), &|axis| Parameter::Point { contact: i, axis }, 0)
+        }),
+    );
+    compared.field(all.clone().flat_map(|i| {
+        pairs(along(frames[i], ours.normal(i)), &|axis| Parameter::Normal { contact: i, axis }, 1)
+    }));
+    let loads = ours.base_load().iter().enumerate();
+    compared.field(loads.map(|(component, ours)| (*ours, by(Parameter::Load { component }))));
     for i in all {
         // The derivative along the normal is zero.
         let normal = along(frames[i], ours.normal(i));

@@ -9,6 +9,7 @@ use grasp_lcp::spatial::{Contact, Grasp, Onset, Outcome, Wrench};
 use grasp_lcp::{Fit, PolygonCone, Settings, planar};
 use proptest::prelude::*;
 use support::assert_close;
+use support::bracket::bracket;
 use support::jaws::jaw;
 use support::ramps::{Change, Tally, for_both};
 use support::samples::samples;
@@ -43,7 +44,7 @@ fn check_order(
     for facets in [3, 8] {
         let on = |fit| grasp.with(&polygon(facets, fit).on_the_polygon()).onset(&ramp).unwrap();
         let (inside, outside) = (on(Fit::Inscribed), on(Fit::Circumscribed));
-        let base = grasp.with(&polygon(facets, Fit::Inscribed)).bracket(scene.wrench()).unwrap();
+        let base = bracket(&grasp.with(&polygon(facets, Fit::Inscribed)), scene.wrench()).unwrap();
         for (base, less, more) in [(&base.inscribed, &inside, &round), (&base.round, &round, &outside)] {
             if !sticks(base) {
                 continue;
@@ -73,12 +74,12 @@ fn polygons_bracket_the_onset() {
 /// Checks that the three answers are equal if everything sticks on the inscribed polygon, and that it sticks only where the
 /// others do.
 fn check_sticking(scene: &Scene<6, 3>, _: &Change<6, 3>, tally: &Tally) -> Result<(), TestCaseError> {
-    let bracket = scene.grasp().with(&polygon(5, Fit::Balanced)).bracket(scene.wrench()).unwrap();
+    let bracket = bracket(&scene.grasp().with(&polygon(5, Fit::Balanced)), scene.wrench()).unwrap();
     let [inside, round, outside] = [&bracket.inscribed, &bracket.round, &bracket.circumscribed].map(sticks);
     prop_assert!(inside <= round && round <= outside, "{inside}, {round}, {outside}");
     if inside {
         let spread = bracket.spread.expect("three equilibria");
-        prop_assert!(spread.force == 0.0 && spread.displacement == 0.0, "{spread:?}");
+        prop_assert!(spread == [0.0; 2], "{spread:?}");
         tally.never.set(tally.never.get() + 1);
     } else {
         tally.slides.set(tally.slides.get() + 1);
@@ -124,9 +125,10 @@ fn the_spread_of_a_sliding_foot() {
             };
             let force = from_round(f[0]).max(from_round(f[1])).max(f[1] - f[0]);
             let settings = polygon(m as usize, Fit::Inscribed);
-            let spread = grasp.with(&settings).bracket(load).unwrap().spread.expect("three equilibria");
-            assert_close!(spread.force / w, force / w);
-            assert_close!(spread.displacement * c / w, force / w);
+            let [forces, displacements] =
+                bracket(&grasp.with(&settings), load).unwrap().spread.expect("three equilibria");
+            assert_close!(forces / w, force / w);
+            assert_close!(displacements * c / w, force / w);
             let most = mu * normal * step;
             assert!(force <= most && most < before, "{m}: {force} beyond {most}");
             before = most;
@@ -140,9 +142,9 @@ fn in_the_plane_there_is_nothing_to_bracket() {
     let finger = |side: f64| jaw::<2>(side, [100.0, 80.0], 0.5).command([0.1, 0.02 * side]);
     let grasp = planar::Grasp::new([finger(-1.0), finger(1.0)]).unwrap();
     for load in [1.0, 20.0] {
-        let bracket = grasp.bracket(planar::Wrench::force([0.0, -load])).unwrap();
+        let bracket = bracket(&grasp, planar::Wrench::force([0.0, -load])).unwrap();
         let holds = load < 10.0;
-        assert_eq!(bracket.spread.map(|s| (s.force, s.displacement)), holds.then_some((0.0, 0.0)));
+        assert_eq!(bracket.spread, holds.then_some([0.0; 2]));
         assert_eq!(bracket.round.equilibrium().is_some(), holds);
     }
 }

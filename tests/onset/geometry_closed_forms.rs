@@ -12,6 +12,11 @@ fn palm(x: f64) -> planar::Contact {
     jaw::<2>(x, [800.0, 800.0], MU).pressed_with(PRESS)
 }
 
+/// The derivative of the factor of the first contact that leaves.
+fn first_by(grasp: &planar::Grasp, event: &planar::OnsetEvent, by: Parameter) -> f64 {
+    grasp.sensitivity().onset(event).unwrap().by(by).unwrap()[0]
+}
+
 fn weight() -> planar::Ramp {
     planar::Ramp::load(planar::Wrench::ZERO, planar::Wrench::force([0.0, -1.0]))
 }
@@ -31,10 +36,10 @@ fn a_palm_that_tilts() {
         let onset = grasp.onset(weight()).unwrap();
         let event = onset.event().unwrap();
         assert!((event.factor - closed(phi)).abs() < 1e-13, "{phi}: {}", event.factor);
-        let gradient = &grasp.sensitivity().onset_gradients_by_geometry(event).unwrap()[0];
+        let by_tilt = first_by(&grasp, event, Parameter::Normal { contact: 0, axis: 1 });
         let (sin, slope) = (phi.sin(), 1.0 / (MU.atan() - phi).cos().powi(2));
         let known = -PRESS * (sin * (MU.atan() - phi).tan() + (1.0 + phi.cos()) * slope);
-        assert!((gradient.normal[0][1] - known).abs() < 1e-11, "{phi}: {} {known}", gradient.normal[0][1]);
+        assert!((by_tilt - known).abs() < 1e-11, "{phi}: {by_tilt} {known}");
     }
 }
 
@@ -47,10 +52,12 @@ fn a_palm_that_is_elsewhere() {
         let left = left.series_stiffness(800.0, 800.0).friction(MU).pressed_with(PRESS);
         let grasp = planar::Grasp::new([left, palm(1.0)]).unwrap();
         let onset = grasp.onset(weight()).unwrap();
-        for gradient in grasp.sensitivity().onset_gradients_by_geometry(onset.event().unwrap()).unwrap() {
-            let left_slides = gradient.leaving == grasp_lcp::load_path::Leaver::Contact(0);
+        let margins = grasp.sensitivity().onset(onset.event().unwrap()).unwrap();
+        let by_place = margins.by(Parameter::Point { contact: 0, axis: 0 }).unwrap();
+        for (leaving, by_place) in margins.leavers().into_iter().zip(by_place) {
+            let left_slides = leaving == grasp_lcp::load_path::Leaver::Contact(0);
             let by_l = if left_slides { MU * PRESS } else { -MU * PRESS / (l * l) };
-            assert!((gradient.point[0][0] + by_l).abs() < 1e-11, "{l}: {gradient:?}");
+            assert!((by_place + by_l).abs() < 1e-11, "{l}: {by_place}");
         }
     }
 }
@@ -67,16 +74,17 @@ fn a_grasp_that_turns_as_a_whole() {
     let grasp = planar::Grasp::new([at(0.2, 0.5), at(2.2, 0.7), at(4.4, 0.6)]).unwrap();
     let onset = grasp.onset(weight()).unwrap();
     let event = onset.event().unwrap();
-    let gradient = &grasp.sensitivity().onset_gradients_by_geometry(event).unwrap()[0];
+    let by = |parameter| first_by(&grasp, event, parameter);
     // For a positive rotation a point p moves by (-y, x), and the normal tilts away from t.
-    let turned: f64 = grasp
-        .contacts()
-        .iter()
-        .zip(gradient.point.iter().zip(&gradient.normal))
-        .map(|(c, (point, normal))| point[1] * c.point()[0] - point[0] * c.point()[1] - normal[1])
+    let turned: f64 = (0..3)
+        .map(|contact| {
+            let p = grasp.contacts()[contact].point();
+            let along = [0, 1].map(|axis| by(Parameter::Point { contact, axis }));
+            along[1] * p[0] - along[0] * p[1] - by(Parameter::Normal { contact, axis: 1 })
+        })
         .sum();
     // The weight (0, -1) rotated back changes by (-1, 0) per rad.
-    let by_load = -grasp.sensitivity().onset_gradients(event)[0].base_load[0] * event.factor;
+    let by_load = -by(Parameter::Load { component: 0 }) * event.factor;
     assert!(by_load.abs() > 0.1 && (turned - by_load).abs() < 1e-11, "{turned} {by_load}");
 }
 
@@ -90,8 +98,9 @@ fn commands_along_the_coordinate_axes() {
     let factor = |phi: f64| grasp(phi).onset(weight()).unwrap().factor().unwrap();
     let onset = grasp(0.0).onset(weight()).unwrap();
     let event = onset.event().unwrap();
-    let by_command = grasp(0.0).sensitivity().onset_gradients(event)[0].command[0];
-    let in_the_frame = grasp(0.0).sensitivity().onset_gradients_by_geometry(event).unwrap()[0].normal[0][1];
+    let by = |parameter| first_by(&grasp(0.0), event, parameter);
+    let by_command = [0, 1].map(|axis| by(Parameter::Command { contact: 0, axis }));
+    let in_the_frame = by(Parameter::Normal { contact: 0, axis: 1 });
     let a = grasp(0.0).contacts()[0].commanded();
     let known = in_the_frame + by_command[0] * a[1] - by_command[1] * a[0];
     let difference = (factor(1e-6) - factor(-1e-6)) / 2e-6;
@@ -114,13 +123,14 @@ fn a_pinch_whose_line_leaves_the_load() {
     let ramp = spatial::Ramp::load(spatial::Wrench::ZERO, spatial::Wrench::force([0.0, 0.0, -1.0]));
     let factor = |z: f64| pinch(0.0, z).onset(&ramp).unwrap().factor().unwrap();
     let onset = pinch(0.0, 0.0).onset(&ramp).unwrap();
-    let gradients =
-        pinch(0.0, 0.0).sensitivity().onset_gradients_by_geometry(onset.event().unwrap()).unwrap();
+    let grasp = pinch(0.0, 0.0);
+    let margins = grasp.sensitivity().onset(onset.event().unwrap()).unwrap();
+    let by = |axis| margins.by(Parameter::Point { contact: 0, axis });
     let up = (factor(1e-7) - factor(0.0)) / 1e-7;
-    let least = gradients.iter().map(|gradient| gradient.point[0][2]).fold(f64::INFINITY, f64::min);
+    let least = by(2).unwrap().into_iter().fold(f64::INFINITY, f64::min);
     assert!((up - least).abs() < 1e-5, "{up} {least}");
     // If a finger moves sideways, the weight turns the object about the line.
-    assert!(gradients.iter().all(|gradient| gradient.point[0][1].is_nan()), "{gradients:?}");
+    assert_eq!(by(1), None);
 }
 
 /// A motion is free in this geometry and resisted in all neighbouring ones. Its first derivative does not exist.
@@ -161,7 +171,11 @@ fn the_whole_load_times_a_number() {
     let grasp = planar::Grasp::new([palm(-1.0), palm(1.0)]).unwrap();
     let onset = grasp.onset(weight()).unwrap();
     let event = onset.event().unwrap();
-    assert!((grasp.sensitivity().onset_gradients(event)[0].load_scale + event.factor).abs() < 1e-12);
+    let by_load = |event: &planar::OnsetEvent| {
+        let margins = grasp.sensitivity().onset(event).unwrap();
+        margins.by_load(&event.load).unwrap()[0]
+    };
+    assert!((by_load(event) + event.factor).abs() < 1e-12);
     let load = planar::Wrench::new([0.3, -1.0], 0.2);
     let ramp = |times: f64| {
         planar::Ramp::load(load * times, planar::Wrench::force([0.2, -1.0]) * times)
@@ -169,21 +183,20 @@ fn the_whole_load_times_a_number() {
     };
     let factor = |times: f64| grasp.onset(ramp(times)).unwrap().factor().unwrap();
     let onset = grasp.onset(ramp(1.0)).unwrap();
-    let known = grasp.sensitivity().onset_gradients(onset.event().unwrap())[0].load_scale;
+    let known = by_load(onset.event().unwrap());
     let difference = (factor(1.0 + 1e-6) - factor(1.0 - 1e-6)) / 2e-6;
     assert!((difference - known).abs() < 1e-7, "{difference} {known}");
 }
 
 #[test]
-fn a_hand_is_refused_by_name() -> Result<(), Error> {
+fn the_points_of_a_hand_have_no_derivatives() -> Result<(), Error> {
     use grasp_lcp::planar::hand::{Finger, Hand, Joint};
     use grasp_lcp::planar::{Ramp, Wrench};
     let jaw = |x: f64| Finger::new([Joint::prismatic([-x, 0.0]).stiffness(1e3)]).contact(palm(x));
     let grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp()?;
     let onset = grasp.onset(Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0])))?;
-    let refused =
-        grasp.sensitivity().onset_gradients_by_geometry(onset.event().expect("slides")).unwrap_err();
-    assert_eq!(refused, Error::NotForHands { question: "onset_gradients_by_geometry" });
+    let margins = grasp.sensitivity().onset(onset.event().expect("slides")).expect("sticks before");
+    assert_eq!(margins.by(Parameter::Point { contact: 0, axis: 0 }), None);
     Ok(())
 }
 
@@ -199,5 +212,5 @@ fn a_contact_that_slides_as_it_closes_has_no_margin() {
     let onset = grasp.onset(&ramp).unwrap();
     let event = onset.event().unwrap();
     assert!(event.leaving[0].contact.index == 2 && (event.factor - 3.2).abs() < 1e-12, "{event:?}");
-    assert!(grasp.sensitivity().onset_gradients(event).is_empty());
+    assert!(grasp.sensitivity().onset(event).is_none());
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use grasp_lcp::load_path::{EdgeOf, PathEnd};
+use grasp_lcp::load_path::{EdgeOf, Parameter, PathEnd};
 use grasp_lcp::planar::{self, Turn, Wrench};
 use grasp_lcp::{Error, PolygonCone, Settings, spatial};
 use support::jaws::jaw;
@@ -171,10 +171,14 @@ fn gradients_are_those_of_small_changes() {
     let angle =
         |data: [f64; 3], aside: f64| grasp(data).onset_of_turn(turn(aside)).unwrap().onset.factor().unwrap();
     let onset = grasp(data).onset_of_turn(turn(0.0)).unwrap().onset;
-    let gradient = &grasp(data).sensitivity().onset_gradients(onset.event().expect("slides"))[0];
-    let by_axis = gradient.stiffness[0];
+    let held = grasp(data);
+    let margins = held.sensitivity().onset(onset.event().expect("slides")).expect("sticks before");
+    let by = |parameter| margins.by(parameter).expect("a datum")[0];
+    let by_axis = [0, 1, 2].map(|axis| by(Parameter::Stiffness { contact: 0, axis }));
     let stiffness = by_axis[0] + 0.7 * (by_axis[1] + by_axis[2]);
-    let known = [gradient.friction[0], stiffness, gradient.command[0][0]];
+    let known =
+        [by(Parameter::Friction { contact: 0 }), stiffness, by(Parameter::Command { contact: 0, axis: 0 })];
+    let by_load = by(Parameter::Load { component: 1 });
     let mut felt = 0;
     for (k, known) in known.into_iter().enumerate() {
         let step = 1e-5 * data[k];
@@ -187,8 +191,8 @@ fn gradients_are_those_of_small_changes() {
         felt += usize::from(known.abs() * data[k] > 1e-3);
     }
     let difference = (angle(data, 1e-5) - angle(data, -1e-5)) / 2e-5;
-    assert!((difference - gradient.base_load[1]).abs() < 1e-7, "{difference} {}", gradient.base_load[1]);
-    assert!(felt >= 2 && gradient.base_load[1].abs() > 1e-3);
+    assert!((difference - by_load).abs() < 1e-7, "{difference} {by_load}");
+    assert!(felt >= 2 && by_load.abs() > 1e-3);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 //! equilibrium.
 
 use grasp_lcp::Settings;
-use grasp_lcp::energy::{Agreement, ComparisonVerdict, QpOutcome};
+use grasp_lcp::energy::{Agreement, ComparisonVerdict};
 use grasp_lcp::load_path::Ramp;
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
 use nalgebra::SVector;
@@ -20,11 +20,11 @@ fn by_every_form(grasp: &Grasp, load: &Wrench) -> [Vec<SVector<f64, 2>>; 3] {
     let accurate = grasp.with(&settings).energy().minimum(load).unwrap();
     let accurate = accurate.minimum().expect("a minimum").contacts.iter().map(|c| c.force).collect();
     let printed = grasp.energy().printed_qp(load, &settings.cone).unwrap();
-    let QpOutcome::Minimum(qp) = printed.program.solve().unwrap() else { panic!("a minimum") };
+    let Some(qp) = printed.program.solve().unwrap() else { panic!("a minimum") };
     let as_printed = (0..grasp.len()).map(|i| printed.force(&qp.x, i)).collect();
     let commands: Vec<_> = grasp.contacts().iter().map(Contact::commanded).collect();
     let reduced = ReducedProgram::of(grasp, &commands, load, &settings.cone, false);
-    let QpOutcome::Minimum(qp) = reduced.program.solve().unwrap() else { panic!("a minimum") };
+    let Some(qp) = reduced.program.solve().unwrap() else { panic!("a minimum") };
     let twist = SVector::<f64, 3>::from_column_slice(qp.x.as_slice());
     let from_twist = grasp.contacts().iter().zip(grasp.frames()).map(|(c, frame)| {
         let p = c.point();
@@ -67,7 +67,7 @@ fn beyond_the_onset_the_rows_are_out_of_equilibrium() {
             (missing[1] + (w - onset)).abs() < 1e-14 && missing[0].abs() < 1e-15 && missing[2].abs() < 1e-13
         );
         let ComparisonVerdict::NoEquilibrium { force, moment } = comparison.verdict else {
-            panic!("{}", comparison.verdict)
+            panic!("{:?}", comparison.verdict)
         };
         assert!((force - (w - onset)).abs() < 1e-14 && moment < 1e-13);
         assert!(comparison.difference.is_none());
@@ -78,8 +78,8 @@ fn beyond_the_onset_the_rows_are_out_of_equilibrium() {
         let sum: SVector<f64, 2> = minimum.contacts.iter().map(|c| c.force_world).sum();
         assert!((sum[1] - w - missing[1]).abs() < 1e-14);
     }
-    let text = grasp.energy().compare(down() * 0.14).unwrap().verdict.to_string();
-    assert!(text.contains(" 0.017845 N, 0.000000 N m"), "{text}");
+    let text = grasp.energy().compare(down() * 0.14).unwrap().to_string();
+    assert!(text.ends_with("misses the load by 0.0178446 N"), "{text}");
 }
 
 #[test]

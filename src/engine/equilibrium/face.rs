@@ -2,7 +2,6 @@
 
 use super::accuracy::Accuracy;
 use super::answer::{Equilibrium, LocalAnswer, Outcome, Undecided, WorkDone};
-use super::bracket::{Bracket, Spread};
 use super::cone::Cone;
 use super::contact_answer::{ContactAnswer, ContactState};
 use super::decomposition::Decomposition;
@@ -15,7 +14,7 @@ use crate::grasp::{face_of_enum, face_of_struct, same_on_both_sides};
 use crate::search::{Doubt, FoundBy};
 
 same_on_both_sides! {
-    Accuracy, Cone, Doubt, JointAnswer, LocalAnswer, Residuals, FoundBy, Spread, TendonAnswer, TooFar, Undecided, WorkDone,
+    Accuracy, Cone, Doubt, JointAnswer, LocalAnswer, Residuals, FoundBy, TendonAnswer, TooFar, Undecided, WorkDone,
 }
 
 face_of_struct! {
@@ -23,7 +22,6 @@ face_of_struct! {
         load, twist, bodies, body_loads, too_far, contacts, pads, joints, tendons, open_cups, residuals, accuracy, cone, rule, stored_energy,
         free_motions, neutral_motions, change_from_polygon, work, local,
     }
-    Bracket { inscribed, round, circumscribed, spread }
     ContactAnswer {
         contact, state, force, force_world, gap, slip, margin, distinct, body_core, body_surface, finger_surface,
     }

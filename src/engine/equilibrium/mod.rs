@@ -22,7 +22,6 @@
 
 mod accuracy;
 mod answer;
-mod bracket;
 mod cone;
 mod contact_answer;
 mod decomposition;
@@ -49,7 +48,6 @@ mod write_out;
 pub use crate::search::{Doubt, FoundBy, Settings, SmallMotions};
 pub use accuracy::Accuracy;
 pub use answer::{Equilibrium, Outcome, Undecided, WorkDone};
-pub use bracket::{Bracket, Spread};
 pub(crate) use cone::AnswerFor;
 pub use cone::Cone;
 pub use contact_answer::{ContactAnswer, ContactState};

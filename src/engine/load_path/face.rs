@@ -3,11 +3,9 @@
 use super::beyond::{Beyond, Continuation};
 use super::drive_change::PartChange;
 use super::event::{Change, ContactChange, Event, Loss, LossKind, PathEnd};
-use super::geometry_gradient::GeometryGradient;
 use super::jump::{Jump, JumpSlip};
 use super::leg::{Leg, LegGoal, LegLoad};
 use super::onset::{Departure, Leaving, Onset, OnsetEvent, StickingState};
-use super::onset_gradient::OnsetGradient;
 use super::onset_margins::Leaver;
 use super::ramp::Ramp;
 use super::sensitivity::Derivative;
@@ -23,15 +21,11 @@ face_of_struct! {
     Event { leg, fraction, load, changes, drives, free_motions, other_continuations, state, jump }
     ContactChange { contact, what }
     Loss { leg, fraction, load, kind, contacts, drives, motion, jumped, against, leaves }
-    GeometryGradient { leaving, point, normal }
     Jump { changes, slips, reaches, snaps, moved, energy_lost, state }
     JumpSlip { contact, slip }
     Leg { load, commands, joints, torques, bodies }
     OnsetEvent { factor, load, leaving, drives, cone, local }
     Leaving { contact, how }
-    OnsetGradient {
-        leaving, friction, stiffness, command, joint_command, joint_stiffness, joint_limit, base_load, load_scale,
-    }
     Ramp { base, direction, command_change, joint_change }
     Derivative { twist, joints, forces }
     Step { leg, fraction, load, sliding, open, error }

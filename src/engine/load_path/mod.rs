@@ -34,15 +34,14 @@
 //! | [`SteppedPath`] | steps of exact slips, on the round cone | the steps | 10⁵ |
 //!
 //! **Sensitivities** ([`Sensitivity::of`](crate::ask::Sensitivity::of), [`response`](crate::ask::Sensitivity::response),
-//! [`onset_gradients`](crate::ask::Sensitivity::onset_gradients)). In known states the law is linear, `F_i = K_i (a_i - G_iᵀq)`, where K_i depends on
+//! [`OnsetMargins`]). In known states the law is linear, `F_i = K_i (a_i - G_iᵀq)`, where K_i depends on
 //! stiffness, friction and state. A small change of a datum p leads to one more solve:
 //!
 //! ```text
 //! dF_i = K_i (da_i - G_iᵀdq) + (∂K_i/∂p) (a_i - G_iᵀq) dp,      Σ G_i dF_i + dW = 0
 //! ```
 //!
-//! Positions and normals ([`onset_gradients_by_geometry`](crate::ask::Sensitivity::onset_gradients_by_geometry)) change the grasp maps and add the
-//! terms `-K_i dG_iᵀq` and `dG_i F_i`.
+//! Positions and normals change the grasp maps and add the terms `-K_i dG_iᵀq` and `dG_i F_i`.
 
 mod arc;
 mod arclength;
@@ -64,7 +63,6 @@ mod first_to_leave;
 mod flow;
 mod follower;
 mod following;
-mod geometry_gradient;
 mod held_torques;
 mod in_slips;
 mod journey;
@@ -73,7 +71,6 @@ mod jump_leg;
 mod leg;
 mod node;
 mod onset;
-mod onset_gradient;
 mod onset_margins;
 mod onset_questions;
 mod onset_workspace;
@@ -119,14 +116,11 @@ pub(crate) use cycles::{CycleRecord, CycleState, Cycles};
 pub use drive_change::{DriveChange, PartChange};
 pub use energy::LegEnergy;
 pub use event::{Change, ContactChange, Event, Loss, LossKind, PathEnd};
-pub use geometry_gradient::GeometryGradient;
 pub(crate) use in_slips::{InSlips, SlipEnd};
 pub use jump::{Jump, JumpSlip};
 pub use leg::Leg;
 pub use onset::{Departure, Leaving, Onset, OnsetEvent};
-pub use onset_gradient::OnsetGradient;
-pub use onset_margins::Leaver;
-pub(crate) use onset_margins::OnsetMargins;
+pub use onset_margins::{Leaver, OnsetMargins};
 pub(crate) use path::path_outside;
 pub use path::{LoadPath, Path, SteppedPath};
 pub use ramp::Ramp;

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::onset::{OnsetEvent, StickingState};
 use crate::contact::rubs;
 use crate::equilibrium::{Parameter, StickingResponse};
-use crate::grasp::{Engine, HandPart, Wrench};
+use crate::grasp::{Engine, HandPart, Wrench, inside};
 use crate::numerics::mapped;
 use crate::object::PieceState;
 use crate::prelude::*;
@@ -20,8 +20,19 @@ pub enum Leaver {
     Drive(HandPart),
 }
 
-/// The margins that vanish at one onset, with the state there.
-pub(crate) struct OnsetMargins<'g> {
+/// The margins that vanish at one onset, and the derivatives of its load factor τ by the data: `dτ = -dm / m'`. The vanishing margin is
+/// m = `μ F_n - |F_t|` (F_n where a contact opens), and m' its rate along the ramp. For a load that turns they are derivatives of the angle.
+///
+/// A change of a point or a normal moves or turns the contact frame, and thus changes the grasp map. With contact stiffness K, motion q and forces F:
+///
+/// ```text
+/// dF_i = -K_i (G_iᵀdq + dG_iᵀq),      Σ (G_i dF_i + dG_i F_i) = 0
+/// ```
+///
+/// Commands, clearances and stiffnesses then keep their components along the axes of the contact frames, and so do changes of commands along a ramp. A
+/// command a that stays along the **coordinate** axes changes in a frame that tilts by φ towards the tangent t: by φ `a·t` along the normal, by
+/// -φ `a·n` along t.
+pub struct OnsetMargins<'g> {
     response: StickingResponse<'g>,
     state: PieceState,
     margins: Vec<Margin>,
@@ -61,14 +72,17 @@ impl<'g> OnsetMargins<'g> {
         Some(Self { response, state, margins })
     }
 
-    /// The contacts and drives that stop sticking.
-    pub(crate) fn leavers(&self) -> Vec<Leaver> {
+    /// The contacts and drives that stop sticking, in the order of the derivatives. The onset is the least of their factors. Its one-sided derivative
+    /// along a change of the data is the least of theirs.
+    #[must_use]
+    pub fn leavers(&self) -> Vec<Leaver> {
         mapped(&self.margins, &|margin| margin.leaver)
     }
 
-    /// The derivative of the load factor by one datum, for each contact or drive that leaves. `None` if
-    /// [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative of the forces.
-    pub(crate) fn by(&self, parameter: Parameter) -> Option<Vec<f64>> {
+    /// The derivative of the load factor by one datum, for each contact or drive that leaves; its units are those of the inverse datum, and those of the
+    /// base load are 1/N and 1/(N m). `None` if [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative of the forces.
+    #[must_use]
+    pub fn by(&self, parameter: Parameter) -> Option<Vec<f64>> {
         let change = self.response.derivative(&self.state, parameter)?;
         let direct = |margin: &Margin| match parameter {
             Parameter::Friction { contact } if contact == margin.site && rubs(&margin.row) => {
@@ -79,9 +93,11 @@ impl<'g> OnsetMargins<'g> {
         Some(mapped(&self.margins, &|margin| margin.factor_change(&change.forces, direct(margin))))
     }
 
-    /// For each margin, the derivative of the load factor at which it vanishes, by a multiple of `load` added to the load.
-    pub(crate) fn by_load(&self, load: &Wrench<3>) -> Option<Vec<f64>> {
-        let change = self.response.by_load(load).ok()?;
+    /// The derivative of the load factor by a multiple of `load` added to the load. With the load of the onset it is the derivative by a factor on the whole
+    /// load, at the value 1.
+    #[must_use]
+    pub fn by_load<const C: usize>(&self, load: &Wrench<C>) -> Option<Vec<f64>> {
+        let change = self.response.by_load(&inside(load)).ok()?;
         Some(mapped(&self.margins, &|margin| margin.factor_change(&change.of, 0.0)))
     }
 }

@@ -6,7 +6,6 @@ use super::event::Change;
 use crate::contact::{Mode, State};
 use crate::forms::{Form, clearly_breaks, kinematic_form};
 use crate::grasp::{Site, Space};
-use crate::lcp::MatrixClass;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::Problem;
 use crate::prelude::*;
@@ -46,9 +45,7 @@ pub(super) fn other_solutions(rates: &Problem, found: &Found) -> Option<usize> {
     }
     let rows: usize = rates.locals().map(|local| local.pairs()).sum();
     let few = few_rows(rates, rows);
-    let p_matrix =
-        |form: &Form| MatrixClass::of(form.lcp.matrix()).is_ok_and(|class| class.p_matrix == Some(true));
-    if rows == 0 || few.as_ref().is_some_and(|few| p_matrix(&few.form)) {
+    if rows == 0 || few.as_ref().is_some_and(|few| few.form.lcp.has_p_matrix() == Some(true)) {
         return Some(0);
     }
     // Up to this many combinations of states among the contacts on the edge of their cones, all are tried to find every continuation of the path.

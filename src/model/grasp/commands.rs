@@ -1,8 +1,9 @@
 //! Commands of a finger, as a position or as a force, and its clearance.
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 
 use super::contact::Contact;
+use crate::numerics::{by_axis, dot};
 
 /// The axes along which a command is given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -130,7 +131,10 @@ impl<const C: usize> Contact<C> {
         let mut command = match self.command_axes {
             Axes::Frame => self.command,
             Axes::World => {
-                self.frame(0).map_or_else(|_| SVector::repeat(f64::NAN), |frame| frame.tr_mul(&self.command))
+                let along = |frame: SMatrix<f64, C, C>| {
+                    by_axis(|axis| dot(frame.column(axis).as_slice(), self.command.as_slice()))
+                };
+                self.frame(0).map_or_else(|_| SVector::repeat(f64::NAN), along)
             }
         };
         if let Some(force) = self.press {

@@ -2,7 +2,7 @@
 
 use super::grasp::Grasp;
 use crate::contact::PolygonCone;
-use crate::equilibrium::{Accuracy, Bracket, Equilibrium, Refutation};
+use crate::equilibrium::{Accuracy, Equilibrium, Refutation};
 use crate::error::Error;
 use crate::forms::Form;
 use crate::grasp::{Wrench, inside, outside};
@@ -78,30 +78,6 @@ impl<const C: usize> Grasp<C> {
     #[must_use]
     pub fn distinct(&self, equilibrium: &Equilibrium<C>) -> Option<Vec<bool>> {
         self.of_equilibrium(equilibrium).engine.distinct(&inside(equilibrium))
-    }
-
-    /// The equilibria under a load on three cones: the round cone, and the inscribed and the circumscribed polygon with as many facets as
-    /// `settings.cone`. The fit of that cone and `settings.round` are ignored. In the plane all three are equal.
-    ///
-    /// ```
-    /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
-    ///
-    /// // Three fingers under a plate of 12 N, μ = 0.5: they hold 6 N sideways on the round cone.
-    /// let finger = |x: f64, y: f64| {
-    ///     Contact::new([x, y, 0.0], [0.0, 0.0, 1.0]).series_stiffness(100.0, 100.0).friction(0.5).command([0.04, 0.0, 0.0])
-    /// };
-    /// let grasp = Grasp::new([finger(-1.0, -1.0), finger(1.0, -1.0), finger(0.0, 2.0)])?;
-    ///
-    /// // Below 6 cos(π/8) N everything sticks on every polygon of 8 facets, and the three answers are one.
-    /// let bracket = grasp.bracket(Wrench::force([5.5, 0.0, -12.0]))?;
-    /// assert!(bracket.spread.expect("three equilibria").force < 1e-14);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn bracket(&self, load: impl Into<Wrench<C>>) -> Result<Bracket<C>, Error> {
-        self.engine.bracket(&inside(&load.into()), &self.settings).map(outside)
     }
 
     /// The proof, by cases, that no equilibrium exists under a load on the round cone. `None` where an equilibrium exists, where

@@ -106,8 +106,7 @@ impl<const C: usize> Energy<'_, C> {
     /// };
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     /// let printed = grasp.energy().printed_qp(Wrench::force([0.0, -6.0]), &PolygonCone::default())?;
-    /// let outcome = printed.program.solve()?;
-    /// let minimum = outcome.minimum().ok_or("everything sticks")?;
+    /// let minimum = printed.program.solve()?.ok_or("everything sticks")?;
     /// assert!((printed.force_on_object(&minimum.equality_multipliers, 0)[0] - 10.0).abs() < 1e-12);
     /// // The springs of body and finger give way alike, 5 mm each.
     /// let u = printed.displacements(&minimum.x, 0);

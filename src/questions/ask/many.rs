@@ -6,37 +6,9 @@ use crate::grasp::{Face, Wrench, inside, outside};
 use crate::load_path::{Onset, Ramp};
 use crate::numerics::moved;
 use crate::prelude::*;
-use crate::sweep::{Reserve, RobustOnset, Uncertainty};
+use crate::sweep::{Reserve, Uncertainty};
 
 impl<const C: usize> Grasp<C> {
-    /// The onset of sliding with its mean and standard deviation to first order, from the gradients of the onset. [`Self::onset_of_samples`] has
-    /// samples for comparison.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
-    /// use grasp_lcp::sweep::Uncertainty;
-    ///
-    /// let finger = |x: f64, mu: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(mu).pressed_with(10.0);
-    /// let grasp = Grasp::new([finger(1.0, 0.4), finger(-1.0, 0.6)])?;
-    /// let weight = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
-    ///
-    /// // The right finger slides at 2 μ N = 8 newtons, in proportion to its friction, which is known to 5 %.
-    /// let robust = grasp.robust_onset(&weight, &Uncertainty::seeded(1).with_friction(0.05))?;
-    /// let spread = robust.spread.expect("slides");
-    /// assert!((spread.deviation.expect("one leaves") - 0.4).abs() < 1e-12);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As for [`Self::onset`], and [`Error::NotForHands`] for uncertain positions of a hand's contacts.
-    pub fn robust_onset(
-        &self,
-        ramp: impl Into<Ramp<C>>,
-        uncertainty: &Uncertainty,
-    ) -> Result<RobustOnset<C>, Error> {
-        self.engine.robust_onset(&inside(&ramp.into()), uncertainty, &self.settings).map(outside)
-    }
-
     /// The load up to which everything sticks with `sigmas` standard deviations in reserve, on top of a base load and in any direction. Of all grasps
     /// within the uncertainty at most the fraction Φ(-sigmas) – 0.00135 for three – slides below [`Reserve::along`]. All contacts count, not only the
     /// first one to slide. The effect of a single datum on the forces is computed beyond first order. A fifth of that fraction is reserved for combined

@@ -2,74 +2,40 @@
 
 use super::grasp::Grasp;
 use crate::equilibrium::Equilibrium;
-use crate::error::Error;
 use crate::grasp::{inside, outside};
-use crate::load_path::{Derivative, GeometryGradient, OnsetEvent, OnsetGradient, Parameter, Response};
-use crate::prelude::*;
-use crate::sweep::{OnsetSpread, Uncertainty};
+use crate::load_path::{Derivative, OnsetEvent, OnsetMargins, Parameter, Response};
 
 /// Derivatives of a grasp's answers by its data, made by [`Grasp::sensitivity`].
 #[derive(Debug, Clone, Copy)]
 pub struct Sensitivity<'g, const C: usize>(pub(super) &'g Grasp<C>);
 
-impl<const C: usize> Sensitivity<'_, C> {
-    /// Derivatives of the onset by every parameter, one gradient for each leaving contact: `dτ = -dm / m'`. The vanishing margin is
-    /// m = `μ F_n - |F_t|` (F_n where a contact opens), and m' its rate along the ramp. For a load that turns they are derivatives of the angle.
+impl<'g, const C: usize> Sensitivity<'g, C> {
+    /// The margins that vanish at an onset, which have the derivatives of its factor by every parameter.
     ///
-    /// Empty if a contact closed before the onset, since the onset then depends on that history, or if a contact closes there and slides at once. Also
-    /// empty if the event has another number of contacts.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
-    ///
-    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    ///
-    /// let ramp = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
-    /// let onset = grasp.onset(&ramp)?;
-    /// // A contact leaves at W = 2 μ N, so ∂W/∂μ = 2 N = 20 newtons.
-    /// let gradient = &grasp.sensitivity().onset_gradients(onset.event().expect("slides"))[0];
-    /// assert!((gradient.friction[0] - 20.0).abs() < 1e-12);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    #[must_use]
-    pub fn onset_gradients(&self, event: &OnsetEvent<C>) -> Vec<OnsetGradient<C>> {
-        outside(self.0.engine.onset_gradients(&inside(event)))
-    }
-
-    /// Derivatives of the onset by positions and normals of the contacts, one for each leaving contact, exact to first order: one linear solve for
-    /// each datum. Empty where [`Sensitivity::onset_gradients`](crate::ask::Sensitivity::onset_gradients) is.
-    ///
-    /// A change of a point or a normal moves or turns the contact frame, and thus changes the grasp map. With contact stiffness K, motion q and forces
-    /// F:
-    ///
-    /// ```text
-    /// dF_i = -K_i (G_iᵀdq + dG_iᵀq),      Σ (G_i dF_i + dG_i F_i) = 0,      dτ = -dm / m'
-    /// ```
+    /// `None` if a contact closed before the onset, since the onset then depends on that history, or if a contact closes there and slides at once. Also
+    /// `None` if the event has another number of contacts.
     ///
     /// ```
+    /// use grasp_lcp::load_path::Parameter;
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
     ///
     /// // Two fingers that each press with 10 N, μ = 0.5, under a weight whose line is the middle: each carries half of it.
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).pressed_with(10.0);
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     /// let onset = grasp.onset(Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0])))?;
+    /// let margins = grasp.sensitivity().onset(onset.event().expect("slides")).expect("both stick before");
     ///
-    /// // The left finger comes nearer to that line by d: its share is 1 / (2 - d), the onset 2 μ N (1 - d/2).
-    /// let gradient = &grasp.sensitivity().onset_gradients_by_geometry(onset.event().expect("slides"))?[0];
-    /// assert!((gradient.point[0][0] + 5.0).abs() < 1e-12);
+    /// // A contact leaves at W = 2 μ N, so ∂W/∂μ = 2 N = 20 newtons.
+    /// let by_friction = margins.by(Parameter::Friction { contact: 0 }).expect("a contact");
+    /// assert!((by_friction[0] - 20.0).abs() < 1e-12);
+    /// // The left finger comes nearer to the line of the weight by d: its share is 1 / (2 - d), the onset 2 μ N (1 - d/2).
+    /// let by_place = margins.by(Parameter::Point { contact: 0, axis: 0 }).expect("a contact");
+    /// assert!((by_place[0] + 5.0).abs() < 1e-12);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
-    ///
-    /// # Errors
-    /// [`Error::NotForHands`] for a grasp by a hand, whose joints would move a contact at another place differently. Derivatives by directions of
-    /// normals alone are in [`Sensitivity::of`](crate::ask::Sensitivity::of), for hands, too.
-    pub fn onset_gradients_by_geometry(
-        &self,
-        event: &OnsetEvent<C>,
-    ) -> Result<Vec<GeometryGradient<C>>, Error> {
-        self.0.engine.onset_gradients_by_geometry(&inside(event)).map(outside)
+    #[must_use]
+    pub fn onset(&self, event: &OnsetEvent<C>) -> Option<OnsetMargins<'g>> {
+        OnsetMargins::new(&self.0.engine, &inside(event))
     }
 
     /// Response of an equilibrium of this grasp to its finger commands while every contact keeps its state: one linear solve for each axis of each
@@ -145,18 +111,5 @@ impl<const C: usize> Sensitivity<'_, C> {
     #[must_use]
     pub fn of(&self, equilibrium: &Equilibrium<C>, by: Parameter) -> Option<Derivative<C>> {
         self.0.of_equilibrium(equilibrium).engine.sensitivity(&inside(equilibrium), by).map(outside)
-    }
-
-    /// Spread of the onset of a ramp, or of a load that turns, under uncertain data. `None` where
-    /// [`Sensitivity::onset_gradients`](crate::ask::Sensitivity::onset_gradients) is empty.
-    ///
-    /// # Errors
-    /// [`Error::NotForHands`] for uncertain positions of a hand's contacts.
-    pub fn onset_spread(
-        &self,
-        event: &OnsetEvent<C>,
-        uncertainty: &Uncertainty,
-    ) -> Result<Option<OnsetSpread>, Error> {
-        self.0.engine.onset_spread(&inside(event), uncertainty)
     }
 }

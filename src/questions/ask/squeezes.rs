@@ -45,7 +45,7 @@ impl<const C: usize> Grasp<C> {
     /// round cone. Exact, not by sampling: see [`Bounds`].
     ///
     /// The worst friction is the smallest coefficient: ask about a grasp that has it. Stiffness and geometry do not enter linearly;
-    /// [`Self::robust_onset`] includes them to first order.
+    /// [`Self::reserve`] includes them.
     ///
     /// ```
     /// use grasp_lcp::planar::{Bounds, Contact, Grasp, LeastOnset, Ramp, Wrench};

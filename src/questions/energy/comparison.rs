@@ -1,7 +1,5 @@
 //! Coulomb's law compared with the paper's minimum of energy, under one load.
 
-use core::fmt;
-
 #[cfg(feature = "serde")]
 use super::minimum::Inside;
 use super::minimum::{MinimumEnergy, MinimumOutcome};
@@ -130,29 +128,6 @@ pub enum ComparisonVerdict {
 impl Difference {
     fn differ(&self) -> bool {
         self.force > NEGLIGIBLE * self.force_size || self.displacement > NEGLIGIBLE * self.displacement_size
-    }
-}
-
-impl fmt::Display for ComparisonVerdict {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let miss = |f: &mut fmt::Formatter<'_>, force: &f64, moment: &f64| {
-            write!(f, "out of equilibrium by {force:.6} N, {moment:.6} N m")
-        };
-        match self {
-            Self::Agree => f.write_str("agree"),
-            Self::TwoEquilibria => f.write_str("two different equilibria"),
-            Self::OutOfEquilibrium { force, moment } => miss(f, force, moment),
-            Self::NoEquilibrium { force, moment } => {
-                miss(f, force, moment)?;
-                f.write_str("; no equilibrium exists")
-            }
-            Self::Unknown { force, moment } => {
-                miss(f, force, moment)?;
-                f.write_str("; whether an equilibrium exists is not known")
-            }
-            Self::NoMinimum => f.write_str("the quadratic program has no minimum"),
-            Self::Unsolved => f.write_str("the quadratic program was not solved"),
-        }
     }
 }
 

@@ -45,5 +45,5 @@ pub use agreement::Agreement;
 pub use comparison::{Comparison, ComparisonVerdict, Difference};
 pub use minimum::{Binding, MinimumContact, MinimumEnergy, MinimumOutcome};
 pub use printed::{Displacements, Equality, Inequality, PrintedQp};
-pub use program::{QpMinimum, QpOutcome, QuadraticProgram};
+pub use program::{QpMinimum, QuadraticProgram};
 pub use stability::{Stability, StabilityVerdict};

@@ -14,7 +14,7 @@
 use crate::numerics::{IntoList, matrix_of, vector_of};
 use nalgebra::{DMatrix, DVector};
 
-use crate::lcp::{LcpError, MixedLcp, MixedSolution, Outcome, Residuals};
+use crate::lcp::{Lcp, LcpError, Outcome, Solution, optimality_conditions};
 use crate::numerics::tolerances::FEW_ROUNDINGS;
 use crate::prelude::*;
 
@@ -38,28 +38,6 @@ pub struct QuadraticProgram {
     pub d: DVector<f64>,
 }
 
-/// How solving a [`QuadraticProgram`] ends.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub enum QpOutcome {
-    /// A minimum.
-    Minimum(QpMinimum),
-    /// The optimality conditions were not solved. With a positive semidefinite H [`Infeasible`](Outcome::Infeasible) means that the constraints
-    /// contradict each other or that the cost is unbounded below.
-    NoMinimum(Box<Outcome<MixedSolution>>),
-}
-
-impl QpOutcome {
-    /// The minimum, if there is one.
-    #[must_use]
-    pub fn minimum(&self) -> Option<&QpMinimum> {
-        match self {
-            Self::Minimum(minimum) => Some(minimum),
-            Self::NoMinimum(_) => None,
-        }
-    }
-}
-
 /// A minimum of a [`QuadraticProgram`] with its multipliers.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -70,50 +48,45 @@ pub struct QpMinimum {
     pub equality_multipliers: DVector<f64>,
     /// λ >= 0, multipliers of the inequality rows (k): cost per unit of D. Positive only where the row binds.
     pub multipliers: DVector<f64>,
-    /// B x - D >= 0 (k).
-    pub slacks: DVector<f64>,
     /// `Gᵀx + ½ xᵀH x` at x.
     pub value: f64,
-    /// How well the optimality conditions are satisfied, relative to the sizes of their terms.
-    pub residuals: Residuals,
-    /// Pivots of Lemke's method.
-    pub pivots: usize,
 }
 
 impl QuadraticProgram {
-    /// The optimality conditions: free variables (x, y), n + m in number, and k complementary pairs (λ, B x - D).
-    ///
-    /// ```text
-    /// 0 = H x - Aᵀy - Bᵀλ + G
-    /// 0 = A x - C
-    /// 0 <= λ  ⟂  B x - D >= 0
-    /// ```
+    /// The optimality conditions as a complementarity problem for (x⁺, x⁻, λ, y⁺, y⁻), in which x = x⁺ - x⁻ and y = y⁺ - y⁻.
     ///
     /// For a positive semidefinite H they are equivalent to the program, and Lemke's method was made for them (Lemke 1965). In exact arithmetic it
     /// ends at a minimum, or on a ray, which means that there is no minimum.
     ///
     /// # Errors
-    /// [`LcpError::BlockShape`] if H, A or B does not fit G, C and D. [`LcpError::MatrixEntry`] or
-    /// [`LcpError::VectorEntry`] for a number that is not finite; its place is that in the matrices of [`MixedLcp`].
-    pub fn optimality_conditions(&self) -> Result<MixedLcp, LcpError> {
+    /// [`LcpError::BlockShape`] if H, A or B does not fit G, C and D. [`LcpError::MatrixEntry`] or [`LcpError::VectorEntry`] for a number that is not
+    /// finite.
+    pub fn optimality_conditions(&self) -> Result<Lcp, LcpError> {
         let (n, m, k) = (self.g.len(), self.c.len(), self.d.len());
-        let shapes =
-            [("H", self.h.shape(), (n, n)), ("A", self.a.shape(), (m, n)), ("B", self.b.shape(), (k, n))];
-        for (what, (rows, columns), (needed_rows, needed_columns)) in shapes {
-            if (rows, columns) != (needed_rows, needed_columns) {
-                return Err(LcpError::BlockShape { what, rows, columns, needed_rows, needed_columns });
-            }
+        for (what, block, shape) in [("H", &self.h, (n, n)), ("A", &self.a, (m, n)), ("B", &self.b, (k, n))] {
+            LcpError::check_block(what, block, shape)?;
         }
-        let mut free = DMatrix::zeros(n + m, n + m);
-        free.view_mut((0, 0), (n, n)).copy_from(&self.h);
-        free.view_mut((0, n), (n, m)).copy_from(&-self.a.transpose());
-        free.view_mut((n, 0), (m, n)).copy_from(&self.a);
-        let mut pull = DMatrix::zeros(n + m, k);
-        pull.view_mut((0, 0), (n, k)).copy_from(&-self.b.transpose());
-        let mut rows = DMatrix::zeros(k, n + m);
-        rows.view_mut((0, 0), (k, n)).copy_from(&self.b);
-        let constant = vector_of(n + m, &|i| if i < n { self.g[i] } else { -self.c[i - n] });
-        MixedLcp::new(&free, &pull, &rows, &DMatrix::zeros(k, k), &constant, &-&self.d)
+        let column = |j: usize| if j < n { (j, 1.0) } else { (j - n, -1.0) };
+        let h = matrix_of(2 * n, 2 * n, &|i, j| {
+            let ((i, a), (j, b)) = (column(i), column(j));
+            a * b * self.h[(i, j)]
+        });
+        let g = vector_of(2 * n, &|j| column(j).1 * self.g[column(j).0]);
+        // Each equality is two inequalities.
+        let row = |i: usize| match i {
+            i if i < k => (&self.b, &self.d, i, 1.0),
+            i if i < k + m => (&self.a, &self.c, i - k, 1.0),
+            i => (&self.a, &self.c, i - k - m, -1.0),
+        };
+        let rows = matrix_of(k + 2 * m, 2 * n, &|i, j| {
+            let ((matrix, _, i, a), (j, b)) = (row(i), column(j));
+            a * b * matrix[(i, j)]
+        });
+        let right = vector_of(k + 2 * m, &|i| {
+            let (_, right, i, a) = row(i);
+            -a * right[i]
+        });
+        optimality_conditions(Some(&h), &g, &rows, &right)
     }
 
     /// Computes the minimum and its multipliers by Lemke's method on [`Self::optimality_conditions`].
@@ -131,8 +104,7 @@ impl QuadraticProgram {
     ///     b: DMatrix::from_row_slice(1, 2, &[0.0, 1.0]),
     ///     d: DVector::from_vec(vec![1.5]),
     /// };
-    /// let outcome = program.solve()?;
-    /// let minimum = outcome.minimum().expect("H is positive definite");
+    /// let minimum = program.solve()?.expect("H is positive definite");
     /// assert!((&minimum.x - DVector::from_vec(vec![0.5, 1.5])).amax() < 1e-15);
     /// assert!((minimum.multipliers[0] - 1.0).abs() < 1e-15);
     /// # Ok::<(), grasp_lcp::lcp::LcpError>(())
@@ -140,39 +112,33 @@ impl QuadraticProgram {
     ///
     /// # Errors
     /// As for [`Self::optimality_conditions`].
-    pub fn solve(&self) -> Result<QpOutcome, LcpError> {
-        let n = self.g.len();
+    pub fn solve(&self) -> Result<Option<QpMinimum>, LcpError> {
+        let (n, m, k) = (self.g.len(), self.c.len(), self.d.len());
         let conditions = self.optimality_conditions()?;
-        Ok(match conditions.solve() {
-            Outcome::Solved(mut solution) => {
-                let determined = solution.undetermined.is_empty() && solution.dependent.is_empty();
-                if let Some((u, z)) = self.refined(&solution).filter(|_| determined) {
-                    let residuals = conditions.residuals(&u, &z);
-                    if residuals.max() <= solution.residuals.max().max(FEW_ROUNDINGS) {
-                        (solution.u, solution.z, solution.residuals) = (u, z, residuals);
-                    }
-                }
-                let x = solution.u.rows(0, n).into_owned();
-                QpOutcome::Minimum(QpMinimum {
-                    value: self.value(&x),
-                    equality_multipliers: solution.u.rows(n, self.c.len()).into_owned(),
-                    multipliers: solution.z,
-                    slacks: solution.w,
-                    residuals: solution.residuals,
-                    pivots: solution.pivots,
-                    x,
-                })
-            }
-            other => QpOutcome::NoMinimum(Box::new(other)),
-        })
+        let Outcome::Solved(Solution { z, .. }) = conditions.solve() else { return Ok(None) };
+        let free = |first: usize, len: usize| vector_of(len, &|i| z[first + i] - z[first + len + i]);
+        let found = self.minimum(free(0, n), free(2 * n + k, m), z.rows(2 * n, k).into_owned());
+        let Some(refined) = self.refined(&found) else { return Ok(Some(found)) };
+        let split = |v: &DVector<f64>, i: usize| if i < v.len() { v[i] } else { -v[i - v.len()] }.max(0.0);
+        let point = vector_of(z.len(), &|i| match i {
+            i if i < 2 * n => split(&refined.x, i),
+            i if i < 2 * n + k => refined.multipliers[i - 2 * n],
+            i => split(&refined.equality_multipliers, i - 2 * n - k),
+        });
+        let better = conditions.residuals(&point).max() <= conditions.residuals(&z).max().max(FEW_ROUNDINGS);
+        Ok(Some(if better { refined } else { found }))
+    }
+
+    fn minimum(&self, x: DVector<f64>, y: DVector<f64>, multipliers: DVector<f64>) -> QpMinimum {
+        QpMinimum { value: self.value(&x), x, equality_multipliers: y, multipliers }
     }
 
     /// The solution recomputed from its binding rows with iterative refinement. Each condition is then satisfied to the rounding of its own terms
     /// (Skeel 1980): forces balance to the last digits beside springs a million times stiffer. `None` where the binding rows do not determine the
     /// point.
-    fn refined(&self, solution: &MixedSolution) -> Option<(DVector<f64>, DVector<f64>)> {
+    fn refined(&self, found: &QpMinimum) -> Option<QpMinimum> {
         let (n, m) = (self.g.len(), self.c.len());
-        let binding: Vec<usize> = solution.basis.iter().list();
+        let binding: Vec<usize> = (0..self.d.len()).filter(|row| found.multipliers[*row] > 0.0).list();
         let size = n + m + binding.len();
         let mut matrix = DMatrix::zeros(size, size);
         matrix.view_mut((0, 0), (n, n)).copy_from(&self.h);
@@ -200,8 +166,9 @@ impl QuadraticProgram {
         let scaled = matrix_of(size, size, &|i, j| matrix[(i, j)] * scale[i] * scale[j]);
         let factor = scaled.lu();
         let mut point = vector_of(size, &|i| match i {
-            i if i < n + m => solution.u[i],
-            i => solution.z[binding[i - n - m]],
+            i if i < n => found.x[i],
+            i if i < n + m => found.equality_multipliers[i - n],
+            i => found.multipliers[binding[i - n - m]],
         });
         let largest = point.amax();
         // Two steps of refinement remove the error of a factorisation, one more costs almost nothing.
@@ -217,7 +184,7 @@ impl QuadraticProgram {
         for (place, &row) in binding.iter().enumerate() {
             z[row] = point[n + m + place].max(0.0);
         }
-        Some((point.rows(0, n + m).into_owned(), z))
+        Some(self.minimum(point.rows(0, n).into_owned(), point.rows(n, m).into_owned(), z))
     }
 
     /// The cost `Gᵀx + ½ xᵀH x` at any x (n entries), feasible or not.

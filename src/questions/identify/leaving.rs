@@ -199,6 +199,7 @@ impl Equations {
         let (_, turns) = spaces(&fixed_directions, size);
         let mut columns: Vec<DVector<f64>> = Vec::new();
         for y in springs.column_iter() {
+            let y = y.into_owned();
             let mut sum = DVector::zeros(size);
             for contact in pressing {
                 sum += contact.by_newton(motion) * (-contact.stiffness * contact.normal.dot(&y));

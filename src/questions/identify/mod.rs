@@ -13,7 +13,7 @@
 //!
 //! **Method.** All unknowns are positive, so that the search is in their logarithms x. The residual of a slip observed at load factor λ and predicted
 //! at λ(x) is `ln λ - ln λ(x)`. Gauss-Newton steps with Levenberg's damping minimise the sum of [Huber's loss](Identify::with_outliers_beyond).
-//! Derivatives are exact. Those of an onset are [known](crate::ask::Sensitivity::onset_gradients). At gross slip the object leaves with a motion m. If
+//! Derivatives are exact. Those of an onset are [known](crate::load_path::OnsetMargins). At gross slip the object leaves with a motion m. If
 //! m opens no contact, λ is a root of the equations below. They hold over the contacts i that press, with normal nᵢ, tangents Tᵢ and normal force Nᵢ:
 //!
 //! ```text

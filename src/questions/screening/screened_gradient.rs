@@ -74,8 +74,7 @@ impl<const C: usize> ScreenedGradients<C> {
 /// each contact. Along a change of the data the derivative of the factor is the least of theirs.
 ///
 /// Where a motion of the object is free, derivatives by points, normals and loads are NaN: with other data there may be no equilibrium. Two hard
-/// fingers in space are such a grasp. [`Sensitivity::onset_gradients_by_geometry`](crate::ask::Sensitivity::onset_gradients_by_geometry) handles
-/// these cases apart.
+/// fingers in space are such a grasp. [`OnsetMargins::by`](crate::load_path::OnsetMargins::by) handles these cases apart.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ScreenedGradient<'a, const C: usize> {
     contacts: usize,

@@ -2,7 +2,6 @@
 
 use super::off::{ContactErrors, factor};
 use super::uncertainty::Uncertainty;
-use crate::equilibrium::Parameter;
 use crate::error::Error;
 use crate::grasp::{ContactPoints, Engine};
 use crate::numerics::unit;
@@ -29,21 +28,6 @@ impl UncertainDatum {
             Self::OfJoint(of, sigma) if *of == joint => factor(sigma * z),
             _ => 1.0,
         })
-    }
-
-    /// The parameters that this datum changes, each with its change by one σ.
-    pub(super) fn parameters(&self, of: &Engine) -> Vec<(Parameter, f64)> {
-        match self {
-            Self::OfContact(contact, errors) => {
-                let points = of.wholes()[*contact].range.clone();
-                points.flat_map(|point| errors.parameters(of, point)).collect()
-            }
-            &Self::OfJoint(joint, sigma) => {
-                let drive = of.drives_of(joint).next();
-                let by = drive.map(|(_, drive)| sigma * drive.stiffness_of_owner());
-                by.map(|by| (Parameter::JointStiffness { joint }, by)).into_iter().collect()
-            }
-        }
     }
 }
 

@@ -1,5 +1,5 @@
 //! Many questions at once: answers in the order of the questions, the same bits for any number of
-//! threads. For a grasp with uncertain data: samples, and the onset to first order.
+//! threads. For a grasp with uncertain data: samples, and the load with a reserve.
 //!
 //! Every question is answered independently by the same serial code. Threads (feature `parallel`,
 //! rayon's global pool) only share the questions among them. Outside this module only
@@ -15,7 +15,6 @@ mod margin;
 mod off;
 mod progress;
 mod reserve;
-mod robust_onset;
 mod stuck_grasp;
 mod tolerances;
 mod uncertainty;
@@ -27,5 +26,4 @@ pub(crate) use caught::fault_in;
 pub use in_order::map_in_order;
 pub use progress::{Progress, map_watched};
 pub use reserve::Reserve;
-pub use robust_onset::{LeaverSpread, OnsetSpread, RobustOnset};
 pub use uncertainty::Uncertainty;

@@ -3,8 +3,8 @@
 use crate::numerics::Each;
 use nalgebra::SVector;
 
-use crate::equilibrium::Parameter;
-use crate::grasp::{Contact, Engine};
+use crate::grasp::Contact;
+#[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
 /// Errors of a contact's data: logarithms of factors, and additions to its place and direction.
@@ -36,25 +36,6 @@ impl ContactErrors {
         off.stiffness = contact.stiffness.scaled(stiffness);
         off.point += self.moved;
         off.tilted(&self.tilt)
-    }
-
-    /// The parameters of a contact that these errors change, each with its change to first order.
-    pub(super) fn parameters(&self, of: &Engine, contact: usize) -> Vec<(Parameter, f64)> {
-        let (given, axes) = (&of.contacts()[contact], of.space().axes());
-        let friction = given.friction_coefficient();
-        let mut changes = Vec::new();
-        if friction.is_finite() {
-            changes.push((Parameter::Friction { contact }, self.friction * friction));
-        }
-        changes.push((Parameter::Command { contact, axis: 0 }, self.squeeze * given.commanded()[0]));
-        for axis in 0..axes {
-            let series = given.series_stiffness_of_axes()[axis];
-            changes.push((Parameter::Stiffness { contact, axis }, self.stiffness * series));
-            changes.push((Parameter::Point { contact, axis }, self.moved[axis]));
-            changes.push((Parameter::Normal { contact, axis }, self.tilt[axis]));
-        }
-        changes.retain(|(_, change)| *change != 0.0);
-        changes
     }
 }
 

@@ -12,6 +12,7 @@
 mod affine;
 pub mod amounts;
 pub mod best_time;
+pub mod bracket;
 pub mod cards;
 mod close;
 pub mod closure_margin;

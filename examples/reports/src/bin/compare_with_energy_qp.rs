@@ -4,7 +4,7 @@
 //! `cargo run --release -p reports --bin compare_with_energy_qp`
 
 use grasp_lcp::Settings;
-use grasp_lcp::energy::{Agreement, QpOutcome};
+use grasp_lcp::energy::Agreement;
 use grasp_lcp::picture::{Chart, Stroke};
 use grasp_lcp::planar::{Grasp, Ramp, Wrench};
 use support::interior_point::{Oracle, interior_point};
@@ -43,11 +43,11 @@ fn along_the_load(grasp: &Grasp, onset: f64) -> Result<()> {
             Some(difference) => print!("     {:7.0e}   ", difference.relative()),
             None => print!("        -      "),
         }
-        println!("   {:.6}       {}", minimum.out_of_balance().0, comparison.verdict);
+        println!("   {:.6}       {}", minimum.out_of_balance().0, comparison);
 
         // The program as printed in the paper, in all displacements, by Lemke's method and by an interior-point method.
         let printed = grasp.energy().printed_qp(load, &settings.cone)?;
-        let QpOutcome::Minimum(lemke) = printed.program.solve()? else { return Err("no minimum".into()) };
+        let lemke = printed.program.solve()?.ok_or("no minimum")?;
         let Oracle::Minimum(interior, _) = interior_point(&printed.program) else {
             return Err("the interior-point method finds no minimum".into());
         };

@@ -3,7 +3,7 @@
 //! `cargo run --release -p reports --bin reserve [samples [directions]]`
 //!
 //! Random grasps are pulled in random directions, and two scenes in directions all around. The load with reserve is compared with the quantile of
-//! sampled onsets, and with the first-order estimate: the onset minus three of its standard deviations.
+//! sampled onsets.
 
 use std::f64::consts::{PI, TAU};
 use std::time::Instant;
@@ -30,10 +30,10 @@ fn main() -> Result<(), Failure> {
         TAIL * samples as f64
     );
     println!(
-        "                                                     slide below          (reserve − quantile) / onset    to first order"
+        "                                                     slide below          (reserve − quantile) / onset"
     );
     println!(
-        "grasps  in         not known                     most  expected by chance      5 %   median     95 %    median     95 %    µs a direction"
+        "grasps  in         not known                     most  expected by chance      5 %   median     95 %    µs a direction"
     );
     let known = Uncertainty::seeded(3).with_friction(0.1).with_stiffness(0.1).with_squeeze(0.05);
     let places = known.with_position(5e-4).with_normal(0.02).with_load(0.05);
@@ -129,7 +129,6 @@ struct Tally {
     most: usize,
     may: f64,
     short: Vec<f64>,
-    first_order: Vec<f64>,
     microseconds: Vec<f64>,
 }
 
@@ -143,8 +142,8 @@ impl Tally {
         samples: u64,
     ) -> Result<(), Failure> {
         let ramp = Ramp::load(Wrench::ZERO, direction);
-        let robust = grasp.robust_onset(&ramp, off)?;
-        let Some(onset) = robust.onset.factor().filter(|onset| *onset > 0.0 && onset.is_finite()) else {
+        let Some(onset) = grasp.onset(&ramp)?.factor().filter(|onset| *onset > 0.0 && onset.is_finite())
+        else {
             return Ok(());
         };
         let reserve = grasp.reserve(Wrench::ZERO, off, SIGMAS)?;
@@ -162,9 +161,6 @@ impl Tally {
         self.most = self.most.max(onsets.partition_point(|onset| *onset < held));
         self.may = expected + 4.0 * expected.sqrt();
         self.short.push((held - quantile) / onset);
-        if let Some(deviation) = robust.spread.and_then(|spread| spread.deviation) {
-            self.first_order.push((onset - SIGMAS * deviation - quantile) / onset);
-        }
         Ok(())
     }
 
@@ -174,15 +170,13 @@ impl Tally {
             list[(list.len() - 1) * percent / 100]
         };
         println!(
-            "{:6}  {place:9}  {what:28}  {:4}  at most {:.0}         {:7.1} % {:7.1} % {:7.1} % {:7.1} % {:7.1} %    {:.0}",
+            "{:6}  {place:9}  {what:28}  {:4}  at most {:.0}         {:7.1} % {:7.1} % {:7.1} %    {:.0}",
             self.grasps,
             self.most,
             self.may,
             100.0 * at(&mut self.short, 5),
             100.0 * at(&mut self.short, 50),
             100.0 * at(&mut self.short, 95),
-            100.0 * at(&mut self.first_order, 50),
-            100.0 * at(&mut self.first_order, 95),
             at(&mut self.microseconds, 50),
         );
     }

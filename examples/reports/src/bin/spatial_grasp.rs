@@ -7,6 +7,7 @@
 use grasp_lcp::picture::{Chart, SpatialPage, Stroke, View};
 use grasp_lcp::spatial::{Beyond, Contact, Departure, Grasp, Outcome, Ramp, Wrench};
 use grasp_lcp::{Error, Fit, PolygonCone, Settings};
+use support::bracket::bracket;
 
 /// Load of the equilibrium beyond the onset, as a multiple of the load at the onset.
 const BEYOND: f64 = 1.02;
@@ -59,7 +60,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         other => println!("  beyond: {other:?}"),
     }
 
-    let beyond = grasp.bracket(direction * (BEYOND * event.factor))?;
+    let beyond = bracket(&grasp, direction * (BEYOND * event.factor))?;
     let Outcome::Equilibrium(state) = &beyond.round else { return Err(format!("{:?}", beyond.round).into()) };
     println!(
         "\nAt {BEYOND} of it, on the round cone by {:?}: residual {:.0e}",
@@ -69,11 +70,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     if let Some(change) = state.change_from_polygon {
         println!("  no force is farther than {change:.4} N from that of the polygon that it was found from");
     }
-    if let Some(spread) = beyond.spread {
+    if let Some([force, displacement]) = beyond.spread {
         println!(
             "  8 facets inside the cone, the cone, and 8 around it: forces differ by {:.4} N, the object by {:.4} mm",
-            spread.force,
-            1e3 * spread.displacement
+            force,
+            1e3 * displacement
         );
     }
     println!("  contact   F_n (N)  |F_t| (N)  |F_t|/F_n");

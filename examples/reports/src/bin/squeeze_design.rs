@@ -2,6 +2,7 @@
 //!
 //! `cargo run --release -p reports --bin squeeze_design`
 
+use grasp_lcp::load_path::Parameter;
 use grasp_lcp::picture::{Chart, Stroke};
 use grasp_lcp::planar::{Contact, Grasp, LeastSqueeze, Loads, Ramp, Turn, WeakestDirection, Wrench};
 use grasp_lcp::{Error, Settings};
@@ -65,17 +66,18 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     println!("What one percent more of each parameter does to the onset (percent):");
     println!("            friction   k_n        k_t        command");
-    let gradient = grasp.sensitivity().onset_gradients(event).into_iter().next().ok_or("a gradient")?;
+    let margins = grasp.sensitivity().onset(event).ok_or("everything sticks before")?;
+    let by = |parameter| margins.by(parameter).map_or(f64::NAN, |by| by[0]);
     let mut strongest = (0.0, String::new());
     for (i, contact) in grasp.contacts().iter().enumerate() {
         let name = contact.label_text(i);
         let (k, mu, a) =
             (contact.series_stiffness_of_axes(), contact.friction_coefficient(), contact.commanded());
         let percent = [
-            gradient.friction[i] * mu,
-            gradient.stiffness[i][0] * k[0],
-            gradient.stiffness[i][1] * k[1],
-            gradient.command[i][0] * a[0],
+            by(Parameter::Friction { contact: i }) * mu,
+            by(Parameter::Stiffness { contact: i, axis: 0 }) * k[0],
+            by(Parameter::Stiffness { contact: i, axis: 1 }) * k[1],
+            by(Parameter::Command { contact: i, axis: 0 }) * a[0],
         ]
         .map(|d| d / event.factor);
         print!("  {name:8}");

@@ -5,7 +5,7 @@ mod names;
 use nalgebra::{Matrix2, Vector2};
 
 use crate::grasp::{ContactPoints, inside, outside};
-use crate::numerics::{mapped, tried};
+use crate::numerics::{Each, mapped, tried};
 use crate::picture::actuators::Actuators;
 use crate::picture::axes::{EqualScales, bounds};
 use crate::picture::contact_look::{cone_size, ink, slope, word};
@@ -202,7 +202,7 @@ impl<'a> Picture<'a> {
     fn paint_object(&self, axes: &EqualScales, painting: &mut Painting) {
         let place = |point: &Vector2<f64>| axes.place(*point);
         for bone in self.of.grasp.links() {
-            painting.line(bone.map(|end| flat(axes.place(end))), GREY, 3.0);
+            painting.line(bone.each(|end| flat(axes.place(end))), GREY, 3.0);
         }
         for (_, at) in &self.actuators.joints {
             if let Some(at) = at {
@@ -220,7 +220,7 @@ impl<'a> Picture<'a> {
             painting.area(outline.iter().map(place).collect(), GREY.mix(0.12), -3.0);
             for (k, corner) in outline.iter().enumerate() {
                 let next = &outline[(k + 1) % outline.len()];
-                painting.line([corner, next].map(|end| flat(place(end))), GREY, 1.0);
+                painting.line([corner, next].each(|end| flat(place(end))), GREY, 1.0);
             }
         }
     }
@@ -244,13 +244,13 @@ impl<'a> Picture<'a> {
         if let Some(cone) = self.cone(tip, does) {
             painting.area(mapped(&cone, &|corner| place(*corner)), ink(what).mix(0.16), -1.0);
             for edge in [cone[1], cone[2]] {
-                painting.line([cone[0], edge].map(|end| flat(place(end))), ink(what), 1.0);
+                painting.line([cone[0], edge].each(|end| flat(place(end))), ink(what), 1.0);
             }
         }
-        painting.arrow([at, at + force * self.scale].map(|end| flat(place(end))), ink(what), 3.0, 1);
+        painting.arrow([at, at + force * self.scale].each(|end| flat(place(end))), ink(what), 3.0, 1);
         if self.of.grasp.contacts()[tip.of.range.start].against.is_some() {
             // The body on the other side feels the opposite force.
-            painting.arrow([at, at - force * self.scale].map(|end| flat(place(end))), ink(what), 1.5, 1);
+            painting.arrow([at, at - force * self.scale].each(|end| flat(place(end))), ink(what), 1.5, 1);
         }
         for i in tip.of.range.clone().filter(|_| tip.of.is_soft()) {
             let point = self.of.grasp.contacts()[i].point;

@@ -3,7 +3,7 @@
 use super::drawing::{Drawing, LoadArrow};
 use super::frame::Frame;
 use crate::grasp::ContactPoints;
-use crate::numerics::mapped;
+use crate::numerics::{Each, mapped};
 use crate::picture::contact_look::{STATES, ink, word};
 use crate::picture::fingertip::Resultant;
 use crate::picture::layout::{LEGEND, SPATIAL};
@@ -154,7 +154,9 @@ fn of_object(drawing: &Drawing, frame: &Frame<3>) -> Vec<Entry> {
     let displaced = |state: &Equilibrium| {
         drawing.displacement > 0.0 && state.contacts.iter().any(|answer| answer.body_core.norm() > 0.0)
     };
-    let moves = |state: &Equilibrium| state.twist.to_vector().norm() > 0.0 && drawing.displacement > 0.0;
+    let moves = |state: &Equilibrium| {
+        drawing.displacement > 0.0 && state.twist.components().iter().any(|x| x.abs() > 0.0)
+    };
     let is_free = |state: &Equilibrium| !state.free_motions.is_empty();
     let has_outlines = !drawing.page.outlines.is_empty();
     let all = [
@@ -186,7 +188,7 @@ fn draw_sample(paper: &mut Sheet, sample: &Sample, y: f64) {
                 drawn.area(vec![from, rim[0], rim[1]], ink.mix(0.24), -1.0);
             }
             if !open {
-                drawn.arrow([from, ends[1]].map(flat), ink, 3.0, 1);
+                drawn.arrow([from, ends[1]].each(flat), ink, 3.0, 1);
             }
             drawn.dot(flat(from), SPATIAL.contact, ink, open);
         }
@@ -194,7 +196,7 @@ fn draw_sample(paper: &mut Sheet, sample: &Sample, y: f64) {
             drawn.dot(flat((LEGEND.left + LEGEND.sample / 2.0, y)), SPATIAL.soft_point, ink, open);
         }
         Sample::Arrow { ink, width, heads, long } => {
-            drawn.arrow([(LEGEND.left, y), (LEGEND.left + long, y)].map(flat), ink, width, heads);
+            drawn.arrow([(LEGEND.left, y), (LEGEND.left + long, y)].each(flat), ink, width, heads);
         }
         Sample::Dashes { ink } => paper.dashes(&ends, ink, 1.5),
     }

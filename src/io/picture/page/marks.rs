@@ -8,7 +8,7 @@ use super::leaving::MovedLines;
 use super::mark::{Mark, MarkLayer, MarkShape};
 use super::paint::hull;
 use crate::grasp::ContactPoints;
-use crate::numerics::mapped;
+use crate::numerics::{Each, mapped};
 use crate::picture::contact_look::{cone_size, ink, slope, word};
 use crate::picture::fingertip::Resultant;
 use crate::picture::layout::{MARKS, SPATIAL};
@@ -62,7 +62,7 @@ pub(super) fn marks_of_the_answer(drawing: &Drawing, frame: Option<&Frame<3>>) -
         let ink = state.map_or(GREY, |state| ink(tip.resultant(contacts, state).word));
         marks.extend(rim(contacts, frames[first], tip, ink).map(|mark| mark.of(k)));
         if let (Some(frame), Some(state)) = (frame, state) {
-            let axes = [0, 1, 2].map(|axis| frames[first].column(axis).into_owned());
+            let axes = [0, 1, 2].each(|axis| frames[first].column(axis).into_owned());
             let slope = frame.slope(first, slope(&contacts[first]));
             let of_tip = marks_of_a_fingertip(drawing, slope, axes, &tip.resultant(contacts, state));
             marks.extend(of_tip.into_iter().chain(dots(contacts, state, tip)).map(|mark| mark.of(k)));

@@ -127,11 +127,6 @@ impl Drive {
         self.rest /= times;
     }
 
-    /// Stiffness of the owner's spring, N m/rad or N/m.
-    pub(crate) fn stiffness_of_owner(&self) -> f64 {
-        self.stiffness * (self.unit * self.unit) / self.halves()
-    }
-
     /// Ratio of the drive's stiffness to the owner's: 2 for each half of a saturating drive, since both halves are in series.
     fn halves(&self) -> f64 {
         if matches!(self.role, Role::EndsAbove | Role::EndsBelow) { 2.0 } else { 1.0 }

@@ -4,7 +4,6 @@
 //! plane an active row means that a contact slides. In space the program has facets, so that it finds the onset on a polygon.
 
 use grasp_lcp::ask::Grasp;
-use grasp_lcp::energy::QpOutcome;
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::load_path::Ramp;
 use grasp_lcp::screening::{Fingers, Pull};
@@ -68,7 +67,7 @@ impl<const C: usize> Question<'_, C> {
         let reduced = ReducedProgram::new(self.grasp, &load, &self.cone);
         let mut rows = reduced.friction.iter().enumerate().filter_map(|(i, of)| Some((i, (*of)?)));
         if solver == Solver::Lemke {
-            let QpOutcome::Minimum(minimum) = reduced.program.solve()? else { return Ok(false) };
+            let Some(minimum) = reduced.program.solve()? else { return Ok(false) };
             return Ok(rows.all(|(i, _)| minimum.multipliers[i] == 0.0));
         }
         let (Oracle::Minimum(x, _), multipliers) =

@@ -3,7 +3,7 @@
 //! Five fingers in space, first with equal springs, then with one finger 10⁶ times as stiff. Rational arithmetic gives the exact forces.
 
 use grasp_lcp::PolygonCone;
-use grasp_lcp::energy::{QpOutcome, QuadraticProgram};
+use grasp_lcp::energy::QuadraticProgram;
 use grasp_lcp::spatial::{Contact, Grasp, Twist, Wrench};
 use nalgebra::{DVector, Matrix6, Vector3, Vector6};
 
@@ -100,10 +100,7 @@ fn forces(title: &'static str, stiffer: f64) -> Result<Panel, Failure> {
 }
 
 fn lemke(program: &QuadraticProgram) -> Result<DVector<f64>, Failure> {
-    match program.solve()? {
-        QpOutcome::Minimum(minimum) => Ok(minimum.x),
-        other => Err(format!("{other:?}").into()),
-    }
+    Ok(program.solve()?.ok_or("no minimum")?.x)
 }
 
 /// Forces along the coordinate axes after the object has moved by a twist and some contacts have opened.
