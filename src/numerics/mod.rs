@@ -15,6 +15,7 @@
 //! | `tolerances` | limits below which a value is zero or rounding |
 //! | `support` | convex sets described by support functions |
 //! | `ray_shooting` | the point where a ray leaves such a set |
+//! | `regula_falsi` | the place where a function of one variable changes sign |
 //! | `largest_ball` | the largest ball about the origin inside such a set |
 //! | `harmonic` | numbers, vectors and wrenches as harmonic functions of an angle |
 //! | `trigonometric` | first sign change of a trigonometric polynomial |
@@ -76,6 +77,7 @@ mod partial_pivoting;
 mod positive_band;
 mod pseudo_random;
 mod ray_shooting;
+mod regula_falsi;
 mod singular;
 mod space;
 mod square_root;
@@ -123,6 +125,7 @@ pub(crate) use partial_pivoting::PartialPivoting;
 pub(crate) use positive_band::PositiveBand;
 pub(crate) use pseudo_random::{Draw, generic};
 pub(crate) use ray_shooting::{RayExit, shoot};
+pub(crate) use regula_falsi::regula_falsi;
 pub(crate) use singular::{Singular, symmetric_eigen};
 pub(crate) use space::Space;
 pub(crate) use square_root::square_root;

@@ -3,8 +3,8 @@
 use super::slip_rates::Slips;
 use super::tolerances::LITTLE_NORMAL_FORCE;
 use super::within_a_step::Bounded;
-use crate::numerics::tolerances::{FEW_ROUNDINGS, NEGLIGIBLE};
-use crate::numerics::{Stepped, explicit_step, largest, paired};
+use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{Stepped, explicit_step, largest, paired, regula_falsi};
 use crate::prelude::*;
 
 /// The end of a step.
@@ -80,37 +80,24 @@ impl Slips<'_> {
         from: (&[f64], &[f64]),
         start: &[f64],
         mut end: SlipStep,
-        mut k: usize,
+        k: usize,
     ) -> Option<SlipStep> {
-        let (mut low, mut high, mut side) = ((0.0, start[k]), (end.length, end.values[k]), 0.0_f64);
-        // Regula falsi by the rule of Illinois aims at a rounding beyond the condition.
-        for _ in 0..100 {
-            // The factor at a maximum is known to the square of its rate.
-            let within = if k == GROWS { 1e-9 } else { 2e-14 };
-            let near = high.0 - low.0 <= FEW_ROUNDINGS * high.0;
-            if end.values[k] < 0.0 && (end.values[k] > -2.0 * within || near) {
-                return Some(end);
+        // The factor at a maximum is known to the square of its rate.
+        let within = if k == GROWS { 1e-9 } else { 2e-14 };
+        let (bracket, mut earlier) = ([(0.0, start[k]), (end.length, end.values[k])], None);
+        let found = regula_falsi(bracket, within, &mut |length| {
+            let Some(there) = self.step(from, length) else { return f64::NAN };
+            let value = there.values[k];
+            earlier = first_crossing(start, &there.values).filter(|other| *other != k);
+            if earlier.is_some() || value <= 0.0 {
+                end = there;
             }
-            let secant = low.0 + (high.0 - low.0) * ((low.1 + within) / (low.1 - high.1));
-            let to = if secant > low.0 && secant < high.0 { secant } else { 0.5 * (low.0 + high.0) };
-            end = self.step(from, to)?;
-            match first_crossing(start, &end.values) {
-                Some(other) if other != k => {
-                    (k, low, high, side) = (other, (0.0, start[other]), (to, end.values[other]), 0.0);
-                }
-                Some(_) => {
-                    high = (to, end.values[k]);
-                    low.1 *= if side > 0.0 { 0.5 } else { 1.0 };
-                    side = 1.0;
-                }
-                None => {
-                    low = (to, end.values[k]);
-                    high.1 *= if side < 0.0 { 0.5 } else { 1.0 };
-                    side = -1.0;
-                }
-            }
+            if earlier.is_some() { f64::NAN } else { value }
+        });
+        match earlier {
+            Some(other) => self.located(from, start, end, other),
+            None => found.map(|_| end),
         }
-        None
     }
 
     /// The part of a step at which a sticking contact reaches its edge, though it sticks again at the end, or half the step where that is undecided.
