@@ -9,6 +9,7 @@
 //! | `complete_pivoting` | LU with rank, kernels and the part of a right-hand side outside the range |
 //! | `cores` | parallel work on all cores |
 //! | `partial_pivoting` | LU of a matrix far from singular |
+//! | `few_equations` | elimination in place, for a few equations that are solved once |
 //! | `factors` | LU with partial or complete pivoting, by condition |
 //! | `linearly_implicit` | one step of a stiff ordinary differential equation |
 //! | `student_t` | quantiles of Student's distribution |
@@ -57,6 +58,7 @@ mod each;
 mod event_queue;
 mod exact_sum;
 mod factors;
+mod few_equations;
 mod gram_schmidt;
 mod harmonic;
 mod increasing;
@@ -103,6 +105,7 @@ pub(crate) use each::{Each, by_axis};
 pub(crate) use event_queue::EventQueue;
 pub(crate) use exact_sum::{ExactSum, times_power_of_two};
 pub(crate) use factors::Factors;
+pub(crate) use few_equations::{Equation, MOST_UNKNOWNS, solved};
 pub(crate) use harmonic::Harmonic;
 pub(crate) use increasing::increasing;
 pub(crate) use into_list::IntoList;
