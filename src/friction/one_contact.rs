@@ -12,7 +12,7 @@
 
 use super::blocks::ContactBlock;
 use super::law::tangent;
-use crate::numerics::tolerances::FEW_ROUNDINGS;
+use crate::numerics::regula_falsi;
 use nalgebra::SVector;
 
 /// The force of a contact with the own block A and friction μ; b is its velocity without its own force. `None` if A is not definite enough for a
@@ -48,35 +48,10 @@ pub(super) fn answer<const C: usize>(
             return None;
         }
     }
-    let mut outside = slide.at(least).map(|r| miss(&r));
-    let mut inside = miss(&slide.at(most)?);
-    let mut last = 0;
-    // Iterations of the secant method, or bisection, for κ.
-    for _ in 0..100 {
-        if most - least <= FEW_ROUNDINGS * most {
-            break;
-        }
-        // Secant with the Illinois rule: the value at an end that was kept twice is halved. Bisection where no secant exists.
-        let secant = outside.map(|outside| least + (most - least) * outside / (outside - inside));
-        let middle = secant.filter(|k| *k > least && *k < most).unwrap_or(0.5 * (least + most));
-        match slide.at(middle) {
-            Some(r) if miss(&r) <= 0.0 => {
-                (most, inside) = (middle, miss(&r));
-                if last == 1 {
-                    outside = outside.map(|x| 0.5 * x);
-                }
-                last = 1;
-            }
-            r => {
-                (least, outside) = (middle, r.map(|r| miss(&r)));
-                if last == -1 {
-                    inside *= 0.5;
-                }
-                last = -1;
-            }
-        }
-    }
-    let mut r = slide.at(most)?;
+    // Where no force is finite, it lies outside by an unknown amount.
+    let mut left = |kappa: f64| slide.at(kappa).map_or(f64::INFINITY, |r| miss(&r));
+    let bracket = [(least, left(least)), (most, left(most))];
+    let mut r = slide.at(regula_falsi(bracket, 0.0, &mut left)?)?;
     // Moves the force exactly onto the edge of the cone, to remove the rounding of κ.
     let size = tangent(&r).norm();
     if size > 0.0 {

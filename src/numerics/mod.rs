@@ -9,12 +9,14 @@
 //! | `complete_pivoting` | LU with rank, kernels and the part of a right-hand side outside the range |
 //! | `cores` | parallel work on all cores |
 //! | `partial_pivoting` | LU of a matrix far from singular |
+//! | `few_equations` | elimination in place, for a few equations that are solved once |
 //! | `factors` | LU with partial or complete pivoting, by condition |
 //! | `linearly_implicit` | one step of a stiff ordinary differential equation |
 //! | `student_t` | quantiles of Student's distribution |
 //! | `tolerances` | limits below which a value is zero or rounding |
 //! | `support` | convex sets described by support functions |
 //! | `ray_shooting` | the point where a ray leaves such a set |
+//! | `regula_falsi` | the place where a function of one variable changes sign |
 //! | `largest_ball` | the largest ball about the origin inside such a set |
 //! | `harmonic` | numbers, vectors and wrenches as harmonic functions of an angle |
 //! | `trigonometric` | first sign change of a trigonometric polynomial |
@@ -56,6 +58,7 @@ mod each;
 mod event_queue;
 mod exact_sum;
 mod factors;
+mod few_equations;
 mod gram_schmidt;
 mod harmonic;
 mod increasing;
@@ -76,6 +79,7 @@ mod partial_pivoting;
 mod positive_band;
 mod pseudo_random;
 mod ray_shooting;
+mod regula_falsi;
 mod singular;
 mod space;
 mod square_root;
@@ -101,6 +105,7 @@ pub(crate) use each::{Each, by_axis};
 pub(crate) use event_queue::EventQueue;
 pub(crate) use exact_sum::{ExactSum, times_power_of_two};
 pub(crate) use factors::Factors;
+pub(crate) use few_equations::{Equation, MOST_UNKNOWNS, solved};
 pub(crate) use harmonic::Harmonic;
 pub(crate) use increasing::increasing;
 pub(crate) use into_list::IntoList;
@@ -123,6 +128,7 @@ pub(crate) use partial_pivoting::PartialPivoting;
 pub(crate) use positive_band::PositiveBand;
 pub(crate) use pseudo_random::{Draw, generic};
 pub(crate) use ray_shooting::{RayExit, shoot};
+pub(crate) use regula_falsi::regula_falsi;
 pub(crate) use singular::{Singular, symmetric_eigen};
 pub(crate) use space::Space;
 pub(crate) use square_root::square_root;

@@ -18,13 +18,13 @@ use super::first_to_leave::{FirstToLeave, first_to_leave};
 use super::onset_workspace::OnsetMemory;
 use super::pace::Pace;
 use super::ramp::Ramp;
-use super::slip_rates::Slips;
+use super::slip_rates::{MOST_SLIDING, Slips};
 use super::slip_steps::{GOES_ON, GROWS, SMALL};
 use super::trajectory::Trajectory;
 use crate::equilibrium::{CountedMotion, farthest};
 use crate::grasp::{Engine, Hold, Site};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{PartialPivoting, Size, Square, Vector, chosen, largest, summed};
+use crate::numerics::{Equation, MOST_UNKNOWNS, Vector, cleared_for, largest, solved, summed};
 use crate::prelude::*;
 use crate::search::Settings;
 
@@ -68,22 +68,22 @@ impl Engine {
         let segment = memory.segment(self, settings, Trajectory::Straight { from: base, rate });
         let FirstToLeave { factor, contact, there, .. } = first_to_leave(&segment, &mut memory)?;
         let (piece, problem) = (segment.problem.trial(), segment.problem);
-        let none = vec![SVector::zeros(); problem.len()];
-        let largest = largest(&there.forces, &SVector::norm);
-        let parts = vec![memory.base, memory.rate];
         let small = settings.small_motions;
         let mut slips = Slips {
             grasp: self,
+            forces: Vec::with_capacity((2 + 2 * problem.len().min(MOST_SLIDING)) * problem.len()),
             problem,
             piece,
-            parts,
-            sliding: Vec::new(),
-            none,
-            largest,
+            twists: Vec::with_capacity(2 + 2 * MOST_SLIDING),
+            sliding: Vec::with_capacity(MOST_SLIDING),
+            largest: largest(&there.forces, &SVector::norm),
             most,
             unit: 1.0,
             small,
+            slip_limit: small.slip * self.size_of_grasp(),
         };
+        slips.push(&memory.base);
+        slips.push(&memory.rate);
         let (start, begins) = ([1.0, 0.0], vec![1.0, factor]);
         let far = slips.far(&start).max(slips.far(&begins));
         if factor >= most || far > 1.0 - NEGLIGIBLE {
@@ -91,15 +91,13 @@ impl Engine {
         }
         let mut path =
             InSlips { slid: Vec::new(), all_slide: None, factor, end: SlipEnd::Held, farthest: far };
-        slips.run((begins, contact), ramp, settings.step_error, &mut path)?;
+        slips.run((begins, contact), ramp, settings.step_error, (&mut memory, &mut path))?;
         Some(path)
     }
 }
 
 /// Largest number of steps: a load that needs more is left to a `LoadPath`, which has implicit steps.
 const MOST_STEPS: usize = 64;
-/// Most sliding contacts. With more, a stage of an arc takes less time: it solves one equation for each coordinate of the object.
-const MOST_SLIDING: usize = 6;
 
 impl Slips<'_> {
     /// Applies the load from the place where this contact leaves on. `None` where only a `LoadPath` can follow.
@@ -108,19 +106,19 @@ impl Slips<'_> {
         (mut at, first): (Vec<f64>, usize),
         ramp: &Ramp<3>,
         tolerance: f64,
-        path: &mut InSlips,
+        (memory, path): (&mut OnsetMemory, &mut InSlips),
     ) -> Option<()> {
         let (mut arrives, mut pace, mut rates) = (Some(first), Pace::new(), Vec::new());
         loop {
             if let Some(contact) = arrives.take() {
                 path.factor = at[1];
                 path.slid.push((contact, at[1]));
-                let end = self.begins_to_slide(contact, &mut at, &mut rates, ramp)?;
+                let end = self.begins_to_slide(contact, (&mut at, &mut rates), ramp, memory)?;
                 if !matches!(end, SlipEnd::Held) {
                     path.end = end;
                     return Some(());
                 }
-                if self.sliding.len() == self.none.len() {
+                if self.sliding.len() == self.contacts() {
                     path.all_slide = Some(at[1]);
                 }
                 pace = pace.at_node();
@@ -163,36 +161,41 @@ impl Slips<'_> {
     fn begins_to_slide(
         &mut self,
         contact: usize,
-        at: &mut Vec<f64>,
-        rates: &mut Vec<f64>,
+        (at, rates): (&mut Vec<f64>, &mut Vec<f64>),
         ramp: &Ramp<3>,
+        memory: &mut OnsetMemory,
     ) -> Option<SlipEnd> {
         if self.sliding.len() == MOST_SLIDING {
             return None;
         }
         self.sliding.push(contact);
+        let OnsetMemory { solution, there: response, offsets, .. } = memory;
         for axis in 1..3 {
-            let mut offsets = self.none.clone();
+            cleared_for(offsets, self.contacts());
+            offsets.resize(self.contacts(), SVector::zeros());
             if axis < self.grasp.space().axes() {
                 offsets[contact][axis] = -1.0;
             }
-            self.parts.push(self.piece.solve_roughly(&offsets, &Vector::zeros()));
+            self.piece.solve_roughly_into(offsets, &Vector::zeros(), (solution, response));
+            self.push(response);
             at.push(0.0);
         }
         self.unit = 1.0;
         let (count, directions) = (self.sliding.len(), self.directions(at));
         let margins = self.margin_rates(&directions);
-        let slips = slid(&margins, &chosen(count, &|_| true))?;
-        let clear = NEGLIGIBLE * largest(&slips, &|slip| slip.abs());
+        let (margins, directions) = (&margins[..count], &directions[..count]);
+        let slips = slid(margins, &|_| true)?;
+        let slips = &slips[..count];
+        let clear = NEGLIGIBLE * largest(slips, &|slip| slip.abs());
         if slips.iter().any(|slip| slip.abs() <= clear) {
             return None;
         }
         *rates = vec![0.0, 1.0];
         let along = |(slip, p): (&f64, &SVector<f64, 3>)| [p[1] * slip, p[2] * slip];
-        rates.extend(slips.iter().zip(&directions).flat_map(along));
+        rates.extend(slips.iter().zip(directions).flat_map(along));
         if slips.iter().all(|slip| *slip > 0.0) {
             // Arclength weighs motion and load equally at the beginning.
-            self.unit = summed(&slips, &|slip| slip * slip).sqrt();
+            self.unit = summed(slips, &|slip| slip * slip).sqrt();
             for rate in rates.iter_mut() {
                 *rate *= core::f64::consts::FRAC_1_SQRT_2;
             }
@@ -200,11 +203,12 @@ impl Slips<'_> {
         }
         // The rates of margins are at least zero, and zero where a contact slips: any other combination would be another continuation.
         let holds = |combination: usize| {
-            let slips = slid(&margins, &chosen(count, &|i| combination >> i & 1 == 1))?;
+            let slips = slid(margins, &|i| combination >> i & 1 == 1)?;
             let mut holds = slips.iter().all(|slip| *slip >= -clear);
-            for i in 0..count {
-                let terms = (0..=count).map(|j| margins[(i, j)] * if j == 0 { 1.0 } else { slips[j - 1] });
-                let (sum, size) = terms.fold((0.0, 0.0), |(sum, size), x| (sum + x, size + f64::abs(x)));
+            for rates in margins {
+                let terms = rates[1..].iter().zip(&slips).map(|(rate, slip)| rate * slip);
+                let (sum, size) =
+                    terms.fold((rates[0], rates[0].abs()), |(sum, size), x| (sum + x, size + x.abs()));
                 holds &= sum >= -NEGLIGIBLE * size;
             }
             Some(holds)
@@ -213,7 +217,7 @@ impl Slips<'_> {
             return None;
         }
         let along: f64 = slips.iter().sum();
-        if along.abs() <= NEGLIGIBLE * summed(&slips, &|slip| slip.abs()) {
+        if along.abs() <= NEGLIGIBLE * summed(slips, &|slip| slip.abs()) {
             return None;
         }
         // The rates balance the load, but slip against friction: the reversed motion slips along it.
@@ -238,19 +242,17 @@ impl Slips<'_> {
         SlipEnd::Lost(Box::new(loss.leaving(self.grasp, Some(motion))))
     }
 }
+
 /// The slips of the chosen contacts that keep their margins at zero while the load factor grows by one; those of the others are zero.
-fn slid(margins: &Square, chosen: &[usize]) -> Option<Vec<f64>> {
-    let mut slips = vec![0.0; margins.size().count() - 1];
-    if chosen.is_empty() {
-        return Some(slips);
+fn slid(margins: &[Equation], is_chosen: &dyn Fn(usize) -> bool) -> Option<[f64; MOST_UNKNOWNS]> {
+    let mut equations = [[0.0; MOST_UNKNOWNS + 1]; MOST_UNKNOWNS];
+    for (i, (equation, rates)) in equations.iter_mut().zip(margins).enumerate() {
+        // The own rate of any other contact makes its slip zero.
+        equation[i] = rates[i + 1];
+        if is_chosen(i) {
+            (0..margins.len()).filter(|j| is_chosen(*j)).for_each(|j| equation[j] = rates[j + 1]);
+            equation[MOST_UNKNOWNS] = -rates[0];
+        }
     }
-    let size = Size::of(chosen.len());
-    let mut matrix = Square::zeros(size);
-    for (a, i) in chosen.iter().enumerate() {
-        chosen.iter().enumerate().for_each(|(b, j)| matrix[(a, b)] = margins[(*i, j + 1)]);
-    }
-    let side = Vector::from_fn(size, |a| -margins[(chosen[a], 0)]);
-    let x = PartialPivoting::new(&matrix)?.solve(&side);
-    chosen.iter().zip(x.iter()).for_each(|(i, x)| slips[*i] = *x);
-    Some(slips)
+    solved(&mut equations[..margins.len()])
 }

@@ -3,23 +3,30 @@
 use nalgebra::SVector;
 
 use crate::contact::{Mode, State, tangential, tangential_norm};
-use crate::equilibrium::{CountedMotion, Standing, farthest};
+use crate::equilibrium::{CountedMotion, Standing};
 use crate::grasp::Engine;
-use crate::numerics::{PartialPivoting, Size, Square, Vector, mapped};
+use crate::numerics::{Equation, MOST_UNKNOWNS, Vector, solved};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::search::SmallMotions;
+
+/// Most sliding contacts: with more, a stage of an arc takes less time, which solves one equation a coordinate.
+pub(super) const MOST_SLIDING: usize = MOST_UNKNOWNS - 1;
+
+/// A vector for each sliding contact, and zeros.
+pub(super) type OfSliding = [SVector<f64, 3>; MOST_SLIDING];
 
 /// Sliding contacts with the responses to their slips. A state is a list of weights of the parts: 1, λ, and the slips.
 pub(super) struct Slips<'g> {
     pub(super) grasp: &'g Engine,
     pub(super) problem: Problem<'g>,
     pub(super) piece: alloc::sync::Arc<Piece>,
-    /// State at load factor 0, its rate, and the responses to a unit slip of each sliding contact along both tangents.
-    pub(super) parts: Vec<PieceState>,
+    /// Forces of the parts, one part after the other: state at load factor 0, its rate, and the responses to a unit slip of each sliding contact along both
+    /// tangents.
+    pub(super) forces: Vec<SVector<f64, 3>>,
+    /// Motions of the parts.
+    pub(super) twists: Vec<Vector>,
     pub(super) sliding: Vec<usize>,
-    /// A zero for each contact.
-    pub(super) none: Vec<SVector<f64, 3>>,
     /// The largest force at the first slip, N.
     pub(super) largest: f64,
     /// The largest load factor asked about.
@@ -27,27 +34,41 @@ pub(super) struct Slips<'g> {
     /// The slip that counts in arclength as much as a change of the load factor by one, m.
     pub(super) unit: f64,
     pub(super) small: SmallMotions,
+    /// The largest slip that is a small motion, m.
+    pub(super) slip_limit: f64,
 }
 
 impl Slips<'_> {
+    /// Adds a part.
+    pub(super) fn push(&mut self, PieceState { forces, twist }: &PieceState) {
+        self.forces.extend_from_slice(forces);
+        self.twists.push(twist.clone());
+    }
+
+    /// Number of contacts.
+    pub(super) fn contacts(&self) -> usize {
+        self.problem.len()
+    }
+
     /// The contacts that stick.
     pub(super) fn sticking(&self) -> impl Iterator<Item = usize> {
-        (0..self.none.len()).filter(|i| !self.sliding.contains(i))
+        (0..self.contacts()).filter(|i| !self.sliding.contains(i))
     }
 
     /// The rates of a state for one unit of arclength, oriented along given ones.
     pub(super) fn flow(&self, at: &[f64], along: &[f64], rates: &mut [f64]) -> Option<()> {
-        let directions = self.directions(at);
-        let (mut matrix, count) = (self.margin_rates(&directions), directions.len());
-        let scale = matrix.amax();
-        matrix[(count, 0)] = along[1] * scale;
-        for (j, (p, slip)) in directions.iter().zip(along[2..].chunks_exact(2)).enumerate() {
-            matrix[(count, j + 1)] = (p[1] * slip[0] + p[2] * slip[1]) * (scale / self.unit);
+        let (directions, count) = (self.directions(at), self.sliding.len());
+        let (mut equations, mut scale) = (self.margin_rates(&directions), 0.0_f64);
+        equations[..count].as_flattened().iter().for_each(|x| scale = scale.max(x.abs()));
+        let last = &mut equations[count];
+        (last[0], last[MOST_UNKNOWNS]) = (along[1] * scale, 1.0);
+        for ((x, p), slip) in last[1..].iter_mut().zip(&directions).zip(along[2..].chunks_exact(2)) {
+            *x = (p[1] * slip[0] + p[2] * slip[1]) * (scale / self.unit);
         }
-        let x = PartialPivoting::new(&matrix)?.solve(&Vector::unit(matrix.size(), count));
-        let inverse = 1.0 / x.norm();
+        let x = solved(&mut equations[..=count])?;
+        let inverse = 1.0 / x.iter().map(|x| x * x).sum::<f64>().sqrt();
         (rates[0], rates[1]) = (0.0, x[0] * inverse);
-        for ((p, slip), x) in directions.iter().zip(rates[2..].chunks_exact_mut(2)).zip(x.iter().skip(1)) {
+        for ((p, slip), x) in directions.iter().zip(rates[2..].chunks_exact_mut(2)).zip(&x[1..]) {
             let slips = x * inverse * self.unit;
             (slip[0], slip[1]) = (p[1] * slips, p[2] * slips);
         }
@@ -55,24 +76,25 @@ impl Slips<'_> {
     }
 
     /// The directions of the friction forces of sliding contacts.
-    pub(super) fn directions(&self, at: &[f64]) -> Vec<SVector<f64, 3>> {
-        let direction = |i: &usize| {
+    pub(super) fn directions(&self, at: &[f64]) -> OfSliding {
+        let mut directions = OfSliding::default();
+        for (direction, i) in directions.iter_mut().zip(&self.sliding) {
             let friction = tangential(&self.force(*i, at));
-            friction / tangential_norm(&friction)
-        };
-        mapped(&self.sliding, &direction)
+            *direction = friction / tangential_norm(&friction);
+        }
+        directions
     }
 
-    /// The rates of the margin of each sliding contact: with the load factor, and with the slip of each sliding contact in units of `unit`. The last
-    /// row is zero.
-    pub(super) fn margin_rates(&self, directions: &[SVector<f64, 3>]) -> Square {
-        let mut rates = Square::zeros(Size::of(directions.len() + 1));
-        for (row, (i, p)) in self.sliding.iter().zip(directions).enumerate() {
+    /// The rates of the margin of each sliding contact: with the load factor, and with the slip of each sliding contact in units of `unit`. They are
+    /// coefficients of equations whose right-hand sides are zero.
+    pub(super) fn margin_rates(&self, directions: &OfSliding) -> [Equation; MOST_UNKNOWNS] {
+        let mut rates = [[0.0; MOST_UNKNOWNS + 1]; MOST_UNKNOWNS];
+        for ((row, i), p) in rates.iter_mut().zip(&self.sliding).zip(directions) {
             let margin = self.problem.cone(*i).facet_row(p);
-            rates[(row, 0)] = margin.dot(&self.parts[1].forces[*i]);
-            for (j, (p, parts)) in directions.iter().zip(self.parts[2..].chunks_exact(2)).enumerate() {
-                let moved = parts[0].forces[*i] * p[1] + parts[1].forces[*i] * p[2];
-                rates[(row, j + 1)] = margin.dot(&moved) * self.unit;
+            let felt = |part: usize| margin.dot(&self.forces[part * self.contacts() + i]);
+            row[0] = felt(1);
+            for (j, p) in directions.iter().enumerate().take(self.sliding.len()) {
+                row[j + 1] = (felt(2 + 2 * j) * p[1] + felt(3 + 2 * j) * p[2]) * self.unit;
             }
         }
         rates
@@ -81,21 +103,24 @@ impl Slips<'_> {
     /// The force of a contact in a state, or its rate.
     pub(super) fn force(&self, contact: usize, at: &[f64]) -> SVector<f64, 3> {
         let mut force = SVector::zeros();
-        self.parts.iter().zip(at).for_each(|(part, weight)| force += part.forces[contact] * *weight);
+        for (part, weight) in self.forces.chunks_exact(self.contacts()).zip(at) {
+            force += part[contact] * *weight;
+        }
         force
     }
 
     /// The motion of the object in a state, or its rate.
     pub(super) fn twist(&self, at: &[f64]) -> Vector {
         let mut twist = Vector::zeros();
-        self.parts.iter().zip(at).for_each(|(part, weight)| twist.add_times(&part.twist, *weight));
+        self.twists.iter().zip(at).for_each(|(part, weight)| twist.add_times(part, *weight));
         twist
     }
 
     /// The motions of a state that are compared with their limits.
     pub(super) fn motions(&self, at: &[f64]) -> Vec<CountedMotion> {
-        let (offsets, forces, twist) = (&self.none[..], &self.none[..], &self.twist(at));
-        let mut slips = self.none.clone();
+        let none = vec![SVector::zeros(); self.contacts()];
+        let (offsets, forces, twist) = (&none[..], &none[..], &self.twist(at));
+        let mut slips = none.clone();
         for (i, slip) in self.sliding.iter().zip(at[2..].chunks_exact(2)) {
             (slips[*i][1], slips[*i][2]) = (slip[0], slip[1]);
         }
@@ -105,8 +130,18 @@ impl Slips<'_> {
         self.grasp.counted_motions(&self.small, &standing)
     }
 
-    /// The largest ratio of a motion to its limit.
+    /// The largest ratio of a motion to its limit, as of [`Self::motions`]: the object is alone, and turns by the last coordinates of its twist.
     pub(super) fn far(&self, at: &[f64]) -> f64 {
-        farthest(&self.motions(at)).map_or(0.0, CountedMotion::over_the_limit)
+        let space = self.grasp.space();
+        let mut turned = 0.0;
+        for k in space.axes()..space.of_the_object() {
+            let turns: f64 = self.twists.iter().zip(at).map(|(part, weight)| part[k] * weight).sum();
+            turned += turns * turns;
+        }
+        let mut far = turned.sqrt() / (self.grasp.length() * self.small.rotation);
+        for slip in at[2..].chunks_exact(2) {
+            far = far.max(slip[0].hypot(slip[1]) / self.slip_limit);
+        }
+        far
     }
 }

@@ -3,8 +3,9 @@
 use super::slip_rates::Slips;
 use super::tolerances::LITTLE_NORMAL_FORCE;
 use super::within_a_step::Bounded;
-use crate::numerics::tolerances::{FEW_ROUNDINGS, NEGLIGIBLE};
-use crate::numerics::{Stepped, explicit_step, largest, paired};
+use crate::contact::tangential_norm;
+use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
+use crate::numerics::{Stepped, explicit_step, largest, numbered, paired, regula_falsi};
 use crate::prelude::*;
 
 /// The end of a step.
@@ -36,7 +37,7 @@ impl Slips<'_> {
         let travel = slips(at) + self.unit * length;
         let size = |error: &[f64]| {
             let off = |i: usize| self.force(i, error).norm() / self.largest;
-            (0..self.none.len()).map(off).fold(slips(error) / travel, f64::max)
+            (0..self.contacts()).map(off).fold(slips(error) / travel, f64::max)
         };
         let Stepped { change, error } = explicit_step(length, rates, rate, size)?;
         let at: Vec<f64> = paired(at, &change, &|(at, change)| at + change);
@@ -61,9 +62,8 @@ impl Slips<'_> {
         for _ in 0..20 {
             let mut event = None;
             if let Some(k) = first_crossing(&start, &end.values) {
-                end = self.located(from, &start, end, k)?;
-                event = first_crossing(&start, &end.values);
-                let met = event?;
+                let (there, met) = self.located(from, &start, end, k)?;
+                (end, event) = (there, Some(met));
                 if end.values.iter().enumerate().any(|(k, value)| k != met && *value <= NEGLIGIBLE) {
                     return None;
                 }
@@ -74,43 +74,69 @@ impl Slips<'_> {
         None
     }
 
-    /// The step that ends where condition `k` or an earlier one is just violated.
+    /// The step that ends where condition `k` or an earlier one ceases to hold, and that condition. Each trial is the root of the cubic through the values
+    /// and slopes at both ends of a bracket; the first is near enough in most cases.
     fn located(
         &self,
         from: (&[f64], &[f64]),
         start: &[f64],
         mut end: SlipStep,
-        mut k: usize,
-    ) -> Option<SlipStep> {
-        let (mut low, mut high, mut side) = ((0.0, start[k]), (end.length, end.values[k]), 0.0_f64);
-        // Regula falsi with the Illinois rule. Its target lies beyond the zero of the condition by the rounding `within`.
-        for _ in 0..100 {
-            // At a maximum of the load factor its rate is zero only to 1e-9; the load factor is known to the square of that.
-            let within = if k == GROWS { 1e-9 } else { 2e-14 };
-            let near = high.0 - low.0 <= FEW_ROUNDINGS * high.0;
-            if end.values[k] < 0.0 && (end.values[k] > -2.0 * within || near) {
-                return Some(end);
+        k: usize,
+    ) -> Option<(SlipStep, usize)> {
+        let mut low = (0.0, start[k], self.slope(k, from, end.length)?);
+        let mut high = (end.length, end.values[k], self.slope(k, (&end.at, &end.rates), end.length)?);
+        let mut there = high;
+        for _ in 0..30 {
+            // Over a part of the step below this one the error of Heun's method, of third order, is smaller than that of the step.
+            let rest = -there.1 / there.2;
+            if rest.abs() <= 1e-4 * end.length {
+                return self.moved_to(k, end, rest).zip(Some(k));
             }
-            let secant = low.0 + (high.0 - low.0) * ((low.1 + within) / (low.1 - high.1));
-            let to = if secant > low.0 && secant < high.0 { secant } else { 0.5 * (low.0 + high.0) };
+            let cubic = &mut |to: f64| between(low, high, to);
+            let near = regula_falsi([(low.0, low.1), (high.0, high.1)], 1e-12, cubic);
+            let to = near.filter(|to| *to < high.0).unwrap_or(0.5 * (low.0 + high.0));
             end = self.step(from, to)?;
             match first_crossing(start, &end.values) {
-                Some(other) if other != k => {
-                    (k, low, high, side) = (other, (0.0, start[other]), (to, end.values[other]), 0.0);
-                }
-                Some(_) => {
-                    high = (to, end.values[k]);
-                    low.1 *= if side > 0.0 { 0.5 } else { 1.0 };
-                    side = 1.0;
-                }
-                None => {
-                    low = (to, end.values[k]);
-                    high.1 *= if side < 0.0 { 0.5 } else { 1.0 };
-                    side = -1.0;
+                Some(other) if other != k => return self.located(from, start, end, other),
+                crossing => {
+                    there = (to, end.values[k], self.slope(k, (&end.at, &end.rates), to)?);
+                    *(if crossing.is_some() { &mut high } else { &mut low }) = there;
                 }
             }
         }
         None
+    }
+
+    /// The end of a step, moved by about this short length to where condition `k` ceases to hold, with Heun's method.
+    fn moved_to(&self, k: usize, mut end: SlipStep, mut rest: f64) -> Option<SlipStep> {
+        let length = end.length;
+        // Newton's method: the second length is as short as the square of the first.
+        for _ in 0..3 {
+            let (from, mut ahead) = (end.at.clone(), end.rates.clone());
+            let moved = |rate: &[f64]| -> Vec<f64> { paired(&from, rate, &|(at, rate)| at + rest * rate) };
+            self.flow(&moved(&end.rates), &end.rates, &mut ahead)?;
+            ahead.iter_mut().zip(&end.rates).for_each(|(ahead, rate)| *ahead = 0.5 * (*ahead + rate));
+            end.at = moved(&ahead);
+            self.flow(&end.at, &ahead, &mut end.rates)?;
+            end.length += rest;
+            rest = -self.condition(k, &end.at, &end.rates) / self.slope(k, (&end.at, &end.rates), length)?;
+            if rest.abs() <= SOLVED_ROUNDING * length {
+                break;
+            }
+        }
+        end.values = self.conditions(&end.at, &end.rates);
+        // The place is as accurate as the step. A maximum of the factor is known to the square of this part.
+        (rest.abs() <= NEGLIGIBLE * length).then_some(end)
+    }
+
+    /// The rate of a condition with arclength, from a difference over a small part of a step of this length.
+    fn slope(&self, k: usize, (at, rates): (&[f64], &[f64]), length: f64) -> Option<f64> {
+        // A trial is as many digits nearer to its place than the last one as this number has.
+        let little = 1e-6 * length;
+        let ahead: Vec<f64> = paired(at, rates, &|(at, rate)| at + little * rate);
+        let mut rates_ahead = vec![0.0; at.len()];
+        self.flow(&ahead, rates, &mut rates_ahead)?;
+        Some((self.condition(k, &ahead, &rates_ahead) - self.condition(k, at, rates)) / little)
     }
 
     /// The part of a step at which a sticking contact reaches its edge, though it sticks again at the end, or half the step where that is undecided.
@@ -127,17 +153,28 @@ impl Slips<'_> {
     }
     /// The conditions that must stay positive, in their order.
     fn conditions(&self, at: &[f64], rates: &[f64]) -> Vec<f64> {
-        let mut values = Vec::with_capacity(SMALL + 1 + 2 * self.none.len());
-        values.extend([rates[1], 1.0 - at[1] / self.most, 1.0 - self.far(at)]);
-        for (p, slip) in self.directions(at).iter().zip(rates[2..].chunks_exact(2)) {
-            values.push((p[1] * slip[0] + p[2] * slip[1]) / self.unit);
+        numbered(SMALL + 1 + self.sliding.len() + self.contacts(), &|k| self.condition(k, at, rates))
+    }
+
+    fn condition(&self, k: usize, at: &[f64], rates: &[f64]) -> f64 {
+        let force = |contact: usize| self.force(contact, at);
+        match (k, k.saturating_sub(SMALL + 1)) {
+            (GROWS, _) => rates[1],
+            (GOES_ON, _) => 1.0 - at[1] / self.most,
+            (SMALL, _) => 1.0 - self.far(at),
+            (_, i) if i < self.sliding.len() => {
+                let friction = force(self.sliding[i]);
+                let slips = friction[1] * rates[2 + 2 * i] + friction[2] * rates[3 + 2 * i];
+                slips / (tangential_norm(&friction) * self.unit)
+            }
+            (_, i) if i < 2 * self.sliding.len() => {
+                force(self.sliding[i - self.sliding.len()])[0] / self.largest - LITTLE_NORMAL_FORCE
+            }
+            (_, i) => {
+                let contact = self.sticking().nth(i - 2 * self.sliding.len()).unwrap_or(0);
+                self.problem.cone(contact).round_margin(&force(contact)) / self.largest
+            }
         }
-        values
-            .extend(self.sliding.iter().map(|i| self.force(*i, at)[0] / self.largest - LITTLE_NORMAL_FORCE));
-        for i in self.sticking() {
-            values.push(self.problem.cone(i).round_margin(&self.force(i, at)) / self.largest);
-        }
-        values
     }
 
     /// The length along which the fastest direction turns by 0.3 rad and no normal force is halved, at most the rest of the load.
@@ -150,6 +187,14 @@ impl Slips<'_> {
         }
         length
     }
+}
+
+/// The cubic through a value and a slope at two places, at a third.
+fn between(low: (f64, f64, f64), high: (f64, f64, f64), to: f64) -> f64 {
+    let length = high.0 - low.0;
+    let (part, rise) = ((to - low.0) / length, high.1 - low.1);
+    let (before, behind) = (low.2 * length - rise, rise - high.2 * length);
+    low.1 + part * (rise + (1.0 - part) * ((1.0 - part) * before + part * behind))
 }
 
 /// The violated condition that linear interpolation between both ends would reach first.

@@ -13,7 +13,7 @@ use crate::contact::WEIGHTLESS;
 use crate::equilibrium::{AnswerFor, CountedMotion, Standing, TooFar, farthest};
 use crate::grasp::{Engine, Hold};
 use crate::numerics::tolerances::ROUNDED_SUM;
-use crate::numerics::{FirstZero, Harmonic, Trigonometric};
+use crate::numerics::{FirstZero, Harmonic, Trigonometric, regula_falsi};
 use crate::search::SmallMotions;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -102,32 +102,17 @@ impl<'g> Stretch<'g> {
         if excess(&start) > 0.0 {
             return (self.from, start);
         }
-        let (mut low, mut high) = ((self.from, excess(&start)), (self.to, excess(&at_the_end)));
-        let (mut which, mut side) = (at_the_end, 0.0_f64);
-        // Regula falsi with the Illinois rule, which needs some eight trials; on an arc each trial repeats the step. Its target lies beyond the limit
-        // by one rounding.
-        for _ in 0..64 {
-            let secant = low.0 + (high.0 - low.0) * ((ROUNDED_SUM - low.1) / (high.1 - low.1));
-            let trial = if secant > low.0 && secant < high.0 { secant } else { 0.5 * (low.0 + high.0) };
-            if trial <= low.0 || trial >= high.0 {
-                break;
-            }
+        let bracket = [(self.from, -excess(&start)), (self.to, -excess(&at_the_end))];
+        let mut which = at_the_end;
+        // On an arc each trial repeats the step. The place lies beyond the limit by about one rounding.
+        let place = regula_falsi(bracket, ROUNDED_SUM, &mut |trial| {
             let motion = farthest_at(trial);
-            let value = excess(&motion);
-            // If the same end moves twice in a row, the weight of the other end is halved.
-            if value > 0.0 {
-                (high, which) = ((trial, value), motion);
-                low.1 *= if side > 0.0 { 0.5 } else { 1.0 };
-                if value <= 2.0 * ROUNDED_SUM {
-                    break;
-                }
-            } else {
-                low = (trial, value);
-                high.1 *= if side < 0.0 { 0.5 } else { 1.0 };
+            if excess(&motion) >= 0.0 {
+                which = motion;
             }
-            side = if value > 0.0 { 1.0 } else { -1.0 };
-        }
-        (high.0, which)
+            -excess(&motion)
+        });
+        (place.unwrap_or(self.to), which)
     }
 
     /// The first place where a motion that turns with the load is too large. Each motion is a first harmonic of the angle, which its values at three

@@ -124,8 +124,10 @@ impl Engine {
         let spread = meant().map(|c| (c.point - origin).norm_squared() / count).sum::<f64>().sqrt();
         // A single point has no extent, so any unit of length serves.
         let length = if spread * LARGEST > 1.0 { spread } else { 1.0 };
-        let site = |(index, contact)| Site::new(space, size, (contact, index), (&origin, length));
-        let sites = contacts.iter().enumerate().map(site).collect::<Result<Vec<_>, Error>>()?;
+        let mut sites = Vec::with_capacity(contacts.len());
+        for (index, contact) in contacts.iter().enumerate() {
+            sites.push(Site::new(space, size, (contact, index), (&origin, length))?);
+        }
         let (vacuum, trial) = (Vacuum::of(space, &contacts, &sites), Remembered::default());
         let wholes = WholeContacts::of(&contacts);
         Ok(Self { space, size, contacts, sites, wholes, origin, length, linkage: None, vacuum, trial })

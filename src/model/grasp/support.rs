@@ -1,6 +1,6 @@
 //! The coordinates in which the map of a contact or drive has nonzero entries.
 
-use crate::numerics::{Map, Size};
+use crate::numerics::Map;
 use core::ops::Range;
 
 use crate::numerics::Space;
@@ -10,17 +10,17 @@ use crate::prelude::*;
 /// of two other bodies. A contact depends on the joints of one finger, a drive on its own joint.
 #[derive(Debug, Clone)]
 pub(crate) struct Support {
-    size: Size,
-    /// Number of coordinates of the object, 3 or 6.
-    object: usize,
     ranges: [Range<usize>; 2],
 }
 
 impl Support {
     /// Common support of two maps, which then store only the rows of these ranges.
     pub(super) fn of(space: Space, map: &mut Map, rest: &mut Map) -> Self {
-        let size = map.size();
-        let count = size.count();
+        let count = map.size().count();
+        let object = space.of_the_object().min(count);
+        if count == object {
+            return Self { ranges: [0..object, object..object] };
+        }
         let mut indices = Vec::new();
         for k in map.rows().chain(rest.rows()) {
             let (of_map, of_rest) = (map.row(k), rest.row(k));
@@ -30,21 +30,19 @@ impl Support {
         }
         indices.sort_unstable();
         indices.dedup();
-        let object = space.of_the_object().min(count);
         let others = &indices[indices.partition_point(|k| *k < object)..];
         let all = others.first().zip(others.last()).map_or(count..count, |(first, last)| *first..last + 1);
         let of_object = others.len() < indices.len();
         let ranges = if of_object { [0..object, all] } else { split_at_gap(all, others) };
         map.keep_rows(&ranges);
         rest.keep_rows(&ranges);
-        Self { size, object, ranges }
+        Self { ranges }
     }
 
     /// Both ranges of coordinates. If the grasp has no joints the first range contains all coordinates.
     #[inline]
     pub(crate) fn ranges(&self) -> [Range<usize>; 2] {
-        let all = self.object;
-        if self.size.count() == all { [0..all, all..all] } else { self.ranges.clone() }
+        self.ranges.clone()
     }
 }
 

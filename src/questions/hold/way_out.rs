@@ -165,19 +165,19 @@ fn seen_from(
     let velocity = |point: &SVector<f64, 3>| twist.moves(point);
     let (contacts, parts) = (engine.contacts(), engine.wholes());
     let touches = |i: usize| sign(i) != 0.0 && touches(i);
-    let touching = parts.with(&touches);
+    let touching = chosen(parts.len(), &|part| parts[*part].range.clone().any(touches));
     let places = parts.mean(&|i| contacts[i].point);
     let moves: Vec<_> = mapped(&places, &velocity);
     let normals = parts.mean(&|i| contacts[i].normal.normalize() * sign(i));
     let count = touching.len().max(1) as f64;
     let mut centre = SVector::zeros();
     for part in &touching {
-        centre += places[part.contact] / count;
+        centre += places[*part] / count;
     }
     let along = velocity(&centre);
     let reach = largest(contacts, &|contact| (contact.point - centre).norm());
     let spin = summed(&twist.components()[3..], &|x| x * x).sqrt() * reach;
-    let fastest = spin.max(largest(&touching, &|part| moves[part.contact].norm()));
+    let fastest = spin.max(largest(&touching, &|part| moves[*part].norm()));
     let stays = |part: &WholeContact| moves[part.contact].norm() <= STANDS * fastest;
     // A velocity v leads away from the finger if it is more than 45° above its surface.
     let goes_away = |v: &SVector<f64, 3>, n: &SVector<f64, 3>| v.dot(n) > 0.5f64.sqrt() * v.norm() * n.norm();
@@ -197,7 +197,7 @@ fn seen_from(
     if let Some(way) = slides_out(&along, spin) {
         return way;
     }
-    let mut about = touching;
+    let mut about = parts.with(&touches);
     about.retain(stays);
     if about.is_empty() {
         // An object on a soft fingertip tips over about some points of that tip, while all others open.

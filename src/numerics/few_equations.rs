@@ -1,0 +1,71 @@
+//! A few linear equations that are solved once, in place, by elimination with exchanges of rows.
+
+use super::tolerances::PARTIAL_PIVOT;
+
+/// Most unknowns of [`solved`].
+pub(crate) const MOST_UNKNOWNS: usize = 7;
+
+/// One equation: its coefficients, zeros, and its right-hand side in the last place.
+pub(crate) type Equation = [f64; MOST_UNKNOWNS + 1];
+
+/// The solution of as many equations as unknowns; `None` if they are nearly singular or not finite.
+pub(crate) fn solved(equations: &mut [Equation]) -> Option<[f64; MOST_UNKNOWNS]> {
+    let count = equations.len();
+    let mut largest = 0.0_f64;
+    for equation in equations.iter() {
+        equation[..count].iter().for_each(|x| largest = largest.max(x.abs()));
+    }
+    for k in 0..count {
+        let mut pivot = k;
+        for i in k + 1..count {
+            if equations[i][k].abs() > equations[pivot][k].abs() {
+                pivot = i;
+            }
+        }
+        // The condition also fails for NaN.
+        let size = equations[pivot][k].abs();
+        let large_enough = size > PARTIAL_PIVOT * largest && size.is_finite();
+        if !large_enough {
+            return None;
+        }
+        equations.swap(k, pivot);
+        let (above, below) = equations.split_at_mut(k + 1);
+        let (top, reciprocal) = (&above[k], 1.0 / above[k][k]);
+        for equation in below {
+            let part = equation[k] * reciprocal;
+            equation.iter_mut().zip(top).for_each(|(x, top)| *x -= part * top);
+        }
+    }
+    let mut solution = [0.0; MOST_UNKNOWNS];
+    for k in (0..count).rev() {
+        let equation = &equations[k];
+        let mut rest = equation[MOST_UNKNOWNS];
+        for j in k + 1..count {
+            rest -= equation[j] * solution[j];
+        }
+        solution[k] = rest / equation[k];
+    }
+    Some(solution)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn solves_what_needs_its_rows_exchanged() {
+        // The solution is (1, -2, 0.5).
+        let equation = |a: [f64; 3], right: f64| [a[0], a[1], a[2], 0.0, 0.0, 0.0, 0.0, right];
+        let rows = [
+            equation([0.0, 2.0, 1.0], -3.5),
+            equation([1.0, 0.0, -3.0], -0.5),
+            equation([4.0, 1.0, 0.0], 2.0),
+        ];
+        let found = solved(&mut rows.clone()).unwrap_or_default();
+        assert!(found.iter().zip([1.0, -2.0, 0.5]).all(|(x, known)| (x - known).abs() < 1e-15), "{found:?}");
+        assert_eq!(found[3..], [0.0; 4]);
+        let mut twice = [rows[0], rows[1], rows[1]];
+        assert_eq!(solved(&mut twice), None);
+        assert_eq!(solved(&mut [[f64::NAN; 8]]), None);
+    }
+}
