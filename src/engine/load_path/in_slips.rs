@@ -20,6 +20,7 @@ use super::pace::Pace;
 use super::ramp::Ramp;
 use super::slip_rates::{MOST_SLIDING, Slips};
 use super::slip_steps::{GOES_ON, GROWS, SMALL};
+use super::snapping_over::{RestsAgain, a_little};
 use super::trajectory::Trajectory;
 use crate::equilibrium::{CountedMotion, farthest};
 use crate::grasp::{Engine, Hold, Site};
@@ -143,7 +144,7 @@ impl Slips<'_> {
                 None => {}
                 Some(GOES_ON) => return Some(()),
                 Some(GROWS) => {
-                    path.end = self.lost_by(LossKind::Fold, at[1], &self.twist(&rates).normalize(), ramp);
+                    path.end = self.lost_by(LossKind::Fold, &at, &self.twist(&rates).normalize(), ramp)?;
                     return Some(());
                 }
                 Some(SMALL) => {
@@ -223,9 +224,15 @@ impl Slips<'_> {
         // The rates balance the load, but slip against friction: the reversed motion slips along it.
         let twist = self.twist(rates);
         let motion = &twist * (1.0_f64.copysign(along) / twist.norm());
-        Some(self.lost_by(LossKind::Corner, at[1], &motion, ramp))
+        self.lost_by(LossKind::Corner, at, &motion, ramp)
     }
-    fn lost_by(&self, kind: LossKind, fraction: f64, motion: &Vector, ramp: &Ramp<3>) -> SlipEnd {
+
+    /// The end of a path at a fold or a corner; `None` if the object snaps over to another equilibrium there.
+    fn lost_by(&self, kind: LossKind, at: &[f64], motion: &Vector, ramp: &Ramp<3>) -> Option<SlipEnd> {
+        if self.snaps_over(at, ramp) != Some(false) {
+            return None;
+        }
+        let fraction = at[1];
         let (contacts, drives) = self.grasp.sites_apart(self.sliding.clone());
         let loss = Loss {
             leg: 0,
@@ -239,7 +246,26 @@ impl Slips<'_> {
             against: None,
             leaves: None,
         };
-        SlipEnd::Lost(Box::new(loss.leaving(self.grasp, Some(motion))))
+        Some(SlipEnd::Lost(Box::new(loss.leaving(self.grasp, Some(motion)))))
+    }
+
+    /// Whether the object snaps over from the end of a path to another equilibrium; `None` for a malformed ramp.
+    fn snaps_over(&self, at: &[f64], ramp: &Ramp<3>) -> Option<bool> {
+        let mut change = Vec::new();
+        ramp.offset_changes_into(self.grasp, &mut change).ok()?;
+        let (mut problem, rate) = (self.problem.clone(), self.grasp.inside(&ramp.direction, "").ok()?);
+        let largest = (0..self.contacts()).map(|i| self.force(i, at).norm()).fold(0.0, f64::max);
+        let beyond = at[1] + a_little(self.grasp.sites(), &change, rate.clone(), largest);
+        problem.wrench = self.grasp.load_alone(&ramp.base, "").ok()? + rate * beyond;
+        for (offset, change) in problem.offsets.iter_mut().zip(&change) {
+            *offset += change * beyond;
+        }
+        for (i, slip) in self.sliding.iter().zip(at[2..].chunks_exact(2)) {
+            let slip = SVector::from([0.0, slip[0], slip[1]]);
+            problem.slips[*i] += slip;
+            problem.offsets[*i] -= slip;
+        }
+        Some(RestsAgain::near(self.grasp, &self.small, problem, &self.twist(at)).is_some())
     }
 }
 

@@ -105,7 +105,8 @@ impl<'g> Follower<'g> for Pieces<'g> {
     fn advance(&mut self, journey: &Journey<'g>) -> Result<Advance<Event<3>>, PathEnd<3>> {
         match self.advance_unless_lost(journey) {
             Err(PathEnd::Lost(loss)) => {
-                let caught = self.closing_gap_event(journey, &loss).or_else(|| self.snaps_over(journey, &loss));
+                let caught =
+                    self.closing_gap_event(journey, &loss).or_else(|| self.snaps_over(journey, &loss));
                 caught.map(Advance::Reached).ok_or(PathEnd::Lost(loss))
             }
             other => other,

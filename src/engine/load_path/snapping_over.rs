@@ -27,7 +27,7 @@ use super::tolerances::{
 use super::trajectory::Trajectory;
 use super::transition::change;
 use crate::contact::ContactResponse;
-use crate::grasp::Engine;
+use crate::grasp::{Engine, Site};
 use crate::numerics::{PartialPivoting, Vector, largest};
 use crate::object::{Problem, tangent_stiffness, uses_band};
 use crate::prelude::*;
@@ -107,6 +107,14 @@ impl<'g> RestsAgain<'g> {
     }
 }
 
+/// The change of the load factor that puts forces out of balance by a small part of the largest one, from the rates of offsets and of the load.
+pub(super) fn a_little(sites: &[Site], change: &[SVector<f64, 3>], mut rate: Vector, largest: f64) -> f64 {
+    for (site, change) in sites.iter().zip(change) {
+        site.map.push(&site.springs.force(change), &mut rate);
+    }
+    LITTLE_BEYOND * largest / rate.norm()
+}
+
 /// Whether no body turns and no contact moves farther than small motions go.
 fn is_small(grasp: &Engine, small: &SmallMotions, moved: &Vector) -> bool {
     let turns_little =
@@ -140,7 +148,10 @@ impl<'g> Pieces<'g> {
             return None;
         }
         let state = self.state_before_event().or_else(|| self.present_state(journey))?;
-        let beyond = (self.factor + self.a_little()).min(1.0);
+        let Segment { grasp, change, course, .. } = &self.segment;
+        let most = largest(&self.node.at.forces, &SVector::norm);
+        let little = a_little(grasp.sites(), change, course.rate_at(self.factor), most);
+        let beyond = (self.factor + little).min(1.0);
         let goal = self.segment.course.at(beyond);
         let rests = self.rests_again(beyond)?;
         let (leg, changes) = self.back_to_balance(rests, beyond);
@@ -161,15 +172,6 @@ impl<'g> Pieces<'g> {
                 None
             }
         }
-    }
-
-    /// The step of the factor that puts forces out of balance by a small part of the largest one, however long the leg is.
-    fn a_little(&self) -> f64 {
-        let mut rate = self.segment.course.rate_at(self.factor);
-        for (site, change) in self.segment.grasp.sites().iter().zip(&self.segment.change) {
-            site.map.push(&site.springs.force(change), &mut rate);
-        }
-        LITTLE_BEYOND * largest(&self.node.at.forces, &SVector::norm) / rate.norm()
     }
 
     /// Where the object rests again under the load at a factor slightly beyond this end of the path.
