@@ -30,10 +30,10 @@ fn main() -> Result<(), Failure> {
         TAIL * samples as f64
     );
     println!(
-        "                                                     slide below          (reserve − quantile) / onset    to first order"
+        "                                                     slide below          (reserve − quantile) / onset    to first order     reserve below"
     );
     println!(
-        "grasps  in         not known                     most  expected by chance      5 %   median     95 %    median     95 %    µs a direction"
+        "grasps  in         not known                     most  expected by chance      5 %   median     95 %    median     95 %    0.8 quantile    µs a direction"
     );
     let known = Uncertainty::seeded(3).with_friction(0.1).with_stiffness(0.1).with_squeeze(0.05);
     let places = known.with_position(5e-4).with_normal(0.02).with_load(0.05);
@@ -128,6 +128,8 @@ struct Tally {
     grasps: usize,
     most: usize,
     may: f64,
+    /// Reserves below four fifths of the quantile.
+    far_below: usize,
     short: Vec<f64>,
     first_order: Vec<f64>,
     microseconds: Vec<f64>,
@@ -161,6 +163,7 @@ impl Tally {
         self.grasps += 1;
         self.most = self.most.max(onsets.partition_point(|onset| *onset < held));
         self.may = expected + 4.0 * expected.sqrt();
+        self.far_below += usize::from(held < 0.8 * quantile);
         self.short.push((held - quantile) / onset);
         if let Some(deviation) = robust.spread.and_then(|spread| spread.deviation) {
             self.first_order.push((onset - SIGMAS * deviation - quantile) / onset);
@@ -174,7 +177,7 @@ impl Tally {
             list[(list.len() - 1) * percent / 100]
         };
         println!(
-            "{:6}  {place:9}  {what:28}  {:4}  at most {:.0}         {:7.1} % {:7.1} % {:7.1} % {:7.1} % {:7.1} %    {:.0}",
+            "{:6}  {place:9}  {what:28}  {:4}  at most {:.0}         {:7.1} % {:7.1} % {:7.1} % {:7.1} % {:7.1} %       {:5.1} %    {:.0}",
             self.grasps,
             self.most,
             self.may,
@@ -183,6 +186,7 @@ impl Tally {
             100.0 * at(&mut self.short, 95),
             100.0 * at(&mut self.first_order, 50),
             100.0 * at(&mut self.first_order, 95),
+            100.0 * self.far_below as f64 / self.grasps as f64,
             at(&mut self.microseconds, 50),
         );
     }
