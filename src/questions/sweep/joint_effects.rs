@@ -1,6 +1,6 @@
 //! The joint effect of several data on a force: the force with all of them off at once, less the sum of their changes one by one.
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 
 use super::courses::forces_or_gaps;
 use super::datum::{UncertainDatum, with_errors};
@@ -10,8 +10,13 @@ use super::off::factor;
 use crate::contact::{Edges, State};
 use crate::equilibrium::{Cone, StickingResponse};
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::{IntoList, dot};
+use crate::numerics::{Draw, IntoList, dot, numbered};
 use crate::prelude::*;
+
+/// Number of random sets of errors, one standard deviation each, from which the size of joint effects is estimated.
+///
+/// If larger, each reserve takes more equilibria. If smaller, the estimate is less certain.
+const PROBES: u64 = 8;
 
 /// The grasp whose data are uncertain, for its exact forces with several data off at once.
 #[derive(Debug, Clone)]
@@ -51,9 +56,25 @@ impl OffTogether {
             if margin.fails() < rare {
                 return JointEffect::default();
             }
-            let z = &margin.fails_at;
-            let force = self.force(i, load, z).map_or(SVector::zeros(), |force| force - here.at(z));
-            JointEffect { force, bend: force * (2.0 / dot(z, z).max(f64::MIN_POSITIVE)) }
+            let beyond =
+                |z: &[f64]| self.force(i, load, z).map_or(SVector::zeros(), |force| force - here.at(z));
+            let force = beyond(&margin.fails_at);
+            // Nearer than a standard deviation an effect is rounding.
+            let bend = force * (2.0 / dot(&margin.fails_at, &margin.fails_at).max(1.0));
+            // With random signs v, the square of `vᵀCv` is on average twice the sum of the squares of C.
+            let mut squares = SMatrix::zeros();
+            for probe in 0..PROBES {
+                let mut signs = Draw::new([probe, 0, 0]);
+                let mut z = numbered(here.changes.len(), &|_| 1.0);
+                for z in &mut z {
+                    *z = signs.sign();
+                }
+                // Friction has no joint effect on a force.
+                z.push(0.0);
+                let twice = beyond(&z) * 2.0;
+                squares += twice * twice.transpose() * (0.5 / PROBES as f64);
+            }
+            JointEffect { force, bend, squares }
         };
         facets(edges, here).iter().enumerate().map(of).list()
     }

@@ -39,6 +39,8 @@ pub(super) struct JointEffect {
     pub(super) force: SVector<f64, 3>,
     /// Second derivative of the joint effect along z: twice the effect over |z|².
     pub(super) bend: SVector<f64, 3>,
+    /// Sums over all pairs of data of products of second derivatives: of two components of the force.
+    pub(super) squares: SMatrix<f64, 3, 3>,
 }
 
 /// The force of a contact under one load, with known data, and its changes by each datum.
@@ -143,8 +145,13 @@ impl UncertainForce<'_> {
         }
         margin.reliability = nearest.copysign(known[0] + known[1]);
         if arrived && margin.reliability > 0.0 {
-            let joint = self.joint.get(row).map_or([0.0; 2], |joint| parts(facet, &joint.bend));
-            margin.curved = margin.curved(joint, rubs(facet), self.sigmas, self.friction);
+            margin.curved = margin.curved(rubs(facet), self.sigmas, self.friction, &|factor| {
+                let row_there = SVector::from([factor * facet[0], facet[1], facet[2]]);
+                let of = |joint: &JointEffect| {
+                    [row_there.dot(&joint.bend), row_there.dot(&(joint.squares * row_there))]
+                };
+                self.joint.get(row).map_or([0.0; 2], of)
+            });
         }
     }
 

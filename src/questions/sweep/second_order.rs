@@ -9,8 +9,9 @@
 //! ```
 //!
 //! H has a diagonal D, the row of friction, and joint effects C of two other data. Without C, `det(A on the complement of n) = det(A) nᵀA⁻¹n` is a
-//! sum over the data. Joint effects are known along n alone. To first order that is enough: since C has no diagonal, its trace on the complement
-//! of n is `-nᵀCn`, and the determinant is multiplied by `1 - ψ nᵀCn / |g|`.
+//! sum over the data. C itself is not computed. To first order nᵀCn is enough: since C has no diagonal, its trace on the complement of n is `-nᵀCn`,
+//! and the determinant is multiplied by `1 - ψ nᵀCn / |g|`. To second order it is multiplied by `exp(-ψ² |C|² / 2|g|²)`, where |C|² is the sum
+//! of the squares of all entries. A part of them lies along n, which is safe.
 
 use super::margin::{Beyond, FacetMargin};
 use super::tolerances::LEAST_CURVED;
@@ -19,9 +20,15 @@ use crate::numerics::{Each, normal_density, normal_tail};
 use crate::prelude::*;
 
 impl FacetMargin {
-    /// The failure probability over `Φ(-β)` of a margin that is linearised at its point of failure, and positive for the known data. `joint` is
-    /// `nᵀCn` of both parts of the margin, the normal one first.
-    pub(super) fn curved(&self, joint: [f64; 2], rubs: bool, sigmas: f64, friction: f64) -> f64 {
+    /// The failure probability over `Φ(-β)` of a margin that is linearised at its point of failure, and positive for the known data. `joint` gives
+    /// nᵀCn and |C|² where friction is multiplied by its argument.
+    pub(super) fn curved(
+        &self,
+        rubs: bool,
+        sigmas: f64,
+        friction: f64,
+        joint: &dyn Fn(f64) -> [f64; 2],
+    ) -> f64 {
         let reliability = self.reliability();
         let by_bend = normal_density(reliability) / (normal_tail(reliability) * self.steepness);
         let (friction, factor) = match self.linearised_at.last() {
@@ -45,7 +52,8 @@ impl FacetMargin {
         let g = self.gradient.last().copied().unwrap_or(0.0);
         let along = g / self.steepness - mixed;
         let alone = product * ((1.0 + by_bend * friction * g - of_friction) * squares + along * along);
-        let together = 1.0 - by_bend * (factor * joint[0] + joint[1]);
+        let [along_n, squares] = joint(factor);
+        let together = (1.0 - by_bend * along_n) * (-0.5 * by_bend * by_bend * squares).exp();
         (alone.max(LEAST_CURVED) * together.max(LEAST_CURVED)).sqrt().recip()
     }
 }

@@ -17,7 +17,7 @@ use crate::numerics::{Each, IntoList, dot, largest, normal_tail};
 use crate::prelude::*;
 
 /// Rounds in which joint effects and points of failure are computed in turn, the first from points of failure without joint effects.
-const ROUNDS: usize = 3;
+const ROUNDS: usize = 2;
 
 /// For each site and each of its facets, the joint effect of all data on the force.
 type JointEffects = Vec<Vec<JointEffect>>;

@@ -125,8 +125,12 @@ mod tests {
             for rho in [0.0, 0.3, 0.6, 0.9, 0.99, 0.9999] {
                 let all = alike(reliabilities, rho);
                 let (bound, exact) = (all.any(&Failures::default()), exact(reliabilities, rho));
-                let most = if reliabilities.len() == 2 { 1.0001 * exact } else { 1.0001 * sum.min(1.0) };
-                assert!(bound > 0.9999 * exact && bound < most, "{reliabilities:?} {rho}: {bound} {exact}");
+                // The joint probability of two has an error of a few 1e-3 of the smaller one where ρ is near 1.
+                let most = if reliabilities.len() == 2 { exact } else { sum.min(1.0) };
+                assert!(
+                    bound > 0.999 * exact && bound < 1.001 * most,
+                    "{reliabilities:?} {rho}: {bound} {exact}"
+                );
                 assert!(bound < 1.001 * last, "{reliabilities:?} {rho}");
                 last = bound;
             }
