@@ -31,7 +31,7 @@
 //! | `bordered_band` | the same for a band matrix |
 //! | `dormand_prince` | one step of an ordinary differential equation by a Runge-Kutta method |
 //! | `double_double` | sums in double-double precision |
-//! | `normal_tail` | upper tail of the normal distribution |
+//! | `normal_tail` | upper tail of the normal distribution, of one variable and of two |
 //! | `exact_sum` | sums of products without rounding |
 //! | `pairwise` | pairwise summation, on several threads |
 //! | `unit_vector` | unit vectors along an axis |
@@ -119,7 +119,7 @@ pub(crate) use mapped::{
 pub(crate) use memory::Memory;
 pub(crate) use narrow_order::{narrow_order, widest};
 pub(crate) use nearest_point::NearestPoint;
-pub(crate) use normal_tail::{normal_density, normal_tail};
+pub(crate) use normal_tail::{normal_density, normal_tail, normal_tail_of_both};
 pub(crate) use on_a_circle::Turning;
 pub(crate) use orthogonal::Orthogonal;
 pub(crate) use orthonormal_set::{orthogonal_part, orthonormalise_against, without};

@@ -44,10 +44,8 @@ struct Compared {
     asked: usize,
     /// Reserves below which more samples slide than chance allows.
     unsafe_ones: usize,
-    /// Reserves below four fifths of the quantile.
+    /// Reserves below four fifths of the quantile, those of zero included.
     far_below: usize,
-    /// Reserves of zero although the quantile is positive.
-    none: usize,
 }
 
 impl Compared {
@@ -67,9 +65,7 @@ impl Compared {
             self.unsafe_ones += usize::from(below > expected + 4.0 * expected.sqrt());
             if held < 0.8 * quantile {
                 println!("{held} of {quantile} with {sigmas} deviations, {off:?}");
-                // A grasp that almost slides at rest has no reserve.
-                self.far_below += usize::from(held > 0.0);
-                self.none += usize::from(held == 0.0);
+                self.far_below += 1;
             }
         }
     }
@@ -234,6 +230,21 @@ fn of_two_fingers_either_may_be_the_bad_one() {
     // Without uncertainty the reserve is the onset.
     let held = grasp.reserve(planar::Wrench::ZERO, &Uncertainty::seeded(1), 3.0).unwrap().along(&down);
     assert!((held - 10.0).abs() < 1e-7, "{held}");
+}
+
+/// A soft finger presses an object onto a stiff table, which slides at `μ k c` with three uncertain factors. The logarithm is normally distributed,
+/// which gives the reserve in closed form.
+#[test]
+fn stiffness_and_command_are_off_together() {
+    let table = planar::Contact::new([0.0; 2], [0.0, 1.0]).series_stiffness(1e9, 1e9).friction(0.5);
+    let finger = planar::Contact::new([0.0, 0.1], [0.0, -1.0]).friction(1.0).command([0.01, 0.0]);
+    let grasp = planar::Grasp::new([table, finger.series_stiffness(1e3, 1.0)]).unwrap();
+    let off = Uncertainty::seeded(1).with_friction(0.15).with_stiffness(0.2).with_squeeze(0.15);
+    let held =
+        grasp.reserve(planar::Wrench::ZERO, &off, 3.0).unwrap().along(&planar::Wrench::force([1.0, 0.0]));
+    // Φ(-3.11) is seven tenths of Φ(-3): joint effects are estimated from above.
+    let [least, most] = [3.11, 3.0].map(|sigmas| 5.0 * (-sigmas * 0.085_f64.sqrt()).exp());
+    assert!(least < held && held < most, "{least} {held} {most}");
 }
 
 /// On the round cone a contact without mean tangential force may slide in any direction. With two equal normal components, `|F_t|` exceeds r with the

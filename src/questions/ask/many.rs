@@ -11,8 +11,8 @@ use crate::sweep::{Reserve, Uncertainty};
 impl<const C: usize> Grasp<C> {
     /// The load up to which everything sticks with `sigmas` standard deviations in reserve, on top of a base load and in any direction. Of all grasps
     /// within the uncertainty at most the fraction Φ(-sigmas) – 0.00135 for three – slides below [`Reserve::along`]. All contacts count, not only the
-    /// first one to slide. The effect of a single datum on the forces is computed beyond first order. A fifth of that fraction is reserved for combined
-    /// effects of two data. The report `reserve` compares the result with samples.
+    /// first one to slide. Effects of the data on the forces are computed beyond first order, and all together where a contact fails most probably. A
+    /// tenth of that fraction is kept for what is neglected. The report `reserve` compares the result with samples.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -1,8 +1,10 @@
 //! Forces of contacts that keep their states, for each source of force, with their changes by errors of the data.
 
+use core::slice::from_ref;
+
 use nalgebra::{Matrix, SVector};
 
-use super::datum::UncertainDatum;
+use super::datum::{UncertainDatum, with_errors};
 use super::margin::{Effect, LOOKED_AT, effect};
 use crate::equilibrium::{Cone, StickingResponse};
 use crate::error::Error;
@@ -58,7 +60,7 @@ pub(super) fn courses(
     for datum in data {
         let mut seen = Vec::with_capacity(LOOKED_AT.len());
         for part in LOOKED_AT {
-            let engine = datum.engine(response.grasp, part * sigmas)?;
+            let engine = with_errors(response.grasp, from_ref(datum), &[part * sigmas])?;
             seen.push(by_source(&StickingResponse::in_states(&engine, cone, &response.states)));
         }
         for (source, Course { known, off }) in courses.iter_mut().enumerate() {
@@ -72,19 +74,27 @@ pub(super) fn courses(
 /// Forces or gaps by commands and constant loads, then by each component of the load.
 fn by_source(response: &StickingResponse<'_>) -> Vec<Vec<SVector<f64, 3>>> {
     let grasp = response.grasp;
-    let seen = |offsets: &[SVector<f64, 3>], load: &Vector| {
-        let PieceState { mut forces, twist } = response.piece.solve_roughly(offsets, load);
-        for (i, site) in grasp.sites().iter().enumerate().filter(|(i, _)| response.states[*i].is_open()) {
-            forces[i] = SVector::zeros();
-            forces[i][0] = -site.stretch(&offsets[i], &twist)[0];
-        }
-        forces
-    };
-    let mut sources = vec![seen(&grasp.offsets(), &grasp.load_unchecked(&Wrench::ZERO))];
+    let mut sources = vec![forces_or_gaps(response, &grasp.offsets(), &grasp.load_unchecked(&Wrench::ZERO))];
     for component in 0..grasp.space().of_the_object() {
-        sources.push(seen(&response.at_rest(), &grasp.inside_unchecked(&unit(grasp.space(), component))));
+        let load = grasp.inside_unchecked(&unit(grasp.space(), component));
+        sources.push(forces_or_gaps(response, &response.at_rest(), &load));
     }
     sources
+}
+
+/// Forces of all sites, of open ones the gaps, with these offsets under a load in inside coordinates.
+pub(super) fn forces_or_gaps(
+    response: &StickingResponse<'_>,
+    offsets: &[SVector<f64, 3>],
+    load: &Vector,
+) -> Vec<SVector<f64, 3>> {
+    let PieceState { mut forces, twist } = response.piece.solve_roughly(offsets, load);
+    let sites = response.grasp.sites();
+    for (i, site) in sites.iter().enumerate().filter(|(i, _)| response.states[*i].is_open()) {
+        forces[i] = SVector::zeros();
+        forces[i][0] = -site.stretch(&offsets[i], &twist)[0];
+    }
+    forces
 }
 
 /// One newton or newton metre of a component.

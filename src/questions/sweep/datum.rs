@@ -8,6 +8,7 @@ use crate::numerics::unit;
 use crate::prelude::*;
 
 /// One datum, with its error of one σ.
+#[derive(Debug, Clone)]
 pub(super) enum UncertainDatum {
     /// Errors of all points of a contact.
     OfContact(usize, ContactErrors),
@@ -15,20 +16,27 @@ pub(super) enum UncertainDatum {
     OfJoint(usize, f64),
 }
 
-impl UncertainDatum {
-    /// The engine with this datum off by z σ.
-    pub(super) fn engine(&self, of: &Engine, z: f64) -> Result<Engine, Error> {
-        let mut contacts = of.contacts().to_vec();
-        if let Self::OfContact(contact, errors) = self {
-            for point in &mut contacts[of.wholes()[*contact].range.clone()] {
-                *point = errors.times(z).applied_to(point);
-            }
+/// The engine with each of these data off by its number of σ.
+pub(super) fn with_errors(of: &Engine, data: &[UncertainDatum], z: &[f64]) -> Result<Engine, Error> {
+    let mut errors = vec![ContactErrors::default(); of.wholes().len()];
+    for (datum, z) in data.iter().zip(z) {
+        if let UncertainDatum::OfContact(contact, of_datum) = datum {
+            errors[*contact].add(*z, of_datum);
         }
-        of.with_data(contacts, &|joint| match self {
-            Self::OfJoint(of, sigma) if *of == joint => factor(sigma * z),
-            _ => 1.0,
-        })
     }
+    let mut contacts = of.contacts().to_vec();
+    for (whole, errors) in of.wholes().iter().zip(&errors) {
+        for point in &mut contacts[whole.range.clone()] {
+            *point = errors.applied_to(point);
+        }
+    }
+    of.with_data(contacts, &|joint| {
+        let of_joint = |(datum, z): (&UncertainDatum, &f64)| match datum {
+            UncertainDatum::OfJoint(of, sigma) if *of == joint => sigma * z,
+            _ => 0.0,
+        };
+        factor(data.iter().zip(z).map(of_joint).sum())
+    })
 }
 
 impl Engine {

@@ -1,6 +1,7 @@
-//! The probability that one contact leaves its cone under one load, where data are uncertain.
+//! The probability that a contact leaves its cone under one load, where data are uncertain.
 //!
-//! A facet with the reliability β, its margin in standard deviations, fails with probability `Φ(-β)`. On the round cone the facet turns by θ, and
+//! A facet with the reliability β, its margin in standard deviations, fails with probability `Φ(-β)`, which
+//! [`second_order`](super::second_order) corrects. On the round cone the facet turns by θ, and
 //! so does the gradient u(θ) of its margin, of length one. The probability of a failure at any θ is at most
 //!
 //! ```text
@@ -16,25 +17,52 @@ use nalgebra::SVector;
 
 use super::margin::{FacetMargin, FirstOrder, UncertainForce};
 use super::tolerances::AROUND_A_CONE;
+use super::union::Failures;
 use crate::contact::{Edges, round_rows};
 use crate::numerics::{Harmonic, normal_tail};
-#[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Memory for the margins of a facet under two loads.
-pub(super) type MarginPair = [FacetMargin; 2];
-
-/// Upper bound of the probability that a contact leaves its state under the load `here`, and, if `also` is given, keeps its state under that load.
-pub(super) fn failure(
-    edges: &Edges,
+/// Adds the events in which a contact leaves its state under a load. `margin` is memory.
+pub(super) fn failures(
+    (contact, edges): (usize, &Edges),
     here: &UncertainForce<'_>,
-    also: Option<&UncertainForce<'_>>,
-    margins: &mut MarginPair,
-) -> f64 {
-    let mut two = TwoLoads { here, also, margins };
+    rare: f64,
+    margin: &mut FacetMargin,
+    events: &mut Failures,
+) {
+    // The point of failure of another facet is no good start for this one.
     match edges {
-        Edges::Rows(rows) => rows.iter().map(|row| two.failure_of(row)).sum::<f64>().min(1.0),
-        Edges::Round { limit } => two.failure_of_round(&round_rows(*limit)),
+        Edges::Rows(rows) => {
+            for (k, row) in rows.iter().enumerate() {
+                margin.start_over(here.changes.len());
+                here.find(k, row, margin);
+                events.add(margin.fails(), margin, contact, rare);
+            }
+        }
+        Edges::Round { limit } => {
+            let around = round_rows(*limit);
+            let (worst, least) = worst_around(&here.first_order(), &around);
+            // Three standard deviations beyond those in reserve, the first-order probability is at most a thousandth of the allowed one.
+            if least <= 0.0 || least > here.sigmas + 3.0 {
+                events.add_alone(if least <= 0.0 { 1.0 } else { normal_tail(least) });
+                return;
+            }
+            let probability = failure_of_round(&around, here, (worst, least), margin);
+            margin.start_over(here.changes.len());
+            here.find(0, &around.at(worst), margin);
+            events.add(probability, margin, contact, rare);
+        }
+    }
+}
+
+/// The facets of a contact, of a round cone the one that most probably fails to first order.
+pub(super) fn facets(edges: &Edges, here: &UncertainForce<'_>) -> Vec<SVector<f64, 3>> {
+    match edges {
+        Edges::Rows(rows) => rows.clone(),
+        Edges::Round { limit } => {
+            let around = round_rows(*limit);
+            vec![around.at(worst_around(&here.first_order(), &around).0)]
+        }
     }
 }
 
@@ -62,71 +90,38 @@ fn worst_around(first_order: &FirstOrder, around: &Harmonic<SVector<f64, 3>>) ->
     worst
 }
 
-/// The forces of a contact under a load, and under another one, if given.
-struct TwoLoads<'a> {
-    here: &'a UncertainForce<'a>,
-    also: Option<&'a UncertainForce<'a>>,
-    margins: &'a mut MarginPair,
-}
-
-impl TwoLoads<'_> {
-    /// The margin of a facet under the first load.
-    fn find(&mut self, facet: &SVector<f64, 3>) -> &FacetMargin {
-        self.here.find(facet, &mut self.margins[0]);
-        &self.margins[0]
+/// Failure probability of a contact on a round cone, which most probably fails at the angle `worst` with the first-order reliability `least`.
+fn failure_of_round(
+    around: &Harmonic<SVector<f64, 3>>,
+    here: &UncertainForce<'_>,
+    (worst, least): (f64, f64),
+    margin: &mut FacetMargin,
+) -> f64 {
+    let first_order = here.first_order();
+    let roughly = |angle: f64| first_order.reliability(&around.at(angle));
+    let narrower = 0.75;
+    // The range of angles whose density counts; it is narrow where reliability grows steeply.
+    // The integral ends where the density is its maximum times exp(-9).
+    let enough = (least * least + 2.0 * 9.0).sqrt();
+    let mut half = PI;
+    while half > TAU / AROUND_A_CONE as f64
+        && roughly(worst - narrower * half) > enough
+        && roughly(worst + narrower * half) > enough
+    {
+        half *= narrower;
     }
-
-    /// Upper bound of the probability that the last margin is positive under the other load where it just vanishes under the first.
-    fn holds_otherwise(&mut self, facet: &SVector<f64, 3>) -> f64 {
-        let Some(also) = self.also else { return 1.0 };
-        let [margin, other] = &mut *self.margins;
-        also.find(facet, other);
-        margin.while_holds(other)
+    margin.start_over(here.changes.len());
+    here.find(0, &around.at(worst - half), margin);
+    let mut sum = margin.fails();
+    // The density falls at both ends like a normal density, so that the error of twelve midpoints is
+    // negligible.
+    let summed = 12_u32;
+    let width = 2.0 * half / f64::from(summed);
+    for k in 0..summed {
+        let angle = worst - half + width * (f64::from(k) + 0.5);
+        let (facet, turned) = (around.at(angle), around.rate_at(angle));
+        here.find(0, &facet, margin);
+        sum += width * here.crossings(margin, &turned);
     }
-
-    fn failure_of(&mut self, facet: &SVector<f64, 3>) -> f64 {
-        // The point of failure of another facet is no good start for this one.
-        self.margins[0].start_over(self.here.changes.len());
-        normal_tail(self.find(facet).reliability()) * self.holds_otherwise(facet)
-    }
-
-    fn failure_of_round(&mut self, around: &Harmonic<SVector<f64, 3>>) -> f64 {
-        let first_order = self.here.first_order();
-        let roughly = |angle: f64| first_order.reliability(&around.at(angle));
-        let (worst, least) = worst_around(&first_order, around);
-        if least <= 0.0 {
-            return 1.0;
-        }
-        // Three standard deviations beyond those in reserve, the first-order probability is at most a thousandth of the allowed one, and is kept.
-        if least > self.here.sigmas + 3.0 {
-            return normal_tail(least);
-        }
-        let narrower = 0.75;
-        // The range of angles whose density counts; it is narrow where reliability grows steeply.
-        // The integral ends where the density is its maximum times exp(-9).
-        let enough = (least * least + 2.0 * 9.0).sqrt();
-        let mut half = PI;
-        while half > TAU / AROUND_A_CONE as f64
-            && roughly(worst - narrower * half) > enough
-            && roughly(worst + narrower * half) > enough
-        {
-            half *= narrower;
-        }
-        self.margins[0].start_over(self.here.changes.len());
-        let mut sum = normal_tail(self.find(&around.at(worst - half)).reliability());
-        // The density falls at both ends like a normal density, so that the error of twelve midpoints is
-        // negligible.
-        let summed = 12_u32;
-        let width = 2.0 * half / f64::from(summed);
-        for k in 0..summed {
-            let angle = worst - half + width * (f64::from(k) + 0.5);
-            let (facet, turned) = (around.at(angle), around.rate_at(angle));
-            self.find(&facet);
-            let crossings = self.here.crossings(&self.margins[0], &turned);
-            if crossings > 0.0 {
-                sum += width * crossings * self.holds_otherwise(&facet);
-            }
-        }
-        sum.min(1.0)
-    }
+    sum.min(1.0)
 }

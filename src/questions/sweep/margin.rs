@@ -5,17 +5,17 @@
 //! ```
 //!
 //! Here μ is the coefficient of friction with the deviation σ of its logarithm, h the unit vector of the facet, and z the errors of the data, in
-//! standard deviations. The change Δ_i of the force by one datum is a polynomial through evaluated changes. Joint effects of two data beyond the sum
-//! are neglected, except that friction multiplies the normal force exactly. The reliability β is the distance of the nearest z at which the margin
-//! vanishes (Hasofer and Lind, Exact and invariant second-moment code format, 1974). Steps towards it are shortened until a merit function of distance
-//! and margin falls (Zhang and Der Kiureghian, Two improved algorithms for reliability analysis, 1995). No step goes beyond the distance at which the
-//! failure probability is negligible.
+//! standard deviations. The change Δ_i of the force by one datum is a polynomial through evaluated changes. Friction multiplies the normal force
+//! exactly. Joint effects of the other data beyond the sum are taken at the point of failure, as a constant force. The reliability β is the distance
+//! of the nearest z at which the margin vanishes (Hasofer and Lind, Exact and invariant second-moment code format, 1974). Steps towards it are
+//! shortened until a merit function of distance and margin falls (Zhang and Der Kiureghian, Two improved algorithms for reliability analysis, 1995).
+//! No step goes beyond the distance at which the failure probability is negligible.
 
 use nalgebra::{SMatrix, SVector};
 
 use crate::contact::rubs;
 use crate::numerics::tolerances::SUFFICIENT_DECREASE;
-use crate::numerics::{Each, dot, normal_density, normal_tail};
+use crate::numerics::{Each, by_axis, dot, normal_density, normal_tail};
 use crate::prelude::*;
 
 /// The effect of a datum is evaluated at these multiples of `sigmas`, the standard deviations in reserve.
@@ -33,10 +33,22 @@ pub(super) fn effect([low, half_low, half_high, high]: [SVector<f64, 3>; 4]) -> 
     [odd - third, even - fourth, third, fourth]
 }
 
+/// The joint effect of all data on a force at a point of failure z, beyond the sum of their changes.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct JointEffect {
+    pub(super) force: SVector<f64, 3>,
+    /// Second derivative of the joint effect along z: twice the effect over |z|².
+    pub(super) bend: SVector<f64, 3>,
+    /// Sums over all pairs of data of products of second derivatives: of two components of the force.
+    pub(super) squares: SMatrix<f64, 3, 3>,
+}
+
 /// The force of a contact under one load, with known data, and its changes by each datum.
 pub(super) struct UncertainForce<'a> {
     pub(super) force: SVector<f64, 3>,
     pub(super) changes: &'a [Effect],
+    /// For each facet its joint effect, for a round cone one; an empty list stands for none.
+    pub(super) joint: &'a [JointEffect],
     /// The standard deviations in reserve.
     pub(super) sigmas: f64,
     /// Standard deviation σ of the logarithm of friction.
@@ -47,16 +59,18 @@ pub(super) struct UncertainForce<'a> {
 #[derive(Debug)]
 pub(super) struct FacetMargin {
     /// The present point of the search, at its end the point of failure: data in the order of the changes, friction last.
-    fails_at: Vec<f64>,
+    pub(super) fails_at: Vec<f64>,
     /// The point from which the last step began.
     from: Vec<f64>,
     /// Coefficients of the effect of each datum on both parts of the margin: the normal part, which friction multiplies, and the rest.
-    parts: Vec<[[f64; 2]; LOOKED_AT.len()]>,
+    pub(super) parts: Vec<[[f64; 2]; LOOKED_AT.len()]>,
     /// The point of the last linearisation.
-    linearised_at: Vec<f64>,
-    gradient: Vec<f64>,
-    steepness: f64,
+    pub(super) linearised_at: Vec<f64>,
+    pub(super) gradient: Vec<f64>,
+    pub(super) steepness: f64,
     reliability: f64,
+    /// The failure probability over `Φ(-β)`.
+    curved: f64,
 }
 
 impl UncertainForce<'_> {
@@ -70,15 +84,31 @@ impl UncertainForce<'_> {
         FirstOrder { force: self.force, spread, friction: self.friction }
     }
 
-    /// Finds the nearest point at which the margin vanishes. A margin that vanishes nowhere within the largest distance has that distance as its
+    /// The force with known data, plus the joint effect at the point of failure of facet number `row`.
+    fn known(&self, row: usize) -> SVector<f64, 3> {
+        self.joint.get(row).map_or(self.force, |joint| self.force + joint.force)
+    }
+
+    /// The force with these errors of the data, without their joint effect.
+    pub(super) fn at(&self, z: &[f64]) -> SVector<f64, 3> {
+        let mut force = self.force;
+        for (change, z) in self.changes.iter().zip(z) {
+            let along = |axis: usize| Beyond::of(change.each_ref().each(|c| c[axis]), z / self.sigmas).value;
+            force += by_axis(along);
+        }
+        force
+    }
+
+    /// Finds the nearest point at which the margin of facet number `row` vanishes. A margin that vanishes nowhere within the largest distance has that distance as its
     /// reliability.
-    pub(super) fn find(&self, facet: &SVector<f64, 3>, margin: &mut FacetMargin) {
+    pub(super) fn find(&self, row: usize, facet: &SVector<f64, 3>, margin: &mut FacetMargin) {
         if margin.fails_at.len() != self.changes.len() + 1 {
             margin.start_over(self.changes.len());
         }
         margin.parts.clear();
         margin.parts.extend(self.changes.iter().map(|change| change.each_ref().each(|c| parts(facet, c))));
-        let known = parts(facet, &self.force);
+        let known = parts(facet, &self.known(row));
+        margin.curved = 1.0;
         // Failures five standard deviations beyond those in reserve are too rare to count.
         let farthest = self.sigmas + 5.0;
         let mut value = self.linearise(known, rubs(facet), margin);
@@ -114,6 +144,15 @@ impl UncertainForce<'_> {
             nearest = nearest.min(ratio(value, margin.steepness).abs());
         }
         margin.reliability = nearest.copysign(known[0] + known[1]);
+        if arrived && margin.reliability > 0.0 {
+            margin.curved = margin.curved(rubs(facet), self.sigmas, self.friction, &|factor| {
+                let row_there = SVector::from([factor * facet[0], facet[1], facet[2]]);
+                let of = |joint: &JointEffect| {
+                    [row_there.dot(&joint.bend), row_there.dot(&(joint.squares * row_there))]
+                };
+                self.joint.get(row).map_or([0.0; 2], of)
+            });
+        }
     }
 
     /// Shortens the last step until the merit function `½|z|² + c |m|` falls. Returns the margin there, where it is linearised.
@@ -175,7 +214,7 @@ impl UncertainForce<'_> {
         if margin.steepness == 0.0 {
             return 0.0;
         }
-        let (mut mixed, mut rates, mut rate) = (0.0, 0.0, turned.dot(&self.force));
+        let (mut mixed, mut rates, mut rate) = (0.0, 0.0, turned.dot(&self.known(0)));
         for ((change, z), g) in self.changes.iter().zip(&margin.linearised_at).zip(&margin.gradient) {
             let there = Beyond::of(change.each_ref().each(|c| turned.dot(c)), z / self.sigmas);
             let by_sigma = there.slope / self.sigmas;
@@ -192,7 +231,7 @@ impl UncertainForce<'_> {
             let x = rate / turning;
             turning * normal_density(x) - rate * normal_tail(x)
         };
-        normal_density(margin.reliability) * mean
+        normal_density(margin.reliability) * margin.curved * mean
     }
 }
 
@@ -219,25 +258,28 @@ fn parts(row: &SVector<f64, 3>, force: &SVector<f64, 3>) -> [f64; 2] {
     [normal, row.dot(force) - normal]
 }
 
-/// An effect, continued linearly outside the evaluated range.
-struct Beyond {
+/// An effect with its derivatives, continued linearly outside the evaluated range.
+pub(super) struct Beyond {
     value: f64,
-    slope: f64,
+    pub(super) slope: f64,
+    pub(super) bend: f64,
 }
 
 impl Beyond {
-    fn of([c1, c2, c3, c4]: [f64; LOOKED_AT.len()], x: f64) -> Self {
+    pub(super) fn of([c1, c2, c3, c4]: [f64; LOOKED_AT.len()], x: f64) -> Self {
         let inside = x.clamp(-1.0, 1.0);
         let slope = c1 + (c2 * 2.0 + (c3 * 3.0 + c4 * (4.0 * inside)) * inside) * inside;
         let value = (c1 + (c2 + (c3 + c4 * inside) * inside) * inside) * inside;
-        Self { value: value + slope * (x - inside), slope }
+        let bend = if x == inside { c2 * 2.0 + (c3 * 6.0 + c4 * (12.0 * x)) * x } else { 0.0 };
+        Self { value: value + slope * (x - inside), slope, bend }
     }
 }
 
 impl Default for FacetMargin {
     fn default() -> Self {
         let [fails_at, from, linearised_at, gradient] = [const { Vec::new() }; 4];
-        Self { fails_at, from, parts: Vec::new(), linearised_at, gradient, steepness: 0.0, reliability: 0.0 }
+        let parts = Vec::new();
+        Self { fails_at, from, parts, linearised_at, gradient, steepness: 0.0, reliability: 0.0, curved: 1.0 }
     }
 }
 
@@ -253,18 +295,9 @@ impl FacetMargin {
         self.reliability
     }
 
-    /// Upper bound of the probability that another margin holds where this one just fails (Ditlevsen, Narrow reliability bounds for structural
-    /// systems, 1979).
-    pub(super) fn while_holds(&self, other: &Self) -> f64 {
-        let mixed = dot(&self.gradient, &other.gradient);
-        let correlation = mixed / (self.steepness * other.steepness);
-        // Margins without positive correlation, or without spread, give no bound below 1.
-        if correlation <= 0.0 || correlation.is_nan() {
-            return 1.0;
-        }
-        let left = other.reliability - correlation * self.reliability;
-        let apart = (1.0 - correlation * correlation).max(0.0).sqrt();
-        normal_tail(-ratio(left, apart))
+    /// The failure probability.
+    pub(super) fn fails(&self) -> f64 {
+        (normal_tail(self.reliability) * self.curved).min(1.0)
     }
 }
 

@@ -11,13 +11,16 @@ mod courses;
 mod datum;
 mod failure;
 mod in_order;
+mod joint_effects;
 mod margin;
 mod off;
 mod progress;
 mod reserve;
+mod second_order;
 mod stuck_grasp;
 mod tolerances;
 mod uncertainty;
+mod union;
 
 pub use batch::{least_squeezes_of_batch, onset_gradients_of_batch, onsets_of_batch, turn_onsets_of_batch};
 pub(crate) use caught::caught;

@@ -20,10 +20,13 @@ pub(super) struct ContactErrors {
 }
 
 impl ContactErrors {
-    pub(super) fn times(&self, z: f64) -> Self {
-        let Self { friction, stiffness, squeeze, moved, tilt } = *self;
-        let [friction, stiffness, squeeze] = [friction, stiffness, squeeze].each(|log| log * z);
-        Self { friction, stiffness, squeeze, moved: moved * z, tilt: tilt * z }
+    /// Adds `times` times other errors.
+    pub(super) fn add(&mut self, times: f64, other: &Self) {
+        self.friction += other.friction * times;
+        self.stiffness += other.stiffness * times;
+        self.squeeze += other.squeeze * times;
+        self.moved += other.moved * times;
+        self.tilt += other.tilt * times;
     }
 
     pub(super) fn applied_to(&self, contact: &Contact<3>) -> Contact<3> {

@@ -1,6 +1,7 @@
 //! The load up to which a grasp with uncertain data keeps sticking with a given reserve.
 
 use super::courses::{courses, unit};
+use super::joint_effects::OffTogether;
 use super::stuck_grasp::StuckGrasp;
 use super::uncertainty::Uncertainty;
 use crate::contact::State;
@@ -93,14 +94,17 @@ impl Engine {
     ) -> Result<StuckGrasp, Error> {
         let cone = Cone::of(self.space(), settings);
         let response = StickingResponse::in_states(self, cone, states);
-        let courses = courses(&response, cone, &self.data(uncertainty), sigmas)?;
+        let data = self.data(uncertainty);
+        let courses = courses(&response, cone, &data, sigmas)?;
         let mut unresisted = Vec::new();
         for motion in response.piece.free_motions() {
             let of = |k: usize| self.inside_unchecked(&unit(self.space(), k)).dot(motion);
             let work: Vec<f64> = numbered(self.space().of_the_object(), &of);
             unresisted.push(Wrench::among(self.space(), &Vector::from_slice(&work)));
         }
-        let spreads = [sigmas, uncertainty.friction, uncertainty.load];
-        Ok(StuckGrasp::new(self.space(), response.edges, courses, base, unresisted, spreads))
+        let load_spread = uncertainty.load;
+        let off = OffTogether { grasp: self.clone(), cone, states: states.to_vec(), data, load_spread };
+        let spreads = [sigmas, uncertainty.friction];
+        Ok(StuckGrasp::new(off, response.edges, courses, base, unresisted, spreads))
     }
 }

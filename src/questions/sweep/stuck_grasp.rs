@@ -1,31 +1,52 @@
 //! Contacts that all stick under a base load, and the probability that one of them leaves on the way to a further load on top of it.
 //!
 //! While all stick, forces are linear in the load, and margins are concave functions of it. So if all contacts stick at both ends of the way, they
-//! stick in between. [`failure`](super::failure) gives the probability that a contact leaves there; the sum over contacts bounds the probability that
-//! any does.
+//! stick in between. [`failure`](super::failure) gives the probability that a contact leaves at an end, [`union`](super::union) bounds the probability
+//! that any does.
 
 use super::courses::Course;
-use super::failure::{MarginPair, failure, roughly};
-use super::margin::{Effect, LOOKED_AT, UncertainForce, effect};
-use super::tolerances::PRECISE_FACTOR;
+use super::failure::{failures, roughly};
+use super::joint_effects::OffTogether;
+use super::margin::{Effect, FacetMargin, JointEffect, LOOKED_AT, UncertainForce, effect};
+use super::tolerances::{NEGLECTED_SHARE, PRECISE_FACTOR, RARE_SHARE};
+use super::union::Failures;
 use crate::contact::Edges;
-use crate::grasp::{Space, Wrench};
+use crate::grasp::Wrench;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{Each, IntoList, dot, largest, normal_tail};
 use crate::prelude::*;
 
+/// Rounds in which joint effects and points of failure are computed in turn, the first from points of failure without joint effects.
+const ROUNDS: usize = 2;
+
+/// For each site and each of its facets, the joint effect of all data on the force.
+type JointEffects = Vec<Vec<JointEffect>>;
+
+/// A load on top of the base load.
+#[derive(Clone, Copy)]
+struct Further<'a> {
+    direction: &'a Wrench<3>,
+    rate: &'a Course,
+    factor: f64,
+}
+
 /// A grasp that sticks under its base load.
 #[derive(Debug, Clone)]
 pub(super) struct StuckGrasp {
-    space: Space,
+    off: OffTogether,
     edges: Vec<Edges>,
+    /// For each site its contact, by its first point, whose friction all its points share; a drive by itself.
+    contacts: Vec<usize>,
+    /// The load under which everything sticks.
+    base_load: Wrench<3>,
     /// Forces by each component of the load.
     by_component: Vec<Course>,
     /// `base`: all forces under the base load. `by_base_load`: the part of them that this load alone causes.
     base: Course,
     by_base_load: Course,
-    /// Failure probability of each contact under the base load.
-    fails_at_base: Vec<f64>,
+    /// Joint effects under the base load, and failures there.
+    joint_at_base: JointEffects,
+    fails_at_base: Failures,
     sigmas: f64,
     /// σ of friction, and the relative growth of the load at each multiple in `LOOKED_AT`.
     friction: f64,
@@ -37,43 +58,61 @@ pub(super) struct StuckGrasp {
 impl StuckGrasp {
     /// From the courses of commands and of each component of the load.
     pub(super) fn new(
-        space: Space,
+        off: OffTogether,
         edges: Vec<Edges>,
         mut courses: Vec<Course>,
-        load: &Wrench<3>,
+        base_load: &Wrench<3>,
         unresisted: Vec<Wrench<3>>,
-        [sigmas, friction, load_spread]: [f64; 3],
+        [sigmas, friction]: [f64; 2],
     ) -> Self {
         let by_component = courses.split_off(1);
-        let by_base_load = Course::of(&by_component, space, load);
+        let by_base_load = Course::of(&by_component, off.grasp.space(), base_load);
         let mut base = by_base_load.clone();
         base.add(1.0, &courses[0]);
-        let load = LOOKED_AT.each(|part| (load_spread * sigmas * part).exp_m1());
-        let fails_at_base = Vec::new();
+        let load = LOOKED_AT.each(|part| (off.load_spread * sigmas * part).exp_m1());
+        let mut contacts = (0..edges.len()).list();
+        for whole in off.grasp.wholes().iter() {
+            contacts[whole.range.clone()].fill(whole.range.start);
+        }
+        let joint_at_base = vec![Vec::new(); edges.len()];
+        let fails_at_base = Failures::default();
         let mut sticking = Self {
-            space,
+            off,
             edges,
+            contacts,
+            base_load: *base_load,
             by_component,
             base,
             by_base_load,
+            joint_at_base,
             fails_at_base,
             sigmas,
             friction,
             load,
             unresisted,
         };
-        let (mut margins, mut memory) = (MarginPair::default(), Vec::new());
-        let alone = |(i, edges): (usize, &Edges)| {
-            failure(edges, &sticking.spread(i, None, &mut memory), None, &mut margins)
-        };
-        sticking.fails_at_base = sticking.edges.iter().enumerate().map(alone).list();
+        for _ in 0..ROUNDS {
+            sticking.joint_at_base = sticking.joint(None, &sticking.joint_at_base);
+        }
+        sticking.fails_at_base = sticking.failures(None, &sticking.joint_at_base);
         sticking
     }
 
     /// The allowed failure probability.
     fn allowed(&self) -> f64 {
-        // Joint effects of two data are neglected, and may be a fifth of the allowed probability.
-        (1.0 - 0.2) * normal_tail(self.sigmas)
+        (1.0 - NEGLECTED_SHARE) * normal_tail(self.sigmas)
+    }
+
+    /// Joint effects at the points of failure that have the joint effects `before`.
+    fn joint(&self, more: Option<Further<'_>>, before: &JointEffects) -> JointEffects {
+        let load = more.map_or(self.base_load, |more| self.base_load + *more.direction * more.factor);
+        let mut memory = Vec::new();
+        let mut joint = Vec::new();
+        for (i, edges) in self.edges.iter().enumerate() {
+            let here = self.spread(i, more, before, &mut memory);
+            joint.push(self.off.of_facets((i, edges), &load, &here, RARE_SHARE * self.allowed()));
+        }
+        joint
     }
 
     /// The largest load factor with at most the allowed failure probability.
@@ -83,11 +122,11 @@ impl StuckGrasp {
         if self.unresisted.iter().any(|motion| work(motion).abs() > SOLVED_ROUNDING * size) {
             return 0.0;
         }
-        let rate = Course::of(&self.by_component, self.space, direction);
+        let rate = Course::of(&self.by_component, self.off.grasp.space(), direction);
         // Reliabilities are nearly linear in the load factor, unlike probabilities.
         let allowed = reliability(self.allowed());
-        let left = |factor: f64| allowed - reliability(self.failure(&rate, factor));
-        if allowed >= reliability(self.fails_at_base.iter().sum()) {
+        let further = |factor: f64| Further { direction, rate: &rate, factor };
+        if allowed >= reliability(self.fails_at_base.any(&Failures::default())) {
             return 0.0;
         }
         let (here, growth) = (self.base.largest().max(self.by_base_load.largest()), rate.largest());
@@ -95,7 +134,7 @@ impl StuckGrasp {
             return f64::INFINITY;
         }
         let start = here.max(f64::MIN_POSITIVE) / growth;
-        let roughly = |factor: f64| allowed - reliability(self.roughly(&rate, factor));
+        let roughly = |factor: f64| allowed - reliability(self.roughly(further(factor)));
         // A load has no limit if its forces may exceed the forces under the base load by this factor.
         let far = 1e6;
         // Forces linearised in the data give a starting value.
@@ -104,51 +143,51 @@ impl StuckGrasp {
         // Relative step of the difference quotient that gives the initial slope.
         let apart = 1e-3;
         let slope = (roughly((1.0 + apart) * guess) - roughly(guess)) / (apart * guess);
-        root(&left, (guess, slope), far * start, PRECISE_FACTOR)
+        let (mut most, mut joint) = (guess, self.joint_at_base.clone());
+        for _ in 0..ROUNDS {
+            joint = self.joint(Some(further(most)), &joint);
+            let fails = |factor: f64| self.failures(Some(further(factor)), &joint).any(&self.fails_at_base);
+            let left = |factor: f64| allowed - reliability(fails(factor));
+            most = root(&left, (most, slope), far * start, PRECISE_FACTOR);
+            if self.off.data.is_empty() || most == 0.0 || most.is_infinite() {
+                break;
+            }
+        }
+        most
     }
 
     /// Sum of the first-order failure probabilities of all contacts under the load times this factor.
-    fn roughly(&self, rate: &Course, factor: f64) -> f64 {
+    fn roughly(&self, more: Further<'_>) -> f64 {
         let mut memory = Vec::new();
         let mut sum = 0.0;
         for (i, edges) in self.edges.iter().enumerate() {
-            sum += roughly(edges, &self.spread(i, Some((rate, factor)), &mut memory));
+            sum += roughly(edges, &self.spread(i, Some(more), &self.joint_at_base, &mut memory));
         }
         sum
     }
 
-    /// Upper bound of the probability that some contact leaves on the way to this load factor.
-    fn failure(&self, rate: &Course, factor: f64) -> f64 {
-        let mut memory = [Vec::new(), Vec::new()];
-        let mut margins = MarginPair::default();
-        // Failures at the base that are rarer than this are added in full, although some of them also fail at the load.
-        let told_apart = 1e-3 * self.allowed();
-        let mut sum = 0.0;
+    /// The failures under the base load or, if given, another load on top of it.
+    fn failures(&self, more: Option<Further<'_>>, joint: &JointEffects) -> Failures {
+        let (mut margin, mut memory, mut events) = (FacetMargin::default(), Vec::new(), Failures::default());
         for (i, edges) in self.edges.iter().enumerate() {
-            let [there, base] = &mut memory;
-            let there = self.spread(i, Some((rate, factor)), there);
-            sum += failure(edges, &there, None, &mut margins);
-            let at_base = self.fails_at_base[i];
-            sum += if at_base > told_apart {
-                failure(edges, &self.spread(i, None, base), Some(&there), &mut margins)
-            } else {
-                at_base
-            };
+            let here = self.spread(i, more, joint, &mut memory);
+            failures((self.contacts[i], edges), &here, RARE_SHARE * self.allowed(), &mut margin, &mut events);
         }
-        sum
+        events
     }
 
     /// The force of a contact under the base load plus, if given, a factor times another load, with its changes by the data.
     fn spread<'m>(
         &self,
         i: usize,
-        more: Option<(&Course, f64)>,
+        more: Option<Further<'_>>,
+        joint: &'m JointEffects,
         changes: &'m mut Vec<Effect>,
     ) -> UncertainForce<'m> {
         changes.clear();
         changes.extend(self.base.off.iter().map(|of_datum| of_datum[i]));
         let (mut force, mut of_load) = (self.base.known[i], self.by_base_load.known[i]);
-        if let Some((rate, factor)) = more {
+        if let Some(Further { rate, factor, .. }) = more {
             for (change, of_datum) in changes.iter_mut().zip(&rate.off) {
                 change.iter_mut().zip(&of_datum[i]).for_each(|(change, rate)| *change += rate * factor);
             }
@@ -158,7 +197,7 @@ impl StuckGrasp {
         if self.load.iter().any(|more| *more != 0.0) {
             changes.push(effect(self.load.each(|more| of_load * more)));
         }
-        UncertainForce { force, changes, sigmas: self.sigmas, friction: self.friction }
+        UncertainForce { force, changes, joint: &joint[i], sigmas: self.sigmas, friction: self.friction }
     }
 }
 

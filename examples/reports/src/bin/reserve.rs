@@ -30,10 +30,10 @@ fn main() -> Result<(), Failure> {
         TAIL * samples as f64
     );
     println!(
-        "                                                     slide below          (reserve − quantile) / onset"
+        "                                                     slide below          (reserve − quantile) / onset     reserve below"
     );
     println!(
-        "grasps  in         not known                     most  expected by chance      5 %   median     95 %    µs a direction"
+        "grasps  in         not known                     most  expected by chance      5 %   median     95 %    0.8 quantile    µs a direction"
     );
     let known = Uncertainty::seeded(3).with_friction(0.1).with_stiffness(0.1).with_squeeze(0.05);
     let places = known.with_position(5e-4).with_normal(0.02).with_load(0.05);
@@ -128,6 +128,8 @@ struct Tally {
     grasps: usize,
     most: usize,
     may: f64,
+    /// Reserves below four fifths of the quantile.
+    far_below: usize,
     short: Vec<f64>,
     microseconds: Vec<f64>,
 }
@@ -160,6 +162,7 @@ impl Tally {
         self.grasps += 1;
         self.most = self.most.max(onsets.partition_point(|onset| *onset < held));
         self.may = expected + 4.0 * expected.sqrt();
+        self.far_below += usize::from(held < 0.8 * quantile);
         self.short.push((held - quantile) / onset);
         Ok(())
     }
@@ -170,13 +173,14 @@ impl Tally {
             list[(list.len() - 1) * percent / 100]
         };
         println!(
-            "{:6}  {place:9}  {what:28}  {:4}  at most {:.0}         {:7.1} % {:7.1} % {:7.1} %    {:.0}",
+            "{:6}  {place:9}  {what:28}  {:4}  at most {:.0}         {:7.1} % {:7.1} % {:7.1} %       {:5.1} %    {:.0}",
             self.grasps,
             self.most,
             self.may,
             100.0 * at(&mut self.short, 5),
             100.0 * at(&mut self.short, 50),
             100.0 * at(&mut self.short, 95),
+            100.0 * self.far_below as f64 / self.grasps as f64,
             at(&mut self.microseconds, 50),
         );
     }

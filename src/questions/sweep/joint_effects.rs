@@ -1,0 +1,81 @@
+//! The joint effect of several data on a force: the force with all of them off at once, less the sum of their changes one by one.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::courses::forces_or_gaps;
+use super::datum::{UncertainDatum, with_errors};
+use super::failure::facets;
+use super::margin::{FacetMargin, JointEffect, UncertainForce};
+use super::off::factor;
+use crate::contact::{Edges, State};
+use crate::equilibrium::{Cone, StickingResponse};
+use crate::grasp::{Engine, Wrench};
+use crate::numerics::{Draw, IntoList, dot, numbered};
+use crate::prelude::*;
+
+/// Number of random sets of errors, one standard deviation each, from which the size of joint effects is estimated.
+///
+/// If larger, each reserve takes more equilibria. If smaller, the estimate is less certain.
+const PROBES: u64 = 8;
+
+/// The grasp whose data are uncertain, for its exact forces with several data off at once.
+#[derive(Debug, Clone)]
+pub(super) struct OffTogether {
+    pub(super) grasp: Engine,
+    pub(super) cone: Cone,
+    pub(super) states: Vec<State>,
+    pub(super) data: Vec<UncertainDatum>,
+    /// Standard deviation of the logarithm of the load.
+    pub(super) load_spread: f64,
+}
+
+impl OffTogether {
+    /// The force of a site with these errors of the data, in standard deviations. `None` where errors leave the range of a datum.
+    fn force(&self, i: usize, load: &Wrench<3>, z: &[f64]) -> Option<SVector<f64, 3>> {
+        let grasp = with_errors(&self.grasp, &self.data, z).ok()?;
+        let response = StickingResponse::in_states(&grasp, self.cone, &self.states);
+        let load = *load * factor(self.load_spread * z[self.data.len()]);
+        Some(forces_or_gaps(&response, &grasp.offsets(), &grasp.load_unchecked(&load))[i])
+    }
+
+    /// The joint effects at the points of failure of all facets of a site under a load, zero of facets that fail more rarely than `rare`.
+    pub(super) fn of_facets(
+        &self,
+        (i, edges): (usize, &Edges),
+        load: &Wrench<3>,
+        here: &UncertainForce<'_>,
+        rare: f64,
+    ) -> Vec<JointEffect> {
+        if self.data.is_empty() {
+            return Vec::new();
+        }
+        let mut margin = FacetMargin::default();
+        let of = |(row, facet): (usize, &SVector<f64, 3>)| {
+            margin.start_over(here.changes.len());
+            here.find(row, facet, &mut margin);
+            if margin.fails() < rare {
+                return JointEffect::default();
+            }
+            let beyond =
+                |z: &[f64]| self.force(i, load, z).map_or(SVector::zeros(), |force| force - here.at(z));
+            let force = beyond(&margin.fails_at);
+            // Nearer than a standard deviation an effect is rounding.
+            let bend = force * (2.0 / dot(&margin.fails_at, &margin.fails_at).max(1.0));
+            // With random signs v, the square of `vᵀCv` is on average twice the sum of the squares of C.
+            let mut squares = SMatrix::zeros();
+            for probe in 0..PROBES {
+                let mut signs = Draw::new([probe, 0, 0]);
+                let mut z = numbered(here.changes.len(), &|_| 1.0);
+                for z in &mut z {
+                    *z = signs.sign();
+                }
+                // Friction has no joint effect on a force.
+                z.push(0.0);
+                let twice = beyond(&z) * 2.0;
+                squares += twice * twice.transpose() * (0.5 / PROBES as f64);
+            }
+            JointEffect { force, bend, squares }
+        };
+        facets(edges, here).iter().enumerate().map(of).list()
+    }
+}

@@ -1,0 +1,108 @@
+//! The failure probability of a facet to second order in the data.
+//!
+//! Near the point of failure z the margin m is expanded to second order; H is its second derivative, g its gradient, n = g / |g|. Where the margin
+//! curves upwards across n, failures are rarer than `Φ(-β)` by (Hohenbichler and Rackwitz, Improvement of second-order reliability estimates by
+//! importance sampling, 1988)
+//!
+//! ```text
+//! det(A on the complement of n)^(-1/2),      A = 1 + ψ H / |g|,      ψ = φ(β) / Φ(-β)
+//! ```
+//!
+//! H has a diagonal D, the row of friction, and joint effects C of two other data. Without C, `det(A on the complement of n) = det(A) nᵀA⁻¹n` is a
+//! sum over the data. C itself is not computed. To first order nᵀCn is enough: since C has no diagonal, its trace on the complement of n is `-nᵀCn`,
+//! and the determinant is multiplied by `1 - ψ nᵀCn / |g|`. To second order it is multiplied by `exp(-ψ² |C|² / 2|g|²)`, where |C|² is the sum
+//! of the squares of all entries. A part of them lies along n, which is safe.
+
+use super::margin::{Beyond, FacetMargin};
+use super::tolerances::LEAST_CURVED;
+use crate::numerics::{Each, normal_density, normal_tail};
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
+
+impl FacetMargin {
+    /// The failure probability over `Φ(-β)` of a margin that is linearised at its point of failure, and positive for the known data. `joint` gives
+    /// nᵀCn and |C|² where friction is multiplied by its argument.
+    pub(super) fn curved(
+        &self,
+        rubs: bool,
+        sigmas: f64,
+        friction: f64,
+        joint: &dyn Fn(f64) -> [f64; 2],
+    ) -> f64 {
+        let reliability = self.reliability();
+        let by_bend = normal_density(reliability) / (normal_tail(reliability) * self.steepness);
+        let (friction, factor) = match self.linearised_at.last() {
+            Some(z) if rubs => (friction, (friction * z).exp()),
+            _ => (0.0, 1.0),
+        };
+        let mut product = 1.0;
+        // nᵢ²/Aᵢᵢ, nᵢ bᵢ/Aᵢᵢ and bᵢ²/Aᵢᵢ, summed over the data; b is the row of friction in A.
+        let (mut squares, mut mixed, mut of_friction) = (0.0, 0.0, 0.0);
+        for ((coefficients, z), g) in self.parts.iter().zip(&self.linearised_at).zip(&self.gradient) {
+            let [normal, other] = [0, 1].each(|k| Beyond::of(coefficients.each(|c| c[k]), z / sigmas));
+            let bend = (factor * normal.bend + other.bend) / (sigmas * sigmas);
+            let diagonal = (1.0 + by_bend * bend).max(LEAST_CURVED);
+            let row = by_bend * friction * factor * normal.slope / sigmas;
+            let n = g / self.steepness;
+            product *= diagonal;
+            squares += n * n / diagonal;
+            mixed += n * row / diagonal;
+            of_friction += row * row / diagonal;
+        }
+        let g = self.gradient.last().copied().unwrap_or(0.0);
+        let along = g / self.steepness - mixed;
+        let alone = product * ((1.0 + by_bend * friction * g - of_friction) * squares + along * along);
+        let [along_n, squares] = joint(factor);
+        let together = (1.0 - by_bend * along_n) * (-0.5 * by_bend * by_bend * squares).exp();
+        (alone.max(LEAST_CURVED) * together.max(LEAST_CURVED)).sqrt().recip()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::SVector;
+
+    use super::super::margin::{Effect, FacetMargin, UncertainForce};
+    use crate::numerics::{normal_density, normal_tail};
+
+    /// The failure probability of the facet (1/2, -1), and that to first order; the error of each datum is in units of three deviations.
+    fn fails(force: [f64; 3], changes: &[Effect], friction: f64) -> (f64, f64) {
+        let here = UncertainForce { force: SVector::from(force), changes, joint: &[], sigmas: 3.0, friction };
+        let mut margin = FacetMargin::default();
+        here.find(0, &SVector::from([0.5, -1.0, 0.0]), &mut margin);
+        (margin.fails(), normal_tail(margin.reliability()))
+    }
+
+    /// `∫ φ(z) P(z) dz` by midpoints: the probability of a failure whose probability is P(z) if one datum is off by z.
+    fn averaged(given: &dyn Fn(f64) -> f64) -> f64 {
+        let (steps, width) = (4000, 4e-3);
+        let at = |k: i32| f64::from(2 * k + 1 - steps) * 0.5 * width;
+        (0..steps).map(|k| width * normal_density(at(k)) * given(at(k))).sum()
+    }
+
+    /// Friction and a normal force that is linear in a datum: `exp(0.2 z_f) (10 + 1.5 z) / 2 = 2`.
+    #[test]
+    fn friction_curves_a_margin() {
+        let mut change = Effect::default();
+        change[0][0] = 1.5 * 3.0;
+        let (fails, first_order) = fails([10.0, 2.0, 0.0], &[change], 0.2);
+        let slides = |z: f64| normal_tail(((5.0 + 0.75 * z) / 2.0).max(1e-300).ln() / 0.2);
+        let exact = averaged(&slides);
+        assert!((fails / exact - 1.0).abs() < 0.01, "{fails} {exact}");
+        assert!(first_order < 0.9 * exact, "{first_order}");
+    }
+
+    /// A friction force that is linear in a datum and quadratic in another one: `z₁ + c z₂² = 3`.
+    #[test]
+    fn a_datum_curves_a_margin() {
+        for curved in [-0.1, 0.05, 0.1] {
+            let mut changes = [Effect::default(); 2];
+            changes[0][0][1] = 3.0;
+            changes[1][1][1] = curved * 9.0;
+            let (fails, first_order) = fails([10.0, 2.0, 0.0], &changes, 0.0);
+            let exact = averaged(&|z| normal_tail(3.0 - curved * z * z));
+            let [left, before] = [fails, first_order].map(|of| (of / exact - 1.0).abs());
+            assert!(left < 0.1 && left < 0.25 * before, "{curved}: {fails} {first_order} {exact}");
+        }
+    }
+}

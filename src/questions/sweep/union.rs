@@ -1,0 +1,157 @@
+//! The probability that any of several conditions fails, whose margins are correlated.
+//!
+//! For events E_i and a tree of pairs (Hunter, An upper bound for the probability of a union, 1976)
+//!
+//! ```text
+//! P(∪ E_i) <= Σ P(E_i) - Σ P(E_i ∩ E_j),      second sum over the pairs of the tree
+//! ```
+//!
+//! The least bound has the tree with the greatest sum. To first order margins are normal, with the correlation of their gradients at their points of
+//! failure.
+
+use super::margin::FacetMargin;
+use crate::numerics::{IntoList, dot, normal_tail, normal_tail_of_both};
+use crate::prelude::*;
+
+/// Events of failure, under one load or under several.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Failures {
+    frequent: Vec<Failure>,
+    /// Sum of the probabilities of events that are too rare to be compared with others.
+    rare: f64,
+}
+
+/// One event of failure.
+#[derive(Debug, Clone)]
+struct Failure {
+    probability: f64,
+    reliability: f64,
+    /// `Φ(-β)`.
+    first_order: f64,
+    /// The contact whose friction is the last datum.
+    contact: usize,
+    /// Gradient of the margin by the data, of length one.
+    gradient: Vec<f64>,
+}
+
+impl Failures {
+    /// Adds an event: the failure of a margin of this contact. On a round cone the margin is that of the facet that most probably fails. An
+    /// event that is rarer than `rare` is not compared with others.
+    pub(super) fn add(&mut self, probability: f64, margin: &FacetMargin, contact: usize, rare: f64) {
+        let reliability = margin.reliability();
+        // Beyond the mean every bound is far above an allowed probability.
+        if probability < rare || !(0.0..1e3).contains(&reliability) {
+            self.rare += probability;
+            return;
+        }
+        let gradient = margin.gradient.iter().map(|g| g / margin.steepness).list();
+        let first_order = normal_tail(reliability);
+        self.frequent.push(Failure { probability, reliability, first_order, contact, gradient });
+    }
+
+    /// Adds an event that is not compared with others.
+    pub(super) fn add_alone(&mut self, probability: f64) {
+        self.rare += probability;
+    }
+
+    /// Upper bound of the probability that any of these or of the other events happens.
+    pub(super) fn any(&self, others: &Self) -> f64 {
+        let mut left: Vec<(f64, &Failure)> =
+            self.frequent.iter().chain(&others.frequent).map(|of| (0.0, of)).list();
+        let mut sum = self.rare + others.rare;
+        // Prim's method: the event with the greatest joint probability with the tree joins it.
+        while let Some(next) = (0..left.len()).max_by(|a, b| left[*a].0.total_cmp(&left[*b].0)) {
+            let (both, joins) = left.swap_remove(next);
+            sum += joins.probability - both;
+            for (most, other) in &mut left {
+                *most = most.max(joins.with(other));
+            }
+        }
+        sum.min(1.0)
+    }
+}
+
+impl Failure {
+    /// The probability of both events.
+    fn with(&self, other: &Self) -> f64 {
+        // Friction is the same datum for points of one contact alone.
+        let data = self.gradient.len() - usize::from(self.contact != other.contact);
+        let correlation = dot(&self.gradient[..data], &other.gradient[..data]);
+        let first_order = normal_tail_of_both([self.reliability, other.reliability], correlation);
+        let [more, more_of_other] = [self, other].map(|of| of.probability / of.first_order);
+        more.min(more_of_other) * first_order
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::normal_density;
+
+    /// Events with the margins `β - √ρ z₀ - √(1 - ρ) zᵢ` of as many contacts.
+    fn alike(reliabilities: &[f64], rho: f64) -> Failures {
+        let mut all = Failures::default();
+        for (i, reliability) in reliabilities.iter().enumerate() {
+            let mut gradient = vec![0.0; reliabilities.len() + 2];
+            (gradient[0], gradient[i + 1]) = (rho.sqrt(), (1.0 - rho).sqrt());
+            let first_order = normal_tail(*reliability);
+            let probability = first_order;
+            all.frequent.push(Failure {
+                probability,
+                reliability: *reliability,
+                first_order,
+                contact: i,
+                gradient,
+            });
+        }
+        all
+    }
+
+    /// Given z₀ these margins are independent, so that the exact probability is an integral: `1 - ∫ φ(z) Π Φ((βᵢ - √ρ z) / √(1 - ρ)) dz`.
+    fn exact(reliabilities: &[f64], rho: f64) -> f64 {
+        let (steps, width) = (8000, 2e-3);
+        let none = |z: f64| -> f64 {
+            reliabilities.iter().map(|b| normal_tail((rho.sqrt() * z - b) / (1.0 - rho).sqrt())).product()
+        };
+        let at = |k: i32| f64::from(2 * k + 1 - steps) * 0.5 * width;
+        (0..steps).map(|k| width * normal_density(at(k)) * (1.0 - none(at(k)))).sum()
+    }
+
+    #[test]
+    fn a_bound_lies_between_the_probability_and_the_sum() {
+        for reliabilities in [&[2.0, 2.0][..], &[2.0, 2.5], &[3.0, 3.1, 3.3], &[2.5; 5], &[0.5, 1.0]] {
+            let sum: f64 = reliabilities.iter().map(|b| normal_tail(*b)).sum();
+            let mut last = f64::INFINITY;
+            for rho in [0.0, 0.3, 0.6, 0.9, 0.99, 0.9999] {
+                let all = alike(reliabilities, rho);
+                let (bound, exact) = (all.any(&Failures::default()), exact(reliabilities, rho));
+                // The joint probability of two has an error of a few 1e-3 of the smaller one where ρ is near 1.
+                let most = if reliabilities.len() == 2 { exact } else { sum.min(1.0) };
+                assert!(
+                    bound > 0.999 * exact && bound < 1.001 * most,
+                    "{reliabilities:?} {rho}: {bound} {exact}"
+                );
+                assert!(bound < 1.001 * last, "{reliabilities:?} {rho}");
+                last = bound;
+            }
+            // Where all depend on one datum, the most probable event contains all others.
+            let most = reliabilities.iter().map(|b| normal_tail(*b)).fold(0.0, f64::max);
+            assert!(last < 1.1 * most, "{reliabilities:?}: {last} {most}");
+        }
+    }
+
+    /// Independent events share only the product of their probabilities.
+    #[test]
+    fn friction_is_shared_by_the_points_of_a_contact_alone() {
+        let event = |contact| {
+            let first_order = normal_tail(3.0);
+            let gradient = vec![0.0, 1.0];
+            Failure { probability: first_order, reliability: 3.0, first_order, contact, gradient }
+        };
+        let both = |contacts: [usize; 2]| {
+            let [one, other] = contacts.map(|contact| Failures { frequent: vec![event(contact)], rare: 0.0 });
+            one.any(&other) / normal_tail(3.0)
+        };
+        assert!((both([0, 1]) - 2.0 + normal_tail(3.0)).abs() < 1e-12 && (both([4, 4]) - 1.0).abs() < 1e-4);
+    }
+}
