@@ -10,6 +10,8 @@
 //! The null vector of `[T | -b]` stays smooth where the load factor has a maximum and T is singular. A row below this matrix, transverse to the path,
 //! makes it regular there, too.
 
+use core::cell::OnceCell;
+
 use crate::numerics::IntoList;
 use nalgebra::{Matrix, SVector};
 
@@ -31,13 +33,21 @@ pub(super) struct Arc<'s, 'g> {
     pub(super) sliding: Vec<usize>,
     /// The displacement u that contributes as much to arclength as the whole leg, m.
     unit: f64,
-    /// T of the contacts that do not slide. Motions that nothing resists get an artificial stiffness, which keeps them at rest or at the speed at
-    /// which contacts without force push.
-    fixed: PathStiffness,
-    /// The part of b from contacts that do not slide, without the rate of the load.
-    push: Vector,
+    /// Motions that nothing resists, each with its rate for one unit of the factor.
+    free_motions: Vec<(Vector, f64)>,
+    /// Computed when first needed: rates of relaxation need only the sliding contacts.
+    fixed: OnceCell<Fixed>,
     /// Whether commands change along the leg.
     pub(super) driven: bool,
+}
+
+/// The parts of T and b that stay constant along an arc.
+struct Fixed {
+    /// T of the contacts that do not slide. Motions that nothing resists get an artificial stiffness, which keeps them at rest or at the speed at
+    /// which contacts without force push.
+    stiffness: PathStiffness,
+    /// The part of b from contacts that do not slide, without the rate of the load.
+    push: Vector,
 }
 
 /// A direction of the path in twist and load factor.
@@ -69,32 +79,45 @@ impl<'s, 'g> Arc<'s, 'g> {
         free_motions: impl IntoIterator<Item = (&'m Vector, f64)>,
         unit: f64,
     ) -> Self {
-        let sites = segment.grasp.sites();
-        let size = segment.grasp.size();
-        let mut free_motions = free_motions.into_iter().peekable();
+        let sliding = (0..states.len()).filter(|&i| states[i].slides()).list();
+        let driven = segment.change.iter().any(|a| a.norm() > 0.0);
+        let free_motions = free_motions.into_iter().map(|(v, rate)| (v.clone(), rate)).list();
+        Self { segment, states, sliding, unit, free_motions, fixed: OnceCell::new(), driven }
+    }
+
+    fn fixed(&self) -> &Fixed {
+        self.fixed.get_or_init(|| self.fixed_anew())
+    }
+
+    fn fixed_anew(&self) -> Fixed {
+        let Self { segment, states, free_motions, .. } = self;
+        let (sites, size) = (self.sites(), segment.grasp.size());
         // The artificial stiffness against a free motion couples all coordinates that move in it, and leaves no narrow band.
-        let order = if free_motions.peek().is_none() { NarrowOrder::of(size, sites) } else { None };
-        let (mut fixed, mut push, mut stiffest) =
+        let order = if free_motions.is_empty() { NarrowOrder::of(size, sites) } else { None };
+        let (mut stiffness, mut push, mut stiffest) =
             (PathStiffness::zeros(size, order), Vector::zeros(), 0.0_f64);
         for (i, site) in sites.iter().enumerate() {
             stiffest = stiffest.max(site.springs.stiffest());
             if !states[i].slides() {
                 let pushed = site.map.times(&segment.problem.local(i).tangent(&states[i]).matrix());
                 let (a, b) = (&pushed, &site.map);
-                fixed.add(&site.support.ranges(), |i, j| {
-                    (1..3).fold(a[(i, 0)] * b[(j, 0)], |sum, k| sum + a[(i, k)] * b[(j, k)])
-                });
+                match (a.whole_columns(), b.whole_columns()) {
+                    (Some(a), Some(b)) => stiffness.add(&site.support.ranges(), |i, j| {
+                        a[0][i] * b[0][j] + a[1][i] * b[1][j] + a[2][i] * b[2][j]
+                    }),
+                    _ => stiffness.add(&site.support.ranges(), |i, j| {
+                        (1..3).fold(a[(i, 0)] * b[(j, 0)], |sum, k| sum + a[(i, k)] * b[(j, k)])
+                    }),
+                }
                 push += &pushed * segment.change[i];
             }
         }
         for (v, rate) in free_motions {
             let held = v * stiffest;
-            fixed.add(&[0..size.count(), 0..0], |i, j| v[i] * held[j]);
+            stiffness.add(&[0..size.count(), 0..0], |i, j| v[i] * held[j]);
             push += v * (stiffest * rate);
         }
-        let sliding = (0..sites.len()).filter(|&i| states[i].slides()).list();
-        let driven = segment.change.iter().any(|a| a.norm() > 0.0);
-        Self { segment, states, sliding, unit, fixed, push, driven }
+        Fixed { stiffness, push }
     }
 
     pub(super) fn sites(&self) -> &'g [Site] {
@@ -103,7 +126,7 @@ impl<'s, 'g> Arc<'s, 'g> {
 
     /// The part of b at a load factor from the load and from contacts that do not slide.
     fn push_at(&self, factor: f64) -> Vector {
-        self.segment.course.rate_at(factor) + &self.push
+        self.segment.course.rate_at(factor) + &self.fixed().push
     }
 
     /// Norm of the part of b from the load and from contacts that do not slide, N.
@@ -133,13 +156,14 @@ impl<'s, 'g> Arc<'s, 'g> {
 
     /// The tangent stiffness T and the right side b at a load factor.
     pub(super) fn balance(&self, tangents: &[Tangent], factor: f64) -> (PathStiffness, Vector) {
-        let (mut t, mut push) = (self.fixed.clone(), self.push_at(factor));
+        let (mut t, mut push) = (self.fixed().stiffness.clone(), self.push_at(factor));
         for (&i, tangent) in self.sliding.iter().zip(tangents) {
             let map = &self.sites()[i].map;
             if let Tangent::Sliding { drag, across, stiffness } = tangent {
                 let (dragged, held) = (map * drag, map * across);
                 let (normal, pulled) = (map.column(0), &held * *stiffness);
-                t.add(&self.sites()[i].support.ranges(), |i, j| dragged[i] * normal[j] + held[i] * pulled[j]);
+                let [a, b, c, d] = [&dragged, &normal, &held, &pulled].map(Vector::as_slice);
+                t.add(&self.sites()[i].support.ranges(), |i, j| a[i] * b[j] + c[i] * d[j]);
                 if self.driven {
                     let change = &self.segment.change[i];
                     push += dragged * change[0] + held * (stiffness * across.dot(change));

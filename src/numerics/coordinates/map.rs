@@ -73,6 +73,15 @@ impl Map {
         }
     }
 
+    /// All columns as arrays, like [`Self::whole_column`].
+    #[inline]
+    pub(crate) fn whole_columns(&self) -> Option<&[[f64; WHOLE]; 3]> {
+        match &self.entries {
+            MapEntries::Whole(columns) => Some(columns),
+            MapEntries::Few(_) => None,
+        }
+    }
+
     /// The entries of a column in one of the ranges given to [`Self::keep_rows`].
     #[inline]
     pub(crate) fn column_within(&self, a: usize, range: Range<usize>) -> &[f64] {
