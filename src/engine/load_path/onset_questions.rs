@@ -23,7 +23,7 @@ use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::IntoList;
 use crate::numerics::Memory;
-use crate::object::{Load, Problem, uses_band};
+use crate::object::{Load, Problem};
 use crate::prelude::*;
 use crate::search::{Effort, Found, FoundBy, Settings, Settled, settle, settle_at_rest};
 
@@ -56,8 +56,7 @@ impl Engine {
     ) -> Result<(Onset<3>, Option<Rest>), Error> {
         let mut memory = OnsetMemory::default();
         let onset = self.onset_in_memory(ramp, settings, &mut memory)?;
-        // With few coordinates this equilibrium is not worth keeping, since it is quickly found again.
-        Ok((onset, memory.rest.filter(|_| uses_band(self.size()))))
+        Ok((onset, memory.rest))
     }
 
     fn onset_in_memory(
