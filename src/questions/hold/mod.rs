@@ -37,7 +37,7 @@ mod way_out_words;
 mod words;
 
 pub use caught::{Caught, MovesTo, SlippedBy};
-pub(crate) use put_on::Extent;
+pub(crate) use put_on::{Extent, OfThePath, StateKind};
 pub use short::{How, LossVerb, ShortVerdict};
 pub use verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 pub use way_out::WayOut;
