@@ -270,7 +270,10 @@ impl Loading {
                 let first_slip = verdict.first_slip.as_ref().map_or(part, |first| first.factor);
                 let carried = match &verdict.holding {
                     Holding::NoRest(_) => NOT_AT_REST,
-                    Holding::LostAtRest { at_rest } => at_rest.factor - 1.0,
+                    // The proof that nothing rests, and a loss with the whole load at rest on, are other cases.
+                    Holding::LostAtRest { at_rest } => {
+                        (at_rest.factor - 1.0).clamp(NOT_AT_REST + f64::EPSILON, -f64::EPSILON)
+                    }
                     _ if demand == Demand::Sticks => part.min(first_slip),
                     _ => part,
                 };

@@ -14,7 +14,7 @@ use crate::ask::Grasp;
 use crate::equilibrium::{DriveState, Outcome};
 use crate::error::Error;
 use crate::grasp::{ContactPoints, Wrench, inside};
-use crate::numerics::{largest, mapped};
+use crate::numerics::{Space, largest, mapped};
 use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
@@ -122,7 +122,8 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
         |amount: f64, short: bool| tried.quick(amount, demand, short),
     );
     let rests_otherwise = |one: f64, other: f64| tried.rests_otherwise(one, other);
-    let tries = Tries { whole: &whole, quick: &quick, rests_otherwise: &rests_otherwise };
+    let is_planar = grasp.space() == Space::Planar;
+    let tries = Tries { whole: &whole, quick: &quick, rests_otherwise: &rests_otherwise, is_planar };
     let mut plan = tried.plan(look)?;
     if plan.range.is_empty {
         let trial = tries.at(plan.start)?;

@@ -21,6 +21,8 @@ pub(super) struct Tries<'t> {
     pub(super) quick: &'t dyn Fn(f64, bool) -> Result<Trial, Error>,
     /// Whether contacts rest in other states with one of two whole trials than with the other.
     pub(super) rests_otherwise: &'t dyn Fn(f64, f64) -> bool,
+    /// Whether cones are polygons, on which contact states change at amounts that are exact to rounding.
+    pub(super) is_planar: bool,
 }
 
 pub(super) type TrialOf<'t> = &'t dyn Fn(f64) -> Result<Trial, Error>;

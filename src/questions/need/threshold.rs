@@ -41,12 +41,12 @@ impl Threshold {
             return self.by(tries, false, (does, enough));
         }
         self.does = presumed.does;
-        // Where only the enumeration of contact states refutes an amount, it takes longer the nearer the amount is to the bound, and right beside it it
-        // does not end. So the insufficient amount keeps a distance.
+        // In space, where only the enumeration of contact states refutes an amount, it takes longer the nearer the amount is to the bound, and right
+        // beside the bound it does not end. So the insufficient amount keeps a distance there.
         let is_hard = presumed.does_not.1.needs_enumeration();
         let far = self.does_not.0;
         let at_a_distance = |part: f64| beside + (far - beside).signum() * part * beside.abs();
-        let distances: &[f64] = if is_hard { &APART_WHERE_HARD } else { &HARDLY_APART };
+        let distances: &[f64] = if is_hard && !tries.is_planar { &APART_WHERE_HARD } else { &HARDLY_APART };
         for part in distances {
             let at = at_a_distance(*part);
             if (at - beside).abs() >= (far - beside).abs() {
@@ -116,8 +116,8 @@ impl Threshold {
                 (which, halves) = (1, false);
                 at_first = first(&sides, which);
             }
-            // No measure shows where a jump is, and paths that decide on which side of it an amount lies are less accurate than rounding.
-            if (halves || signs_differ(&sides, which).is_none()) && is_within(AT_A_JUMP) {
+            // No measure shows where a jump is, and the paths in space that decide on which side of it an amount lies are less accurate than rounding.
+            if !tries.is_planar && (halves || signs_differ(&sides, which).is_none()) && is_within(AT_A_JUMP) {
                 break;
             }
             if !halves && width <= at_first.0 / 16.0 {
@@ -209,8 +209,8 @@ fn signs_differ(sides: &[Side; 2], which: usize) -> Option<[f64; 2]> {
 /// than necessary.
 const APART_WHERE_HARD: [f64; 3] = [1e-5, 1e-3, 1e-1];
 
-/// The same distances where quick trials decide.
-const HARDLY_APART: [f64; 4] = [0.0, 1e-5, 1e-3, 1e-1];
+/// The same distances where quick trials decide, and in the plane.
+const HARDLY_APART: [f64; 6] = [0.0, 1e-9, 1e-7, 1e-5, 1e-3, 1e-1];
 
 /// The least difference of a measure between two amounts that is more than its rounding.
 const ROUNDING: f64 = 1e-11;

@@ -44,7 +44,7 @@ pub(super) const APART_IN_A_SCAN: f64 = 1e-2;
 /// Narrower ones cost steps that only rounding decides; wider ones show in the answer.
 pub(super) const EXACT: Enough = &[(0, 1e-12), (64, 5e-10)];
 
-/// Width that is enough where the carried part jumps at the bound.
+/// Width that is enough in space where the carried part jumps at the bound.
 ///
 /// If smaller, halvings take most of the time of an answer; if larger, the bracket shows in the answer.
 pub(super) const AT_A_JUMP: f64 = 1e-6;
