@@ -63,15 +63,6 @@ impl<'q> Tried<'q> {
         if let Some(trial) = of(&self.known, amount, demand) {
             return Ok(trial);
         }
-        // What a quick trial decides, the enumeration of contact states does not change. For sticking quick trials have no sentence.
-        if demand != Demand::Sticks
-            && let Some(trial) = of(&self.quick, amount, demand)
-            && !trial.needs_enumeration()
-        {
-            let at_rest = at_rest(&self.quick, amount).flatten();
-            self.known.borrow_mut().push((amount, Trials { at_rest, ..Trials::only(demand, trial.clone()) }));
-            return Ok(trial);
-        }
         self.put_on(&Loading::of(self.grasp, self.need, amount, self.safety)?, (amount, demand), &self.known)
     }
 
