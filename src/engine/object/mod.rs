@@ -43,7 +43,7 @@ pub(crate) use band_piece::uses_band;
 pub(crate) use energy_coordinates::{EnergyContact, EnergyCoordinates, Facet, Slipping, normal};
 pub(crate) use lazy_pricing::{LazyPricing, Point, slack};
 pub(crate) use load::Load;
-pub(crate) use newton::{Imbalance, newton, newton_on_cones, relaxed_on_cones};
+pub(crate) use newton::{Imbalance, Relaxation, newton, newton_on_cones};
 pub(crate) use piece::{Piece, least_combination, least_forces};
 pub(crate) use precise::PreciseTwist;
 pub(crate) use problem::{Lists, Problem};

@@ -2,7 +2,7 @@
 //!
 //! Below the first rung stands the elastic trial, in which everything sticks. A rung costs more than those below it, or decides less often.
 
-use super::answer::{Doubt, Effort, FoundBy, Settled};
+use super::answer::{Doubt, Effort, Found, FoundBy, Settled};
 use super::candidate::{Refused, admit};
 use super::elastic_trial::{Attempt, ElasticTrial, Log};
 use super::enumerate::search;
@@ -13,13 +13,13 @@ use super::proposals::{climb, dense_is_affordable, enumerable, propose_dense, pr
 #[cfg(feature = "std")]
 use super::record::record;
 use super::settings::Settings;
-use super::tolerances::{MANY_CONTACTS, MANY_COVERING_VECTORS, MOST_WORK};
+use super::tolerances::{BESIDE_THE_WAY, MANY_CONTACTS, MANY_COVERING_VECTORS, MOST_WORK};
 use super::touching::touching_contacts;
 use super::tree::{Tree, has_round_cones, most_cases, search_tree};
 use crate::forms;
 use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::object::{Problem, newton_on_cones, relaxed_on_cones, twist_by_tresca};
+use crate::object::{Problem, Relaxation, newton_on_cones, twist_by_tresca};
 use crate::prelude::*;
 use crate::proofs;
 
@@ -151,11 +151,25 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     }
     let from = |twist| polish_from(scene.problem, twist);
     // With many contacts the steps of relaxation would take longer than Newton's method from the elastic trial.
-    let relaxed =
-        if has_many_contacts(scene) { None } else { relaxed_on_cones(scene.problem, &scene.state.twist) };
-    let found = relaxed.and_then(from).or_else(|| from(scene.state.twist.clone()));
+    let relaxed = if has_many_contacts(scene) { None } else { where_it_relaxes_to(scene) };
+    let found = relaxed.or_else(|| from(scene.state.twist.clone()));
     // With many coordinates the twist by Tresca friction is nearer to the solution than that of the elastic trial.
     Attempt::of(found.or_else(|| twist_by_tresca(scene.problem).and_then(from)))
+}
+
+/// The equilibrium to which the stuck grasp relaxes. If Newton's method leaves the way there, the object relaxes further; another equilibrium is taken
+/// only where relaxation ends at none.
+fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<Found> {
+    let mut way = Relaxation::from_stuck(scene.problem, &scene.state.twist)?;
+    let mut another = None;
+    while let Some(twist) = way.next() {
+        let Some(found) = polish_from(scene.problem, twist) else { continue };
+        if way.part_of_the_way(&found.twist) <= BESIDE_THE_WAY {
+            return Some(found);
+        }
+        another = another.or(Some(found));
+    }
+    another
 }
 
 /// In rates at a limit load: all contacts on the edge of their cones slide, and nothing resists a motion on which the load works.

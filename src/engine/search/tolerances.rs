@@ -20,3 +20,9 @@ pub(super) const MANY_CONTACTS: usize = 32;
 /// Multiplications of all paths of one rung where the caller sets no limit on pivots: about a second. With a larger limit a scene of thousands of
 /// contacts without an equilibrium takes minutes to give up. With a smaller one some solvable scenes are given up.
 pub(super) const MOST_WORK: usize = 500_000_000;
+
+/// Distance, as a part of the way on which the stuck grasp relaxed, up to which Newton's method has ended at the equilibrium of that way.
+///
+/// Smaller, equilibria are refused to which slow relaxation has farther to go than its steps show; larger, equilibria are taken that only Newton's method
+/// jumps to.
+pub(super) const BESIDE_THE_WAY: f64 = 0.3;

@@ -13,7 +13,7 @@ use crate::grasp::{
     Bodies, Contact, Engine, Face, Finger, Hand, HandPart, WholeContact, Wrench, assert_plane_or_space,
     frame_outside, inside, outside,
 };
-use crate::hold::{Extent, Verdict};
+use crate::hold::{Extent, OfThePath, Verdict};
 use crate::load_path::Ramp;
 use crate::numerics::{Each, IntoList, Once, Space, mapped, numbered};
 use crate::prelude::*;
@@ -271,16 +271,19 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// A verdict, and the largest ratio of a motion to its limit of small motions, up to the whole load.
-    pub(crate) fn hold_and_measure(&self, load: impl Into<Ramp<C>>) -> Result<(Verdict<C>, f64), Error> {
-        let (verdict, farthest) =
+    pub(crate) fn hold_and_measure(
+        &self,
+        load: impl Into<Ramp<C>>,
+    ) -> Result<(Verdict<C>, OfThePath), Error> {
+        let (verdict, more) =
             self.engine.hold_with(&inside(&load.into()), &self.settings, Extent::Measured)?;
-        Ok((outside(verdict), farthest))
+        Ok((outside(verdict), more))
     }
 
     /// A verdict without states, proofs and the data that only its sentence needs, with the largest ratio of a motion to its limit up to the loss.
     pub(crate) fn hold_briefly(&self, load: &Ramp<C>) -> Result<(Verdict<C>, f64), Error> {
-        let (verdict, farthest) = self.engine.hold_with(&inside(load), &self.settings, Extent::Brief)?;
-        Ok((outside(verdict), farthest))
+        let (verdict, more) = self.engine.hold_with(&inside(load), &self.settings, Extent::Brief)?;
+        Ok((outside(verdict), more.farthest))
     }
 
     /// The least friction margin at rest in the elastic trial state, relative to the largest force; `None` where nothing presses or resists.

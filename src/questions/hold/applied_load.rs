@@ -1,5 +1,7 @@
 //! The verdict by following a load from rest: up to the whole load, then up to `Settings::most_load` or its loss.
 
+use core::mem::{Discriminant, discriminant};
+
 use nalgebra::SVector;
 
 use crate::contact::Polygon;
@@ -32,20 +34,31 @@ pub(crate) enum Extent {
     Brief,
 }
 
+/// Numbers and states of a verdict's path that its answer does not have.
+#[derive(Debug, Default)]
+pub(crate) struct OfThePath {
+    /// The largest ratio of a motion to its limit while the load is put on; of a brief verdict, up to its loss.
+    pub(crate) farthest: f64,
+    /// The kinds of the contact states at rest. `None` where nothing rests, and of a brief verdict.
+    pub(crate) at_rest: Option<Vec<StateKind>>,
+}
+
+/// Whether a contact sticks, slides or is open.
+pub(crate) type StateKind = Discriminant<ContactState<3>>;
+
 impl Engine {
     /// Implements [`Grasp::hold`](crate::ask::Grasp::hold).
     pub(crate) fn hold(&self, ramp: &Ramp<3>, settings: &Settings) -> Result<Verdict<3>, Error> {
         Ok(self.hold_with(ramp, settings, Extent::Whole)?.0)
     }
 
-    /// The verdict, and the largest ratio of a motion to its limit. The ratio covers the growth of the load to its full size, for a brief verdict its
-    /// growth up to the loss.
+    /// The verdict, and more of its path.
     pub(crate) fn hold_with(
         &self,
         ramp: &Ramp<3>,
         settings: &Settings,
         extent: Extent,
-    ) -> Result<(Verdict<3>, f64), Error> {
+    ) -> Result<(Verdict<3>, OfThePath), Error> {
         if !(settings.most_load > 0.0 && is_moderate(settings.most_load)) {
             let (what, allowed) = ("most_load of the settings", "more than 0 and at most 1e50");
             return Err(Error::Argument { what, value: settings.most_load, allowed });
@@ -59,7 +72,7 @@ impl Engine {
         ramp: &Ramp<3>,
         settings: &Settings,
         extent: Extent,
-    ) -> Result<(Verdict<3>, f64), Error> {
+    ) -> Result<(Verdict<3>, OfThePath), Error> {
         // Onset and path share the state at rest, which with many bodies takes most of the time.
         let (onset, rest) = self.onset_from_rest(ramp, settings)?;
         let mut path = self.follow_from_rest((&ramp.base, rest), &[Leg::along(ramp)], settings)?;
@@ -130,15 +143,18 @@ impl Engine {
         };
         if extent == Extent::Brief {
             verdict.lost.iter_mut().for_each(|lost| lost.state = None);
-            return Ok((verdict, farthest));
+            return Ok((verdict, OfThePath { farthest, at_rest: None }));
         }
-        let end = state.as_ref().or_else(|| verdict.lost.as_ref()?.state.as_deref());
-        let rest =
-            path.state_at(0, 0.0).filter(|_| ramp.command_change.is_none() && ramp.joint_change.is_none());
-        verdict.left_out = rest.zip(end).and_then(|(rest, end)| self.left_out_by_small_motions(&rest, end));
+        let there = state.as_ref().or_else(|| verdict.lost.as_ref()?.state.as_deref());
+        let rest = path.state_at(0, 0.0);
+        let kinds = |rest: &Equilibrium<3>| mapped(&rest.contacts, &|contact| discriminant(&contact.state));
+        let at_rest = rest.as_ref().map(kinds);
+        let rest = rest.filter(|_| ramp.command_change.is_none() && ramp.joint_change.is_none());
+        verdict.left_out =
+            rest.zip(there).and_then(|(rest, there)| self.left_out_by_small_motions(&rest, there));
         verdict.caught = Caught::among(self.wholes(), &events);
         verdict.state = state.map(Box::new);
-        Ok((verdict, farthest))
+        Ok((verdict, OfThePath { farthest, at_rest }))
     }
 
     /// The conclusion where the path ended before the whole load was applied.

@@ -1,5 +1,6 @@
 //! The brief verdict on a load whose path is followed in the coordinates of slips.
 
+use super::applied_load::OfThePath;
 use super::verdict::{FirstSlip, Holding, Verdict};
 use crate::grasp::Engine;
 use crate::load_path::{InSlips, Ramp, SlipEnd};
@@ -9,7 +10,11 @@ use crate::search::Settings;
 
 impl Engine {
     /// A brief verdict from a path in the coordinates of slips; `None` if only a path in the states of contacts can decide.
-    pub(super) fn held_in_slips(&self, ramp: &Ramp<3>, settings: &Settings) -> Option<(Verdict<3>, f64)> {
+    pub(super) fn held_in_slips(
+        &self,
+        ramp: &Ramp<3>,
+        settings: &Settings,
+    ) -> Option<(Verdict<3>, OfThePath)> {
         let InSlips { slid, all_slide, factor, end, farthest } =
             self.in_slips(ramp, settings.most_load.max(1.0), settings)?;
         let (contact, first) = *slid.first()?;
@@ -47,6 +52,6 @@ impl Engine {
             lost,
             state: None,
         };
-        Some((verdict, farthest))
+        Some((verdict, OfThePath { farthest, at_rest: None }))
     }
 }

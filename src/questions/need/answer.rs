@@ -116,7 +116,8 @@ pub enum Amount {
         /// The sufficient amount at the bound; it was tried.
         does: f64,
         /// The insufficient amount beside it, by its trial or by a proof. As a rule it differs from `does` by at most 1e-12 of its size; in
-        /// [`Needed::sticks`] and [`Needed::safe`] by at most 1e-8.
+        /// [`Needed::sticks`] and [`Needed::safe`] by at most 1e-8. In space it differs by at most 1e-6 where the carried part of the load jumps at the
+        /// bound, and by 1e-5 or more where only an enumeration of contact states refutes it.
         does_not: f64,
         /// The verdict for `does_not`, in a sentence.
         otherwise: String,

@@ -3,6 +3,7 @@
 use super::answer::AmountWindow;
 use super::search::{SearchPlan, Tries};
 use super::threshold::Threshold;
+use super::tolerances::{BETWEEN, BETWEEN_STATES};
 use super::trial::Trial;
 use crate::error::Error;
 use crate::numerics::{increasing, mapped, moved};
@@ -143,6 +144,35 @@ impl Around {
         self.elsewhere.extend(window.map(|near| between(near, None, up)));
         Ok(())
     }
+}
+
+/// Tries [`BETWEEN`] amounts at most between those `known`: each in the middle of the widest two neighbours that have the same verdict, but whose
+/// contacts rest in different states. Along the amount the state at rest is smooth while contacts keep their states; where these change, the carried
+/// part may jump. Neighbours of which both carry far more than the load are left out. Returns whether one of the amounts has the other verdict.
+pub(super) fn between_states(
+    known: &[(f64, Trial)],
+    is_claimed: &dyn Fn(f64) -> bool,
+    tries: Tries<'_>,
+) -> Result<bool, Error> {
+    let mut list: Vec<(f64, Trial)> = known.iter().filter(|(at, _)| is_claimed(*at)).cloned().collect();
+    let mut is_new = false;
+    for _ in 0..BETWEEN {
+        list.sort_by(|one, other| one.0.total_cmp(&other.0));
+        let differ = |pair: &&[(f64, Trial)]| {
+            let [(one, trial), (other, next)] = [&pair[0], &pair[1]];
+            let [Some(carried), Some(by_next)] = [trial.carried(), next.carried()] else { return false };
+            let is_same = trial.does() == next.does() && carried.min(by_next).is_finite();
+            is_same && *other > one * BETWEEN_STATES && (tries.rests_otherwise)(*one, *other)
+        };
+        let ratio = |pair: &&[(f64, Trial)]| pair[1].0 / pair[0].0;
+        let widest = list.windows(2).filter(differ).max_by(|a, b| ratio(a).total_cmp(&ratio(b)));
+        let Some([(one, trial), (other, _)]) = widest else { break };
+        let (at, did) = ((one * other).sqrt(), trial.does());
+        let now = tries.at(at)?;
+        is_new |= now.carried().is_some() && now.does() != did;
+        list.push((at, now));
+    }
+    Ok(is_new)
 }
 
 /// Sorts amounts, in ascending order if `up`, else in descending order.

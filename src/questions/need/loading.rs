@@ -54,10 +54,13 @@ impl Loading {
             Sought::Force { of: None } => base = base * amount,
         }
         let grasp = if friction == 1.0 { grasp } else { grasp.with_friction(|_, mu| friction * mu)? };
-        let followed =
-            // A sufficient amount is followed up to this multiple of its load, which shows its distance from the bound. A larger multiple costs longer
-            // paths.
-            if matches!(need.sought, Sought::Load) { MOST_LOADS / amount.max(1.0) } else { 32.0 };
+        // A sufficient amount is followed up to this multiple of its load, which shows its distance from the bound. Larger multiples cost longer paths,
+        // and only of a squeeze do they lead to good guesses.
+        let followed = match need.sought {
+            Sought::Load => MOST_LOADS / amount.max(1.0),
+            Sought::Squeeze => 32.0,
+            _ => 4.0,
+        };
         let grasp = grasp.with(&grasp.settings().with_most_load(followed.max(1.0)));
         Ok(Self { grasp, loads, base, times, words: need.words, followed, is_quick: false })
     }
@@ -139,7 +142,7 @@ impl Loading {
 
     /// The trials of these ramps, up to the first that is not carried.
     fn all(&self, ramps: &[Ramp<3>], demand: Demand, first: &Cell<usize>) -> Result<Trials, Error> {
-        let (mut held, mut sticks) = (Trial::always(), Trial::always());
+        let (mut held, mut sticks, mut kinds) = (Trial::always(), Trial::always(), None);
         for k in 0..ramps.len() {
             let which = (first.get() + k) % ramps.len();
             if self.is_quick && demand == Demand::Sticks {
@@ -150,9 +153,10 @@ impl Loading {
                 }
                 continue;
             }
-            let (verdict, farthest) = self.grasp.hold_and_measure(ramps[which].clone())?;
+            let (verdict, path) = self.grasp.hold_and_measure(ramps[which].clone())?;
+            kinds = path.at_rest;
             let of_this = |trial| self.said_of(which, &ramps[which].direction, trial);
-            held = held.or_worse(of_this(self.judged((&verdict, 1.0 - farthest), Demand::Held)));
+            held = held.or_worse(of_this(self.judged((&verdict, 1.0 - path.farthest), Demand::Held)));
             let at_rest = self.grasp.sticking_margin(&verdict.base).unwrap_or(f64::INFINITY);
             sticks = sticks.or_worse(of_this(self.judged((&verdict, at_rest), Demand::Sticks)));
             let wanted = if demand == Demand::Sticks { &sticks } else { &held };
@@ -160,11 +164,11 @@ impl Loading {
                 first.set(which);
                 // A load that is not held also slides. If one slides before all were tried, it is not known whether all are held.
                 let held = (!held.does() || k + 1 == ramps.len()).then_some(held);
-                return Ok(Trials { held, sticks: Some(sticks) });
+                return Ok(Trials { held, sticks: Some(sticks), at_rest: kinds });
             }
         }
         let is_held = !(self.is_quick && demand == Demand::Sticks);
-        Ok(Trials { held: is_held.then_some(held), sticks: Some(sticks) })
+        Ok(Trials { held: is_held.then_some(held), sticks: Some(sticks), at_rest: kinds })
     }
 
     /// Whether everything sticks under a ramp, by its onset alone.
@@ -266,7 +270,10 @@ impl Loading {
                 let first_slip = verdict.first_slip.as_ref().map_or(part, |first| first.factor);
                 let carried = match &verdict.holding {
                     Holding::NoRest(_) => NOT_AT_REST,
-                    Holding::LostAtRest { at_rest } => at_rest.factor - 1.0,
+                    // The proof that nothing rests, and a loss with the whole load at rest on, are other cases.
+                    Holding::LostAtRest { at_rest } => {
+                        (at_rest.factor - 1.0).clamp(NOT_AT_REST + f64::EPSILON, -f64::EPSILON)
+                    }
                     _ if demand == Demand::Sticks => part.min(first_slip),
                     _ => part,
                 };

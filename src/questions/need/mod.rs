@@ -26,7 +26,8 @@
 //! Statics comes first: the amounts for which some forces inside all cones balance the loads form an interval, and a proof excludes all others. More is
 //! not always better: a motor at its limit presses no harder while another finger still pushes the object away. So the search goes both ways from the
 //! start, and then between trials, towards the largest carried fraction. A scan of a few amounts around the bound finds how far amounts suffice
-//! ([`FarEnd`]), and which others do ([`AmountWindow`]). It can miss a narrow window between two of them. The answer therefore says how many amounts
+//! ([`FarEnd`]), and which others do ([`AmountWindow`]). Where contacts rest in different states with neighbouring amounts, amounts between them are
+//! tried, too. The scan can still miss a narrow window between two of them. The answer therefore says how many amounts
 //! were tried ([`TriedAmounts`]), unless a proof excludes all others. Where only loads and squeeze act, twice the squeeze carries twice the load. The
 //! scan is then omitted, unless a much larger squeeze moves the part too far.
 //!

@@ -1,7 +1,7 @@
 //! The question for an amount, from its check to its answer: the amount, the amount with which nothing slides, and a safe amount.
 
 use super::answer::{Amount, FarEnd, Needed, Quantity};
-use super::around::Around;
+use super::around::{Around, between_states};
 use super::posed::{Posed, Safety, Sought};
 use super::press::{Press, pressure_of_cup};
 use super::question::{Demand, Need};
@@ -14,7 +14,7 @@ use crate::ask::Grasp;
 use crate::equilibrium::{DriveState, Outcome};
 use crate::error::Error;
 use crate::grasp::{ContactPoints, Wrench, inside};
-use crate::numerics::{largest, mapped};
+use crate::numerics::{Space, largest, mapped};
 use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
@@ -121,7 +121,9 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
         |amount: f64| tried.at(amount, demand),
         |amount: f64, short: bool| tried.quick(amount, demand, short),
     );
-    let tries = Tries { whole: &whole, quick: &quick };
+    let rests_otherwise = |one: f64, other: f64| tried.rests_otherwise(one, other);
+    let is_planar = grasp.space() == Space::Planar;
+    let tries = Tries { whole: &whole, quick: &quick, rests_otherwise: &rests_otherwise, is_planar };
     let mut plan = tried.plan(look)?;
     if plan.range.is_empty {
         let trial = tries.at(plan.start)?;
@@ -146,7 +148,13 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
     let bound = match search(tries, &plan, &tried.known(demand))? {
         Searched::Threshold(edge) => edge,
         Searched::All(to) => {
-            let until = Around::far_end(to, scan, &plan, &tried.known(demand), tries)?;
+            let seek = || Around::far_end(to, scan, &plan, &tried.known(demand), tries);
+            let mut until = seek()?;
+            let end = until.as_ref().map(|edge| edge.does);
+            let is_inside = |at: f64| end.is_none_or(|end| (at - to) * (at - end) <= 0.0);
+            if !plan.is_monotone && scan > 0 && between_states(&tried.known(demand), &is_inside, tries)? {
+                until = seek()?;
+            }
             let until = until.map(far_end).transpose()?.flatten();
             return Ok(Amount::Any { to, until, tried: (!plan.is_monotone).then(|| tried.amounts(demand)) });
         }
@@ -171,8 +179,12 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
         Trial::Does { .. } => (String::new(), false),
     };
     let is_far = is_squeeze || matches!(need.sought, Sought::Force { .. });
-    let Around { changes, mut until, elsewhere } =
-        Around::of(&bound, scan, is_far, &plan, &tried.known(demand), tries)?;
+    let around = || Around::of(&bound, scan, is_far, &plan, &tried.known(demand), tries);
+    let mut found = around()?;
+    if !plan.is_monotone && scan > 0 && between_states(&tried.known(demand), &|_| true, tries)? {
+        found = around()?;
+    }
+    let Around { changes, mut until, elsewhere } = found;
     if let (Look::Everywhere(Some(far)), None) = (look, &until) {
         until = far_end_near(far, does, tries)?;
     }

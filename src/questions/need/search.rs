@@ -19,6 +19,10 @@ pub(super) struct Tries<'t> {
     /// A quick trial leaves out the enumeration of contact states, which is slowest where no equilibrium exists; such a trial is undecided. With
     /// `true`, loads beyond those asked about are not followed, so that the distance of a sufficient amount from the bound stays unknown.
     pub(super) quick: &'t dyn Fn(f64, bool) -> Result<Trial, Error>,
+    /// Whether contacts rest in other states with one of two whole trials than with the other.
+    pub(super) rests_otherwise: &'t dyn Fn(f64, f64) -> bool,
+    /// Whether cones are polygons, on which contact states change at amounts that are exact to rounding.
+    pub(super) is_planar: bool,
 }
 
 pub(super) type TrialOf<'t> = &'t dyn Fn(f64) -> Result<Trial, Error>;
@@ -261,23 +265,29 @@ fn edge_from(
     let end = plan.end(up).filter(|end| is_beyond(*end, does));
     let near = |part: f64| end.map(|end| end * if up { 1.0 + part } else { 1.0 - part });
     let [nearest, near_enough, nearby] = NEAR_AN_END;
-    let ends = [near(-nearest), near(-near_enough), near(-nearby), near(nearest), near(near_enough)];
     let likely = plan.range.likely.filter(|_| !up);
     // Closer than the error of that secant both trials would fall on one side.
     let off = 3e-12;
-    let likely = [likely.map(|at| at * (1.0 + off)), likely.map(|at| at * (1.0 - off))];
-    for at in guesses.into_iter().chain(likely).chain(ends).flatten() {
-        if does_not.as_ref().is_some_and(|not: &(f64, Trial)| !is_beyond(not.0, at)) || !is_beyond(at, does) {
+    let [above, below] = [likely.map(|at| at * (1.0 + off)), likely.map(|at| at * (1.0 - off))];
+    let inside = near(-nearby);
+    let ends = [inside, above, below, near(-nearest), near(-near_enough), near(nearest), near(near_enough)];
+    for at in guesses.into_iter().chain(ends) {
+        let Some(amount) = at else { continue };
+        if does_not.as_ref().is_some_and(|not: &(f64, Trial)| !is_beyond(not.0, amount))
+            || !is_beyond(amount, does)
+        {
             continue;
         }
         // A guess that only the enumeration of contact states decides is no better than the next guess.
-        if let Trial::Unknown(_) = (tries.quick)(at, false)? {
-            continue;
-        }
-        match tries.at(at)? {
-            now @ Trial::Does { .. } => (does, trial) = (at, now),
-            now @ Trial::DoesNot { .. } => does_not = Some((at, now)),
+        let is_open = matches!((tries.quick)(amount, false)?, Trial::Unknown(_));
+        match if is_open { Trial::Unknown(String::new()) } else { tries.at(amount)? } {
+            now @ Trial::Does { .. } => (does, trial) = (amount, now),
+            now @ Trial::DoesNot { .. } => does_not = Some((amount, now)),
             Trial::Unknown(_) => {}
+        }
+        // The bound is not at the end.
+        if at == inside && does != amount {
+            break;
         }
     }
     let (mut at, mut factor) = (does, 1.0);

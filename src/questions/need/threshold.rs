@@ -1,7 +1,7 @@
 //! A sufficient amount beside an insufficient one, and how the bracket between them is narrowed.
 
 use super::search::{Tries, decided};
-use super::tolerances::{BESIDE_A_BOUND, FAR_APART, LAST_DIGITS};
+use super::tolerances::{AT_A_JUMP, BESIDE_A_BOUND, FAR_APART, LAST_DIGITS};
 use super::trial::Trial;
 use crate::error::Error;
 use crate::prelude::*;
@@ -41,33 +41,30 @@ impl Threshold {
             return self.by(tries, false, (does, enough));
         }
         self.does = presumed.does;
-        // A whole trial takes longer the nearer the amount is to the bound, and is undecided right beside it. So the amounts approach the bound from
-        // afar.
-        let mut is_hard = matches!(presumed.does_not.1, Trial::Unknown(_));
-        loop {
-            let far = self.does_not.0;
-            let near = beside + (far - beside) / NEARER;
-            let is_last = !is_hard || (near - beside).abs() <= enough[0].1 * beside.abs();
-            let at = if is_last { beside } else { near };
+        // In space, where only the enumeration of contact states refutes an amount, it takes longer the nearer the amount is to the bound, and right
+        // beside the bound it does not end. So the insufficient amount keeps a distance there.
+        let is_hard = presumed.does_not.1.needs_enumeration();
+        let far = self.does_not.0;
+        let at_a_distance = |part: f64| beside + (far - beside).signum() * part * beside.abs();
+        let distances: &[f64] = if is_hard && !tries.is_planar { &APART_WHERE_HARD } else { &HARDLY_APART };
+        for part in distances {
+            let at = at_a_distance(*part);
+            if (at - beside).abs() >= (far - beside).abs() {
+                break;
+            }
             match tries.at(at)? {
-                now @ Trial::DoesNot { .. } => self.does_not = (at, now),
-                Trial::Unknown(_) if !is_hard => {
-                    is_hard = true;
-                    continue;
-                }
-                Trial::Unknown(why) => {
-                    self.unknown = Some((at, why));
+                now @ Trial::DoesNot { .. } => {
+                    self.does_not = (at, now);
                     return Ok(self);
                 }
+                Trial::Unknown(why) => self.unknown = Some((at, why)),
                 now @ Trial::Does { .. } => {
                     self.does = at;
                     return self.by(tries, false, (now.measures(), enough));
                 }
             }
-            if is_last {
-                return Ok(self);
-            }
         }
+        Ok(self)
     }
 
     /// Narrows the bracket. If `presumes`, it makes quick trials and counts undecided amounts as insufficient; else whole trials, of which an undecided
@@ -96,7 +93,8 @@ impl Threshold {
             let width = (to - from).abs();
             let close =
                 enough.iter().rev().find(|(steps, _)| *steps <= step).map_or(0.0, |(_, close)| *close);
-            if width <= close * from.abs().max(to.abs()) {
+            let is_within = |close: f64| width <= close * from.abs().max(to.abs());
+            if is_within(close) {
                 break;
             }
             let is_slow = width > 0.125 * widths[step % 3];
@@ -118,11 +116,19 @@ impl Threshold {
                 (which, halves) = (1, false);
                 at_first = first(&sides, which);
             }
+            // No measure shows where a jump is, and the paths in space that decide on which side of it an amount lies are less accurate than rounding.
+            if !tries.is_planar && (halves || signs_differ(&sides, which).is_none()) && is_within(AT_A_JUMP) {
+                break;
+            }
+            if !halves && width <= at_first.0 / 16.0 {
+                at_first = first(&sides, which);
+            }
             let root = signs_differ(&sides, which).and_then(|[over, under]| {
                 let secant = || from + (to - from) * (over / (over - under));
+                let is_inside = |root: &f64| (root - from) * (root - to) < 0.0;
+                let root = kept.and_then(|side: usize| sides[side].root(which)).filter(is_inside);
                 // A secant through measures at the level of rounding has no meaning.
-                let root = || kept.and_then(|side: usize| sides[side].root(which)).unwrap_or_else(secant);
-                (over - under >= ROUNDING).then(root)
+                (over - under >= ROUNDING).then(|| root.unwrap_or_else(secant))
             });
             let at = match root.filter(|_| !(halves || step >= 3 && is_slow && kept.is_none())) {
                 Some(root) => {
@@ -196,10 +202,15 @@ fn signs_differ(sides: &[Side; 2], which: usize) -> Option<[f64; 2]> {
     (over >= 0.0 && under <= 0.0 && over > under).then_some([over, under])
 }
 
-/// Factor by which the distance from a bound falls from one whole trial to the next.
+/// Distances from the bound, as parts of the amount, at which whole trials refute an amount that quick trials leave undecided: the next one is tried
+/// where the last is undecided.
 ///
-/// If it is smaller, more trials are made. If it is larger, the insufficient amount of the answer is farther from the bound than necessary.
-const NEARER: f64 = 64.0;
+/// Smaller, the enumeration of contact states takes longer, or is undecided. Larger, the insufficient amount of the answer is farther from the bound
+/// than necessary.
+const APART_WHERE_HARD: [f64; 3] = [1e-5, 1e-3, 1e-1];
+
+/// The same distances where quick trials decide, and in the plane.
+const HARDLY_APART: [f64; 6] = [0.0, 1e-9, 1e-7, 1e-5, 1e-3, 1e-1];
 
 /// The least difference of a measure between two amounts that is more than its rounding.
 const ROUNDING: f64 = 1e-11;

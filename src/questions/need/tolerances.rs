@@ -44,6 +44,11 @@ pub(super) const APART_IN_A_SCAN: f64 = 1e-2;
 /// Narrower ones cost steps that only rounding decides; wider ones show in the answer.
 pub(super) const EXACT: Enough = &[(0, 1e-12), (64, 5e-10)];
 
+/// Width that is enough in space where the carried part jumps at the bound.
+///
+/// If smaller, halvings take most of the time of an answer; if larger, the bracket shows in the answer.
+pub(super) const AT_A_JUMP: f64 = 1e-6;
+
 /// Widths for an amount reported beside the first, `sticks` or `safe`. Narrower ones multiply the trials of an answer.
 pub(super) const SECOND: Enough = &[(0, 2e-12), (5, 1e-8)];
 
@@ -54,3 +59,13 @@ pub(super) const BESIDE_A_BOUND: Enough = &[(0, 1e-10), (16, 1e-8), (20, 1e-4)];
 ///
 /// Where the load is sought it is followed up to this multiple. If larger, a search of an insufficient grasp takes longer.
 pub(super) const MOST_LOADS: f64 = (1u32 << 20) as f64;
+
+/// Ratio of two amounts up to which none is tried between them where contacts rest in other states.
+///
+/// If smaller, windows are sought that hardly matter; if larger, more of them are missed.
+pub(super) const BETWEEN_STATES: f64 = 1.05;
+
+/// Most amounts tried between neighbours whose contacts rest in different states.
+///
+/// Fewer miss windows of other verdicts; more cost a verdict each.
+pub(super) const BETWEEN: usize = 5;

@@ -1,6 +1,7 @@
 //! The result of trying one amount: whether it meets the demand, and by how much it does or does not.
 
 use super::question::Demand;
+use crate::hold::StateKind;
 use crate::prelude::*;
 
 /// The carried part where the load at rest has no equilibrium at all. It has to lie below 0, the part where only the load at rest is carried.
@@ -54,6 +55,11 @@ impl Trial {
         matches!(self, Self::Does { .. })
     }
 
+    /// Whether a quick trial leaves open whether anything rests: it is undecided, or only the path of the load at rest from zero is lost.
+    pub(super) fn needs_enumeration(&self) -> bool {
+        self.carried().is_none_or(|carried| carried > NOT_AT_REST && carried < 0.0)
+    }
+
     /// The carried multiple of the load; `None` where the trial is undecided.
     pub(super) fn carried(&self) -> Option<f64> {
         match self {
@@ -99,6 +105,8 @@ impl Trial {
 pub(super) struct Trials {
     pub(super) held: Option<Trial>,
     pub(super) sticks: Option<Trial>,
+    /// The kinds of the contact states at rest; `None` where nothing rests or they are not known.
+    pub(super) at_rest: Option<Vec<StateKind>>,
 }
 
 impl Trials {
@@ -108,6 +116,6 @@ impl Trials {
 
     pub(super) fn only(demand: Demand, trial: Trial) -> Self {
         let (held, sticks) = if demand == Demand::Sticks { (None, Some(trial)) } else { (Some(trial), None) };
-        Self { held, sticks }
+        Self { held, sticks, at_rest: None }
     }
 }

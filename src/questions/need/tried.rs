@@ -13,6 +13,7 @@ use super::trial::{Trial, Trials};
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
+use crate::hold::StateKind;
 use crate::numerics::{mapped, picked};
 use crate::prelude::*;
 
@@ -40,6 +41,8 @@ pub(super) struct Tried<'q> {
     quick: RefCell<Vec<(f64, Trials)>>,
     /// Index of the load that refuted the last insufficient amount.
     first: Cell<usize>,
+    /// The range of all searches, once one has begun.
+    range: Cell<Option<Range>>,
 }
 
 impl<'q> Tried<'q> {
@@ -52,6 +55,7 @@ impl<'q> Tried<'q> {
             known: RefCell::new(Vec::new()),
             quick: RefCell::new(Vec::new()),
             first: Cell::new(0),
+            range: Cell::new(None),
         }
     }
 
@@ -82,6 +86,12 @@ impl<'q> Tried<'q> {
         let trial = trials.of(demand).cloned();
         list.borrow_mut().push((amount, trials));
         Ok(trial.unwrap_or_else(|| Trial::Unknown(String::new())))
+    }
+
+    /// Whether contacts rest in other states with one of two amounts that were tried than with the other.
+    pub(super) fn rests_otherwise(&self, one: f64, other: f64) -> bool {
+        let [one, other] = [one, other].map(|amount| at_rest(&self.known, amount));
+        one.zip(other).is_some_and(|(one, other)| one != other)
     }
 
     pub(super) fn known(&self, demand: Demand) -> Vec<(f64, Trial)> {
@@ -121,7 +131,11 @@ impl<'q> Tried<'q> {
             Sought::Squeeze | Sought::Friction { .. } | Sought::Force { .. } => Guess::Divided,
             Sought::Arm { .. } => Guess::Nothing,
         };
-        let range = Range::of(grasp, need, self.safety, limits)?;
+        let range = match self.range.get() {
+            Some(range) => range,
+            None => Range::of(grasp, need, self.safety, limits)?,
+        };
+        self.range.set(Some(range));
         let is_least = need.quantity().is_least();
         let guess = if repeats { Guess::Nothing } else { guess };
         Ok(SearchPlan {
@@ -140,4 +154,9 @@ impl<'q> Tried<'q> {
 /// The trial of an amount in a list.
 fn of(trials: &RefCell<Vec<(f64, Trials)>>, amount: f64, demand: Demand) -> Option<Trial> {
     trials.borrow().iter().find(|(at, _)| *at == amount).and_then(|(_, trials)| trials.of(demand).cloned())
+}
+
+/// The states at rest with an amount in a list.
+fn at_rest(trials: &RefCell<Vec<(f64, Trials)>>, amount: f64) -> Option<Option<Vec<StateKind>>> {
+    trials.borrow().iter().find(|(at, _)| *at == amount).map(|(_, trials)| trials.at_rest.clone())
 }
