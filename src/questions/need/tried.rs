@@ -13,7 +13,6 @@ use super::trial::{Trial, Trials};
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::hold::StateKind;
 use crate::numerics::{mapped, picked};
 use crate::prelude::*;
 
@@ -90,8 +89,10 @@ impl<'q> Tried<'q> {
 
     /// Whether contacts rest in other states with one of two amounts that were tried than with the other.
     pub(super) fn rests_otherwise(&self, one: f64, other: f64) -> bool {
-        let [one, other] = [one, other].map(|amount| at_rest(&self.known, amount));
-        one.zip(other).is_some_and(|(one, other)| one != other)
+        let known = self.known.borrow();
+        let found =
+            |amount: f64| known.iter().find(|(at, _)| *at == amount).map(|(_, trials)| &trials.at_rest);
+        found(one).zip(found(other)).is_some_and(|(one, other)| one != other)
     }
 
     pub(super) fn known(&self, demand: Demand) -> Vec<(f64, Trial)> {
@@ -154,9 +155,4 @@ impl<'q> Tried<'q> {
 /// The trial of an amount in a list.
 fn of(trials: &RefCell<Vec<(f64, Trials)>>, amount: f64, demand: Demand) -> Option<Trial> {
     trials.borrow().iter().find(|(at, _)| *at == amount).and_then(|(_, trials)| trials.of(demand).cloned())
-}
-
-/// The states at rest with an amount in a list.
-fn at_rest(trials: &RefCell<Vec<(f64, Trials)>>, amount: f64) -> Option<Option<Vec<StateKind>>> {
-    trials.borrow().iter().find(|(at, _)| *at == amount).map(|(_, trials)| trials.at_rest.clone())
 }
