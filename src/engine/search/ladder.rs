@@ -13,7 +13,7 @@ use super::proposals::{climb, dense_is_affordable, enumerable, propose_dense, pr
 #[cfg(feature = "std")]
 use super::record::record;
 use super::settings::Settings;
-use super::tolerances::{BESIDE_THE_WAY, MANY_CONTACTS, MANY_COVERING_VECTORS, MOST_WORK};
+use super::tolerances::{BESIDE_THE_WAY, MANY_CONTACTS, MOST_WORK};
 use super::touching::touching_contacts;
 use super::tree::{Tree, has_round_cones, most_cases, search_tree};
 use crate::forms;
@@ -199,13 +199,7 @@ fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     let on_states = |problem: &Problem, log: &mut Log| propose_structured(scene, problem, log);
     let on_a_matrix = |problem: &Problem, log: &mut Log| {
         let form = forms::kinematic_form(problem, &scene.trial, &scene.state);
-        propose_dense(
-            problem,
-            scene.settings,
-            (form, MOST_WORK, MANY_COVERING_VECTORS),
-            forms::kinematic_states,
-            log,
-        )
+        propose_dense(problem, scene.settings, (form, MOST_WORK), forms::kinematic_states, log)
     };
     let mut found = None;
     if scene.trial.is_banded() {
@@ -232,13 +226,7 @@ fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
 fn force_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     let propose = |problem: &Problem, log: &mut Log| {
         let form = forms::force_form(problem);
-        propose_dense(
-            problem,
-            scene.settings,
-            (form, MOST_WORK, MANY_COVERING_VECTORS),
-            forms::force_states,
-            log,
-        )
+        propose_dense(problem, scene.settings, (form, MOST_WORK), forms::force_states, log)
     };
     Attempt::of(climb(scene.proposing(), &propose, log))
 }

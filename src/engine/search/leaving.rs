@@ -10,7 +10,7 @@ use super::candidate::breaking;
 use super::elastic_trial::{ElasticTrial, Log};
 use super::proposals::propose_dense;
 use super::settings::Settings;
-use super::tolerances::{COVERING_VECTORS, MOST_WORK};
+use super::tolerances::MOST_WORK;
 use crate::contact::{Mode, State};
 use crate::forms::{Moved, kinematic_form_among, kinematic_states};
 use crate::numerics::chosen;
@@ -85,13 +85,10 @@ fn pivoted(
         base = base.sticking_at(problem, &among, &mut moved)?;
         let form = kinematic_form_among(problem, &base.piece, &base.at, &among, &mut moved)?;
         // Multiplications per path where the caller sets no limit on pivots: some seconds, where any other rung takes minutes.
-        let most_work = MOST_WORK.saturating_mul(20);
-        // Few covering vectors: a set of contacts that needs more of them than these seldom leads to an equilibrium, and the matrix of all contacts
-        // comes next.
         let proposed = propose_dense(
             problem,
             settings,
-            (Some(form), most_work, COVERING_VECTORS),
+            (Some(form), MOST_WORK.saturating_mul(20)),
             kinematic_states,
             log,
         );

@@ -64,11 +64,11 @@ pub(super) fn propose_structured(
     proposal.states
 }
 
-/// Contact states from Lemke's method on a complementarity problem with a dense matrix. After a ray `most_retries` covering vectors are tried, or fewer.
+/// Contact states from Lemke's method on a complementarity problem with a dense matrix.
 pub(super) fn propose_dense(
     problem: &Problem,
     settings: &Settings,
-    (form, most_work, most_retries): (Option<Form>, usize, usize),
+    (form, most_work): (Option<Form>, usize),
     states: fn(&Problem, &Form, &Basis) -> Vec<State>,
     log: &mut Log,
 ) -> Option<Vec<State>> {
@@ -85,7 +85,8 @@ pub(super) fn propose_dense(
         one_path
     } else {
         let few = problem.round || enumerable(problem, settings);
-        let retries = if few { COVERING_VECTORS } else { most_retries };
+        // Covering vectors tried after a ray, if there are too many contacts to try every combination.
+        let retries = if few { COVERING_VECTORS } else { 16 };
         // All paths together may cost no more than the work allowed for one rung.
         let paths = most_work / form.rows.len().pow(3).max(1);
         let retries = paths.saturating_sub(1).min(retries);

@@ -5,11 +5,6 @@
 /// Smaller, equilibria that a second path finds are missed; larger, a search that fails takes longer.
 pub(super) const COVERING_VECTORS: usize = 3;
 
-/// The same where there are too many contacts to try every combination.
-///
-/// Smaller, equilibria are missed that nothing else finds; larger, a search that fails takes longer.
-pub(super) const MANY_COVERING_VECTORS: usize = 16;
-
 /// From this many contacts on, Newton's method and the search for a separating motion come first. With few contacts Newton's method often
 /// cycles; with many hardly ever, unless stiffnesses and friction lie decades apart. Above this number a linear program hardly finds a proof
 /// that the search has missed.
