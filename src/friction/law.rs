@@ -5,6 +5,7 @@ use nalgebra::{DVector, SVector};
 
 /// The state of a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum ContactMode {
     /// The force is zero.
     Open,
@@ -19,6 +20,7 @@ pub enum ContactMode {
 /// Each contact is measured on its own scale: forces relative to its own force, velocities relative to the largest terms of its rows of W r + q.
 /// A contact with a small force must thus satisfy the law as strictly as the others. The residuals do not depend on the units.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Residuals {
     /// The largest approach speed −u_N of a contact.

@@ -8,11 +8,14 @@ use nalgebra::DVector;
 
 /// Forces and velocities that satisfy Coulomb's law.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Solution {
     /// Forces r (C n entries): for each contact the normal component, then the tangential ones.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "crate::lcp::list"))]
     pub r: DVector<f64>,
     /// Velocities u = W r + q (C n entries).
+    #[cfg_attr(feature = "serde", serde(serialize_with = "crate::lcp::list"))]
     pub u: DVector<f64>,
     /// State of each contact (n entries). On the border of two states, rounding decides.
     pub states: Vec<ContactMode>,

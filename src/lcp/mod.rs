@@ -97,6 +97,8 @@ mod solve;
 pub(crate) mod tolerances;
 mod vertices;
 mod workspace;
+#[cfg(feature = "serde")]
+mod written;
 
 pub use basis::{Basis, Variable};
 pub use enumerate::AllSolutions;
@@ -110,3 +112,5 @@ pub use series::Series;
 pub use settings::Settings;
 pub use solution::{Solution, SolutionView};
 pub use workspace::Workspace;
+#[cfg(feature = "serde")]
+pub(crate) use written::list;

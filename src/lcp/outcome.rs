@@ -12,6 +12,7 @@ use thiserror::Error;
 ///
 /// The first four variants state a fact about the problem; the last three leave it undecided. `Display` writes one line.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Outcome<S = Solution> {
     /// A solution was found and checked against the given data.
@@ -138,9 +139,11 @@ impl<S: fmt::Display> fmt::Display for Outcome<S> {
 /// Such a z would imply yᵀ(M z + q) ≥ 0, in contradiction to these conditions. [`Lcp::proves_infeasible`](super::Lcp::proves_infeasible) checks
 /// y without rounding.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Certificate {
     /// The vector.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "super::written::list"))]
     pub y: DVector<f64>,
     /// Pivots made.
     pub pivots: usize,
@@ -167,9 +170,11 @@ impl fmt::Display for Certificate {
 ///
 /// The covering vector d is that of the settings; by default it is the vector of ones on the balanced problem.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Ray {
     /// Direction ẑ (n entries, none negative, the largest 1), in the caller's units.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "super::written::list"))]
     pub direction: DVector<f64>,
     /// Rate ẑ₀ ≥ 0 of the covering variable, on the scale of the direction.
     pub covering_rate: f64,
@@ -179,6 +184,7 @@ pub struct Ray {
 
 /// The reason why a solve broke down. The first three are invalid settings; the others arise during the solve.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum BreakdownCause {
     /// The covering vector of the settings has another length than the problem.

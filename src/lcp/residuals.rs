@@ -14,6 +14,7 @@ use nalgebra::DMatrix;
 ///
 /// A z_j ≠ 0 whose column of M is zero has s_j = 1, since no change of the rows could compensate it.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Residuals {
     /// max_j s_j over the j with z_j < 0.

@@ -7,11 +7,14 @@ use nalgebra::DVector;
 
 /// A solution 0 ≤ z ⟂ w = M z + q ≥ 0.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Solution {
     /// Unknowns z (n entries, none negative).
+    #[cfg_attr(feature = "serde", serde(serialize_with = "super::written::list"))]
     pub z: DVector<f64>,
     /// Slacks w = M z + q (n entries, none negative; exactly zero where z_i is basic).
+    #[cfg_attr(feature = "serde", serde(serialize_with = "super::written::list"))]
     pub w: DVector<f64>,
     /// The basic z_i.
     pub basis: Basis,
@@ -26,6 +29,7 @@ pub struct Solution {
 /// A [`Solution`] that borrows the memory of its [`Workspace`](super::Workspace) or [`Series`](super::Series). Each field corresponds to the one
 /// of the same name.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct SolutionView<'a> {
     /// Unknowns z (n entries, none negative).
