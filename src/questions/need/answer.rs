@@ -5,6 +5,7 @@ use core::fmt;
 use super::press::Press;
 use super::question::Demand;
 use crate::error::Error;
+use crate::grasp::WholeContact;
 use crate::prelude::*;
 
 /// The answer to "how much does it need?"; its [`Display`](std::fmt::Display) is a sentence.
@@ -41,6 +42,9 @@ pub struct Needed {
     /// rest.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub in_place_of_squeeze: bool,
+    /// Contacts that are without friction and stay so, where a coefficient for all others is sought.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub without_friction: Vec<WholeContact>,
 }
 
 #[cfg(feature = "serde")]

@@ -13,7 +13,7 @@ use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::hold::{Holding, Verdict};
 use crate::load_path::{Leg, Onset, PathEnd, Ramp, Turn};
-use crate::numerics::{Space, mapped, numbered};
+use crate::numerics::{Space, dot, mapped, numbered};
 use crate::prelude::*;
 use crate::squeeze::{Loads, WeakestDirection};
 use crate::words::Words;
@@ -123,10 +123,13 @@ impl Loading {
                         let force = |d: [f64; 3]| force_at(d.map(|x| x * *size * times), *point);
                         let loaded = besides + *base * times;
                         let mut ramps = vec![Ramp::load(besides, *base * times)];
-                        for d in directions(self.grasp.space()) {
-                            ramps.push(Ramp::load(loaded, force(d)));
+                        let (all, along) = (directions(self.grasp.space()), |d| Ramp::load(loaded, force(d)));
+                        ramps.extend(mapped(&all, &|d| along(*d)));
+                        let mut trials = Trials { sticks: None, ..self.all(&ramps, demand, first)? };
+                        if let (Some(held), Some(which)) = (&trials.held, first.get().checked_sub(1)) {
+                            trials.held = Some(self.weakest_near(all[which], &along, held.clone())?);
                         }
-                        Trials { sticks: None, ..self.all(&ramps, demand, first)? }
+                        trials
                     }
                 }
             }
@@ -143,6 +146,7 @@ impl Loading {
     /// The trials of these ramps, up to the first that is not carried.
     fn all(&self, ramps: &[Ramp<3>], demand: Demand, first: &Cell<usize>) -> Result<Trials, Error> {
         let (mut held, mut sticks, mut kinds) = (Trial::always(), Trial::always(), None);
+        let (mut weakest, mut least) = (first.get(), f64::INFINITY);
         for k in 0..ramps.len() {
             let which = (first.get() + k) % ramps.len();
             if self.is_quick && demand == Demand::Sticks {
@@ -159,6 +163,9 @@ impl Loading {
             held = held.or_worse(of_this(self.judged((&verdict, 1.0 - path.farthest), Demand::Held)));
             let at_rest = self.grasp.sticking_margin(&verdict.base).unwrap_or(f64::INFINITY);
             sticks = sticks.or_worse(of_this(self.judged((&verdict, at_rest), Demand::Sticks)));
+            if let Some(carried) = held.carried().filter(|carried| *carried < least) {
+                (weakest, least) = (which, carried);
+            }
             let wanted = if demand == Demand::Sticks { &sticks } else { &held };
             if let Trial::DoesNot { .. } = wanted {
                 first.set(which);
@@ -168,7 +175,43 @@ impl Loading {
             }
         }
         let is_held = !(self.is_quick && demand == Demand::Sticks);
+        first.set(weakest);
         Ok(Trials { held: is_held.then_some(held), sticks: Some(sticks), at_rest: kinds })
+    }
+
+    /// The trial of the weakest direction near `direction`, the weakest of those that spread evenly: steps across it that become shorter by halves.
+    fn weakest_near(
+        &self,
+        mut direction: [f64; 3],
+        along: &dyn Fn([f64; 3]) -> Ramp<3>,
+        mut weakest: Trial,
+    ) -> Result<Trial, Error> {
+        let space = self.grasp.space();
+        // Half of the distance between neighbours, rad. Directions within the last step differ in what they carry by less than 1e-6.
+        let (mut step, last) = (if space == Space::Planar { 0.5 * TAU / 72.0 } else { 0.125 }, 1e-3);
+        for _ in 0..50 {
+            // Between neighbours what is carried changes by little: far above the load no direction decides.
+            let Trial::Does { carried, .. } = weakest else { break };
+            if step < last || carried > 1.1 {
+                break;
+            }
+            let mut best = None;
+            for across in tangents(direction, space) {
+                for sign in [1.0, -1.0] {
+                    let d = unit([0, 1, 2].map(|a| direction[a] + sign * step * across[a]));
+                    let (verdict, path) = self.grasp.hold_and_measure(along(d))?;
+                    let trial = self.judged((&verdict, 1.0 - path.farthest), Demand::Held);
+                    if !trial.does() || trial.carried() < weakest.carried() {
+                        (best, weakest) = (Some(d), weakest.or_worse(trial));
+                    }
+                }
+            }
+            match best {
+                Some(better) => direction = better,
+                None => step *= 0.5,
+            }
+        }
+        Ok(weakest)
     }
 
     /// Whether everything sticks under a ramp, by its onset alone.
@@ -324,6 +367,21 @@ impl Loading {
 /// The wrench of a force (N) at a point (m), with its moment about the origin.
 pub(super) fn force_at(force: [f64; 3], point: [f64; 3]) -> Wrench<3> {
     Wrench::force_through(&point.into(), &force.into())
+}
+
+fn unit(vector: [f64; 3]) -> [f64; 3] {
+    let length = dot(&vector, &vector).sqrt();
+    vector.map(|x| x / length)
+}
+
+/// Unit vectors across a direction: one in the plane, two in space.
+fn tangents([x, y, z]: [f64; 3], space: Space) -> Vec<[f64; 3]> {
+    if space == Space::Planar {
+        return vec![[-y, x, 0.0]];
+    }
+    let first = unit(if x.abs() > y.abs() { [-z, 0.0, x] } else { [0.0, z, -y] });
+    let [a, b, c] = first;
+    vec![first, [y * c - z * b, z * a - x * c, x * b - y * a]]
 }
 
 /// Evenly spread unit vectors: on a circle, or on a golden spiral over the sphere.

@@ -5,7 +5,7 @@ use super::around::{Around, between_states};
 use super::posed::{Posed, Safety, Sought};
 use super::press::{Press, pressure_of_cup};
 use super::question::{Demand, Need};
-use super::search::{Searched, Tries, search};
+use super::search::{SearchPlan, Searched, Tries, search};
 use super::threshold::Threshold;
 use super::tolerances::FAR_FROM_START;
 use super::trial::Trial;
@@ -14,6 +14,7 @@ use crate::ask::Grasp;
 use crate::equilibrium::{DriveState, Outcome};
 use crate::error::Error;
 use crate::grasp::{ContactPoints, Wrench, inside};
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Space, largest, mapped};
 use crate::prelude::*;
 
@@ -87,6 +88,13 @@ impl Need<3> {
             force: asked.force_of_load(),
             of: asked.pressed_by(grasp)?,
             in_place_of_squeeze: quantity == Quantity::Squeeze && !is_squeezed,
+            without_friction: match asked.sought {
+                Sought::Friction { contacts: None } => {
+                    let wholes = grasp.engine.wholes();
+                    wholes.with(&|i| grasp.contacts()[i].friction_coefficient() == 0.0)
+                }
+                _ => Vec::new(),
+            },
         })
     }
 }
@@ -145,7 +153,11 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
         Ok(Some(FarEnd { does, does_not, otherwise, presses, at_their_limit }))
     };
     let scan = if look == Look::Around { need.scan } else { 0 };
-    let bound = match search(tries, &plan, &tried.known(demand))? {
+    let searched = match search(tries, &plan, &tried.known(demand))? {
+        Searched::All(to) => at_proved_end(to, &plan, tries)?.map_or(Searched::All(to), Searched::Threshold),
+        searched => searched,
+    };
+    let bound = match searched {
         Searched::Threshold(edge) => edge,
         Searched::All(to) => {
             let seek = || Around::far_end(to, scan, &plan, &tried.known(demand), tries);
@@ -185,7 +197,12 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
         found = around()?;
     }
     let Around { changes, mut until, elsewhere } = found;
-    if let (Look::Everywhere(Some(far)), None) = (look, &until) {
+    let far = match look {
+        Look::Everywhere(far) => far,
+        Look::Towards => beyond_which_none_does(does, plan.is_least, &tried.known(demand)),
+        Look::Around => None,
+    };
+    if let (Some(far), None) = (far, &until) {
         until = far_end_near(far, does, tries)?;
     }
     let until = until.map(far_end).transpose()?.flatten();
@@ -206,6 +223,27 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
         at_their_limit,
         tried,
     })
+}
+
+/// The bound at an amount that suffices at the end of what forces can balance, where all amounts up to that end suffice: beyond, none does.
+fn at_proved_end(to: f64, plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Threshold>, Error> {
+    let (end, outwards) = if plan.is_least { (plan.range.low, -1.0) } else { (plan.range.high, 1.0) };
+    // Where an amount that was tried is nearer than this part, the proved end is that amount up to rounding.
+    let Some(end) = end.filter(|end| (end - to).abs() <= NEGLIGIBLE * to) else { return Ok(None) };
+    let beyond = end * (1.0 + outwards * NEGLIGIBLE);
+    let trial = tries.at(beyond)?;
+    let refuted = matches!(trial, Trial::DoesNot { .. });
+    Ok(refuted.then_some(Threshold { does: to, does_not: (beyond, trial), unknown: None }))
+}
+
+/// The last amount that suffices on the ample side of `does`, and the first there that does not, among those that were tried.
+fn beyond_which_none_does(does: f64, is_least: bool, known: &[(f64, Trial)]) -> Option<[f64; 2]> {
+    let ample = |at: f64| if is_least { at / does } else { does / at };
+    let mut beyond: Vec<_> = known.iter().filter(|(at, _)| ample(*at) > 1.0).collect();
+    beyond.sort_by(|(a, _), (b, _)| ample(*a).total_cmp(&ample(*b)));
+    let first = beyond.iter().position(|(_, trial)| matches!(trial, Trial::DoesNot { .. }))?;
+    let last = beyond[..first].iter().rev().find(|(_, trial)| trial.does()).map_or(does, |(at, _)| *at);
+    Some([last, beyond[first].0])
 }
 
 /// The far end of the sufficient amounts that begin at `does`. For other data it is at the first of the amounts `far`, the second being insufficient.

@@ -12,6 +12,10 @@ use crate::words::{ALIKE_IN_WORDS, Words, listed, printable};
 impl fmt::Display for Needed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.amount(f)?;
+        if matches!(self.amount, Amount::None { .. }) && !self.without_friction.is_empty() {
+            let stay = if self.without_friction.len() == 1 { "stays" } else { "stay" };
+            write!(f, ". {} {stay} without friction", listed(&self.without_friction))?;
+        }
         match &self.of {
             _ if !self.in_place_of_squeeze => Ok(()),
             None => f.write_str(
@@ -178,23 +182,33 @@ impl Needed {
         let is_least = self.quantity.is_least();
         match &self.sticks {
             None => return Ok(true),
-            Some(Amount::Bound { does: sticks, .. })
+            Some(Amount::Bound { does: sticks, until, .. })
                 if (sticks - does).abs() <= ALIKE_IN_WORDS * does.abs() =>
             {
                 f.write_str(if is_least { " and nothing slides" } else { ", and nothing slides" })?;
-                return Ok(true);
+                self.sticks_until(f, until.as_ref())?;
+                return Ok(until.is_none());
             }
-            Some(Amount::Bound { does: sticks, presses, .. }) => {
-                let much = self.short(words, *sticks, presses);
+            Some(Amount::Bound { does: sticks, presses, until, .. }) => {
+                let much = match until {
+                    None => self.short(words, *sticks, presses),
+                    Some(end) if is_least => {
+                        let [from, to] = [(*sticks, presses), (end.does, &end.presses)]
+                            .map(|(amount, presses)| self.short(words, amount, presses));
+                        format!("{from} to {to}")
+                    }
+                    Some(end) => self.range(words, end.does, *sticks),
+                };
                 write!(
                     f,
                     ", {much} {}",
                     if is_least { "so that nothing slides" } else { "and nothing slides" }
                 )?;
             }
-            Some(Amount::Any { .. }) => {
+            Some(Amount::Any { until, .. }) => {
                 f.write_str(", and nothing slides")?;
-                return Ok(true);
+                self.sticks_until(f, until.as_ref())?;
+                return Ok(until.is_none());
             }
             Some(Amount::None { .. }) => {
                 f.write_str(", and something slides with every amount that was tried")?;
@@ -202,6 +216,13 @@ impl Needed {
             Some(Amount::Undecided { .. }) => f.write_str("; with how much nothing slides is not known")?,
         }
         Ok(false)
+    }
+
+    /// The far end of the amounts with which nothing slides.
+    fn sticks_until(&self, f: &mut fmt::Formatter<'_>, end: Option<&FarEnd>) -> fmt::Result {
+        let Some(end) = end else { return Ok(()) };
+        let to = if self.quantity.is_least() { "up to" } else { "from" };
+        write!(f, " {to} {}", self.short(Words::of(f), end.does, &end.presses))
     }
 
     /// Whether a bound of an arm is only that of small motions: a longer arm is held, too.
