@@ -31,7 +31,7 @@ fn jaws(random: &mut Random) -> Result<(Grasp, Wrench), grasp_lcp::Error> {
 fn no_forces_balance_the_load_within_the_radius() -> Result<(), grasp_lcp::Error> {
     let mut random = seeded(11);
     let (mut lost_ones, mut proofs, mut closest) = (0, 0, f64::INFINITY);
-    for _ in 0..samples(125) {
+    for _ in 0..samples(140) {
         let (grasp, load) = jaws(&mut random)?;
         // Without a limit on motions.
         let grasp = grasp.with(&Settings::default().with_small_motions(1e50, 1e50));

@@ -18,7 +18,7 @@ pub(super) const AT_REST_AGAIN: f64 = 1e-3;
 
 /// Most steps in which an object snaps over; dozens suffice as a rule. With fewer, an object that moves slowly away from the end of its path counts as
 /// lost.
-pub(super) const MOST_SNAPPING_STEPS: usize = 3000;
+pub(super) const MOST_SNAPPING_STEPS: usize = 200;
 
 /// A step in which an object snaps over is taken where the imbalance after it differs from the expected one by less than this part of that before it.
 ///
