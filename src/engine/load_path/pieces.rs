@@ -51,6 +51,8 @@ pub(crate) struct Pieces<'g> {
     pub(super) gathered: f64,
     /// The load factor at which slips last ended on an arc, and the contacts whose slips these were.
     pub(super) stopped: (f64, Vec<usize>),
+    /// How often the object has snapped over on this leg.
+    pub(super) snaps: usize,
     /// Sum of the estimated errors of the steps along sliding arcs.
     pub(super) step_error: f64,
     /// An event to report before the first leg: a contact slides at the start, and its friction falls from the static to the kinetic value.
@@ -97,6 +99,7 @@ impl<'g> Follower<'g> for Pieces<'g> {
         self.pace = Pace::new();
         self.gathered = f64::NAN;
         self.stopped.0 = f64::NAN;
+        self.snaps = 0;
         self.energy.push(LegEnergy::default());
         self.at_node = true;
         Ok(())
@@ -200,6 +203,7 @@ impl<'g> Pieces<'g> {
             pace: Pace::new(),
             gathered: f64::NAN,
             stopped: (f64::NAN, Vec::new()),
+            snaps: 0,
             step_error: 0.0,
             first: None,
             failed_jump: None,

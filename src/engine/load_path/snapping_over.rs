@@ -22,7 +22,8 @@ use super::node::{Node, directions};
 use super::pieces::Pieces;
 use super::segment::Segment;
 use super::tolerances::{
-    AS_EXPECTED, AT_REST_AGAIN, FASTEST_GROWTH, LITTLE_BEYOND, MOST_SNAPPING_STEPS, SHORTEST_SNAPPING_STEP,
+    AS_EXPECTED, AT_REST_AGAIN, FASTEST_GROWTH, LITTLE_BEYOND, MOST_SNAPPING_STEPS, MOST_SNAPS,
+    SHORTEST_SNAPPING_STEP,
 };
 use super::trajectory::Trajectory;
 use super::transition::change;
@@ -140,11 +141,7 @@ impl<'g> Pieces<'g> {
     /// comes to rest nowhere near.
     pub(super) fn snaps_over(&mut self, journey: &Journey<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         let ends_in_balance = matches!(loss.kind, LossKind::Fold | LossKind::Corner);
-        if !ends_in_balance
-            || self.factor >= 1.0
-            || self.failed_jump.is_some()
-            || self.pace.steps >= journey.settings.most_steps
-        {
+        if !ends_in_balance || self.factor >= 1.0 || self.failed_jump.is_some() || self.snaps >= MOST_SNAPS {
             return None;
         }
         let state = self.state_before_event().or_else(|| self.present_state(journey))?;
@@ -164,6 +161,7 @@ impl<'g> Pieces<'g> {
         match self.end_jump(journey, &goal, jump) {
             Ok(jump) => {
                 self.at_node = true;
+                self.snaps += 1;
                 let jump = Jump { snaps: true, ..jump };
                 Some(Event { jump: Some(Box::new(jump)), ..event })
             }
