@@ -143,8 +143,8 @@ impl Pad {
         let flat = Self::rectangle(sides, strips)?;
         // Rays start in front of the surface, and run against the closing direction.
         let front = contact.point + closing * (high[0] + surface.size - closing.dot(&contact.point));
-        let frame = Matrix3::from_columns(&[-closing, one, -other]);
-        let hits = surface.met_by(&flat, &frame, &front).hits;
+        let of_rays = Matrix3::from_columns(&[-closing, one, -other]);
+        let hits = surface.met_by(&flat, &of_rays, &front).hits;
         let (mut points, mut stretch) = (Vec::new(), 0.0);
         for (point, hit) in flat.points.iter().zip(hits) {
             let Some(hit) = hit else { continue };
