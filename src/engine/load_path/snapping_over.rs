@@ -155,21 +155,18 @@ impl<'g> Pieces<'g> {
         let mut jump = JumpInProgress::after(leg, &self.segment.problem.slips);
         jump.leg.pace.steps = self.pace.steps + 1;
         jump.note(&changes);
+        // The event has these changes, and the jump those that follow.
+        jump.changes.clear();
         jump.run(&goal, journey).ok()?;
         let event = self.caught(journey, changes, state);
         let end = core::mem::replace(&mut self.factor, beyond);
-        match self.end_jump(journey, &goal, jump) {
-            Ok(jump) => {
-                self.at_node = true;
-                self.snaps += 1;
-                let jump = Jump { snaps: true, ..jump };
-                Some(Event { jump: Some(Box::new(jump)), ..event })
-            }
-            Err(_) => {
-                self.factor = end;
-                None
-            }
-        }
+        let Ok(jump) = self.end_jump(journey, &goal, jump) else {
+            self.factor = end;
+            return None;
+        };
+        self.at_node = true;
+        self.snaps += 1;
+        Some(Event { jump: Some(Box::new(Jump { snaps: true, ..jump })), ..event })
     }
 
     /// Where the object rests again under the load at a factor slightly beyond this end of the path.

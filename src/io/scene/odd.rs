@@ -7,7 +7,6 @@ use super::question::Question;
 use super::setup::Setup;
 use super::warning::Warning;
 use crate::ask::Grasp;
-use crate::error::Error;
 use crate::grasp::{Hold, Wrench};
 use crate::load_path::Leg;
 use crate::numerics::tolerances::NEGLIGIBLE;
@@ -16,7 +15,7 @@ use crate::statics::Closure;
 
 impl Setup<3> {
     /// Warnings about the contacts alone, whatever the loads.
-    pub(super) fn odd_contacts(&self, grasp: &Grasp<3>) -> Result<Vec<Warning>, Error> {
+    pub(super) fn odd_contacts(&self, grasp: &Grasp<3>) -> Vec<Warning> {
         let mut warnings = Vec::new();
         let entries: Vec<_> = self.entries().list();
         let name = |i: usize| entries[i].contact.label_text(i);
@@ -87,7 +86,7 @@ impl Setup<3> {
                 warnings.push(Warning::PointsOut { contact, name: entry.contact.label_text(contact) });
             }
         }
-        Ok(warnings)
+        warnings
     }
 
     /// The outline of the body that a contact's normal points into.

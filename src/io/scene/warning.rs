@@ -342,7 +342,7 @@ impl Setup<3> {
     /// [`Scene::warnings_at_once`] in the plane or in space.
     fn warnings_at_once(&self) -> Result<Vec<Warning>, Error> {
         let grasp = self.grasp_checked()?;
-        let mut warnings = self.odd_contacts(&grasp)?;
+        let mut warnings = self.odd_contacts(&grasp);
         #[cfg(feature = "mesh")]
         warnings.extend(self.badly_touching()?);
         warnings.extend(self.odd_loads());

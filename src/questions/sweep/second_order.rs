@@ -86,7 +86,7 @@ mod tests {
         let mut change = Effect::default();
         change[0][0] = 1.5 * 3.0;
         let (fails, first_order) = fails([10.0, 2.0, 0.0], &[change], 0.2);
-        let slides = |z: f64| normal_tail(((5.0 + 0.75 * z) / 2.0).max(1e-300).ln() / 0.2);
+        let slides = |z: f64| normal_tail((2.5 + 0.375 * z).max(1e-300).ln() / 0.2);
         let exact = averaged(&slides);
         assert!((fails / exact - 1.0).abs() < 0.01, "{fails} {exact}");
         assert!(first_order < 0.9 * exact, "{first_order}");

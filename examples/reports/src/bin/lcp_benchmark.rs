@@ -63,8 +63,9 @@ fn timed(family: &str, problem: &Lcp, workspace: &mut Workspace) {
 
 /// n, then M row by row, then q, each number with all its digits.
 fn text(problem: &Lcp) -> String {
-    let line =
-        |numbers: &mut dyn Iterator<Item = &f64>| numbers.map(|x| format!("{x:e} ")).collect::<String>();
+    let line = |numbers: &mut dyn Iterator<Item = &f64>| {
+        numbers.map(|x| format!("{x:e}")).collect::<Vec<_>>().join(" ")
+    };
     let mut lines = vec![problem.len().to_string()];
     lines.extend(problem.matrix().row_iter().map(|row| line(&mut row.iter())));
     lines.push(line(&mut problem.vector().iter()));
