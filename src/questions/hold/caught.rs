@@ -1,4 +1,5 @@
-//! Jumps along the load path: contacts begin to slide with lower kinetic friction, the object jumps, and other contacts catch it.
+//! Jumps along the load path. Contacts begin to slide with lower kinetic friction, the object jumps, and other contacts catch it; or it snaps over from
+//! the end of a path to another equilibrium.
 
 use core::fmt;
 

@@ -29,8 +29,8 @@ pub struct Verdict<const C: usize> {
     /// The first slip: the first contacts that stop sticking. `None` if none does as far as the load was followed.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub first_slip: Option<FirstSlip>,
-    /// The jumps up to the whole load, where contacts begin to slide with lower [kinetic friction](crate::grasp::Contact::kinetic) and the object is
-    /// caught.
+    /// The jumps up to the whole load after which the object is held: contacts begin to slide with lower
+    /// [kinetic friction](crate::grasp::Contact::kinetic), gaps close after a free motion, or the object snaps over to another equilibrium.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub caught: Vec<Caught>,
     /// Largest load factor reached with the load held and motions [small](crate::Settings::small_motions); 0 where the grasp does not hold at rest.
