@@ -28,7 +28,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need wedge.json
-//! NEEDS a coefficient of friction of 0.131653 so that it holds and nothing slides, 0.146281 if friction is 10 % less. With less: GOES TOO FAR at rest already: right face slips by more than 1 mm; beyond this, results for small motions no longer apply. Tried were 8 amounts from 0.04 to 0.5
+//! NEEDS a coefficient of friction of 0.131653 so that it holds and nothing slides, 0.146281 if friction is 10 % less. With less: GOES TOO FAR at rest already: right face slips by more than 1 mm; beyond this, results for small motions no longer apply. Tried were 11 amounts from 0.04 to 0.5
 //! ```
 //!
 //! The value is tan 7.5°, however hard the wedge is driven in.
@@ -56,7 +56,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need fixture.json
-//! NEEDS 152.135 N at upper clamp and 95.0846 N at side clamp (0.190169 times the squeeze given) so that it holds, 0.534872 times the squeeze given so that nothing slides. It needs 1.09912 times as much if friction is 10 % less and the squeeze is 5 % less. With less: TURNS OUT at 100 N of 100 N: the object turns about (-0.03, 0) m, lower left, side, upper clamp and side clamp slide (gross slip)
+//! NEEDS 152.233 N at upper clamp and 95.1455 N at side clamp (0.190291 times the squeeze given) so that it holds, 0.534872 times the squeeze given so that nothing slides. It needs 1.09928 times as much if friction is 10 % less and the squeeze is 5 % less. With less: TURNS OUT at 100 N of 100 N: the object turns about (-0.03, 0) m, lower left, side, upper clamp and side clamp slide (gross slip)
 //! ```
 //!
 //! # How hard do three fingers have to press to carry a full mug of 400 g?
