@@ -255,8 +255,10 @@ impl Slips<'_> {
         ramp.offset_changes_into(self.grasp, &mut change).ok()?;
         let (mut problem, rate) = (self.problem.clone(), self.grasp.inside(&ramp.direction, "").ok()?);
         let largest = (0..self.contacts()).map(|i| self.force(i, at).norm()).fold(0.0, f64::max);
-        let beyond = at[1] + a_little(self.grasp.sites(), &change, rate.clone(), largest);
-        problem.wrench = self.grasp.load_alone(&ramp.base, "").ok()? + rate * beyond;
+        let base = self.grasp.load_alone(&ramp.base, "").ok()?;
+        let most = largest.max((&base + &rate * at[1]).norm());
+        let beyond = at[1] + a_little(self.grasp.sites(), &change, rate.clone(), most);
+        problem.wrench = base + rate * beyond;
         for (offset, change) in problem.offsets.iter_mut().zip(&change) {
             *offset += change * beyond;
         }

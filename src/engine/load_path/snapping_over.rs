@@ -146,8 +146,10 @@ impl<'g> Pieces<'g> {
         }
         let state = self.state_before_event().or_else(|| self.present_state(journey))?;
         let Segment { grasp, change, course, .. } = &self.segment;
-        let most = largest(&self.node.at.forces, &SVector::norm);
-        let little = a_little(grasp.sites(), change, course.rate_at(self.factor), most);
+        let (load, rate) = (course.at(self.factor), course.rate_at(self.factor));
+        // Where cups let go contacts carry nothing, and the load alone is a measure of forces.
+        let most = largest(&self.node.at.forces, &SVector::norm).max(load.norm());
+        let little = a_little(grasp.sites(), change, rate, most);
         let beyond = (self.factor + little).min(1.0);
         let goal = self.segment.course.at(beyond);
         let rests = self.rests_again(beyond)?;

@@ -160,8 +160,9 @@ impl fmt::Display for Caught {
         // Slips below this fraction of the longest one count as rounding. A larger fraction would hide contacts that matter.
         let slips = self.slips.iter().filter(|slip| slip.distance > 1e-6 * longest);
         let slips = slips.map(|slip| format!("{} at {}", words.length(slip.distance), slip.contact.text()));
-        let slips = listed(&slips.collect::<Vec<_>>());
-        match (self.snaps, slips.is_empty()) {
+        let slips: Vec<_> = slips.collect();
+        let (none, slips) = (slips.is_empty(), listed(&slips));
+        match (self.snaps, none) {
             (true, true) => f.write_str("snaps over"),
             (true, false) => write!(f, "snaps over, slipping {slips}"),
             (false, _) => write!(f, "after slipping {slips}"),
