@@ -141,7 +141,14 @@ impl<'g> Pieces<'g> {
     /// comes to rest nowhere near.
     pub(super) fn snaps_over(&mut self, journey: &Journey<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         let ends_in_balance = matches!(loss.kind, LossKind::Fold | LossKind::Corner);
-        if !ends_in_balance || self.factor >= 1.0 || self.failed_jump.is_some() || self.snaps >= MOST_SNAPS {
+        // The force of a vacuum does not know that it is gone once its cup has opened.
+        let has_cups = self.segment.grasp.vacuum().is_some();
+        if !ends_in_balance
+            || has_cups
+            || self.factor >= 1.0
+            || self.failed_jump.is_some()
+            || self.snaps >= MOST_SNAPS
+        {
             return None;
         }
         let state = self.state_before_event().or_else(|| self.present_state(journey))?;
