@@ -19,7 +19,7 @@ use super::tree::{Tree, has_round_cones, most_cases, search_tree};
 use crate::forms;
 use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::object::{Problem, Relaxation, newton_on_cones, twist_by_tresca};
+use crate::object::{Problem, ViscousRelaxation, newton_on_cones, twist_by_tresca};
 use crate::prelude::*;
 use crate::proofs;
 
@@ -160,7 +160,7 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
 /// The equilibrium to which the stuck grasp relaxes. If Newton's method leaves the way there, the object relaxes further; another equilibrium is taken
 /// only where relaxation ends at none.
 fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<Found> {
-    let mut way = Relaxation::from_stuck(scene.problem, &scene.state.twist)?;
+    let mut way = ViscousRelaxation::from_stuck(scene.problem, &scene.state.twist)?;
     let mut another = None;
     while let Some(twist) = way.next() {
         let Some(found) = polish_from(scene.problem, twist) else { continue };

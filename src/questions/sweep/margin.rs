@@ -93,7 +93,8 @@ impl UncertainForce<'_> {
     pub(super) fn at(&self, z: &[f64]) -> SVector<f64, 3> {
         let mut force = self.force;
         for (change, z) in self.changes.iter().zip(z) {
-            let along = |axis: usize| Beyond::of(change.each_ref().each(|c| c[axis]), z / self.sigmas).value;
+            let along =
+                |axis: usize| ContinuedEffect::of(change.each_ref().each(|c| c[axis]), z / self.sigmas).value;
             force += by_axis(along);
         }
         force
@@ -196,7 +197,8 @@ impl UncertainForce<'_> {
         let mut steepness = 0.0;
         for (coefficients, z) in parts.iter().zip(fails_at.iter()) {
             let x = z / self.sigmas;
-            let [of_normal, of_other] = [0, 1].each(|part| Beyond::of(coefficients.each(|c| c[part]), x));
+            let [of_normal, of_other] =
+                [0, 1].each(|part| ContinuedEffect::of(coefficients.each(|c| c[part]), x));
             normal += of_normal.value;
             other += of_other.value;
             let by_sigma = (factor * of_normal.slope + of_other.slope) / self.sigmas;
@@ -216,7 +218,7 @@ impl UncertainForce<'_> {
         }
         let (mut mixed, mut rates, mut rate) = (0.0, 0.0, turned.dot(&self.known(0)));
         for ((change, z), g) in self.changes.iter().zip(&margin.linearised_at).zip(&margin.gradient) {
-            let there = Beyond::of(change.each_ref().each(|c| turned.dot(c)), z / self.sigmas);
+            let there = ContinuedEffect::of(change.each_ref().each(|c| turned.dot(c)), z / self.sigmas);
             let by_sigma = there.slope / self.sigmas;
             rate += there.value;
             mixed += g * by_sigma;
@@ -259,13 +261,13 @@ fn parts(row: &SVector<f64, 3>, force: &SVector<f64, 3>) -> [f64; 2] {
 }
 
 /// An effect with its derivatives, continued linearly outside the evaluated range.
-pub(super) struct Beyond {
+pub(super) struct ContinuedEffect {
     value: f64,
     pub(super) slope: f64,
     pub(super) bend: f64,
 }
 
-impl Beyond {
+impl ContinuedEffect {
     pub(super) fn of([c1, c2, c3, c4]: [f64; LOOKED_AT.len()], x: f64) -> Self {
         let inside = x.clamp(-1.0, 1.0);
         let slope = c1 + (c2 * 2.0 + (c3 * 3.0 + c4 * (4.0 * inside)) * inside) * inside;

@@ -13,7 +13,7 @@
 //! and the determinant is multiplied by `1 - ψ nᵀCn / |g|`. To second order it is multiplied by `exp(-ψ² |C|² / 2|g|²)`, where |C|² is the sum
 //! of the squares of all entries. A part of them lies along n, which is safe.
 
-use super::margin::{Beyond, FacetMargin};
+use super::margin::{ContinuedEffect, FacetMargin};
 use super::tolerances::LEAST_CURVED;
 use crate::numerics::{Each, normal_density, normal_tail};
 #[cfg(not(feature = "std"))]
@@ -39,7 +39,8 @@ impl FacetMargin {
         // nᵢ²/Aᵢᵢ, nᵢ bᵢ/Aᵢᵢ and bᵢ²/Aᵢᵢ, summed over the data; b is the row of friction in A.
         let (mut squares, mut mixed, mut of_friction) = (0.0, 0.0, 0.0);
         for ((coefficients, z), g) in self.parts.iter().zip(&self.linearised_at).zip(&self.gradient) {
-            let [normal, other] = [0, 1].each(|k| Beyond::of(coefficients.each(|c| c[k]), z / sigmas));
+            let [normal, other] =
+                [0, 1].each(|k| ContinuedEffect::of(coefficients.each(|c| c[k]), z / sigmas));
             let bend = (factor * normal.bend + other.bend) / (sigmas * sigmas);
             let diagonal = (1.0 + by_bend * bend).max(LEAST_CURVED);
             let row = by_bend * friction * factor * normal.slope / sigmas;
