@@ -35,6 +35,7 @@
 //! answer says so.
 
 mod answer;
+mod any_direction;
 mod around;
 mod at_amount;
 mod batch;
