@@ -20,7 +20,7 @@ pub(super) const LEAST_CURVED: f64 = 0.1;
 /// Share of the allowed failure probability that is kept for what is neglected: joint effects of two data on the curvature of a margin.
 ///
 /// If larger, reserves are smaller. If smaller, grasps may slide more often than allowed.
-pub(super) const NEGLECTED_SHARE: f64 = 0.15;
+pub(super) const NEGLECTED_SHARE: f64 = 0.25;
 
 /// Of failures that are rarer than this share of the allowed probability neither joint effects of data nor correlations with others are computed.
 ///
