@@ -1,5 +1,5 @@
-//! A quick test that excludes contact states which clearly break a row of the kinematic form. It evaluates few rows: states that pass may still be
-//! wrong, which only a solution of the whole scene shows.
+//! A quick test that excludes contact states which clearly break a row of the kinematic form. It evaluates few rows: whether states that pass are
+//! right, only a solution with all contacts shows.
 
 use crate::numerics::{matrix_of, vector_of};
 
@@ -38,7 +38,7 @@ pub(crate) fn clearly_breaks(form: &Form, is_planar: bool, states: &[State], lar
     if !known {
         return false;
     }
-    // A row is clearly broken if it is negative by more than this part of the largest force or jump. The form is accurate to some 1e-14.
+    // A row is clearly broken if it is negative by more than this fraction of the largest force or jump. The form is accurate to some 1e-14.
     let broken = -NEGLIGIBLE * largest.max(most);
     let w = |i: usize| q[i] + jumps.iter().zip(z.iter()).map(|((j, _), z)| m[(i, *j)] * z).sum::<f64>();
     jumps.iter().zip(z.iter()).any(|((_, has_sign), z)| *has_sign && *z < broken)

@@ -1,6 +1,6 @@
 //! A complementary basis as a list of contact states.
 //!
-//! The pairs A of a contact whose z is basic have w = 0, which determines their z from u and z₀
+//! The pairs A of a contact whose z is basic have w = 0, which determines their z from u and z₀ (symbols as in `contact_form`)
 //! locally:
 //!
 //! ```text
@@ -16,7 +16,8 @@ use super::contact_form::{ContactForm, PairedContact};
 use crate::object::{Slipping, Sums, normal};
 use crate::prelude::*;
 
-/// Indices of the right-hand sides of equilibrium: that of the elastic trial state, of the covering vector, and of the perturbation that breaks ties.
+/// Index of the right-hand side of equilibrium that stems from the elastic trial state. The next two are those of the covering vector and of the
+/// perturbation that breaks ties.
 pub(super) const TRIAL: usize = 0;
 pub(super) const COVER: usize = 1;
 pub(super) const PERTURBED: usize = 2;
@@ -75,9 +76,9 @@ impl Active {
 /// The linear response of a contact in a given state to u and z₀.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Reaction {
-    /// The projection P, see the top of this file.
+    /// The projection P of `x = P u - k z₀`.
     pub(super) hold: SMatrix<f64, 3, 3>,
-    /// The rows of Z, see the top of this file.
+    /// The rows of Z, one for each active pair: `z_A = -(Z u + ζ z₀)`.
     pub(super) multipliers: [SVector<f64, 3>; 3],
     /// ζ and k, the response to z₀.
     pub(super) cover: Jumps,
@@ -115,7 +116,7 @@ impl ContactForm {
         if gap.is_some() {
             hold.fill_column(0, 0.0);
         }
-        // The index of an active pair among the slipping facets.
+        // Position of an active pair among the active facets; `None` for the gap.
         let facet = |a: usize| match gap {
             Some(gap) if a == gap => None,
             Some(gap) if a > gap => Some(a - 1),
@@ -147,7 +148,7 @@ impl ContactForm {
         Some(Reaction { hold, multipliers, cover, tie })
     }
 
-    /// Adds the terms of a contact, times `sign`, to the sums.
+    /// Adds the terms of a contact, times `sign`, to the sums over contacts in the equilibrium of the object.
     pub(super) fn accumulate(
         &self,
         sums: &mut Sums<3>,
@@ -206,7 +207,7 @@ impl StateBasis {
         Some(())
     }
 
-    /// All sums of equilibrium, computed from all contacts.
+    /// The sums in the equilibrium of the object, computed anew from all contacts.
     pub(super) fn sums(&self, form: &ContactForm) -> Sums<3> {
         Sums::over(form.size, form.len(), form.coordinates.rank, &|sums, contact| {
             form.accumulate(sums, contact, self.jumped(contact), 1.0);

@@ -27,7 +27,7 @@ pub(super) struct PairedContact {
 }
 
 impl PairedContact {
-    /// The entry of the perturbation for a pair, in the unit of its row.
+    /// The entry of the tie-breaking perturbation for a pair, in the unit of its row.
     pub(super) fn perturbation(&self, pair: usize, unit: f64) -> f64 {
         unit * generic(self.first + pair)
     }

@@ -19,7 +19,7 @@ use crate::numerics::{Bordered, Each, Vector};
 use crate::object::{Facet, LazyPricing, Point, Sums, are_stale};
 use crate::prelude::*;
 
-/// How a path of Lemke's method ends.
+/// The way in which a path of Lemke's method ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum PivotEnd {
     /// z₀ has left the basis, which is complementary: it gives every contact a state.
@@ -31,7 +31,7 @@ pub(crate) enum PivotEnd {
     Breakdown,
 }
 
-/// A path of Lemke's method. Its memory is kept between scenes.
+/// A path of Lemke's method. Its memory is reused for the next problem.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct StatePath {
     pub(crate) form: ContactForm,
@@ -42,7 +42,7 @@ pub(crate) struct StatePath {
     looks: usize,
     /// Largest number of evaluations, if there is a limit: above it the path ends.
     pub(crate) most_looks: Option<usize>,
-    /// Pivots since the sums were last recomputed from all contacts.
+    /// Pivots since the sums over contacts were last computed anew; each pivot adds rounding to them.
     pub(super) age: usize,
     /// Factors of the system of the present step.
     factors: Bordered,
@@ -51,7 +51,7 @@ pub(crate) struct StatePath {
 }
 
 impl StatePath {
-    /// A number of pivots that no problem of this size is known to need.
+    /// A limit on pivots, above what any known problem of this size needs.
     pub(crate) fn pivot_limit(&self) -> usize {
         10_000 + 100 * self.form.pairs
     }
@@ -114,7 +114,7 @@ impl StatePath {
         law.slipping_state(facets)
     }
 
-    /// Recomputes the sums from all contacts.
+    /// Computes the sums over all contacts anew, which removes the rounding of updates.
     pub(super) fn refresh(&mut self) {
         self.sums = self.basis.sums(&self.form);
         self.age = 0;
@@ -144,7 +144,7 @@ impl StatePath {
                 continue;
             };
             let leaving = self.blocking(&step, &entering);
-            // A pivot below this part of the step's largest change is only made on recomputed sums.
+            // A pivot element below this fraction of the largest change in the step may be rounding: the sums are computed anew before it is used.
             let doubtful = match &leaving {
                 Leaving::Nobody => true,
                 Leaving::Covering => step.along.s.abs() < DOUBTFUL_PIVOT * step.largest,
@@ -188,11 +188,11 @@ impl StatePath {
     }
 
     fn is_lazy(&self) -> bool {
-        // With fewer contacts every step evaluates all of them: a queue would cost more than it saves.
+        // With fewer contacts, evaluating all of them in every step costs less than a queue.
         self.form.len() >= 24
     }
 
-    /// Queues all contacts except `out`, whose pair is outside the basis.
+    /// Queues all contacts except `out`, the contact of the pair outside the basis: every step evaluates it.
     fn line_up(&mut self, out: u32, at: &Point, along: &Point) {
         self.looks += self.form.len();
         let Self { form, basis, pricing, .. } = self;
@@ -201,8 +201,8 @@ impl StatePath {
         });
     }
 
-    /// Queues the contacts again that the step has evaluated, except `out`, whose pair is now outside the
-    /// basis: every step evaluates it.
+    /// Puts the contacts that the step has evaluated back into the queue, except `out`, the contact of the pair now outside the basis: every step
+    /// evaluates it.
     fn requeue(&mut self, left: u32, out: u32, at: &Point) {
         let Self { form, basis, pricing, .. } = self;
         pricing.looked.push(left);
@@ -256,7 +256,7 @@ impl StatePath {
         };
         look(entering.contact, &mut length);
         if lazy {
-            // If the step is repeated on recomputed sums, these contacts have already left the queue.
+            // Contacts evaluated before in this step are no longer in the queue; there are some if the step is repeated on recomputed sums.
             for k in 0..pricing.looked.len() {
                 look(pricing.looked[k], &mut length);
             }
@@ -288,7 +288,7 @@ impl StatePath {
         }
     }
 
-    /// The candidate that leaves first when q is perturbed.
+    /// Of the variables that reach zero together, the one that would reach it first if q were perturbed.
     fn break_tie(&self, entering: &Entering) -> Leaving {
         let form = &self.form;
         let local = &form.locals[entering.contact as usize];

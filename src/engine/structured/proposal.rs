@@ -1,4 +1,4 @@
-//! Contact states proposed to the ladder of `search`, which solves and checks them.
+//! Contact states proposed by Lemke's method. The caller in `search` solves the grasp in these states and checks every condition.
 
 use super::path::{PivotEnd, StatePath};
 use crate::contact::State;
@@ -34,7 +34,7 @@ pub(crate) fn propose(
         x.extend((0..local.springs.axes()).map(|axis| force[axis] / local.springs.root_along(axis)));
     }
     path.form.assign(problem, trial.factor(), &x);
-    // Multiplications to evaluate a contact: a product with the motion for each of its pairs.
+    // Multiplications to evaluate one contact: for each of its pairs a product with the motion of the object.
     let of_a_look = (problem.size().count() * path.form.pairs).div_ceil(problem.len().max(1)).max(1);
     path.most_looks = max_pivots.is_none().then_some(most_work / of_a_look);
     let mut proposal = Proposal { states: None, pivots: 0, pairs: path.form.pairs, cut_short: false };
