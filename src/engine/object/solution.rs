@@ -18,7 +18,7 @@ use crate::grasp::Site;
 use crate::numerics::{DoubleDouble, Vector, cleared_for, without};
 use crate::prelude::*;
 
-/// Forces and twist of one linear piece.
+/// Forces and twist that solve the linear problem of a [`Piece`].
 #[derive(Debug, Clone)]
 pub(crate) struct PieceState {
     /// F_i in the contact frames, N.
@@ -40,11 +40,11 @@ pub(crate) struct SolutionMemory {
     change: Vec<f64>,
 }
 
-/// The reason why a piece has no solution under a load.
+/// The linear problem of a [`Piece`] has no solution under a load.
 #[derive(Debug, Clone)]
 pub(crate) struct Unbalanced {
-    /// A unit motion along which the load does work and no contact of this piece resists. `None` if such a motion does stretch springs, but friction
-    /// keeps them from balancing the load.
+    /// A unit motion along which the load does work and no spring pushes. `None` if springs are stretched, but sliding contacts push in directions
+    /// that cannot balance the load.
     pub(crate) motion: Option<Vector>,
 }
 
@@ -81,7 +81,7 @@ impl Piece {
             }
             let mut twist = PreciseTwist::new(self.size(), band.respond(x, &load.wrench));
             let respond = |x: &mut [f64], rest: &Vector| band.respond(x, rest);
-            // Corrections shrink by a constant factor. Refinement ends when one is below this part of the largest force.
+            // Corrections shrink only by a constant factor, so refinement ends when one is below this fraction of the largest force.
             if self.refine(sites, (offsets, &load), (x, change, &mut twist), (respond, 1e-15)) {
                 state.twist = without(twist.value(), &self.free);
                 self.forces_into(&mut state.forces, x, offsets.len());
@@ -97,7 +97,7 @@ impl Piece {
             None => pushed + &loaded,
             Some((_, coupling)) => {
                 let (step, unreached) = coupling.solve(&(&pushed + &loaded));
-                // The two terms may cancel; their sum is accurate to the rounding of the larger one.
+                // `pushed` and `loaded` may cancel; a remainder below the rounding of the larger one counts as zero.
                 let known = NO_WORK * pushed.amax().max(loaded.amax());
                 if unreached > known && unreached > known * coupling.growth() {
                     return Err(Unbalanced { motion: None });
@@ -115,7 +115,7 @@ impl Piece {
     }
 
     /// Iterative refinement. Returns whether it converged: the first correction was below [`NEARLY_CORRECTED`] of the largest force, or a later one
-    /// below the part `sharp`.
+    /// below the fraction `sharp` of it.
     fn refine(
         &self,
         sites: &[Site],
@@ -184,7 +184,7 @@ impl Piece {
         }
     }
 
-    /// Contact forces that result from given stretches of the contacts and a load. A part of the load that the piece cannot balance is ignored.
+    /// Contact forces that result from given stretches of the contacts and a load. A part of the load that the springs cannot balance is ignored.
     pub(crate) fn forces_of(&self, stretches: &[SVector<f64, 3>], load: &Vector) -> Vec<SVector<f64, 3>> {
         let mut x = self.stretched(|contact| stretches[contact]);
         self.respond(&mut x, load);

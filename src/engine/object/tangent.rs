@@ -28,7 +28,7 @@ pub(crate) enum TangentFactors {
 }
 
 impl TangentFactors {
-    /// A solution of `T y = b`; where T is singular, of the part of b that has one.
+    /// A solution of `T y = b`; where T is singular, for the component of b in its range.
     pub(crate) fn solve(&self, b: &Vector) -> Vector {
         match self {
             Self::Whole(factors) => factors.solve(b),
@@ -106,7 +106,7 @@ fn add_tangent(t: &mut Square, site: &Site, springs: &SpringTangent) {
     }
 }
 
-/// Corrects forces and twist until the imbalance R is at most the part `part` of the sizes of its terms. Returns the sum over all steps of the
+/// Corrects forces and twist until the imbalance R is at most the fraction `part` of the sizes of its terms. Returns the sum over all steps of the
 /// largest change of a force, N; `None` if the steps do not suffice.
 pub(crate) fn balance(
     sites: &[Site],
@@ -117,7 +117,7 @@ pub(crate) fn balance(
     part: f64,
 ) -> Option<f64> {
     let mut moved = 0.0_f64;
-    // Maximum number of refinement steps: if one is not enough, the second should be.
+    // The largest number of steps. One or two are enough where T is well conditioned.
     for _ in 0..4 {
         let Imbalance { left, size } = Imbalance::of(sites, &state.forces, wrench, wrench.norm());
         if left.norm() <= part * size {
