@@ -38,13 +38,13 @@ pub enum FoundBy {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Doubt {
-    /// Lemke's method ended on rays that prove nothing, and not every combination of states could be tried. Either there are too many contacts for
+    /// Lemke's method ended on rays, which prove nothing, and not every combination of states could be tried. Either there are too many contacts for
     /// [`Settings::most_states`](crate::Settings::most_states), or on the round cone the cases that were tried did not decide.
     RayWithoutProof,
     /// Some combination of contact states fails so narrowly that rounding may have decided. The load is then on the
     /// boundary of the loads that the grasp can hold, up to the working precision.
     OnTheBoundary,
-    /// Contact states were found, but arms or stiffnesses of the scene differ by more than the working precision resolves. Forces and twist cannot be
+    /// Contact states were found, but arms or stiffnesses of the grasp differ by more than the working precision resolves. Forces and twist cannot be
     /// computed accurately: residuals exceed 1e-10 (1e-12 on the round cone).
     Inaccurate,
     /// The pivot limit was reached or a factorisation broke down, with too many contacts to try every combination.
@@ -62,8 +62,8 @@ pub(crate) struct Found {
     pub(crate) twist: Vector,
     pub(crate) free_motions: Vec<Vector>,
     pub(crate) neutral_motions: Vec<Vector>,
-    /// On a path, the sizes of the forces, N, and displacements, m, that were added up to this solution. They scale rounding where the sums vanish.
-    /// Zero for a solution without a path.
+    /// On a load path, the sizes of the forces, N, and displacements, m, whose sums are this solution. They scale its rounding where terms cancel.
+    /// Zero for a solution that was not reached along a path.
     pub(crate) sizes: [f64; 2],
     /// On the round cone, the largest change of a contact force from the answer on polygons, N.
     pub(crate) from_polygon: Option<f64>,
@@ -84,7 +84,7 @@ impl Found {
     }
 }
 
-/// A [`Found`] whose twist is stored as answers store it.
+/// A [`Found`] whose twist is a list of numbers, as answers store it.
 #[derive(Debug, Clone)]
 pub(crate) struct Kept {
     pub(crate) states: Vec<State>,
@@ -133,8 +133,8 @@ pub(crate) enum Settled {
     Separating(Vector),
     /// The number of combinations of contact states, each of which fails clearly.
     NoneOf(usize),
-    /// On the round cone, each case contradicts itself. An equilibrium that escapes this proof through rounding would exceed the data by the factor
-    /// `escape`.
+    /// On the round cone, each case was proved to have no equilibrium. An equilibrium that rounding hides from this proof would be larger than the
+    /// data by the factor `escape`.
     Contradicted {
         cases: usize,
         escape: f64,
