@@ -1,4 +1,4 @@
-//! The friction cone of an answer, and the range of its small motions.
+//! The friction cone to which an answer refers, and the limits of its small motions.
 
 use nalgebra::SVector;
 

@@ -7,7 +7,7 @@ use crate::serial::AsComputed;
 /// the round cone) is called an equilibrium.
 ///
 /// Residuals are recomputed from points, frames, stiffnesses, commands and load, not from data of the solver. Forces are divided by the largest
-/// contact force or load of the scene; without any force, by 1e-25 of the least force that a spring could have. Displacements of a contact are
+/// contact force or load; without any force, by 1e-25 of the least force that a spring could have. Displacements of a contact are
 /// divided by the sum of the sizes of its own displacements, products by the product of both. On a load path a slip counts since the state of the
 /// contact was last decided.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -241,7 +241,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         across: &Direction,
         frictions: &[SVector<f64, 3>],
     ) -> Option<(PieceState, f64)> {
-        // Imbalance below this part of the sum of all terms, times the root of their number, is rounding.
+        // Imbalance below this fraction of the sum of all terms, times the root of their number, is rounding.
         let rounding = 2e-16 * ((self.sites().len() + 2) as f64).sqrt();
         let (mut frictions, mut balanced) = (frictions.to_vec(), None);
         for _ in 0..4 {
@@ -347,7 +347,7 @@ impl Segment<'_> {
         let arc = Arc::new(self, states, piece.free_motions().iter().map(|v| (v, 0.0)), 1.0);
         let largest = self.problem.largest_force(&at.forces, &at.twist).max(self.largest);
         let is_near = |(there, _): &(PieceState, f64)| {
-            // A correction by more than this part of the largest force leads to another equilibrium. After an event only rounding violates balance
+            // A correction by more than this fraction of the largest force leads to another equilibrium. After an event only rounding violates balance
             // and cones.
             there.forces.iter().zip(&at.forces).all(|(f, g)| (f - g).norm() <= 1e-6 * largest)
         };

@@ -249,7 +249,7 @@ fn search_beyond(problem: &Problem, rates: &Problem) -> Beyond<3> {
         for_each_condition(rates, &states, &next.forces, &next.twist, |rate, rate_size| {
             let (value, size) = values[at];
             at += 1;
-            // A condition counts as zero if it would break within this part of the load change that makes up the whole load: the load factor is not
+            // A condition counts as zero if it would break within this fraction of the load change that makes up the whole load: the load factor is not
             // known more accurately.
             let fleeting = rate < 0.0 && value <= NEGLIGIBLE * way * -rate;
             let zero = value.abs() <= rounding * size || (value > 0.0 && fleeting);

@@ -65,7 +65,7 @@ impl<'g> Pieces<'g> {
         let (mut still, mut gaps, mut fastest) = (Vec::new(), Vec::new(), 0.0);
         for (i, site) in grasp.sites().iter().enumerate() {
             let velocity = site.map.tr_mul(motion);
-            // A contact velocity below this part of the largest that the motion could give it is rounding.
+            // A contact velocity below this fraction of the largest that the motion could give it is rounding.
             let none = NEGLIGIBLE * site.span_moved(&SVector::zeros(), motion.norm());
             let (local, force) = (self.segment.problem.local(i), &self.node.at.forces[i]);
             still.push(velocity.norm() <= none);

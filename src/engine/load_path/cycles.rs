@@ -90,7 +90,7 @@ impl<'g> Cycles<'g> {
         settings: &Settings,
     ) -> Result<Self, Error> {
         let path = Following::start(grasp, (base, legs), settings, Pieces::at_start)?;
-        // A cycle is closed if its end differs from its beginning by at most this part of the largest load or command along it.
+        // A cycle is closed if its end differs from its beginning by at most this fraction of the largest load or command along it.
         path.journey.program.check_closed(SOLVED_ROUNDING)?;
         Ok(Self { path, legs: legs.to_vec(), base: *base, completed: 0 })
     }
@@ -106,7 +106,7 @@ impl<'g> Cycles<'g> {
             slipped.cones = from.cones(grasp);
             // A state in which a contact would have to slide at once is refused without a search.
             let slides = |(i, force): (usize, &SVector<f64, 3>)| {
-                // A condition of sticking that is violated by more than this part of the largest force means sliding.
+                // A condition of sticking that is violated by more than this fraction of the largest force means sliding.
                 slipped
                     .local(i)
                     .edges(&Mode::Sticking)

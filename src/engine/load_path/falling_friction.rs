@@ -67,7 +67,7 @@ impl<'g> Pieces<'g> {
     pub(super) fn runs_out(&self, reached: &ExitsReached) -> bool {
         let largest = self.segment.largest;
         let is_weaker = |i: usize| self.segment.problem.sites[i].kinetic.is_some();
-        // A force below this part of the largest counts as vanished.
+        // A force below this fraction of the largest counts as vanished.
         reached.iter().any(|(i, _)| is_weaker(*i) && self.node.at.forces[*i].norm() <= NEGLIGIBLE * largest)
     }
 

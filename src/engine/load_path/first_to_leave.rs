@@ -204,7 +204,7 @@ fn first_exit(
         }
     }
     first.filter(|First { exit, .. }| {
-        // The next contact must reach the edge of its cone later than the first, by more than this part of the step to the first.
+        // The next contact must reach the edge of its cone later than the first, by more than this fraction of the step to the first.
         let alone =
             next - exit.step > NEGLIGIBLE * exit.step && exit.uncertainty <= LARGEST_CORRECTION * exit.step;
         // Forces may grow by at most this factor from the base to the onset: beyond it, the rates may be rounding.

@@ -57,7 +57,7 @@ pub(super) struct StepGoal {
 impl StepGoal {
     /// The goal of a step after this number of trials that missed it. Steps of implicit rules come near a goal only to within their rounding.
     pub(super) fn after(factor: f64, trials: usize) -> Self {
-        // A step that ends within this part of the leg of its goal is extended to the goal along the tangent. The part is wider after sixteen trials
+        // A step that ends within this fraction of the leg of its goal is extended to the goal along the tangent. The part is wider after sixteen trials
         // and after twice as many; the last is as small as the error of steps.
         let near = match trials / 16 {
             0 => 2e-13,
@@ -124,7 +124,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         // Motions that no force drives continue at their present rate.
         let pushed = |v: &Vector| {
             let rate = v.dot(&point.twist_rate);
-            // A free motion slower than this part of the twist rate is rounding.
+            // A free motion slower than this fraction of the twist rate is rounding.
             if rate.abs() > NEGLIGIBLE * point.twist_rate.norm() { rate / point.factor_rate } else { 0.0 }
         };
         let arc = Arc::new(segment, states, point.free_motions.iter().map(|v| (v, pushed(v))), unit);
@@ -253,7 +253,7 @@ impl<'s, 'g> Flow<'s, 'g> {
             out.copy_from_slice(&force.as_slice()[1..]);
             let site = &self.arc.sites()[i];
             let dissipated = friction.dot(&site.springs.slip(&stretch, &force));
-            // A slip against the friction force by this part of the displacements of the contact is rounding.
+            // A slip against the friction force by this fraction of the displacements of the contact is rounding.
             let rounding = 1e-13 * friction.norm() * site.span(&(segment.change[i] * way.factor), &way.twist);
             if !vanishes {
                 backwards = backwards.max(-dissipated - rounding);
@@ -266,7 +266,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         turnover += fingers.abs() + worked.map(f64::abs).sum();
         out[works..].copy_from_slice(&[fingers, heat, worked.sum(), turnover]);
         let is_straight = matches!(segment.course, Trajectory::Straight { .. });
-        // A decrease of the load factor by less than this part of the arclength counts as none. At a maximum the load factor is known up to the
+        // A decrease of the load factor by less than this fraction of the arclength counts as none. At a maximum the load factor is known up to the
         // square of this.
         Some(backwards > 0.0 || is_straight && way.factor < -1e-8)
     }

@@ -76,7 +76,7 @@ impl<const C: usize> fmt::Display for Jump<C> {
             reached.dedup();
             let (moved, words) = (all_inside(&self.moved), words.in_space(words.space::<C>()));
             let farthest = largest(&moved, &BodyMotion::speed);
-            // A body that moves by less than this part of the largest motion is not named in the sentence.
+            // A body that moves by less than this fraction of the largest motion is not named in the sentence.
             let moved =
                 picked(&moved, &|body| (body.speed() > 1e-6 * farthest).then(|| words.body_motion(body)));
             return write!(f, "{} to {}", listed(&moved), listed(&reached));

@@ -208,7 +208,7 @@ impl Node {
             return Found { forces: vec![SVector::zeros(); states.len()], states, ..found };
         }
         match try_states(rates, states) {
-            // Motions whose lengths differ by less than this part are equal up to rounding.
+            // Motions whose lengths differ by less than this fraction are equal up to rounding.
             Judged::Holds(parted) if parted.twist.norm() < found.twist.norm() * (1.0 - NEGLIGIBLE) => parted,
             _ => found,
         }

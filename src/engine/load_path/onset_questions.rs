@@ -28,7 +28,7 @@ use crate::prelude::*;
 use crate::search::{Effort, Found, FoundBy, Settings, Settled, settle, settle_at_rest};
 
 impl Engine {
-    /// [`Grasp::onset`](crate::ask::Grasp::onset).
+    /// Implements [`Grasp::onset`](crate::ask::Grasp::onset).
     pub(crate) fn onset(&self, ramp: &Ramp<3>, settings: &Settings) -> Result<Onset<3>, Error> {
         self.onset_in_memory(ramp, settings, &mut OnsetMemory::default())
     }
@@ -101,7 +101,7 @@ impl Engine {
         TurnOnset { onset, touches: walk.touches.into_iter().filter_map(touch).list() }
     }
 
-    /// [`Grasp::state_at_onset`](crate::ask::Grasp::state_at_onset).
+    /// Implements [`Grasp::state_at_onset`](crate::ask::Grasp::state_at_onset).
     pub(crate) fn state_at_onset(
         &self,
         event: &OnsetEvent<3>,
@@ -113,7 +113,7 @@ impl Engine {
         Some(self.equilibrium(&problem, &event.load, found, rule, &Effort::default(), answer_for))
     }
 
-    /// [`Grasp::beyond`](crate::ask::Grasp::beyond).
+    /// Implements [`Grasp::beyond`](crate::ask::Grasp::beyond).
     pub(crate) fn beyond(&self, event: &OnsetEvent<3>, settings: &Settings) -> Option<Beyond<3>> {
         let problem = self.problem_at_onset(event)?;
         let local = &event.local;

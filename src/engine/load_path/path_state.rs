@@ -22,7 +22,7 @@ use crate::search::Found;
 pub(super) fn forces_are_rounding(problem: &Problem<'_>, forces: &[SVector<f64, 3>], twist: &Vector) -> bool {
     let largest = forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
     let spans = (0..problem.len()).map(|contact| problem.span(contact, twist));
-    // Forces are rounding below this part of the force that the displacements make in the softest spring: rounding of 16 units may add up.
+    // Forces are rounding below this fraction of the force that the displacements make in the softest spring: rounding of 16 units may add up.
     largest <= ROUNDED_SUM * least_spring_force(problem.sites, spans)
 }
 

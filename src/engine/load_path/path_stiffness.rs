@@ -148,7 +148,7 @@ impl PathStiffness {
             }
         };
         let bordered = Bordered::new(&square, cover, gradient, corner)?;
-        // A pivot below this part of the largest means that the path may continue in more than one direction.
+        // A pivot below this fraction of the largest means that the path may continue in more than one direction.
         (bordered.least_pivot() > LINEARLY_DEPENDENT).then_some(PathFactors::Whole(bordered))
     }
 }

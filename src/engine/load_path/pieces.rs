@@ -66,7 +66,7 @@ pub(crate) struct Pieces<'g> {
 }
 
 impl Engine {
-    /// [`Grasp::follow`](crate::ask::Grasp::follow).
+    /// Implements [`Grasp::follow`](crate::ask::Grasp::follow).
     pub(crate) fn follow(
         &self,
         start: &Wrench<3>,

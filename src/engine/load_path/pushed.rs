@@ -16,7 +16,7 @@ impl Segment<'_> {
     ) -> PieceState {
         let Some(pushed) = pushed else { return rate };
         let apart = pushed - &rate.twist;
-        // A velocity along a free motion below this part of the pushing velocity is rounding.
+        // A velocity along a free motion below this fraction of the pushing velocity is rounding.
         let is_driven = |v: &Vector| v.dot(&apart).abs() > SOLVED_ROUNDING * pushed.norm();
         let moves =
             piece.free_motions().iter().any(is_driven) || piece.neutral_motions().iter().any(is_driven);

@@ -70,7 +70,7 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     let largest = pushes.r.amax();
     for (k, &i) in touching.iter().enumerate() {
         let push = pushes.r.rows(axes * k, axes);
-        // Friction within this part of its limit counts as exhausted.
+        // Friction within this fraction of its limit counts as exhausted.
         let near = 1e-6;
         if push[0] <= near * largest {
             continue;
@@ -88,7 +88,7 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
 /// Adds a motion to the basis of resisted ones, unless it depends on them.
 fn resist(basis: &mut Vec<Vector>, motion: &Vector) {
     let rest = orthogonal_part(motion.clone(), basis);
-    // A direction depends on the others if less than this part of it remains after their components are removed.
+    // A direction depends on the others if less than this fraction of it remains after their components are removed.
     if rest.norm() > 1e-9 * motion.norm() {
         basis.push(rest.normalize());
     }

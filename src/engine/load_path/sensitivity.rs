@@ -21,7 +21,7 @@ pub struct Derivative<const C: usize> {
 }
 
 impl Engine {
-    /// [`Sensitivity::of`](crate::ask::Sensitivity::of).
+    /// Implements [`Sensitivity::of`](crate::ask::Sensitivity::of).
     pub(crate) fn sensitivity(&self, equilibrium: &Equilibrium<3>, by: Parameter) -> Option<Derivative<3>> {
         let (response, state) = self.response_of(equilibrium)?;
         let PieceState { twist, mut forces } = response.derivative(&state, by)?;

@@ -125,7 +125,7 @@ impl Slips<'_> {
             }
         }
         end.values = self.conditions(&end.at, &end.rates);
-        // The place is as accurate as the step. A maximum of the factor is known to the square of this part.
+        // The place is as accurate as the step. A maximum of the factor is known to the square of this fraction.
         (rest.abs() <= NEGLIGIBLE * length).then_some(end)
     }
 

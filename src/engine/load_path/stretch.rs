@@ -201,7 +201,7 @@ impl<'g> Stretch<'g> {
         }
         // If the object moves under a load that is constant up to rounding, every state of the step is valid.
         let (to_the_start, to_the_end) = (fraction - self.from, self.to - fraction);
-        // Loads closer than this part of the leg are equal up to the rounding of balance.
+        // Loads closer than this fraction of the leg are equal up to the rounding of balance.
         let near = to_the_start.min(to_the_end) <= 1e-15;
         near.then(|| if to_the_start < to_the_end { start_of(&self.here) } else { self.there.clone() })
     }

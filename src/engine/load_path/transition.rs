@@ -66,7 +66,7 @@ pub(super) fn other_solutions(rates: &Problem, found: &Found) -> Option<usize> {
                 apart -= v * v.dot(&apart);
             }
             let travel = known.twist.norm().max(other.twist.norm());
-            // Solutions are equal if forces and motions differ by no more than this part of their size.
+            // Solutions are equal if forces and motions differ by no more than this fraction of their size.
             apart.norm() <= NEGLIGIBLE * travel
                 && known.forces.iter().zip(&other.forces).all(|(x, y)| (x - y).norm() <= NEGLIGIBLE * size)
         };

@@ -61,7 +61,7 @@ impl<'g> Pieces<'g> {
         let length = length.min(self.way_to_apex(&point)).min(self.part_of_a_turn(&point));
         let tolerance = journey.settings.step_error * self.pace.looser;
         let (length, rule) = self.stable(&point, length, tolerance);
-        // Steps shorter than this part of the load factor do not advance: the arc cannot be followed further.
+        // Steps shorter than this fraction of the load factor do not advance: the arc cannot be followed further.
         if length <= 1e-13 * self.factor.max(f64::EPSILON) {
             if self.node.release_vanishing(&point) {
                 self.at_node = true;
@@ -115,7 +115,7 @@ impl<'g> Pieces<'g> {
     /// Whether a contact whose slip has ended at this place can neither stick nor slide.
     fn stops_for_good(&self, tolerance: f64) -> bool {
         let (at, contacts) = &self.stopped;
-        // Places closer than this part of the leg are the same.
+        // Places closer than this fraction of the leg are the same.
         let is_here = (self.factor - at).abs() <= NEGLIGIBLE;
         is_here && contacts.iter().any(|contact| self.neither_sticks_nor_slides(*contact, tolerance))
     }
@@ -171,7 +171,7 @@ impl<'g> Pieces<'g> {
         let rest = (1.0 - self.factor) / point.factor_rate;
         let all_but_gone = |(line, state): (&Line, &State)| {
             let falls = state.slides() && line.rate[0] < -ZERO_SLACK * line.rate_size;
-            // A falling normal force below this part of its size is followed to zero along the tangent.
+            // A falling normal force below this fraction of its size is followed to zero along the tangent.
             let little = falls && line.force[0] > 0.0 && line.force[0] <= 1e-10 * line.force_size;
             little.then(|| line.force[0] / -line.rate[0])
         };
@@ -180,10 +180,10 @@ impl<'g> Pieces<'g> {
             return Some(way);
         }
         let force_way = point.sizes[0] / point.rate_sizes[0];
-        // Forces that would double within this part of the rest of the leg are rounding of vanishing forces.
+        // Forces that would double within this fraction of the rest of the leg are rounding of vanishing forces.
         let way = if force_way > SOLVED_ROUNDING * rest { rest.min(force_way) } else { rest };
         // First step from an apex, as a part of the length on which forces change by their own size. Friction directions turn by about the square of
-        // this part meanwhile.
+        // this fraction meanwhile.
         self.node.starts_at_apex.then_some(1e-6 * way)
     }
 

@@ -17,7 +17,7 @@ impl Segment<'_> {
     /// Whether the load turns back at a load factor: its rate vanishes there.
     pub(super) fn load_turns_back(&self, factor: f64) -> bool {
         let Trajectory::Turn { load, angle } = &self.course else { return false };
-        // A rate below this part of the fastest counts as zero, since the angle is known to the rounding of a full turn.
+        // A rate below this fraction of the fastest counts as zero, since the angle is known to the rounding of a full turn.
         load.rate_at(angle * factor).norm() <= SOLVED_ROUNDING * (load.cosine.norm() + load.sine.norm())
     }
 

@@ -73,7 +73,7 @@ impl Bounded {
         (size, step_error): (f64, f64),
     ) -> Self {
         let weight = cone.map_or(1.0, Coulomb::round_weight);
-        // A margin is violated where it is negative by more than this part of the error of a step.
+        // A margin is violated where it is negative by more than this fraction of the error of a step.
         let within_the_error = 0.02;
         // Rounding of margins, relative to their size: the least violation that counts.
         let rounded = 2e-13;

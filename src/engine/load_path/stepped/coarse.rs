@@ -44,7 +44,7 @@ impl Coarse {
         // would happen at each change of contact states, and errors that decay would be added up.
         let by = 10.0 * distance + to.distance_to(at_once);
         let step = || along.step(&self.present, (to.fraction - from.fraction, near), beside);
-        // If the paths differ by less than this part of the largest force, the difference is below the tolerance of Newton's method, and the second
+        // If the paths differ by less than this fraction of the largest force, the difference is below the tolerance of Newton's method, and the second
         // path moves to `at_once`. With a larger part, errors that decay would be added up.
         if distance > SOLVED_ROUNDING * largest && step().is_some() && beside.distance_to(at_once) <= by {
             core::mem::swap(&mut self.present, beside);

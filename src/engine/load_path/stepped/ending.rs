@@ -19,7 +19,7 @@ impl<'g> Steps<'g> {
         let leaving = chosen(edge.rates.len(), &leaves);
         if self.pace.speeds.run_to(fraction) {
             // Before a maximum of the load forces keep changing; towards an asymptote they stay while the object moves. Forces stay if they change by
-            // less than this part of the change that sticking springs would feel. Before maxima the ratio is some hundredths, at least a thousandth;
+            // less than this fraction of the change that sticking springs would feel. Before maxima the ratio is some hundredths, at least a thousandth;
             // towards asymptotes it falls to the root of the rest of the load, 1e-5.
             let kind = if self.pace.changed < 2e-4 { LossKind::Asymptote } else { LossKind::Fold };
             let motion = self.pace.rate.as_ref().map(Vector::normalize);

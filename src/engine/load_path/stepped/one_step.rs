@@ -118,7 +118,7 @@ fn equilibrium_after(
 ) -> Option<()> {
     let springs = problem.sites.iter().zip(&problem.offsets);
     // Newton's method cannot reduce the imbalance below the rounding of spring forces, a part of the forces that displacements would make in these
-    // springs. The factor is this part over [`SOLVED_ROUNDING`].
+    // springs. The factor is this fraction over [`SOLVED_ROUNDING`].
     let rounded =
         1e-3 * springs.map(|(site, offset)| site.springs.stiffest() * site.span(offset, &near)).sum::<f64>();
     let answer = |i: usize, stretch: &SVector<f64, 3>, _: &ContactResponse| {

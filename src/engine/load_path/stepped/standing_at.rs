@@ -31,7 +31,7 @@ impl SteppedState {
     pub(super) fn edge<'g>(&self, journey: &Journey<'g>) -> StateAtEdge<'g> {
         let segment = journey.segment(self.slips.clone());
         let (offsets, largest) = (segment.offsets(self.fraction), self.largest_force());
-        // A friction reserve, or a force to close a gap, counts as zero below this part of the largest force. The last steps are 1e-12 of a leg. If
+        // A friction reserve, or a force to close a gap, counts as zero below this fraction of the largest force. The last steps are 1e-12 of a leg. If
         // the part were smaller, a contact that such a step would bring to its edge would still hold, and the limit would be missed.
         let at_an_edge = 1e-9;
         let near = largest * (at_an_edge / ZERO_SLACK);

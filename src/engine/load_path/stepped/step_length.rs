@@ -77,7 +77,7 @@ impl<'g> Steps<'g> {
         // The error budget of a contact grows with the sum of the changes of forces over the largest force, up to twice the allowed error. The error
         // is a third of the distance between the two paths; a larger budget would exceed the allowed error.
         let budget = self.error * (self.way + way).min(2.0);
-        // Errors below this part of the largest force are rounding.
+        // Errors below this fraction of the largest force are rounding.
         let rounding = 1e-13;
         let part = |i: usize| {
             let so_far = (from.forces[i] - self.coarse.present.forces[i]).norm() / largest;

@@ -75,7 +75,7 @@ pub(crate) fn check_leg_error(what: &'static str, value: f64) -> Result<(), Erro
 }
 
 impl Engine {
-    /// [`Grasp::follow_in_steps`](crate::ask::Grasp::follow_in_steps).
+    /// Implements [`Grasp::follow_in_steps`](crate::ask::Grasp::follow_in_steps).
     pub(crate) fn follow_in_steps(
         &self,
         start: &Wrench<3>,
