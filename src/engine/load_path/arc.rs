@@ -1,7 +1,7 @@
 //! An arc: a piece of the path on which contact states stay while directions of sliding turn. This file has the linear algebra at a point of it.
 //!
 //! Let a contact slide along p = F_t / |F_t| with `|F_t| = μ F_n`. Its tangent `C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ`, see [`Tangent`], depends on p
-//! alone. Offsets a are affine in the factor λ; the load W is affine or turns with it. Twist and factor change together:
+//! alone. Offsets a are affine in the load factor λ; the load W is affine in λ or turns with it. Twist and factor change together:
 //!
 //! ```text
 //! T q' = b λ',     T = Σ G_i C_i G_iᵀ,     b = Σ G_i C_i a_i' + W',     |q'|²/u² + λ'² = 1
@@ -31,11 +31,11 @@ pub(super) struct Arc<'s, 'g> {
     pub(super) states: &'s [State],
     /// The contacts that slide.
     pub(super) sliding: Vec<usize>,
-    /// The displacement u that contributes as much to arclength as the whole leg, m.
+    /// The displacement u that counts in arclength as much as the whole leg of the load program, m.
     unit: f64,
-    /// Motions that nothing resists, each with its rate for one unit of the factor.
+    /// Motions that nothing resists, each with its velocity per unit of the load factor.
     free_motions: Vec<(Vector, f64)>,
-    /// Computed when first needed: rates of relaxation need only the sliding contacts.
+    /// The terms of contacts that do not slide. They are computed when first needed, since rates of relaxation need only the sliding contacts.
     fixed: OnceCell<Fixed>,
     /// Whether commands change along the leg.
     pub(super) driven: bool,
@@ -60,12 +60,12 @@ pub(super) struct Direction {
 }
 
 impl Direction {
-    /// Towards a larger load factor, with any motion: the transverse row then keeps the load factor fixed.
+    /// The direction of a growing load factor, without motion. Corrections transverse to it leave the load factor fixed.
     pub(super) fn forward() -> Self {
         Self { twist: Vector::zeros(), factor: 1.0 }
     }
 
-    /// Whether motions transverse to this direction keep the load factor.
+    /// Whether this is [`Self::forward`]: corrections transverse to it leave the load factor fixed.
     fn keeps_the_factor(&self) -> bool {
         self.twist.norm_squared() == 0.0
     }
@@ -154,7 +154,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.factored(stiffness, &push, across)
     }
 
-    /// The tangent stiffness T and the right side b at a load factor.
+    /// The tangent stiffness T and the right-hand side b at a load factor.
     pub(super) fn balance(&self, tangents: &[Tangent], factor: f64) -> (PathStiffness, Vector) {
         let (mut t, mut push) = (self.fixed().stiffness.clone(), self.push_at(factor));
         for (&i, tangent) in self.sliding.iter().zip(tangents) {
@@ -197,7 +197,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         Direction { twist: x * self.unit, factor }
     }
 
-    /// The unit direction of the path in arclength at a load factor with these tangents, oriented along a given one.
+    /// The direction of the path per unit of arclength, at a load factor and with these tangent stiffnesses of sliding contacts. It has a positive
+    /// component along `along`.
     pub(super) fn direction(
         &self,
         tangents: &[Tangent],
@@ -209,7 +210,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         let ends = [along.factor * scale, scale];
         let (x, factor) = t.solved_once(self.segment.grasp.size(), [&-&push, &row], ends)?;
         let length = (x.norm_squared() + factor * factor).sqrt();
-        // Least cosine of the turn of the tangent within a step: sixty degrees. After a longer step the direction might be reversed.
+        // Within a step the tangent of the path may turn by sixty degrees at most. After a larger turn its orientation might be wrong.
         let turned = 1.0 / length >= 0.5;
         turned.then(|| Direction { twist: x * (self.unit / length), factor: factor / length })
     }
@@ -232,8 +233,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.states.iter().enumerate().map(rate).list()
     }
 
-    /// Moves a state onto the cones, with friction in these directions, and into balance, by corrections transverse to `across`. Returns the state
-    /// and its load factor.
+    /// Corrects a state, transverse to the direction `across`, until forces balance and sliding contacts are on their cones with friction in these
+    /// directions. Returns the state and its load factor.
     pub(super) fn balanced(
         &self,
         mut twist: Vector,
@@ -250,8 +251,7 @@ impl<'s, 'g> Arc<'s, 'g> {
             let mut forces = self.forces_at(&twist, factor, &frictions);
             let initial_force: f64 = forces.iter().map(Matrix::norm).sum();
             let mut ended = None;
-            // Maximum number of Newton corrections onto the cones. A step violates the cones by its error, and the first correction leaves the square
-            // of it.
+            // At most six Newton corrections: a step violates the cones by its error, and the first correction already leaves only the square of it.
             for _ in 0..6 {
                 let load = self.segment.course.at(factor);
                 let Imbalance { left, size: carried } = Imbalance::of(self.sites(), &forces, &load, 0.0);
@@ -271,7 +271,7 @@ impl<'s, 'g> Arc<'s, 'g> {
             }
             let carried = ended?;
             let off = self.off_the_cones(&forces);
-            // Along a motion that hardly anything resists a correction turns friction directions noticeably. It is then repeated with the new
+            // If hardly anything resists a motion, the correction along it may turn friction forces off the cones. It is then repeated with their new
             // directions.
             let is_on_them = off <= SLACK_ON_AN_ARC * carried;
             if !is_on_them {
@@ -329,8 +329,8 @@ impl<'s, 'g> Arc<'s, 'g> {
 }
 
 impl Segment<'_> {
-    /// State and rates if contacts slide on the round cone: the path to first order. The state is the one near `at` with friction on the cones: if a
-    /// contact has opened, the others take over its force. Motions that nothing resists move at the rates `pushed`.
+    /// State and rates of a path on which contacts slide on the round cone. The state is the one near `at` that is in balance with friction on the
+    /// cones; if a contact has opened, the others take over its force. Along motions that nothing resists the object moves at the rates `pushed`.
     pub(super) fn tangent(
         &self,
         states: &[State],
@@ -347,8 +347,8 @@ impl Segment<'_> {
         let arc = Arc::new(self, states, piece.free_motions().iter().map(|v| (v, 0.0)), 1.0);
         let largest = self.problem.largest_force(&at.forces, &at.twist).max(self.largest);
         let is_near = |(there, _): &(PieceState, f64)| {
-            // A correction by more than this fraction of the largest force leads to another equilibrium. After an event only rounding violates balance
-            // and cones.
+            // A correction by more than this fraction of the largest force has led to another equilibrium: after an event only rounding is to be
+            // corrected.
             there.forces.iter().zip(&at.forces).all(|(f, g)| (f - g).norm() <= 1e-6 * largest)
         };
         let balanced =

@@ -12,7 +12,7 @@ use crate::numerics::moved;
 use crate::prelude::*;
 
 impl Engine {
-    /// Separates the changes of contacts from those of drives, which are labelled by their joint or tendon.
+    /// Separates the changes of contacts from those of drives; a drive is labelled by its joint or tendon.
     pub(super) fn contacts_and_drives(
         &self,
         changes: Vec<(usize, Change<3>)>,

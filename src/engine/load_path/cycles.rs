@@ -38,7 +38,7 @@ pub(crate) struct CycleState {
     pub(crate) weaker: Vec<bool>,
 }
 
-/// Totals of one cycle.
+/// Totals and extremes of one cycle of legs.
 #[derive(Debug, Clone)]
 pub(crate) struct CycleRecord {
     /// The path length that each contact or drive has slid, m.
@@ -50,7 +50,7 @@ pub(crate) struct CycleRecord {
     /// The smallest gap of each contact or drive that was open during the whole cycle, m; `None` for others.
     pub(crate) open: Vec<Option<f64>>,
     pub(crate) step_error: f64,
-    /// Successive states of all contacts and drives, each list with the leg on which it occurs.
+    /// Successive lists of the states of all contacts and drives, each with the leg on which it occurs.
     states: Vec<(usize, Vec<State>)>,
 }
 
@@ -153,7 +153,7 @@ impl<'g> Cycles<'g> {
             self.path.continue_with(&self.legs).ok()?;
         }
         self.completed += 1;
-        // The last piece of the previous cycle is still stored, since the present state is computed from it; it is no part of this cycle.
+        // The last piece of the previous cycle is still stored, since the present state is computed from it. It does not count for this cycle.
         let before = self.path.follower.as_ref().map_or(0, |follower| follower.behind.len());
         while self.path.next().is_some() {}
         self.end().is_none().then_some(())?;
@@ -172,13 +172,13 @@ impl<'g> Cycles<'g> {
             states: Vec::new(),
         };
         for (k, stretch) in behind.iter().enumerate().skip(before) {
-            // Slips at the end of the piece; those of a jump that follows are added with the jump.
+            // Slips at the end of the piece. Those of a jump that follows are counted with the jump, which is a piece of its own.
             let next = behind
                 .get(k + 1)
                 .map(|next| next.jump.as_ref().map_or(&next.problem.slips, |jump| &jump.slips));
             record.add(stretch, next.unwrap_or(slips_at_the_end), first);
         }
-        // The state at the end of the cycle is computed from the piece that leads to it.
+        // The last piece is kept: the state at the end of the cycle is computed from it.
         follower.behind.extend(behind.into_iter().last());
         Some(record)
     }
@@ -203,7 +203,7 @@ impl<'g> Cycles<'g> {
 }
 
 impl CycleState {
-    /// The friction of each contact or drive: kinetic for those in `weaker`, otherwise static. Empty if `weaker` is.
+    /// The friction of each contact or drive: kinetic for those in `weaker`, otherwise static. Empty if `weaker` is empty.
     fn cones(&self, grasp: &Engine) -> Vec<Coulomb> {
         let sites = grasp.sites().iter().zip(&self.weaker);
         sites.map(|(site, weaker)| site.kinetic.filter(|_| *weaker).unwrap_or(site.friction)).list()

@@ -32,7 +32,7 @@ pub struct LegEnergy {
     pub dissipated: f64,
     /// Sum of the absolute values of all contributions, piece by piece and contact by contact: the scale for the rounding of the balance, since works
     /// cancel. Along a sliding arc of the round cone the stored energies before and after each step are contributions, since their change is a
-    /// difference. Not written.
+    /// difference. Not serialised.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub turnover: f64,
 }
@@ -49,7 +49,7 @@ impl LegEnergy {
     pub(super) fn store(&mut self, sites: &[Site], from: &[SVector<f64, 3>], to: &[SVector<f64, 3>]) {
         for (site, (from, to)) in sites.iter().zip(from.iter().zip(to)) {
             self.stored += 0.5 * (to - from).dot(&site.springs.deflection(&(to + from)));
-            // A difference of two energies carries the rounding of both.
+            // The change of energy is a difference, which carries the rounding of both energies.
             self.turnover += site.springs.stored(to) + site.springs.stored(from);
         }
     }

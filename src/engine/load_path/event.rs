@@ -115,8 +115,8 @@ pub enum Change<const C: usize> {
 pub enum PathEnd<const C: usize> {
     /// All legs were followed to their end.
     Completed,
-    /// The equilibrium ends here: no rates continue it under the growing load. Whether another exists beyond is a separate question, see
-    /// [`LoadPath::beyond`](super::LoadPath::beyond).
+    /// The equilibrium ends here: in no contact states do forces and motion have rates under the growing load. Whether another exists beyond is a
+    /// separate question, see [`LoadPath::beyond`](super::LoadPath::beyond).
     Lost(Box<Loss<C>>),
     /// There is no equilibrium to start from.
     NoStart(Box<Outcome<C>>),
@@ -187,7 +187,8 @@ pub struct Loss<const C: usize> {
     /// equilibrium exists. Empty if no friction fell.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub jumped: Vec<JumpSlip<C>>,
-    /// The virtual motion that contacts can resist least at the loss, in the engine's coordinates: it may prove the loss.
+    /// A virtual motion against which contact forces can do little or no work at the loss, in the engine's coordinates. It may prove that no
+    /// equilibrium exists beyond.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) against: Option<Coordinates>,
     /// The motion with which the object leaves, in the engine's coordinates.
@@ -196,7 +197,7 @@ pub struct Loss<const C: usize> {
 }
 
 impl<const C: usize> Loss<C> {
-    /// The virtual motion that contacts can resist least at the loss, in the engine's coordinates: it may prove the loss.
+    /// The virtual motion that may prove the loss, in the engine's coordinates: contact forces can do little or no work against it.
     pub(crate) fn virtual_motion(&self) -> Option<&Coordinates> {
         self.against.as_ref()
     }

@@ -13,7 +13,7 @@ use crate::prelude::*;
 
 impl<'g> Pieces<'g> {
     /// Lists the present friction cone of every contact, if some have kinetic friction. At the start contacts that slide already get kinetic
-    /// friction, which may cause a jump. If cones are listed already, the path is in progress, and they stay.
+    /// friction, which may cause a jump. If the list exists already, the path is in progress, and the list stays as it is.
     pub(super) fn with_falling_friction(mut self, journey: &Journey<'g>) -> Result<Self, PathEnd<3>> {
         let grasp = journey.grasp;
         if self.friction_falls() || grasp.weaker_once_they_slide().next().is_none() {
@@ -62,8 +62,8 @@ impl<'g> Pieces<'g> {
         }
     }
 
-    /// Whether a contact that alternately sticks and slips while it is unloaded has all but lost its force. It would do so infinitely often before
-    /// the force vanishes.
+    /// Whether a contact with kinetic friction has all but lost its force. While it is unloaded it alternately sticks and slips, infinitely often
+    /// before its force vanishes.
     pub(super) fn runs_out(&self, reached: &ExitsReached) -> bool {
         let largest = self.segment.largest;
         let is_weaker = |i: usize| self.segment.problem.sites[i].kinetic.is_some();

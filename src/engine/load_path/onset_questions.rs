@@ -48,7 +48,7 @@ impl Engine {
         self.onset_in_memory(ramp, settings, memory)
     }
 
-    /// [`Self::onset`], with the equilibrium at the base if it had to be searched for: a path can start from it.
+    /// [`Self::onset`], with the equilibrium under the base load if it had to be searched for: a path can start from it.
     pub(crate) fn onset_from_rest(
         &self,
         ramp: &Ramp<3>,
@@ -81,8 +81,8 @@ impl Engine {
         Ok(onset)
     }
 
-    /// The onset along a trajectory of the load up to the load factor `end`, including contacts that close before. It starts from the equilibrium
-    /// `rest` at the base.
+    /// The onset along a trajectory of the load up to the load factor `end`, if contacts may close before it. It starts from the equilibrium `rest`
+    /// under the base load.
     pub(super) fn onset_with_closing<'a>(
         &'a self,
         segment: Segment<'a>,
@@ -132,7 +132,7 @@ impl Engine {
         Some(beyond_end(&segment, &rates, (settled, &effort), &end, settings))
     }
 
-    /// The local problem at an onset.
+    /// The problem of the equilibrium at an onset.
     pub(super) fn problem_at_onset(&self, event: &OnsetEvent<3>) -> Option<Problem<'_>> {
         let local = &event.local;
         if local.found.states.len() != self.sites().len() {

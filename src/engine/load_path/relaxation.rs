@@ -48,7 +48,7 @@ pub(super) struct Relaxation<'f, 's, 'g> {
     contacts: Vec<Turning>,
     /// The tangent stiffness T.
     stiffness: PathStiffness,
-    /// The right side b.
+    /// The right-hand side b.
     load: Vector,
     way: Direction,
 }
@@ -58,7 +58,7 @@ pub(super) struct Damped {
     length: f64,
     /// The factors of `[T' | -b']` with the transverse row below.
     bordered: PathFactors,
-    /// The numbers e of the contacts, N.
+    /// The number e_i of each contact, N.
     sizes: Vec<f64>,
 }
 
@@ -79,7 +79,8 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
                 _ => SVector::zeros(),
             };
             let turned = |angle: f64| arc.tangent(contact, &(friction + across * (size * angle)));
-            // Angle by which a direction is turned to both sides for the derivative of a tangent, rad: two thirds of the digits remain.
+            // Angle of the central difference by which the derivative of a contact's tangent stiffness is computed, rad. The derivative has two
+            // thirds of all digits.
             let small = 6e-6;
             let [[_, less], [_, more]] =
                 [-small, small].each(|angle| arc.rates(contact, &turned(angle), &way));
@@ -119,7 +120,8 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
         Some(Damped { length, bordered, sizes })
     }
 
-    /// Solves `(1 - hJ) Δ = g` in place: friction forces, then twist and load factor. Works stay unchanged, since no rate depends on them.
+    /// Solves `(1 - hJ) Δ = g` in place: friction forces, then twist and load factor. Works, which follow in the list, stay unchanged, since no rate
+    /// depends on them.
     pub(super) fn solve(&self, damped: &Damped, side: &mut [f64]) {
         let length = damped.length;
         let mut left = Vector::zeros();

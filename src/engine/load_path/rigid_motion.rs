@@ -21,7 +21,7 @@ use crate::prelude::*;
 /// Largest number of coordinates and of contacts for which the motion is computed: beyond, it takes too long.
 const MOST_RIGID: usize = 64;
 
-/// The unit motion with which the object leaves under load rates that nothing balances, if no contact presses yet; `None` if one does.
+/// The unit motion with which the object leaves if no contact presses yet and nothing balances the rate of the load; `None` if a contact presses.
 pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     if rates.wrench.as_slice().len() > MOST_RIGID || rates.offsets.iter().any(|offset| offset.norm() > 0.0) {
         return None;
@@ -65,8 +65,8 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     if motion.norm() > NO_RIGID_MOTION * load.norm() {
         return Some(motion.normalize());
     }
-    // Near the limit, forces almost balance the load. Contacts that slide there may slide on, sticking ones stay, and no pressing contact comes
-    // nearer.
+    // Near a limit load, contact forces almost balance the load, and the motion above is only rounding. The motion is then the one along the load in
+    // which contacts at their friction limit slide, other pressing ones stick, and none comes nearer.
     let largest = pushes.r.amax();
     for (k, &i) in touching.iter().enumerate() {
         let push = pushes.r.rows(axes * k, axes);

@@ -139,7 +139,7 @@ impl<const C: usize> Turn<C> {
         self.load.cosine.check_in(space, "cosine of the load")?;
         self.load.sine.check_in(space, "sine of the load")?;
         if self.tilts_bodies_about.is_some() {
-            // Fault reported where the bodies have no weight that could turn.
+            // The text of the error if the bodies have no weight that could turn.
             let no_weight: &str = "is missing: give weight, or force, or cosine and sine; without them gravity turns, where a scene's bodies have masses under `gravity`, by onset_of_turn and need";
             return Err(Error::Question { question: "turn", field: "weight", fault: no_weight });
         }
@@ -148,7 +148,7 @@ impl<const C: usize> Turn<C> {
 
     /// Refuses an angle that is not positive, or absurdly large.
     pub(crate) fn check_angle(&self) -> Result<(), Error> {
-        // At larger angles rounding leaves no accurate place within the turn.
+        // At larger angles rounding would leave no accurate place within a turn.
         if !(self.angle > 0.0 && self.angle <= 1e6) {
             let allowed = "more than 0 and at most 1e6 rad";
             return Err(Error::Argument { what: "angle of the turn", value: self.angle, allowed });

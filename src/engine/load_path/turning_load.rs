@@ -1,4 +1,4 @@
-//! The state under a load that turns, and its harmonics from there on, by three linear solves.
+//! The state under a load that turns, and all quantities from there on as harmonic functions of the load's angle, by three linear solves.
 
 use alloc::sync::Arc;
 
@@ -21,7 +21,7 @@ impl Segment<'_> {
         load.rate_at(angle * factor).norm() <= SOLVED_ROUNDING * (load.cosine.norm() + load.sine.norm())
     }
 
-    /// Forces, gaps and their rates at a load factor, and their harmonics from there on.
+    /// Forces, gaps and their rates at a load factor, and their harmonic functions of the load's angle from there on.
     pub(super) fn point_on_turn(
         &self,
         piece: &Arc<Piece>,
@@ -92,7 +92,7 @@ impl Segment<'_> {
             let of = states.map(|(offsets, _, part)| sites[i].stretch(&offsets[i], &part.twist));
             let spans = states.map(|(offsets, _, part)| sites[i].span(&offsets[i], &part.twist));
             let turning_size = spans.cosine + spans.sine;
-            // Offsets count from the accumulated slips, and carry their rounding if both cancel.
+            // Offsets have the accumulated slips subtracted. If both cancel, the rounding of the slips remains.
             let size = problem.slips[i].norm() + spans.constant + turning_size;
             [force, Wave { of, size, turning_size }]
         };

@@ -26,7 +26,7 @@ impl TurningState {
         PieceState { forces, twist: self.twist.at(angle) - self.twist.at(0.0) }
     }
 
-    /// The first exits of contacts in these states, within a step of the load factor.
+    /// The first places at which contacts reach the end of these states, within a step `rest` of the load factor.
     pub(super) fn first_exits(&self, problem: &Problem<'_>, states: &[State], rest: f64) -> FirstExits {
         let (mut ways, mut touches) = (Vec::new(), Vec::new());
         for (i, ((local, state), [force, stretch])) in

@@ -66,7 +66,7 @@ impl<const C: usize> fmt::Display for PadChange<C> {
     }
 }
 
-/// "left begins to slide".
+/// For example "left begins to slide".
 impl<const C: usize> fmt::Display for WholeChange<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = self.contact.text();
@@ -106,7 +106,7 @@ impl<const C: usize> Event<C> {
     }
 }
 
-/// "leg 0 at 0.5, (0, -4) N: left begins to slide".
+/// For example "leg 0 at 0.5, (0, -4) N: left begins to slide".
 impl<const C: usize> fmt::Display for Event<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, digits) = (Words::of(f), Words::of(f).precision());
@@ -214,7 +214,7 @@ impl PointState {
         }
     }
 
-    /// The states before and after a change. At the very start of a path `state` is the one after it.
+    /// The states before and after a change. `state` is the one before the change; at the very start of a path it is the one after it.
     fn change<const C: usize>(change: &Change<C>, state: Self) -> [Self; 2] {
         match change {
             Change::Slides { .. } => [Self::Sticks, Self::Slides],
