@@ -27,7 +27,7 @@ pub struct Accuracy {
     /// load – are taken as exact.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub force: f64,
-    /// Estimated error of the displacements of the body at the contacts, m: the largest of all contacts. Free motions do not count.
+    /// Estimated error of the displacements of the body at the contacts, m: the largest of all contacts. Motions that nothing resists do not count.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement: f64,
     /// Condition of the contact forces: if all data have a relative error ε, the forces have about this times ε, relative to the largest. Rounding of
@@ -94,7 +94,7 @@ impl Engine {
 struct Variation {
     stretches: Vec<SVector<f64, 3>>,
     load: Vector,
-    /// Change of the friction forces due to that of their coefficients, N.
+    /// Change of the friction forces due to the change of the coefficients of friction, N.
     dragged: Vec<SVector<f64, 3>>,
 }
 

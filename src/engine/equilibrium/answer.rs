@@ -19,7 +19,7 @@ use crate::search::{Doubt, FoundBy};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// How a question for an equilibrium ends.
+/// The answer to a question for an equilibrium.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -157,7 +157,7 @@ impl<const C: usize> Equilibrium<C> {
 }
 
 impl Equilibrium<3> {
-    /// Forces of all contacts, then of the drives of a hand.
+    /// Forces of all contacts, followed by those of the drives of a hand.
     pub(crate) fn site_forces(&self) -> Vec<SVector<f64, 3>> {
         let mut all = mapped(&self.contacts, &|contact| contact.force);
         all.extend_from_slice(&self.local.drive_forces);

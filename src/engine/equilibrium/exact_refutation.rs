@@ -49,7 +49,8 @@ impl Exact {
         }
     }
 
-    /// Generators (ξ, F) of the relaxed law under a label. The contact may open, and slides at finite friction.
+    /// Generators, pairs of stretch and force, of the contact law relaxed to its convex hull in the case of a label. The contact may open and has
+    /// finite friction.
     fn generators(&self, label: &Label) -> Vec<[[Rational; 3]; 2]> {
         let zero = Rational::zero;
         let none = || [zero(), zero(), zero()];

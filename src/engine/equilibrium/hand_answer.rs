@@ -25,7 +25,7 @@ pub struct JointAnswer {
     pub kind: JointKind,
     /// State of the joint's own drive.
     pub state: DriveState,
-    /// Displacement φ from the posture in which the contacts were given, rad or m.
+    /// Displacement φ of the joint from the posture in which the contacts were given, rad or m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement: f64,
     /// Torque of all drives on the joint along φ – its own, couplings, tendons, and constant torques – N m or N. It balances the contact forces, `τ =

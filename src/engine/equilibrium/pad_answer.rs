@@ -202,7 +202,7 @@ impl Engine {
             sums[k][1] += x.abs();
         };
         for (i, contact) in (first..).zip(of) {
-            // Bearings of a link have frames of their own.
+            // The bearings of a link between bodies have frames of their own.
             let force = match contact.contact.link {
                 Some(_) => frame.tr_mul(&contact.force_world),
                 None => contact.force,

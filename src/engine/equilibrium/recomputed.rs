@@ -22,7 +22,7 @@ struct SiteAnswer<'a> {
     slip: SVector<f64, 3>,
 }
 
-/// Law of one contact or drive, and the sizes by which its residuals are divided, N and m.
+/// The law of one contact or drive, and the sizes of force and displacement by which its residuals are divided, N and m.
 struct ContactLaw<'c> {
     site: &'c Site,
     friction: Coulomb,

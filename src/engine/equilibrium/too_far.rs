@@ -55,7 +55,7 @@ pub enum TooFar {
     },
 }
 
-/// "it turns by more than 5.7°", "left slips by more than 4 mm".
+/// For example "it turns by more than 5.7°", "left slips by more than 4 mm".
 impl fmt::Display for TooFar {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = match self {
@@ -115,7 +115,7 @@ pub(crate) fn farthest(motions: &[CountedMotion]) -> Option<&CountedMotion> {
     motions.iter().max_by(|a, b| a.over_the_limit().total_cmp(&b.over_the_limit()))
 }
 
-/// Contacts in known states, with their forces and the offsets of their springs.
+/// An equilibrium, with the data from which its motions are measured: contact states, forces, offsets of the springs, slips and twist.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Standing<'s> {
     pub(crate) offsets: &'s [SVector<f64, 3>],

@@ -153,7 +153,8 @@ impl<'p, 'g> Builder<'p, 'g> {
             row
         });
         let facets = local.facets().len();
-        // Adds `v·q` to a row, with the twist q scaled and split in two; if `skew`, also adds the negative transpose to the balance rows.
+        // Adds `v·q` to a row of the matrix, with the twist q scaled and split into its positive and negative part. If `skew`, it also adds the
+        // negative transpose to the rows of equilibrium.
         let couple = |m: &mut DMatrix<f64>, row: usize, v: Vector, skew: bool| {
             for (axis, entry) in v.component_mul(unit).iter().enumerate() {
                 let column = twist_columns + 2 * axis;

@@ -27,7 +27,7 @@ struct Jump {
     z_unit: f64,
 }
 
-/// The rows that these contacts need, with their columns.
+/// The rows that these contacts need in the kinematic form, and the jumps (gaps and slips) of their columns.
 fn jumps(problem: &Problem, contacts: &[usize]) -> (Vec<Row>, Vec<Jump>) {
     let (mut rows, mut jumps) = (Vec::new(), Vec::new());
     for &contact in contacts {

@@ -32,8 +32,8 @@ pub(crate) fn clearly_breaks(form: &Form, is_planar: bool, states: &[State], lar
     let solved = if jumps.is_empty() { Some(pushed) } else { of_jumps.full_piv_lu().solve(&pushed) };
     let Some(z) = solved else { return false };
     let most = z.iter().fold(0.0, |most: f64, z| if z.abs() <= most { most } else { z.abs() });
-    // Jumps larger than this multiple of the forces show that rows are linearly dependent; the test then excludes nothing. The comparison is false
-    // for NaN.
+    // Jumps larger than this multiple of the forces show that rows are linearly dependent; the test then excludes nothing. For NaN the comparison is
+    // false.
     let known = most <= 1e8 * largest;
     if !known {
         return false;

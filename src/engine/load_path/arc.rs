@@ -25,7 +25,7 @@ use crate::numerics::Vector;
 use crate::object::{Imbalance, Piece, PieceState};
 use crate::prelude::*;
 
-/// Contacts in fixed states along an arc.
+/// An arc of a load path: contacts keep their states, and directions of sliding turn.
 pub(super) struct Arc<'s, 'g> {
     pub(super) segment: &'s Segment<'g>,
     pub(super) states: &'s [State],
@@ -41,16 +41,16 @@ pub(super) struct Arc<'s, 'g> {
     pub(super) driven: bool,
 }
 
-/// The parts of T and b that stay constant along an arc.
+/// The parts of `T q' = b λ'`, tangent stiffness and right-hand side, that are constant along an arc.
 struct Fixed {
-    /// T of the contacts that do not slide. Motions that nothing resists get an artificial stiffness, which keeps them at rest or at the speed at
-    /// which contacts without force push.
+    /// The tangent stiffness of the contacts that do not slide. Motions that nothing resists get an artificial stiffness, which keeps them at rest or
+    /// at the speed at which contacts without force push.
     stiffness: PathStiffness,
-    /// The part of b from contacts that do not slide, without the rate of the load.
+    /// The part of the right-hand side b that commands of contacts that do not slide contribute.
     push: Vector,
 }
 
-/// A direction of the path in twist and load factor.
+/// A direction of the path in the space of twist and load factor.
 #[derive(Debug, Clone)]
 pub(super) struct Direction {
     /// Rate of the twist, q' = dq/ds per unit of arclength.
@@ -72,7 +72,7 @@ impl Direction {
 }
 
 impl<'s, 'g> Arc<'s, 'g> {
-    /// The arc in these states, on which motions that nothing resists continue at their rates for one unit of the load factor.
+    /// The arc in these states, on which motions that nothing resists continue at the given velocities per unit of the load factor.
     pub(super) fn new<'m>(
         segment: &'s Segment<'g>,
         states: &'s [State],
@@ -124,17 +124,17 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.segment.grasp.sites()
     }
 
-    /// The part of b at a load factor from the load and from contacts that do not slide.
+    /// The part of the right-hand side b at a load factor that comes from the load and from contacts that do not slide.
     fn push_at(&self, factor: f64) -> Vector {
         self.segment.course.rate_at(factor) + &self.fixed().push
     }
 
-    /// Norm of the part of b from the load and from contacts that do not slide, N.
+    /// Norm of the rate of the load, with that of the forces by which commands push contacts that do not slide, N per unit of the load factor.
     pub(super) fn load_rate(&self, factor: f64) -> f64 {
         self.push_at(factor).norm()
     }
 
-    /// Tangent stiffness of a sliding contact with this friction force; a contact without one slides in the direction of its state.
+    /// Tangent stiffness of a sliding contact with this friction force; without friction force it slides in the direction that its state has.
     pub(super) fn tangent(&self, contact: usize, friction: &SVector<f64, 3>) -> Tangent {
         let local = self.segment.problem.local(contact);
         if tangential_norm(friction) == 0.0 {
@@ -148,7 +148,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.sliding.iter().zip(frictions).map(|(&i, friction)| self.tangent(i, &friction)).list()
     }
 
-    /// Factors of `[T u | -b]` with a transverse row at a load factor, and the size of their entries.
+    /// LU factors of `[T u | -b]` at a load factor, completed by the row `across` transverse to the path, and the size of the entries.
     fn bordered(&self, tangents: &[Tangent], factor: f64, across: &Direction) -> Option<(PathFactors, f64)> {
         let (stiffness, push) = self.balance(tangents, factor);
         self.factored(stiffness, &push, across)
@@ -173,7 +173,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         (t, push)
     }
 
-    /// Factors of `[T u | -b]` with a transverse row, and the size of their entries. `None` if the path may continue in more than one direction.
+    /// LU factors of `[T u | -b]`, completed by the row `across` transverse to the path, and the size of the entries. `None` if the path may continue
+    /// in more than one direction.
     pub(super) fn factored(
         &self,
         mut t: PathStiffness,
@@ -192,7 +193,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         (scale, &across.twist * (scale / self.unit))
     }
 
-    /// Twist and load factor from a solution in scaled coordinates.
+    /// Twist and load factor from a solution of the bordered system, in which the twist is measured in units of `unit`.
     pub(super) fn unscaled(&self, (x, factor): (Vector, f64)) -> Direction {
         Direction { twist: x * self.unit, factor }
     }
@@ -261,7 +262,7 @@ impl<'s, 'g> Arc<'s, 'g> {
                 }
                 let mut change = self.unscaled(bordered.solve(&left, 0.0));
                 if across.keeps_the_factor() {
-                    // The exact change of the load factor is zero; the solver returns only rounding.
+                    // The exact change of the load factor is zero; the computed one is rounding.
                     change.factor = 0.0;
                 }
                 twist += &change.twist;

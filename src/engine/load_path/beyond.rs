@@ -46,8 +46,8 @@ pub enum Beyond<const C: usize> {
     /// of them ([`Jump::snaps`](super::Jump::snaps)). At the end of a load path that has already been excluded: moving as viscous contacts would, the
     /// object reaches none of them by small motions.
     Snap,
-    /// This equilibrium ends here: the rates have no solution. Whether others exist beyond is not known, and no proof was found that there are none.
-    /// The cause is too many contacts: more than 32 on the round cone, or else more combinations of states than [`Settings::most_states`].
+    /// This equilibrium ends here: the problem in rates has no solution. Whether others exist beyond is not known, and no proof was found that there
+    /// are none. The cause is too many contacts: more than 32 on the round cone, or else more combinations of states than [`Settings::most_states`].
     Ends {
         /// The reason why the rates have no solution. The work in it is that of the rate of the load, J per unit of the load factor.
         reason: NoEquilibrium<C>,
@@ -77,7 +77,7 @@ pub struct Continuation<const C: usize> {
     pub force_rates: Vec<SVector<f64, C>>,
     /// Rate of the object's twist, m and rad for one unit of the load factor.
     pub twist_rate: Motion<C>,
-    /// The rule that found the solution of the rates.
+    /// The rule that found the solution of the problem in rates.
     pub rule: FoundBy,
 }
 
@@ -161,7 +161,7 @@ pub(super) fn no_rates(rates: &Problem) -> bool {
     kinematic_form(rates, &trial, &state).is_some_and(|form| form.lcp.solve_with(&settings).is_infeasible())
 }
 
-/// Searches for an equilibrium slightly beyond the end, with the slip so far but without regard to the path.
+/// Searches for an equilibrium slightly beyond the end of a path. Contacts keep the slip so far, but their states need not continue the path.
 fn from_scratch<'g>(
     past: impl Fn(f64) -> Problem<'g>,
     forces: &[SVector<f64, 3>],
@@ -183,7 +183,7 @@ fn from_scratch<'g>(
                 // If the forces found are nearly those at the end, shorter distances decide: only the forces of another equilibrium then stay
                 // different from those at the end.
                 let is_another = !is_near(&found.forces, forces, part) || [1e-8, 1e-10].iter().any(another);
-                // Otherwise this equilibrium may be the one that ends here, found past its end through rounding.
+                // If not, the equilibrium found may be the one that ends here, which rounding lets exist a little further.
                 return if is_another {
                     Beyond::Snap
                 } else {

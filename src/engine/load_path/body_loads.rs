@@ -108,7 +108,7 @@ impl BodyLoads {
         self.0 = Some(Arc::new([from, to]));
     }
 
-    /// The sum of these loads in the engine's coordinates, at the beginning and at the end of the leg.
+    /// The sum of the loads of all bodies in the engine's coordinates, at the beginning and at the end of the leg.
     pub(super) fn inside(&self, grasp: &Engine) -> Option<[Vector; 2]> {
         let (loads, bodies) = self.0.as_ref().zip(grasp.bodies())?;
         Some([0, 1].each(|end| grasp.combine_wrenches(bodies, &loads[end])))

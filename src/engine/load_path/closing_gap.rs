@@ -27,7 +27,7 @@ use crate::search::Found;
 
 use nalgebra::SVector;
 
-/// The free motion up to the gap that closes first.
+/// A motion of the object that nothing resists, up to the gap that closes first.
 struct FreeWay {
     /// Length of the motion, as a multiple of the motion vector.
     length: f64,
@@ -98,7 +98,7 @@ impl<'g> Pieces<'g> {
         is_small.then_some(FreeWay { length, closing, still })
     }
 
-    /// Makes contacts on the edge of their cones slide or open along the motion, and returns the changes of state.
+    /// Makes contacts on the edge of their cones slide or open along the motion, unless they stay in place, and returns the changes of state.
     fn yield_along(
         &mut self,
         motion: &Vector,
@@ -137,7 +137,8 @@ impl<'g> Pieces<'g> {
         Some(())
     }
 
-    /// The event at which a gap closes after a free motion from a loss; the path continues from there. `None` if no gap closes.
+    /// The event at which the object, which nothing resists after a loss, has moved until a gap closes; the path continues from there. `None` if no
+    /// gap closes.
     pub(super) fn closing_gap_event(&mut self, journey: &Journey<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         if self.failed_jump.is_some() || self.pace.steps >= journey.settings.most_steps {
             return None;

@@ -8,7 +8,7 @@ use super::segment::PathPoint;
 use super::watch::{Watch, watch};
 use crate::prelude::*;
 
-/// The end of a step, with the conditions there.
+/// The end of a step along an arc, with the conditions that are watched, evaluated there.
 pub(super) struct StepEnd {
     pub(super) length: f64,
     pub(super) rule: Rule,
@@ -19,7 +19,7 @@ pub(super) struct StepEnd {
 }
 
 impl Pieces<'_> {
-    /// Makes a step of a length, and evaluates the conditions at its end.
+    /// Makes a step of this length along an arc, and evaluates the watched conditions at its end.
     pub(super) fn step(
         &self,
         point: &PathPoint,

@@ -16,7 +16,7 @@ use crate::numerics::{IntoList, Vector, largest, numbered};
 use crate::prelude::*;
 use crate::search::{Doubt, Settings};
 
-/// A program of repeated cycles in progress.
+/// A cycle of legs that is being followed again and again.
 #[derive(Debug)]
 pub(crate) struct Cycles<'g> {
     path: Following<'g, Pieces<'g>>,
@@ -95,7 +95,7 @@ impl<'g> Cycles<'g> {
         Ok(Self { path, legs: legs.to_vec(), base: *base, completed: 0 })
     }
 
-    /// The program at the beginning of a cycle, from the given state; `None` if this state is no equilibrium of the grasp with its slips.
+    /// The program at the beginning of a cycle, from the given state; `None` if this state is no equilibrium of the grasp with the slips in it.
     pub(crate) fn beginning_at(&self, from: &CycleState, settings: &Settings) -> Option<Self> {
         let grasp = self.path.journey.grasp;
         let largest = largest(&from.forces, &Matrix::norm);
@@ -104,7 +104,7 @@ impl<'g> Cycles<'g> {
             slipped.offsets.iter_mut().zip(&from.slips).for_each(|(offset, slip)| *offset -= slip);
             slipped.slips.clone_from(&from.slips);
             slipped.cones = from.cones(grasp);
-            // A state in which a contact would have to slide at once is refused without a search.
+            // If a contact would have to slide at once, the state is no equilibrium with these slips, and no search is needed.
             let slides = |(i, force): (usize, &SVector<f64, 3>)| {
                 // A condition of sticking that is violated by more than this fraction of the largest force means sliding.
                 slipped
@@ -125,7 +125,7 @@ impl<'g> Cycles<'g> {
         is_there.then_some(begun)
     }
 
-    /// Sets the number of steps along sliding arcs that a leg may take from now on.
+    /// Sets how many steps along sliding arcs are allowed on each leg from now on.
     pub(crate) fn allow_steps(&mut self, most_steps: usize) {
         self.path.journey.settings.most_steps = most_steps;
     }
@@ -211,7 +211,7 @@ impl CycleState {
 }
 
 impl CycleRecord {
-    /// Adds a piece of the path, with the slips after it.
+    /// Adds a piece of the path to the totals; `after` are the slips at its end.
     fn add(&mut self, piece: &Stretch<'_>, after: &[SVector<f64, 3>], first: usize) {
         let leg = piece.leg.saturating_sub(first);
         if let Some(jump) = &piece.jump {

@@ -54,7 +54,7 @@ impl LegEnergy {
         }
     }
 
-    /// Adds the energies of another part of the leg.
+    /// Adds the energies of another stretch of the leg.
     pub(super) fn add_part(&mut self, part: &Self) {
         self.load_work += part.load_work;
         self.finger_work += part.finger_work;
@@ -63,7 +63,7 @@ impl LegEnergy {
         self.turnover += part.turnover;
     }
 
-    /// Adds the energies of a piece from a load factor on, with fixed states and no contact sliding on a round cone.
+    /// Adds the energies of a piece of the path that begins at a load factor, on which contacts keep their states and none slides on a round cone.
     pub(super) fn add(
         &mut self,
         segment: &Segment,
@@ -88,7 +88,7 @@ impl LegEnergy {
                 if states[i].slides() { site.springs.slip(&moving, &line.rate) } else { SVector::zeros() };
             for axis in 0..site.springs.axes() {
                 let pushed = force[axis] * segment.change[i][axis] * step;
-                // d(½F²/k) = F dF / k, exact at the middle of the piece.
+                // `Δ(½F²/k) = F ΔF / k` with the force F at the middle of the piece, which is exact.
                 let stored = force[axis] * give[axis] * step;
                 let dissipated = force[axis] * slip[axis] * step;
                 self.finger_work += pushed;
@@ -99,7 +99,7 @@ impl LegEnergy {
         }
     }
 
-    /// Adds the energies of a piece on which all quantities are harmonics of the load's angle.
+    /// Adds the energies of a piece of the path on which all quantities are harmonic functions of the load's angle.
     fn add_turned(&mut self, segment: &Segment, states: &[State], turned: &TurningState, step: f64) {
         let angle = turned.angle * step;
         for k in 0..segment.grasp.size().count() {

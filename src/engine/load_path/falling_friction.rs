@@ -48,7 +48,7 @@ impl<'g> Pieces<'g> {
         !self.segment.problem.cones.is_empty()
     }
 
-    /// Gives contacts that do not slide static friction; they are inside its cone.
+    /// Gives static friction to contacts that do not slide. Their forces are inside the static cone, so they are not on its edge.
     pub(super) fn friction_of_rest(&mut self) {
         let problem = &mut self.segment.problem;
         for (i, cone) in problem.cones.iter_mut().enumerate() {
@@ -84,7 +84,8 @@ impl<'g> Pieces<'g> {
         self.stalls = 0;
     }
 
-    /// Lets sliding contacts with kinetic friction come to rest on a leg along which nothing changes, since time passes on it. Returns these changes.
+    /// On a leg along which nothing changes, sliding contacts with kinetic friction come to rest, since such a leg stands for time that passes.
+    /// Returns these changes.
     pub(super) fn pause(&mut self) -> Vec<(usize, Change<3>)> {
         let segment = &self.segment;
         let is_still = matches!(&segment.course, Trajectory::Straight { rate, .. } if rate.norm() == 0.0)

@@ -8,7 +8,7 @@ pub(super) type ExitsReached = Vec<(usize, Vec<Exit>)>;
 
 /// The first places along a piece of the path at which contacts reach the end of their state.
 pub(super) struct FirstExits {
-    /// The step to the first edge of a cone, and all contacts that reach an edge at that step.
+    /// The step at which the first contact reaches the end of its state, and all contacts that do so at that step.
     pub(super) reached: Option<(f64, ExitsReached)>,
     /// Contacts and drives that reach the edge of their cone before this step without crossing it, while a load turns; with the angle, rad.
     pub(super) touches: Vec<(usize, f64)>,

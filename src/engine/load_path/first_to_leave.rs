@@ -39,7 +39,7 @@ pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) ->
     piece.solve_roughly_into(&segment.change, &direction, (solution, rate));
     piece.solve_roughly_into(&problem.offsets, &problem.wrench, (solution, base));
     let First { contact, exit, line } = first_exit(segment, base, (&direction, rate))?;
-    // The state is solved again at the onset, because a load factor extrapolated from the base carries the rounding of the forces at the base.
+    // The state is solved again at the onset, because a load factor extrapolated from the base load has the rounding errors of the forces there.
     let mut factor = exit.step;
     let load = segment.course.at(factor);
     segment.offsets_into(factor, offsets);
@@ -54,7 +54,7 @@ pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) ->
     Some(FirstToLeave { factor, contact, exit, there: core::mem::take(there) })
 }
 
-/// The first contact that stops sticking under a load that turns.
+/// The answer for a load that turns: the first contact that stops sticking, if one does.
 pub(super) enum WhileTurning {
     /// One contact stops sticking before all others.
     First(FirstToLeave),
@@ -120,7 +120,7 @@ pub(super) fn first_to_leave_on_turn(
 }
 
 impl FirstToLeave {
-    /// The onset on this segment, under the load there.
+    /// The onset as an answer, on this segment and under the given load.
     pub(super) fn onset(
         self,
         mut segment: Segment<'_>,

@@ -46,7 +46,7 @@ impl Rule {
     }
 }
 
-/// The load factor at which a step is to end.
+/// The load factor at which a step should end, and how near to it a step counts as arrived.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StepGoal {
     factor: f64,
@@ -122,14 +122,14 @@ impl<'s, 'g> Flow<'s, 'g> {
             span = span.max(site.span(a, &point.twist));
         }
         let sizes = [force, span];
-        // Motions that no force drives continue at their present rate.
+        // Motions that nothing resists continue at their present velocity, since no force changes it.
         let pushed = |v: &Vector| {
             let rate = v.dot(&point.twist_rate);
             // A free motion slower than this fraction of the twist rate is rounding.
             if rate.abs() > NEGLIGIBLE * point.twist_rate.norm() { rate / point.factor_rate } else { 0.0 }
         };
         let arc = Arc::new(segment, states, point.free_motions.iter().map(|v| (v, pushed(v))), unit);
-        // A contact that has just closed has a friction force of rounding size: its state gives the direction.
+        // The friction force of a contact that has just closed is mere rounding, so its direction is taken from the contact state.
         let friction = |&i: &usize| {
             let size = tangential_norm(&point.lines[i].force);
             states[i].slide().map_or_else(SVector::zeros, |slide| slide.direction * size)
@@ -223,7 +223,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         Some(FlowStep { to, point, energy, error, backwards })
     }
 
-    /// Indices of the load factor and of the works among the variables; friction forces and twist come before.
+    /// Indices of the load factor and of the first of the works in the list of variables; friction forces and twist come before.
     fn places(&self) -> [usize; 2] {
         let load = self.begin.len() * (2) + self.size().count();
         [load, load + 1]
@@ -273,7 +273,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         Some(backwards > 0.0 || is_straight && way.factor < -1e-8)
     }
 
-    /// Friction forces of the sliding contacts, in order, after these changes of the variables.
+    /// Friction forces of the sliding contacts, in order, after the changes `y` of the variables.
     fn frictions(&self, y: &[f64]) -> impl Iterator<Item = SVector<f64, 3>> {
         self.begin.iter().zip(y.chunks_exact(2)).map(|(begin, change)| {
             let mut force = *begin;
@@ -282,7 +282,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         })
     }
 
-    /// Power of the fingers, `Σ F·a'` per unit of the load factor, after these changes of the variables.
+    /// Power of the fingers, `Σ F·a'` per unit of the load factor, after the changes `y` of the variables.
     fn power_of_fingers(&self, y: &[f64]) -> f64 {
         let [load, _] = self.places();
         let (moved, further) = (self.twist_change(y), y[load]);
@@ -304,7 +304,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         sum
     }
 
-    /// Relative error of the variables: of forces over the largest, of the twist over the largest displacement.
+    /// Relative size of an error of the variables. Forces are compared with the largest force, the twist with the largest displacement.
     fn error_size(&self, error: &[f64], length: f64) -> f64 {
         let count = self.size().count();
         let size = |k: usize| self.sizes[k] + length * self.point.rate_sizes[k];

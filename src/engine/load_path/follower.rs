@@ -27,7 +27,7 @@ pub(crate) enum Advance<T> {
     EndOfLeg,
 }
 
-/// The state at the present place, and the problem in rates for the contacts on the edge of their cones.
+/// The state at the present place, and the problem in rates that decides about the contacts on the edge of their cones.
 #[derive(Debug)]
 pub(crate) struct StateAtEdge<'g> {
     pub(super) segment: Segment<'g>,
@@ -38,7 +38,7 @@ pub(crate) struct StateAtEdge<'g> {
 /// A method of following a program: piece by piece for a few contacts, or in steps for thousands. The follower stores its place on the present leg
 /// and the slips so far; the [`Journey`] stores the legs.
 pub(crate) trait Follower<'g>: Debug {
-    /// The type of the reports, events or steps.
+    /// The type of what is reported: events, or steps.
     type Report;
 
     /// Starts the present leg of the program.
@@ -47,7 +47,7 @@ pub(crate) trait Follower<'g>: Debug {
     /// How the path ends if it cannot start.
     fn start_leg(&mut self, journey: &Journey<'g>) -> Result<(), PathEnd<3>>;
 
-    /// Advances to the next place that needs a decision.
+    /// Advances to the next place of an event, or by a step, or decides how the path continues at the present place.
     ///
     /// # Errors
     /// How the path ends here.

@@ -29,7 +29,7 @@ use crate::numerics::{Equation, MOST_UNKNOWNS, Vector, cleared_for, largest, sol
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// The path of a load up to its end: which contacts slide, and from which load factor.
+/// The result of following a growing load: which contacts slide, from which load factor, and how the path ends.
 pub(crate) struct InSlips {
     /// Contacts that have slid, in order, and the load factors from which they slide.
     pub(crate) slid: Vec<(usize, f64)>,
@@ -52,7 +52,7 @@ pub(crate) enum SlipEnd {
 }
 
 impl Engine {
-    /// The path of a load up to this load factor; `None` where only a `LoadPath` can follow it.
+    /// Follows a load that grows along `ramp` up to the load factor `most`; `None` where only a `LoadPath` can follow it.
     pub(crate) fn in_slips(&self, ramp: &Ramp<3>, most: f64, settings: &Settings) -> Option<InSlips> {
         let plain = |site: &Site| {
             let closed = site.hold == Hold::Unilateral && site.springs.resists_tangentially();

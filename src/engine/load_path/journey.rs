@@ -63,7 +63,7 @@ impl<'g> Journey<'g> {
         }
     }
 
-    /// The present leg, with the slips up to its beginning. Its loads and commands follow from the goals of the legs, so that rounding does not add
+    /// The present leg, with the slips up to its beginning. Loads and commands are computed from the goals of the legs, so that rounding does not add
     /// up over many legs.
     pub(super) fn segment(&self, slips: Vec<SVector<f64, 3>>) -> Segment<'g> {
         let course = self.program.inside_course(self.grasp);

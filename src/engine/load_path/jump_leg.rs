@@ -52,7 +52,7 @@ impl<'g> JumpInProgress<'g> {
         Self { leg, record, changes: Vec::new(), reaches: Vec::new() }
     }
 
-    /// Follows the leg to its end; the forces that further contacts lose are removed as well.
+    /// Follows the leg of the jump to its end. Forces that further contacts lose on the way are removed as well.
     pub(super) fn run(&mut self, goal: &Vector, journey: &Journey<'g>) -> Result<(), PathEnd<3>> {
         // A lost force is removed at most sixteen times for each contact or drive. Each time energy is lost, so only rounding could make contacts
         // stick and slide again more often.
@@ -255,7 +255,7 @@ impl<'g> Pieces<'g> {
     }
 }
 
-/// Whether any equilibrium exists at the load at which a jump found none, with the friction that remains.
+/// Whether any equilibrium exists at the load at which a jump found none, with the kinetic friction of contacts that slide.
 pub(super) fn beyond_a_jump(problem: &Problem<'_>, settings: &Settings) -> Beyond<3> {
     match settle(problem, settings).0 {
         Settled::Found(..) => Beyond::Snap,

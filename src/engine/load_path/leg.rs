@@ -193,7 +193,7 @@ impl<const C: usize> Leg<C> {
         matches!(self.load, LegLoad::Turn(_))
     }
 
-    /// The change of a ramp for one unit of its load factor, as a leg.
+    /// A leg along which load and commands change as along a ramp while its load factor grows by one.
     #[must_use]
     pub fn along(ramp: &Ramp<C>) -> Self {
         let by = |change: &Vec<_>| LegGoal::By(change.clone());
@@ -221,7 +221,8 @@ impl<const C: usize> Leg<C> {
 }
 
 impl Leg<3> {
-    /// This leg with commands for each point of a grasp; links keep their pretension.
+    /// This leg with one command for each point: those of soft fingertips are repeated for all of their points. Links between bodies keep their
+    /// pretension.
     pub(super) fn of_points(&self, grasp: &Engine) -> Result<Self, Error> {
         let (what, none) = ("commands of a leg", SVector::zeros());
         let of_points = |rows: &Vec<_>, at_links: &dyn Fn(usize) -> SVector<f64, 3>| {

@@ -24,14 +24,14 @@ use crate::search::{
 
 /// The problem in rates at a node (the place of an event), and its result.
 struct Decided<'g> {
-    /// The load factor at which the rates were evaluated.
+    /// The load factor at which the rates were evaluated: that of the node, or one slightly ahead.
     ahead: f64,
     rates: Problem<'g>,
     settled: Settled,
     effort: Effort,
 }
 
-/// The state of the path at a node, contact by contact.
+/// The state of the path at a node (the place of an event), contact by contact.
 #[derive(Debug, Clone)]
 pub(super) struct Node {
     /// Contact states. A slide on the round cone is stored with the direction of the friction force.
@@ -50,7 +50,7 @@ pub(super) struct Node {
     pub(super) ahead: f64,
 }
 
-/// The continuation of the path from a node.
+/// The continuation of the path from a node, the place of an event.
 pub(super) struct NextPiece {
     pub(super) point: PathPoint,
     pub(super) changes: Vec<(usize, Change<3>)>,
@@ -58,7 +58,7 @@ pub(super) struct NextPiece {
 }
 
 impl Node {
-    /// Decides the states of all contacts on the edge of their cones, by solving the problem in rates.
+    /// Decides the states of all contacts on the edge of their cones, by solving the problem in rates, and so how the path continues.
     pub(super) fn continue_path(
         &mut self,
         segment: &mut Segment<'_>,

@@ -80,8 +80,8 @@ pub struct OnsetEvent<const C: usize> {
     pub(super) local: StickingState,
 }
 
-/// The sticking state at an onset, with some contacts on the edge of their cone, and the rates of the ramp there. Loads are in the engine's
-/// coordinates.
+/// The state at an onset, in which everything sticks and some contacts are on the edge of their cone, with the rates of load and commands. Loads are
+/// in the engine's coordinates.
 #[derive(Debug, Clone)]
 pub(super) struct StickingState {
     pub(super) found: Kept,

@@ -33,7 +33,7 @@ impl Engine {
         self.onset_in_memory(ramp, settings, &mut OnsetMemory::default())
     }
 
-    /// [`OnsetWorkspace::onset`](crate::ask::OnsetWorkspace::onset): reuses the memory of the last question and of its answer `returned`.
+    /// Implements [`OnsetWorkspace::onset`](crate::ask::OnsetWorkspace::onset), which reuses the memory of the last question and of its answer `returned`.
     pub(crate) fn onset_in(
         &self,
         ramp: &Ramp<3>,

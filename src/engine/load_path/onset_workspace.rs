@@ -16,7 +16,7 @@ use crate::object::{Lists, Load, PieceState, SolutionMemory};
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// The lists that the computation of an onset needs.
+/// The lists that the computation of an onset needs, which the next computation reuses.
 #[derive(Debug, Clone, Default)]
 pub(super) struct OnsetMemory {
     pub(super) lists: Lists,
@@ -41,7 +41,7 @@ pub(super) struct OnsetMemory {
 }
 
 impl OnsetMemory {
-    /// The segment from a base load, with the rates of offsets in `change`, and no contact slipped yet.
+    /// The ramp or turn as a [`Segment`], with the rates of offsets in `change`. No contact has slipped yet.
     pub(super) fn segment<'g>(
         &mut self,
         grasp: &'g Engine,

@@ -45,7 +45,7 @@ impl Pace {
         }
     }
 
-    /// The control after an event, with a new choice of step length.
+    /// The step control after an event: only the number of steps is kept, and the step length is chosen anew.
     pub(super) fn at_node(self) -> Self {
         Self { steps: self.steps, ..Self::new() }
     }
@@ -77,7 +77,7 @@ impl Pace {
 
     /// Whether steps have been explicit for a while and stability keeps them so short that more than fifty of them remain.
     pub(super) fn is_cramped(&self, stable: f64, rest: f64) -> bool {
-        // An implicit step costs as much as a few explicit ones, and is as long as hundreds.
+        // An implicit step costs as much as a few explicit ones, and may be as long as hundreds of them.
         self.patience == 0 && stable * 50.0 < rest
     }
 

@@ -67,7 +67,7 @@ pub type SteppedPath<'g, const C: usize> = Path<'g, C, Step<C>>;
 struct AtTheDoor<'g, const C: usize, T: Face> {
     inside: Box<dyn AnyPath<3, T::Inside> + 'g>,
     end: Option<PathEnd<C>>,
-    /// Memory for legs that are added.
+    /// Memory in which added legs are converted.
     legs: Vec<Leg<3>>,
 }
 

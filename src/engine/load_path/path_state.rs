@@ -73,7 +73,7 @@ impl Node {
         }
     }
 
-    /// Adds the slip of sliding contacts to memory; on the round cone they continue to slide along their friction force.
+    /// Adds the slip of sliding contacts to their slip memory; on the round cone they continue to slide along their friction force.
     fn slip_until_now(&mut self, segment: &mut Segment<'_>, factor: f64) {
         for i in 0..self.states.len() {
             if self.states[i].slides() {
@@ -108,7 +108,7 @@ impl Node {
         }
     }
 
-    /// Moves the node to the end of a piece: the slip on it becomes memory.
+    /// Moves the node to the end of a piece of the path; the slip on the piece becomes slip memory.
     pub(super) fn move_to_end(
         &mut self,
         segment: &mut Segment<'_>,

@@ -58,7 +58,7 @@ impl PathStiffness {
         }
     }
 
-    /// Adds a contact's entries, among the coordinates that it couples.
+    /// Adds the entries of a contact, which couple the coordinates in `ranges`.
     #[inline(always)]
     pub(super) fn add(&mut self, ranges: &[Range<usize>; 2], entry: impl Fn(usize, usize) -> f64) {
         match self {

@@ -189,7 +189,7 @@ impl<'g> Pieces<'g> {
         Ok(path)
     }
 
-    /// A path at the beginning of a segment.
+    /// A path at the beginning of a segment (a leg or a part of it), at a node whose continuation is not decided yet.
     pub(super) fn at_segment_start(segment: Segment<'g>, node: Node) -> Self {
         Self {
             factor: 0.0,
@@ -283,7 +283,7 @@ impl<'g> Pieces<'g> {
         self.state_on(&self.present_stretch(journey)?, self.factor)
     }
 
-    /// The present place as a piece of zero length.
+    /// The present place as a piece of the path with zero length.
     pub(super) fn present_stretch(&self, journey: &Journey<'g>) -> Option<Stretch<'g>> {
         let point =
             match &self.point {

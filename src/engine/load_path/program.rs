@@ -19,7 +19,7 @@ use crate::prelude::*;
 pub(super) struct Program {
     /// The legs, without those that were already complete when legs were last added.
     legs: Vec<Leg<3>>,
-    /// Number of legs that were removed.
+    /// Number of complete legs that were removed from `legs`.
     done: usize,
     /// The index of the present leg; the number of all legs when all are done.
     pub(super) leg: usize,
@@ -86,8 +86,8 @@ impl Program {
         true
     }
 
-    /// Checks that the program closes: load and commands at the end differ from those at the beginning by at most `part` of the largest along the
-    /// program.
+    /// Checks that the program closes: load and commands at the end differ from those at the beginning by at most the fraction `part` of the largest
+    /// along the program.
     ///
     /// # Errors
     /// [`Error::NotClosed`] naming the quantity that differs at the end.
@@ -118,7 +118,7 @@ impl Program {
             size(&(after.goal - load)),
             largest_of(&paired(&after.commands[1], &commands, &|(end, start)| (end - start).amax())),
             largest_of(&paired(&after.joints[1], &joints, &|(end, start)| end - start)),
-            // A cycle begins without loads on single bodies.
+            // A program begins without loads on single bodies, so they must be zero at the end.
             on_bodies(&after.bodies, 1),
             largest_of(&paired(after.torques.at_end(1), &self.held, &|(end, start)| end - start)),
         ];

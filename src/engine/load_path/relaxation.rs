@@ -24,7 +24,7 @@ use crate::contact::{Tangent, tangential_norm};
 use crate::numerics::{Each, IntoList, Vector};
 use crate::prelude::*;
 
-/// A sliding contact at the start of a step.
+/// A sliding contact at the start of a step, whose friction force may turn.
 struct Turning {
     contact: usize,
     tangent: Tangent,
@@ -34,15 +34,15 @@ struct Turning {
     across: SVector<f64, 3>,
     /// The change v of the force's rate as the force turns, N for one radian and one unit of arclength.
     change: SVector<f64, 3>,
-    /// The wrench G v.
+    /// The wrench G v of the change `change`.
     push: Vector,
-    /// The row c = Cᵀ d, N/m.
+    /// The row c = Cᵀ d: the force along `across` per unit of stretch, N/m.
     gradient: SVector<f64, 3>,
-    /// The wrench G c.
+    /// The wrench G c of the row `gradient`.
     pull: Vector,
 }
 
-/// The derivative J at the start of a step.
+/// The derivative J of the rates by the friction forces, at the start of a step.
 pub(super) struct Relaxation<'f, 's, 'g> {
     arc: &'f Arc<'s, 'g>,
     contacts: Vec<Turning>,
@@ -53,7 +53,7 @@ pub(super) struct Relaxation<'f, 's, 'g> {
     way: Direction,
 }
 
-/// The factors of the matrix 1 - hJ.
+/// The factors of the matrix 1 - hJ of an implicit step of length h.
 pub(super) struct Damped {
     length: f64,
     /// The factors of `[T' | -b']` with the transverse row below.

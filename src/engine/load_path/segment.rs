@@ -13,7 +13,7 @@ use crate::numerics::{Each, IntoList, Vector, cleared_for, mapped, paired};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
-/// Load and offsets at load factor 0 and their rates, with the accumulated slips of the contacts.
+/// A leg or a part of it: load and offsets at load factor 0 and their rates, with the accumulated slips of the contacts.
 #[derive(Debug, Clone)]
 pub(super) struct Segment<'g> {
     pub(super) grasp: &'g Engine,
@@ -28,7 +28,7 @@ pub(super) struct Segment<'g> {
     pub(super) largest: f64,
 }
 
-/// The state at a load factor, with its rates: per unit of the load factor on a straight piece, per unit of arclength along an arc.
+/// The state of the grasp at a load factor, with its rates: per unit of the load factor on a straight piece, per unit of arclength along an arc.
 #[derive(Debug, Clone)]
 pub(super) struct PathPoint {
     pub(super) lines: Vec<Line>,
@@ -39,10 +39,10 @@ pub(super) struct PathPoint {
     /// Motions that stretch no spring in these states.
     pub(super) free_motions: Vec<Vector>,
     pub(super) neutral_motions: Vec<Vector>,
-    /// The linear problem of these states.
+    /// The linear problem in which contacts keep these states.
     pub(super) piece: alloc::sync::Arc<Piece>,
     pub(super) gaps: Vec<GapLine>,
-    /// Largest force (N) and displacement (m) among the terms that add up to the state and to its rates.
+    /// Largest force (N) and displacement (m) among the terms that add up to the state; the next field has those of the rates. They scale rounding.
     pub(super) sizes: [f64; 2],
     pub(super) rate_sizes: [f64; 2],
     /// While the load turns, the state as harmonic functions of its angle. `None` if rates are constant, or if only the present rates are known.
@@ -107,7 +107,7 @@ impl<'g> Segment<'g> {
         Ok(self.point_with_rates(piece, factor, at, (&rate, 1.0), (0.0, &base)))
     }
 
-    /// A state on an arc with rates for one unit of arclength, in which the load factor changes by `factor_rate`.
+    /// A state on an arc, with rates per unit of arclength. Along one unit the load factor changes by `factor_rate`.
     pub(super) fn point_on_arc(
         &self,
         piece: &alloc::sync::Arc<Piece>,
@@ -197,7 +197,7 @@ impl<'g> Segment<'g> {
         Some(if let Some(near) = near { self.nearest(piece, at, near) } else { at })
     }
 
-    /// The step along a straight piece from the state `at` to the exit of a contact.
+    /// The step along a straight piece, from the state `at` to the place at which a contact reaches the end of its state.
     pub(super) fn step_to_exit(
         &self,
         contact: usize,
@@ -264,19 +264,19 @@ impl<'g> Segment<'g> {
         self.problem.offsets[contact] -= slip;
     }
 
-    /// The exits through which a contact may leave its state, with their distances.
+    /// The ways in which a contact may reach the end of its state (edges of its cone, apex, closed gap), with the step to each.
     pub(super) fn ways_out(&self, contact: usize, state: &State, point: &PathPoint) -> Vec<Exit> {
         self.problem.local(contact).ways_out(state, &point.lines[contact], &point.gaps[contact])
     }
 
-    /// The law of the rates of every contact, from its active set and state.
+    /// The contact law that the rates obey, for every contact, from its active set (the edges that it is on) and its state.
     pub(super) fn laws_of_rates(&self, active_sets: &[ActiveSet], states: &[State]) -> Vec<Law> {
         let locals = self.problem.locals().zip(active_sets).zip(states);
         locals.map(|((local, active), state)| local.law_of_rates(active, state)).list()
     }
 
-    /// The smallest step after which a contact reaches an edge of its cone, the apex, a closed gap or a reversal of slip, with all contacts that do
-    /// so at that step. For a load that turns, steps up to `rest` are searched.
+    /// The smallest step after which a contact reaches the end of its state (an edge of its cone, the apex, a closed gap or a reversal of slip), with
+    /// all contacts that do so at that step. For a load that turns, steps up to `rest` are searched.
     pub(super) fn first_exits(&self, states: &[State], point: &PathPoint, rest: f64) -> FirstExits {
         if let Some(turned) = &point.turned {
             return turned.first_exits(&self.problem, states, rest);

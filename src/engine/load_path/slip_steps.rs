@@ -8,7 +8,7 @@ use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{Stepped, explicit_step, largest, numbered, paired, regula_falsi};
 use crate::prelude::*;
 
-/// The end of a step.
+/// The end of a step along which contacts slide or stick.
 pub(super) struct SlipStep {
     pub(super) length: f64,
     pub(super) at: Vec<f64>,
@@ -47,7 +47,8 @@ impl Slips<'_> {
         Some(SlipStep { length, at, rates: there, error, values })
     }
 
-    /// The step, shortened to the first condition that is met within it; `None` where several are.
+    /// The step, shortened to the place where the first condition becomes zero within it, and the index of that condition. `None` if several become
+    /// zero together.
     pub(super) fn up_to_an_event(
         &self,
         from: (&[f64], &[f64]),
@@ -129,7 +130,7 @@ impl Slips<'_> {
         (rest.abs() <= NEGLIGIBLE * length).then_some(end)
     }
 
-    /// The rate of a condition with arclength, from a difference over a small part of a step of this length.
+    /// The derivative of a condition's value by arclength, from a difference over a small fraction of `length`.
     fn slope(&self, k: usize, (at, rates): (&[f64], &[f64]), length: f64) -> Option<f64> {
         // The length of the difference. With a slope this accurate each Newton iteration gains six digits.
         let little = 1e-6 * length;
@@ -199,7 +200,7 @@ fn between(low: (f64, f64, f64), high: (f64, f64, f64), to: f64) -> f64 {
     low.1 + part * (rise + (1.0 - part) * ((1.0 - part) * before + part * behind))
 }
 
-/// The violated condition that linear interpolation between both ends would reach first.
+/// Of the conditions that are violated at the end of a step, the one that vanishes first by linear interpolation between both ends.
 fn first_crossing(start: &[f64], end: &[f64]) -> Option<usize> {
     let part = |k: usize| start[k] / (start[k] - end[k]);
     (0..start.len()).filter(|k| end[*k] < 0.0).min_by(|a, b| part(*a).total_cmp(&part(*b)))

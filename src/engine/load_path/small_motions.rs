@@ -115,8 +115,8 @@ impl<'g> Stretch<'g> {
         (place.unwrap_or(self.to), which)
     }
 
-    /// The first place where a motion that turns with the load is too large. Each motion is a first harmonic of the angle, which its values at three
-    /// angles determine.
+    /// The first place where a motion that turns with the load is too large. Each motion is a harmonic function of the angle, which its values at
+    /// three angles determine.
     fn turns_too_far(&self, grasp: &'g Engine, small: &SmallMotions) -> Option<Place> {
         let turned = self.here.turned.as_ref()?;
         let at = |angle: f64| {

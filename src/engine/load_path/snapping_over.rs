@@ -41,7 +41,7 @@ struct Place {
     left: Vector,
 }
 
-/// The forces and the twist at which the object rests again.
+/// The state in which the object rests again after it has snapped over.
 pub(super) struct RestsAgain<'g> {
     /// The problem with the slips after the motion. Its load is the one that the forces balance exactly.
     problem: Problem<'g>,
@@ -140,8 +140,8 @@ impl Place {
 }
 
 impl<'g> Pieces<'g> {
-    /// The event at which the object snaps over to another equilibrium under the load of a loss; the path continues from there. `None` if the object
-    /// comes to rest nowhere near.
+    /// The event at which the object snaps over to another equilibrium under the load at which the equilibrium was lost; the path continues from
+    /// there. `None` if the object comes to rest nowhere near.
     pub(super) fn snaps_over(&mut self, journey: &Journey<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         let ends_in_balance = matches!(loss.kind, LossKind::Fold | LossKind::Corner);
         // The model keeps the pull of a vacuum even if its cup opens during the motion, so grasps with cups are excluded.

@@ -18,7 +18,7 @@ use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{Effort, Found, FoundBy, reported_at_rest};
 
-/// The data from which the state at any fraction of the piece is computed.
+/// One piece of the path: the data from which the state at any fraction of it is computed.
 #[derive(Debug)]
 pub(super) struct Stretch<'g> {
     pub(super) leg: usize,
@@ -45,7 +45,7 @@ pub(super) struct Stretch<'g> {
     pub(super) jump: Option<Box<JumpRecord>>,
 }
 
-/// A jump at constant load.
+/// Record of a jump from one equilibrium to another at constant load.
 #[derive(Debug)]
 pub(super) struct JumpRecord {
     /// Slips before the jump.
@@ -56,7 +56,7 @@ pub(super) struct JumpRecord {
     pub(super) states: Vec<Vec<State>>,
 }
 
-/// The integration step that made a curved piece.
+/// The integration step that made a piece of the path along which directions of sliding turn.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ArcStep {
     /// The displacement that counts in arclength as much as the whole leg, m.
@@ -81,7 +81,7 @@ impl<'g> Stretch<'g> {
         Some(self.answer(grasp, answer_for, fraction, &problem, found))
     }
 
-    /// The equilibrium at the end of the piece, with the contact states of the piece; the event there lists their changes.
+    /// The equilibrium at the end of the piece of the path, with the contact states that it has on the piece; the event there lists their changes.
     pub(super) fn state_before_event(
         &self,
         grasp: &'g Engine,

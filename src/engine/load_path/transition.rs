@@ -86,7 +86,7 @@ struct FewRows {
     many: bool,
 }
 
-/// The kinematic form, if it has at least one row and not too many.
+/// The kinematic form (a complementarity problem) of the rates, if it has at least one row and not too many.
 fn few_rows(rates: &Problem, rows: usize) -> Option<FewRows> {
     // With more rows than this, testing for a P-matrix costs more than all other work at the event.
     if rows == 0 || rows > 64 {

@@ -34,8 +34,8 @@ pub struct Turn<const C: usize> {
     pub(super) load: Harmonic<Wrench<C>>,
     /// Angle of the turn, rad.
     pub(super) angle: f64,
-    /// The axis about which the bodies of a scene are tilted under their own weight, which then takes the place of `load`; only the scene knows that
-    /// weight.
+    /// The axis about which the bodies of a scene are tilted under their own weight, which then takes the place of `load`; the weight is known only
+    /// to the scene that asks.
     pub(crate) tilts_bodies_about: Option<SVector<f64, 3>>,
 }
 
@@ -110,7 +110,7 @@ impl<const C: usize> Turn<C> {
 }
 
 impl Turn<3> {
-    /// The load in the engine's coordinates, once checked; constant torques on joints belong to the constant part.
+    /// The load in the engine's coordinates, after it has been checked; constant torques on joints belong to the constant part.
     pub(crate) fn inside(&self, grasp: &Engine) -> Harmonic<Vector> {
         inside(grasp, &self.load)
     }
@@ -232,7 +232,7 @@ impl Turn<3> {
     }
 }
 
-/// A load that turns in the engine's coordinates, once checked.
+/// Converts a load that turns, after it has been checked, to the engine's coordinates.
 pub(super) fn inside(grasp: &Engine, load: &Harmonic<Wrench<3>>) -> Harmonic<Vector> {
     Harmonic {
         constant: grasp.load_unchecked(&load.constant),

@@ -36,7 +36,7 @@ impl<'g> Pieces<'g> {
         let Some(point) = self.point.take() else {
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
         };
-        // At a node the unit of arclength is chosen so that motion and load contribute equally.
+        // After an event the unit of displacement is chosen so that motion and load count equally in arclength.
         let point = if self.pace.unit.is_some() {
             point
         } else {
@@ -125,17 +125,17 @@ impl<'g> Pieces<'g> {
         self.gathered.is_nan() || (self.factor - self.gathered).abs() > NEGLIGIBLE
     }
 
-    /// The length of a step along which the load turns by a quarter of a radian. Along a longer step a condition could fail and hold again at the
-    /// end.
+    /// The length of a step along which the load turns by a quarter of a radian. Along a longer step a condition could be violated and yet hold again
+    /// at the end.
     fn part_of_a_turn(&self, point: &PathPoint) -> f64 {
         match self.segment.course {
-            // Largest turn of the load in a step, rad.
+            // In one step the load turns by at most this angle, rad.
             Trajectory::Turn { angle, .. } => 0.25 / (angle * point.factor_rate.abs()),
             Trajectory::Straight { .. } => f64::INFINITY,
         }
     }
 
-    /// Length and rule of a step for which the relaxation of friction directions is stable.
+    /// Length and integration rule of a step with which the integration of the relaxing friction directions is stable.
     fn stable(&mut self, point: &PathPoint, length: f64, tolerance: f64) -> (f64, Rule) {
         let unit = self.pace.unit.unwrap_or(1.0);
         let flow = Flow::new(&self.segment, &self.node.states, self.factor, point, unit);
@@ -300,7 +300,7 @@ impl<'g> Pieces<'g> {
     }
 }
 
-/// The exit at which a normal force or a gap vanishes.
+/// The end of a contact state at which a normal force or a gap vanishes.
 fn apex() -> Exit {
     Exit { step: 0.0, uncertainty: 0.0, facet: SVector::zeros() }
 }

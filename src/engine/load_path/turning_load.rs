@@ -46,7 +46,7 @@ impl Segment<'_> {
         let at = self.state(piece, factor, near).unwrap_or_else(|| at_start(&parts));
         let mut point = self.point_with_rates(piece.clone(), factor, at.clone(), (&rate, 1.0), (factor, &at));
         let turned = self.harmonics(&turned_load, angle, &parts);
-        // A quantity that vanishes at some angle still carries the rounding of its size at other angles.
+        // A quantity that vanishes at some angle still has a rounding error in proportion to its size at other angles.
         for ((line, gap), [force, stretch]) in point.lines.iter_mut().zip(&mut point.gaps).zip(&turned.waves)
         {
             line.force_size = line.force_size.max(force.size);
@@ -67,7 +67,8 @@ impl Segment<'_> {
         Ok(point)
     }
 
-    /// All quantities as harmonics of the load's angle. `parts` are the solutions under the parts of the load; offsets belong to the constant part.
+    /// All quantities as harmonic functions of the load's angle. `parts` are the solutions under the three parts of the load: the constant one, with
+    /// the offsets, and those of cosine and sine.
     pub(super) fn harmonics(
         &self,
         load: &Harmonic<Vector>,
@@ -101,7 +102,7 @@ impl Segment<'_> {
     }
 }
 
-/// The state at the beginning of a turn, from the solutions under the parts of its load.
+/// The state at the beginning of a turn, from the solutions under the three parts of its load.
 pub(super) fn at_start(parts: &Harmonic<PieceState>) -> PieceState {
     let Harmonic { constant, cosine, .. } = parts;
     let forces = paired(&constant.forces, &cosine.forces, &|(f, more)| f + more);

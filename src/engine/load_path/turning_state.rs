@@ -7,10 +7,10 @@ use crate::numerics::{Harmonic, Vector, mapped};
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 
-/// All quantities as harmonics of the load's angle, counted from a place on the path, while contacts keep their states.
+/// All quantities as harmonic functions of the load's angle, counted from a place on the path, while contacts keep their states.
 #[derive(Debug)]
 pub(super) struct TurningState {
-    /// Harmonics of force and stretch of every contact.
+    /// Force and stretch of every contact as harmonic functions of the angle.
     pub(super) waves: Vec<[Wave; 2]>,
     pub(super) twist: Harmonic<Vector>,
     pub(super) load: Harmonic<Vector>,

@@ -51,13 +51,13 @@ impl Watch {
         self.rate.is_none_or(|[rate, size]| rate < -SLACK_ON_AN_ARC * size)
     }
 
-    /// The length of the path until the value is zero, extrapolated linearly.
+    /// The length of the path after which the value vanishes by linear extrapolation.
     pub(super) fn way(&self) -> Option<f64> {
         self.rate.map(|[rate, _]| self.value / -rate).filter(|way| way.is_finite())
     }
 }
 
-/// Whether a sliding contact has all but lost its normal force.
+/// Whether the normal force of a sliding contact has almost vanished and still decreases.
 pub(super) fn is_vanishing(line: &Line) -> bool {
     line.rate[0] < 0.0 && line.force[0] <= VANISHING_NORMAL * line.force_size
 }

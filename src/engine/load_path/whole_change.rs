@@ -19,8 +19,8 @@ pub struct WholeChange<const C: usize> {
     pub what: PadChange<C>,
 }
 
-/// The behaviour of a contact from an event on. A point contact has its own change; a soft fingertip is described by its first and its last points to
-/// change.
+/// The behaviour of a contact from an event on. A point contact has its own change; a soft fingertip is described by the first and the last of its
+/// points that change.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum PadChange<const C: usize> {
@@ -85,7 +85,7 @@ impl<const C: usize> WholeChange<C> {
         self.verb_in(Words::default())
     }
 
-    /// [`Self::verb`] in the words of a space.
+    /// [`Self::verb`] in the words for the plane or for space.
     pub(crate) fn verb_in(&self, words: Words) -> String {
         let said = format!("{self:.*}", words.precision());
         match self.what {
@@ -123,7 +123,8 @@ impl<const C: usize> fmt::Display for Event<C> {
     }
 }
 
-/// The changes relative to `state`, with the points of a soft fingertip taken together, in the order of the first change of each contact.
+/// The changes at an event as changes of whole contacts, given the equilibrium `state` before it. They are in the order of the first change of each
+/// contact.
 pub(crate) fn whole_changes<const C: usize>(
     state: &Equilibrium<C>,
     changes: &[ContactChange<C>],

@@ -66,7 +66,7 @@ fn along(value: f64) -> SVector<f64, 3> {
 }
 
 impl Bounded {
-    /// The cubic through these values and changes at both ends.
+    /// The cubic with the given values and slopes at both ends of a step.
     pub(super) fn new(
         ([a, b], [da, db]): ([SVector<f64, 3>; 2], [SVector<f64, 3>; 2]),
         cone: Option<Coulomb>,
@@ -113,7 +113,7 @@ impl Bounded {
         Some(0.5)
     }
 
-    /// Error bound of the margin on the cubic at a part of the step.
+    /// Bound on the error of the margin that the cubic gives at a fraction of the step.
     fn off(&self, part: f64) -> f64 {
         let square = part * (1.0 - part);
         self.bend * square * square

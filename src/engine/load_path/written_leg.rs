@@ -53,7 +53,7 @@ struct WrittenLeg<const C: usize> {
     /// The change of the loads of bodies along the leg, by name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     body_loads_by: BTreeMap<String, Wrench<C>>,
-    /// The loads of bodies at the end of the leg, by name. A body is in at most one of the two lists.
+    /// The loads of bodies at the end of the leg, by name. A body may not be in `body_loads_by` as well.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     body_loads_to: BTreeMap<String, Wrench<C>>,
     /// The turn of the load along the leg, instead of all other fields.
@@ -72,7 +72,7 @@ impl<T: Clone> LegGoal<T> {
         }
     }
 
-    /// The fields `…_by` and `…_to` of the goal.
+    /// The values of the fields `…_by` and `…_to` for this goal.
     fn written(&self) -> (Option<T>, Option<T>) {
         match self {
             Self::Stay => (None, None),

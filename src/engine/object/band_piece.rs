@@ -21,14 +21,14 @@ use crate::contact::Spring;
 use crate::grasp::{Site, size_of};
 use crate::prelude::*;
 
-/// Whether factors in a band pay off for this number of coordinates.
+/// Whether factors of a band matrix cost less than orthogonal factors for this number of coordinates.
 pub(crate) fn uses_band(coordinates: Size) -> bool {
     // With fewer coordinates orthogonal factors cost no more, and determine the rank. Measured: with orthogonal factors instead of a band, four
     // bodies in space take a third less time, but nine bricks in the plane more than twice as much.
     coordinates.count() >= 36
 }
 
-/// The tangent stiffness T with its factors in a band.
+/// The tangent stiffness `T = BᵀA` as a band matrix, with its LU factors.
 #[derive(Debug, Clone)]
 pub(crate) struct BandPiece {
     /// Position of each coordinate in the order that makes the band narrow.
@@ -57,7 +57,7 @@ pub(super) struct SpringLists {
 /// One factor of `T = BᵀA`, A or B, with a row for each spring.
 #[derive(Debug, Clone)]
 pub(super) struct Side {
-    /// Entries for the coordinates that stretch a spring, spring after spring.
+    /// The entries of each row, spring after spring: one for each coordinate that stretches the spring.
     rows: Vec<f64>,
     /// Factors that scale each column to length one; one for a zero column.
     units: Vec<f64>,
@@ -117,7 +117,7 @@ impl BandPiece {
         Some(Self { numbers, springs: lists, right, left, factors })
     }
 
-    /// Replaces x by `x - A T⁻¹ (Bᵀx + W)` and returns the twist `T⁻¹ (Bᵀx + W)`.
+    /// Lets the object give way until forces balance: replaces the spring forces x by `x - A T⁻¹ (Bᵀx + W)` and returns the twist `T⁻¹ (Bᵀx + W)`.
     pub(super) fn respond(&self, x: &mut [f64], wrench: &Vector) -> Vector {
         let mut q = vec![0.0; self.numbers.len()];
         wrench.iter().zip(&self.numbers).for_each(|(w, k)| q[*k] = *w);
@@ -132,7 +132,7 @@ impl BandPiece {
         self.factors.is_singular()
     }
 
-    /// Null vectors of T, as motions.
+    /// Null vectors of the tangent stiffness T, as motions of all coordinates.
     pub(super) fn loose_motions(&self) -> Vec<Vector> {
         let motion = |q: Vec<f64>| {
             let entry = |k: usize| q[self.numbers[k]] * self.right.units[self.numbers[k]];
@@ -196,7 +196,7 @@ impl BandPiece {
         2.0 * growth
     }
 
-    /// The full rows of A and, where a contact slides, of B.
+    /// The rows of A and, if a contact slides, of B, with all zeros.
     pub(super) fn rows(&self) -> [Option<Vec<Vector>>; 2] {
         let whole = |side: &Side| {
             let mut list = Vec::new();

@@ -23,7 +23,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 pub(crate) struct Correction {
     pub(crate) forces: Vec<SVector<f64, 3>>,
-    /// The error of the twist, without free motions.
+    /// The error of the twist, without components along motions that nothing resists.
     pub(crate) twist: Vector,
     /// Uncertainty of the forces, N: the last correction if refinement did not converge, plus rounding of the stiffest springs in twice the working
     /// precision. It is large where the linear problem is nearly singular.
@@ -137,7 +137,7 @@ impl Across {
         self.sum.add_product_of_twice((along.high, along.low), w);
     }
 
-    /// `c·w` times the square root of the stiffness of the spring in that direction.
+    /// `c·w` times the square root of the stiffness of the spring along c.
     fn times(&self, spring: Option<&Spring>) -> DoubleDouble {
         let root = spring.map_or(0.0, |spring| spring.right.norm());
         let part = if self.length > 0.0 { root / self.length } else { 0.0 };

@@ -20,7 +20,7 @@ use crate::prelude::*;
 pub(crate) struct Facet {
     /// The row (κ, c), with c of length one.
     pub(crate) row: SVector<f64, 3>,
-    /// Length of `row`. An entry for the row scaled to length one, times this length, is the entry for `row` itself.
+    /// Length of `row`. A number that refers to the row scaled to length one is multiplied by this length to refer to `row`.
     pub(crate) unit: f64,
 }
 
@@ -38,7 +38,7 @@ impl Facet {
     }
 }
 
-/// A contact in energy coordinates.
+/// A contact in energy coordinates, in which forces are divided by the square roots of stiffnesses.
 #[derive(Debug, Clone)]
 pub(crate) struct EnergyContact {
     /// Q_i, the map from the motion y of the object to x of the contact, scaled so that the mean of |Q_i|² over the contacts is one.
@@ -166,8 +166,8 @@ impl Slipping {
         }
     }
 
-    /// The vector z with `z_n = n` and `row_a·z = d_a` on the facets of this state. For d = 0, z is the point x on the edge of the cone with `x_n =
-    /// n`.
+    /// The vector z with `z_n = n` and `row_a·z = d_a` on the facets across which the contact slips. For d = 0, z is the point x on the edge of the
+    /// cone with `x_n = n`.
     pub(crate) fn reaching(&self, n: f64, d: [f64; 2]) -> SVector<f64, 3> {
         let mut z = SVector::zeros();
         for a in 0..self.count {
@@ -177,7 +177,7 @@ impl Slipping {
         z
     }
 
-    /// The row Z_a: the slip across facet a is `-Z_a·u`.
+    /// The row Z_a that gives the slip across facet a, `-Z_a·u`, from the stretch u.
     pub(crate) fn slip(&self, a: usize) -> SVector<f64, 3> {
         if self.count == 1 {
             return self.rows[0];
@@ -187,7 +187,7 @@ impl Slipping {
         z
     }
 
-    /// The projection P of this state.
+    /// The projection P of this state, with `x = P u`: it removes the stretch that slip takes up.
     pub(crate) fn hold(&self) -> SMatrix<f64, 3, 3> {
         if self.count + 1 == 3 {
             // With two slips the whole tangential part is free, so the projection must remove u_t without rounding.

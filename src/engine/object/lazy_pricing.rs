@@ -18,12 +18,12 @@ use crate::numerics::Vector;
 use crate::numerics::EventQueue;
 use crate::prelude::*;
 
-/// A point of a path, or its direction.
+/// A point of a path, or a direction of it.
 #[derive(Debug, Clone)]
 pub(crate) struct Point {
     /// Motion y of the object in energy coordinates.
     pub(crate) y: Vector,
-    /// The parameter that drives the path, scaled so that its unit weighs as much as a unit of y.
+    /// The parameter that drives the path, such as z₀ in Lemke's method, scaled so that its unit weighs as much as a unit of y.
     pub(crate) s: f64,
 }
 
@@ -87,7 +87,7 @@ impl LazyPricing {
         (self.towards, self.contacts, self.length, self.steps) = (e, contacts, 0.0, 0);
     }
 
-    /// Clock time for a unit step along a direction of the path.
+    /// Time by which the clock advances in a step of length one along a direction of the path.
     pub(crate) fn speed(&self, along: &Point) -> f64 {
         let e = &self.towards;
         let forward = (along.y.dot(&e.y) + along.s * e.s).max(0.0);

@@ -39,7 +39,7 @@ struct AtLimit {
     state: Mode<u16>,
 }
 
-/// Response of a contact at a stretch.
+/// Response of a contact with a given friction limit to a stretch.
 pub(super) struct LimitedAnswer {
     pub(super) force: SVector<f64, 3>,
     /// Tangent stiffness, N/m. The next field has the stiffness of the springs that yield.
@@ -169,7 +169,7 @@ impl Limited {
         }
     }
 
-    /// The limit of friction at a normal force.
+    /// The limit of friction that follows from a normal force.
     pub(super) fn limit(&self, normal: f64) -> f64 {
         let limit = self.cone.limit(normal);
         if self.is_rate { limit } else { limit.max(0.0) }

@@ -35,7 +35,7 @@ impl Imbalance {
         sum
     }
 
-    /// Adds the terms of a contact.
+    /// Adds the wrench of a contact force and its norm.
     fn add(&mut self, site: &Site, force: &SVector<f64, 3>) {
         site.map.push(force, &mut self.left);
         self.size += force.norm();

@@ -15,7 +15,7 @@ use crate::numerics::{
 };
 use crate::prelude::*;
 
-/// Null vectors of T, by their meaning (see the top of this file).
+/// Null vectors of the tangent stiffness T and of its transpose, by their mechanical meaning.
 #[derive(Debug, Clone)]
 pub(super) struct NullMotions {
     /// Motions that stretch no spring; orthonormal, like the other lists.

@@ -42,7 +42,7 @@ pub(crate) struct Piece {
 #[derive(Debug, Clone)]
 pub(super) struct OrthogonalPiece {
     pub(super) right: Orthogonal,
-    /// B and `Q_BᵀQ_A`; `None` if nothing slides, since then B = A.
+    /// Factors of B, and of the product `Q_BᵀQ_A` of both orthogonal factors; `None` if nothing slides, since then B = A.
     pub(super) left: Option<(Orthogonal, CompletePivoting)>,
 }
 
@@ -116,7 +116,7 @@ impl Piece {
         rows
     }
 
-    /// Whether the piece has factors in a band, which it has for many coordinates only.
+    /// Whether the tangent stiffness is factored in a band, as with many coordinates.
     pub(crate) fn is_banded(&self) -> bool {
         self.band.is_some()
     }
@@ -139,14 +139,14 @@ impl Piece {
         })
     }
 
-    /// The entries of `axes` in the order of the contact's springs.
+    /// The components of a vector in the contact frame, in the order of the contact's springs along the axes.
     fn along_springs(&self, contact: usize, axes: &SVector<f64, 3>) -> Vec<f64> {
         mapped(&self.springs[self.first[contact]..self.first[contact + 1]], &|spring| {
             axes[spring.right.iamax()]
         })
     }
 
-    /// The motion q of least norm with given `R q`.
+    /// The motion q of least norm with given coordinates `R q`, where A = Q R.
     pub(crate) fn motion(&self, coordinates: &Vector) -> Vector {
         without(self.factor().preimage(coordinates), self.free_motions())
     }
@@ -223,7 +223,7 @@ impl Piece {
 }
 
 impl OrthogonalPiece {
-    /// Factors from the rows of A and, where a contact slides, of B.
+    /// Orthogonal factors from the rows of A and, if a contact slides, of B.
     fn new(size: Size, right: &[Vector], left: Option<&[Vector]>) -> Self {
         let right = Orthogonal::new(size, right);
         let Some(left) = left else { return Self { right, left: None } };

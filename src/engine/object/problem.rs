@@ -20,7 +20,7 @@ use crate::grasp::{Engine, Remembered, Site, Space, Wrench, size_of};
 use crate::numerics::{DoubleDouble, cleared_for};
 use crate::prelude::*;
 
-/// Laws, commanded offsets a_i and load of the equation `Σ G_i F_i + W = 0`, in the engine's coordinates.
+/// The problem to solve: contact laws, commanded offsets a_i and load of the equation `Σ G_i F_i + W = 0`, in the engine's coordinates.
 #[derive(Debug, Clone)]
 pub(crate) struct Problem<'g> {
     pub(crate) sites: &'g [Site],
@@ -46,7 +46,7 @@ pub(crate) struct Problem<'g> {
     pub(crate) trial: Option<&'g Remembered>,
 }
 
-/// Lists of a problem with one entry for each contact, whose memory another problem can reuse.
+/// The lists of a problem that have one entry for each contact. Another problem can reuse their memory.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Lists {
     pub(crate) laws: Vec<Law>,
@@ -151,7 +151,7 @@ impl<'g> Problem<'g> {
         self.sites.len()
     }
 
-    /// The polygon in place of a contact's round cone.
+    /// The polygon that replaces a contact's round cone.
     #[inline]
     pub(crate) fn polygon(&self, contact: usize) -> &Polygon {
         let own = || self.sites[contact].polygon.as_ref().unwrap_or(&self.polygon);

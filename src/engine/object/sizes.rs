@@ -70,7 +70,7 @@ impl Problem<'_> {
         self.at_moved((contact, force), twist, twist.norm(), largest)
     }
 
-    /// [`Self::at`] of a twist with a known norm, for loops over many contacts.
+    /// [`Self::at`] with a norm of the twist that the caller has computed once for all contacts.
     #[inline]
     pub(crate) fn at_moved<'s>(
         &self,

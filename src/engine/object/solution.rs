@@ -33,7 +33,7 @@ impl Default for PieceState {
     }
 }
 
-/// Memory for repeated solutions: the forces of springs, and their changes.
+/// Memory that repeated solutions reuse: the forces of springs, and their changes.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct SolutionMemory {
     x: Vec<f64>,
@@ -49,7 +49,7 @@ pub(crate) struct Unbalanced {
 }
 
 impl Piece {
-    /// Forces and the twist of least norm under these offsets and this load. `sites` are the contacts and drives from which this piece was made.
+    /// Forces and the twist of least norm under these offsets and this load. `sites` are the contacts and drives from which this [`Piece`] was made.
     pub(crate) fn solve(
         &self,
         sites: &[Site],
@@ -142,7 +142,7 @@ impl Piece {
         false
     }
 
-    /// [`Self::solve`] without refinement, for a piece in which all contacts stick and every motion is resisted. The projection is applied twice; the
+    /// [`Self::solve`] without refinement, for a [`Piece`] in which all contacts stick and every motion is resisted. The projection is applied twice; the
     /// remaining error is a few roundings of the largest force.
     pub(crate) fn solve_roughly(&self, offsets: &[SVector<f64, 3>], wrench: &Vector) -> PieceState {
         let mut state = PieceState::default();
@@ -176,7 +176,7 @@ impl Piece {
         self.forces_into(&mut state.forces, x, offsets.len());
     }
 
-    /// Replaces x by `x - A (BᵀA)⁻¹ (Bᵀx + W)` and returns the twist `(BᵀA)⁻¹ (Bᵀx + W)`.
+    /// Lets the object give way until forces balance: replaces the spring forces x by `x - A (BᵀA)⁻¹ (Bᵀx + W)` and returns the twist `(BᵀA)⁻¹ (Bᵀx + W)`.
     pub(super) fn respond(&self, x: &mut [f64], wrench: &Vector) -> Vector {
         match &self.band {
             Some((band, _)) => band.respond(x, wrench),
@@ -197,7 +197,7 @@ impl Piece {
         self.forces(&x, problem.len())
     }
 
-    /// `x_r = right_r · v` of every spring, from the stretches v of the contacts.
+    /// The forces `x_r = right_r · v` of all springs if contacts have the stretches v.
     pub(super) fn stretched(&self, stretch: impl Fn(usize) -> SVector<f64, 3>) -> Vec<f64> {
         let mut x = Vec::new();
         self.stretched_into(&mut x, stretch);
@@ -230,7 +230,8 @@ impl Piece {
         }
     }
 
-    /// Writes the residual e of each spring and returns the residual ρ of equilibrium, both as defined at the top of this file.
+    /// Writes the residual e of each spring and returns the residual ρ of equilibrium, `e_r = right_r · (a_i - G_iᵀ q) - x_r` and `ρ = Σ G_i left_r
+    /// x_r + W`.
     fn excess(
         &self,
         sites: &[Site],
@@ -271,7 +272,8 @@ impl Piece {
 }
 
 impl OrthogonalPiece {
-    /// Replaces x by `x - Q_A (Q_BᵀQ_A)⁻¹ (Q_Bᵀx + R_B⁻ᵀW)` and returns the twist of that step.
+    /// Lets the object give way until forces balance: replaces the spring forces x by `x - Q_A (Q_BᵀQ_A)⁻¹ (Q_Bᵀx + R_B⁻ᵀW)` and returns the twist of
+    /// that step.
     fn respond(&self, x: &mut [f64], wrench: &Vector) -> Vector {
         let balance = self.balance();
         let excess = balance.coordinates(x) + balance.load_coordinates(wrench);

@@ -17,7 +17,7 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::numerics::in_halves;
 
-/// Whether sums over this number of contacts have changed too often to be accurate.
+/// Whether so many terms of sums over contacts have been changed that the sums should be computed anew.
 pub(crate) fn are_stale(changes: usize, contacts: usize) -> bool {
     // Each change leaves a rounding error in the sums, but new sums evaluate every contact. After this number of changes new sums are due.
     changes > 64 + contacts / 4
@@ -31,7 +31,7 @@ pub(crate) struct Sums<const R: usize> {
 }
 
 impl<const R: usize> Default for Sums<R> {
-    /// [`Self::sticking`] with no coordinates.
+    /// The sums [`Self::sticking`] for zero coordinates.
     fn default() -> Self {
         Self::sticking(Size::default())
     }
@@ -76,7 +76,7 @@ impl<const R: usize> Sums<R> {
     }
 
     /// Adds the terms of a contact, times `weight`. `seen` is the map from y to the contact, `hold` is the projection P of its state (`None`:
-    /// identity), and `pushed` holds p_r of each right side.
+    /// identity), and `pushed` has the vectors p_r of all right-hand sides.
     pub(crate) fn add(
         &mut self,
         seen: &ScaledMap,

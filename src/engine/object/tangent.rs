@@ -21,7 +21,7 @@ use crate::grasp::{Site, size_of};
 use crate::numerics::{Factors, PartialPivoting, in_halves};
 use crate::prelude::*;
 
-/// Factors of T, in a band where there are many coordinates.
+/// Factors of the tangent stiffness T; those of a band matrix if there are many coordinates.
 pub(crate) enum TangentFactors {
     Whole(Factors),
     Band(Box<BandPiece>),
@@ -36,7 +36,7 @@ impl TangentFactors {
         }
     }
 
-    /// Null vectors of T, as motions; none are reported without a band.
+    /// Null vectors of T, as motions of all coordinates. None are reported unless T is a band matrix.
     pub(crate) fn loose_motions(&self) -> Vec<Vector> {
         match self {
             Self::Whole(_) => Vec::new(),
@@ -44,7 +44,7 @@ impl TangentFactors {
         }
     }
 
-    /// Whether T is regular.
+    /// Whether the tangent stiffness T is regular.
     pub(crate) fn is_regular(&self) -> bool {
         match self {
             Self::Whole(factors) => matches!(factors, Factors::Regular(_)),
@@ -54,7 +54,7 @@ impl TangentFactors {
 }
 
 impl Problem<'_> {
-    /// Factors of T with these states of the contacts.
+    /// Factors of the tangent stiffness T in these contact states.
     pub(crate) fn tangent_factors(&self, state: &(dyn Fn(usize) -> State + Sync)) -> TangentFactors {
         self.tangent_in_a_band(state).unwrap_or_else(|| {
             let tangent = |i: usize| self.local(i).tangent(&state(i)).matrix();
@@ -62,7 +62,7 @@ impl Problem<'_> {
         })
     }
 
-    /// Factors of T in a band, where there are many coordinates.
+    /// Factors of the tangent stiffness T as a band matrix; `None` unless there are many coordinates.
     pub(crate) fn tangent_in_a_band(&self, state: &dyn Fn(usize) -> State) -> Option<TangentFactors> {
         if !uses_band(self.size()) {
             return None;
@@ -76,10 +76,10 @@ impl Problem<'_> {
     }
 }
 
-/// C_i of a contact: the derivative of its force by its stretch.
+/// The tangent stiffness C_i of a contact: the derivative of its force by its stretch.
 pub(crate) type SpringTangent = SMatrix<f64, 3, 3>;
 
-/// T of these contacts; `springs(i)` returns C_i of contact i.
+/// The tangent stiffness T of the object, from these contacts; `springs(i)` returns C_i of contact i.
 pub(crate) fn tangent_stiffness(sites: &[Site], springs: impl Fn(usize) -> SpringTangent + Sync) -> Square {
     let part = |contacts: Range<usize>| {
         let mut t = Square::zeros(size_of(sites));

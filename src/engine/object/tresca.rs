@@ -38,15 +38,15 @@ struct GivenLimits {
     band: PositiveBand,
 }
 
-/// Responses of all contacts to a motion.
+/// Responses of all contacts to a motion of the object.
 struct Answers {
     of: Vec<LimitedAnswer>,
     /// The imbalance `Σ G_i F_i + W`.
     imbalance: Vec<f64>,
 }
 
-/// Proposed contact states, in the plane or on polygons: forces nearly balance, and friction limits nearly agree with the normal forces. `None` with
-/// few coordinates, free motions or infinite friction.
+/// Proposed contact states, in the plane or on polygons: forces nearly balance, and friction limits nearly agree with the normal forces. `None` if
+/// there are few coordinates, motions that nothing resists, or contacts with infinite friction.
 pub(crate) fn states_by_tresca(problem: &Problem<'_>) -> Option<Vec<State>> {
     if !uses_band(problem.size()) {
         return None;
@@ -139,7 +139,7 @@ impl GivenLimits {
         band.factor()
     }
 
-    /// Iterates limits and motion until they agree. Returns the states and the motion.
+    /// Iterates friction limits and motion until they agree. Returns the states and the motion.
     fn iterated(mut self) -> Option<(Vec<Mode<u16>>, Vec<f64>)> {
         let stuck = |contact: &Limited, stretch: &SVector<f64, 3>| {
             let holds = SMatrix::from_diagonal(&contact.stiffness);

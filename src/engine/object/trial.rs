@@ -12,7 +12,7 @@ impl Problem<'_> {
     pub(crate) fn trial(&self) -> Arc<Piece> {
         let make = || Piece::new(self, &self.unjumped());
         match self.trial {
-            // Larger grasps do not keep these factors, which take memory; repeated questions are mostly about small grasps.
+            // Only grasps with few contacts store these factors, which take memory: most repeated questions are about small grasps.
             Some(kept) if self.len() <= 256 => kept.get(make),
             _ => Arc::new(make()),
         }

@@ -29,7 +29,7 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
     let mut size = motion.norm() * problem.wrench.norm();
     let mut resisted = 0.0;
     let mut slope = Vector::zeros();
-    // For each contact that may open: the ρ at which it opens, and the increase of the bound's slope beyond this ρ.
+    // For each contact that may open: the ρ at which it may do so, and the increase of the bound's slope beyond this ρ.
     let mut openings = Vec::new();
     for (i, (site, local)) in problem.sites.iter().zip(problem.locals()).enumerate() {
         let stretch = problem.stretch(i, at);

@@ -24,7 +24,7 @@ use crate::numerics::{
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The cone of one contact, which responds to a motion by a force.
+/// The friction cone of one contact, which in the augmented Lagrangian responds to a motion by a force.
 struct Pushing {
     /// The coordinates with entries in the contact's map, and these entries, scaled to length one.
     coupled: Vec<(usize, SVector<f64, 3>)>,
@@ -83,7 +83,7 @@ pub(super) enum Residual {
     Nothing,
 }
 
-/// The residual of a load of length one after rounds of the augmented Lagrangian; `is_proof` decides whether a residual is a proof.
+/// The residual of the load, scaled to length one, after some rounds of the augmented Lagrangian; `is_proof` decides whether a residual is a proof.
 pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> bool) -> Residual {
     let Some(mut pushed) = PushedBack::of(problem) else {
         return Residual::Nothing;
@@ -203,7 +203,7 @@ impl PushedBack {
         sum
     }
 
-    /// Factors of `1 + ρ Σ G P' Gᵀ`.
+    /// Factors of the Newton matrix `1 + ρ Σ G P' Gᵀ` at v.
     fn factor(&mut self, v: &[f64]) -> Option<()> {
         let Self { contacts, band, stiffness, .. } = self;
         band.clear();

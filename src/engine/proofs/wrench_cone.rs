@@ -24,7 +24,7 @@ use crate::numerics::{IntoList, NearestPoint, Size, Vector, unit};
 use crate::object::{Problem, uses_band};
 use crate::prelude::*;
 
-/// A force of one contact, scaled so that its wrench has length one.
+/// A force on the edge of one contact's cone (a generator), scaled so that its wrench has length one.
 #[derive(Debug, Clone)]
 pub(crate) struct Generator {
     pub(crate) contact: usize,
@@ -33,7 +33,7 @@ pub(crate) struct Generator {
 }
 
 impl Generator {
-    /// The generator along a force of any length.
+    /// The generator with the direction of a force of any length.
     pub(crate) fn along(contact: usize, site: &Site, force: SVector<f64, 3>) -> Self {
         let wrench = &site.map * force;
         let size = wrench.norm();
@@ -133,7 +133,7 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
         self.is_proof(&v).then(|| v.normalize())
     }
 
-    /// Whether a motion from any source separates the load from all admissible forces, clearly beyond rounding.
+    /// Whether a motion, however it was found, separates the load from all admissible forces, clearly beyond rounding.
     fn is_proof(&self, v: &Vector) -> bool {
         let mut against = 0.0_f64;
         self.straight.iter().for_each(|g| against = against.max(g.works_against(v)));

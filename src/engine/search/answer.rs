@@ -7,7 +7,7 @@ use crate::grasp::Coordinates;
 use crate::numerics::{Vector, mapped};
 use crate::prelude::*;
 
-/// The rule by which a solution was found; if several equilibria exist, it says which one this is.
+/// The method that found a solution. If several equilibria exist, it tells which of them this is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -32,7 +32,7 @@ pub enum FoundBy {
     LoadPath,
 }
 
-/// Why a question stays undecided.
+/// The reason why a question stays undecided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -41,7 +41,7 @@ pub enum Doubt {
     /// Lemke's method ended on rays, which prove nothing, and not every combination of states could be tried. Either there are too many contacts for
     /// [`Settings::most_states`](crate::Settings::most_states), or on the round cone the cases that were tried did not decide.
     RayWithoutProof,
-    /// Some combination of contact states fails so narrowly that rounding may have decided. The load is then on the
+    /// Some combination of contact states violates a condition so little that rounding may be the cause. The load is then on the
     /// boundary of the loads that the grasp can hold, up to the working precision.
     OnTheBoundary,
     /// Contact states were found, but arms or stiffnesses of the grasp differ by more than the working precision resolves. Forces and twist cannot be
@@ -70,7 +70,7 @@ pub(crate) struct Found {
 }
 
 impl Found {
-    /// A solution without free motions, and without a load path that led to it.
+    /// A solution of a single search: no load path led to it, and every motion is resisted.
     pub(crate) fn new(states: Vec<State>, forces: Vec<SVector<f64, 3>>, twist: Vector) -> Self {
         Self {
             states,
@@ -131,7 +131,7 @@ pub(crate) enum Settled {
     FreeMotion(Vector),
     /// No admissible forces balance the load: this motion separates it from the friction wrench cone.
     Separating(Vector),
-    /// The number of combinations of contact states, each of which fails clearly.
+    /// Every combination of contact states violates a condition clearly; this is the number of combinations.
     NoneOf(usize),
     /// On the round cone, each case was proved to have no equilibrium. An equilibrium that rounding hides from this proof would be larger than the
     /// data by the factor `escape`.

@@ -38,7 +38,7 @@ pub(crate) fn try_states(problem: &Problem, states: Vec<State>) -> Judged {
     }
 }
 
-/// A proposal that breaks a condition, with its solution.
+/// Proposed contact states whose solution `at` breaks a condition.
 pub(super) struct Refused {
     pub(super) states: Vec<State>,
     pub(super) at: PieceState,
@@ -101,7 +101,7 @@ pub(super) fn admit(
 pub(super) fn admit_regular(problem: &Problem, states: Vec<State>, state: PieceState) -> Option<Found> {
     let mut holds = true;
     for_each_condition(problem, &states, &state.forces, &state.twist, |value, size| {
-        // The comparison is false for NaN.
+        // For NaN the comparison is false, so the states are refused.
         holds &= value >= -ZERO_SLACK * size;
     });
     holds.then(|| Found::new(states, state.forces, state.twist))

@@ -8,7 +8,7 @@ use crate::numerics::paired;
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The number of combinations of contact states, in floating point because it overflows soon.
+/// The number of combinations of contact states. It is a floating-point number, since integers would overflow with few contacts.
 pub(crate) fn combinations(problem: &Problem) -> f64 {
     problem.locals().map(|local| local.states().len() as f64).product()
 }
@@ -44,7 +44,7 @@ pub(crate) fn search(problem: &Problem, first_only: bool) -> Enumerated {
     search_among(problem, first_only, &|_| true)
 }
 
-/// [`search`] among the combinations that `may_hold` admits.
+/// [`search`] restricted to the combinations for which `may_hold` is true.
 pub(crate) fn search_among(
     problem: &Problem,
     first_only: bool,

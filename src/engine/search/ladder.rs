@@ -133,7 +133,7 @@ fn may_be_dense(scene: &ElasticTrial<'_, '_>) -> bool {
     !has_many_contacts(scene) || dense_is_affordable(scene.proposing(), 1)
 }
 
-/// Contacts that would pull are open; all others stick.
+/// Tries the states in which contacts that would pull are open and all others stick.
 fn touching_contacts_stick(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     Attempt::of(touching_contacts(scene.problem, scene.unjumped.clone(), scene.state.clone()))
 }
@@ -172,7 +172,7 @@ fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<Found> {
     another
 }
 
-/// In rates at a limit load: all contacts on the edge of their cones slide, and nothing resists a motion on which the load works.
+/// A proof for the problem in rates at a limit load: if all contacts on the edge of their cones slide, nothing resists a motion on which the load works.
 fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     let proof = proofs::yields(scene.problem);
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(Settled::Contradicted { cases: 1, escape }))

@@ -14,7 +14,8 @@ use crate::numerics::{IntoList, Singular, Vector, chosen, least_distance, mapped
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The solution shifted along its free motions to the admissible position nearest to q₀.
+/// The solution, shifted along motions that no spring resists to the admissible position nearest to q₀. At q₀ contacts that touched before anything
+/// moved touch again, as far as possible.
 pub(super) fn at_the_least_motion(problem: &Problem, mut found: Found) -> Found {
     // If a contact slides on the round cone its conditions are not linear, since the direction of friction depends on the slip.
     if found.free_motions.is_empty() || found.states.iter().any(|state| state.slide().is_some()) {
@@ -50,7 +51,8 @@ pub(super) fn at_the_least_motion(problem: &Problem, mut found: Found) -> Found 
     found
 }
 
-/// The free motion, shortest in least squares, that closes the gaps of open contacts which touched before anything moved.
+/// Of the motions that no spring resists, the shortest one that closes, in the sense of least squares, the gaps of open contacts which touched before
+/// anything moved.
 fn to_what_touches(problem: &Problem, found: &Found, base: &Vector) -> Vector {
     let touches = |i: &usize| {
         let reach = problem.offsets[*i][0];

@@ -47,7 +47,7 @@ impl Base {
     }
 }
 
-/// States in which no contact breaks a condition, or `None` if the paths find none.
+/// Contact states in which no contact breaks a condition; `None` if the paths of Lemke's method find none.
 pub(super) fn propose_of_the_leaving(
     scene: &ElasticTrial<'_, '_>,
     problem: &Problem,
@@ -113,7 +113,7 @@ fn pivoted(
     None
 }
 
-/// The contacts that share a coordinate with one of `among`, these included, in order.
+/// The contacts in `among` and their neighbours, which share a coordinate with one of them, in order.
 fn beside(problem: &Problem, among: &[usize]) -> Vec<usize> {
     let mut is_near = vec![false; problem.size().count()];
     for i in among {
@@ -130,7 +130,7 @@ fn beside(problem: &Problem, among: &[usize]) -> Vec<usize> {
 /// Makes further contacts stick until the tangent stiffness is regular. For each motion in its null space, the contact that moves most is made to
 /// stick, among those that do not stick yet. `None` if it is still singular after all rounds.
 fn regular(problem: &Problem, mut states: Vec<State>) -> Option<Vec<State>> {
-    // Maximum number of rounds in which further contacts are made to stick.
+    // Further contacts are made to stick in at most eight rounds.
     for _ in 0..8 {
         let loose = problem.tangent_in_a_band(&|i| states[i])?.loose_motions();
         if loose.is_empty() {

@@ -44,7 +44,7 @@ struct Tally {
     pivots: usize,
 }
 
-/// The contact states at the end of a path, and its pivots.
+/// The contact states at the end of a path of Lemke's method, and its number of pivots; `None` if the path ended on a ray or at a limit.
 type End = Option<(Vec<State>, usize)>;
 
 impl Tally {
@@ -233,7 +233,8 @@ fn random_scenes_of_many_contacts() {
     assert!(space.closed.same + space.opening.same > 20, "{space:?}");
 }
 
-/// Where numbers lie far apart the structured solver ends on fewer rays, and hardly ever on one where the dense one does not.
+/// If stiffnesses and coefficients of friction differ widely, the solver on lists of states ends on fewer rays, and hardly ever on one where the
+/// dense solver does not.
 #[test]
 fn random_scenes_of_springs_and_friction_far_apart() {
     for tallies in [random::<2>(2..9, true, 1500), random::<3>(2..9, true, 1500)] {
@@ -272,7 +273,7 @@ fn symmetric_scenes() {
     agree(&tallies);
     let Tallies { closed, opening, unsettled } = tallies;
     assert!(closed.pivots + opening.pivots + unsettled.pivots > 3000, "{tallies:?}");
-    // Some paths end in another of the bases that share one answer, as rounding decides. At most a quarter of these scenes may do so.
+    // Several bases may belong to one answer, and rounding decides in which of them a path ends. At most a quarter of these scenes may do so.
     assert!(4 * unsettled.other_states <= unsettled.scenes && unsettled.only_dense == 0, "{unsettled:?}");
 }
 

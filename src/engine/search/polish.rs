@@ -53,7 +53,7 @@ fn regular_solution(problem: &Problem, states: &[State]) -> Option<PieceState> {
     Some(near)
 }
 
-/// The solution on the round cone that Newton's method finds from a twist.
+/// The solution on the round cone at which Newton's method ends if it starts from a twist.
 pub(super) fn polish_from(problem: &Problem, twist: Vector) -> Option<Found> {
     RoundPieces::by_newton(problem, twist)?.solve(problem)
 }

@@ -15,7 +15,7 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::structured;
 
-/// Whether one path on a dense matrix with `times` the rows of the kinematic form is affordable. A path takes about as many
+/// Whether a path of Lemke's method is affordable on a dense matrix with `times` as many rows as the kinematic form. A path takes about as many
 /// pivots as there are rows.
 pub(crate) fn dense_is_affordable(problem: &Problem, times: usize) -> bool {
     let rows = problem.locals().map(|local| local.pairs()).sum::<usize>();

@@ -28,7 +28,7 @@ use crate::proofs::{ESCAPE, LEAST_WORK};
 /// A hull generator: the index of its contact, and its index among the generators of that contact.
 pub(super) type Tag = (usize, usize);
 
-/// The equation `e + P (f - e) = f⁰`.
+/// The equation `e + P (f - e) = f⁰`, which states balance of forces f and compatibility of stretches e.
 pub(super) struct BalanceEquation {
     /// The projector P, column by column.
     projector: Vec<f64>,
@@ -126,11 +126,11 @@ impl BalanceEquation {
         })
     }
 
-    /// Moves to the nearest point of the cone that these hulls span.
+    /// Moves `nearest` to the point of the cone spanned by the generators of these hulls that is nearest to the elastic trial state.
     pub(super) fn relax(&self, hulls: &[impl AsRef<[HullRay]>], nearest: &mut NearestPoint<Tag>) -> Relaxed {
         let (mut column, mut projected) = (Vec::new(), Vec::new());
         nearest.move_to_closest(&self.target);
-        // Generators that have become active since the distance last shrank; they are not tried again before it shrinks.
+        // Generators that have been added since the distance last shrank. They are not tried again before it shrinks, so that the loop cannot cycle.
         let mut tried: Vec<Tag> = Vec::new();
         let mut least = f64::INFINITY;
         // At most forty generators are added for each row of the equation.

@@ -25,7 +25,7 @@ pub(super) struct RoundPieces {
 
 /// The size of the changes of forces and twist in a Newton step.
 struct Progress {
-    /// Forces and twist changed by their last digit at most.
+    /// Forces and twist changed in their last digit at most.
     sharp: bool,
     /// Forces and twist changed by at most 1e-8 of themselves: the directions of friction have hardly turned.
     near: bool,
@@ -67,7 +67,7 @@ impl RoundPieces {
     pub(super) fn solve(mut self, problem: &Problem) -> Option<Found> {
         let driven = problem.offsets.iter().map(SVector::norm).fold(self.twist.value().norm(), f64::max);
         let mut piece = Piece::new(problem, &self.states);
-        // Maximum number of Newton steps.
+        // The largest number of Newton steps.
         let most_steps = 20;
         for step in 1..=most_steps {
             let Progress { sharp, near, settled } = self.step(problem, &piece);
@@ -80,7 +80,7 @@ impl RoundPieces {
             if last && let Some(found) = self.admitted(problem, &piece) {
                 return Some(found);
             }
-            // While a motion is free, gaps along it are arbitrary, and open contacts stay open.
+            // If nothing resists some motion, gaps along it are arbitrary: open contacts then stay open until Newton's method has converged.
             let closing = sharp || piece.free_motions().is_empty();
             let left = self.update_states(problem, closing);
             if sharp && !left {
@@ -94,7 +94,7 @@ impl RoundPieces {
         None
     }
 
-    /// Whether friction forces equal their limit wherever contacts slide; false where a contact that is kept closed pulls.
+    /// Whether friction forces equal their limit wherever contacts slide; false if a contact that is kept closed pulls.
     fn on_cones(&self, problem: &Problem) -> bool {
         let largest = problem.largest_force(&self.forces, &self.twist.value());
         problem.locals().zip(&self.states).zip(&self.forces).all(|((local, state), force)| {

@@ -95,7 +95,8 @@ impl Settings {
         self
     }
 
-    /// These settings with another error of a step along a sliding arc: 1e-13 for all digits; below 1e-14 rounding is in the way.
+    /// These settings with another allowed error of a step along a sliding arc. With 1e-13 nearly all digits are correct; below 1e-14 rounding
+    /// prevents steps.
     #[must_use]
     pub fn with_step_error(mut self, step_error: f64) -> Self {
         self.step_error = step_error;

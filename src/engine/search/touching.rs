@@ -22,7 +22,7 @@ pub(super) fn touching_contacts(
     // Every contact usually changes once; this limit of rounds ends cycles.
     let rounds = if states.len() > one_by_one { 20 } else { 2 * states.len() + 2 };
     for _ in 0..rounds {
-        // Few contacts open one at a time: a contact that pulls makes others pull that no longer do once it is open. The first to open is
+        // Few contacts open one at a time: one contact that pulls may make others pull, which no longer do so once it is open. The first to open is
         // the contact with the largest initial gap.
         let reach = |i: usize| problem.offsets[i][0];
         let depth = |i: usize| reach(i) - problem.sites[i].map.tr_mul(&solved.twist)[0];

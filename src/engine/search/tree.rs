@@ -48,8 +48,8 @@ pub(super) fn has_round_cones(problem: &Problem) -> bool {
     problem.locals().any(|local| local.is_round()) && !problem.locals().any(|local| local.is_on_an_edge())
 }
 
-/// The number of cases that costs as much as [`Settings::most_states`] combinations of contact states. Zero where nothing can be divided, or
-/// with too many contacts.
+/// The number of cases that costs as much as [`Settings::most_states`] combinations of contact states. Zero if no contact has a round cone, or there
+/// are too many contacts.
 pub(super) fn most_cases(problem: &Problem, settings: &Settings) -> usize {
     // With more contacts, as many cases as can be afforded would not decide.
     if problem.len() > 32 || !has_round_cones(problem) {
@@ -57,7 +57,7 @@ pub(super) fn most_cases(problem: &Problem, settings: &Settings) -> usize {
     }
     // A case of n contacts takes as long as n³ over this number of combinations of contact states.
     let by_size = settings.most_states.saturating_mul(400) / problem.len().pow(3);
-    // With few contacts, too, a case costs at least as much as five combinations.
+    // However few contacts there are, a case costs at least as much as five combinations.
     by_size.min(settings.most_states / 5)
 }
 

@@ -15,7 +15,7 @@ use crate::numerics::largest;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::{Piece, PieceState, Problem};
 
-/// [`settle`] for a problem at rest.
+/// [`settle`] for a problem at rest (not one of rates): the solution has contacts without force open.
 pub(crate) fn settle_at_rest(problem: &Problem, settings: &Settings) -> (Settled, Effort) {
     match settle(problem, settings) {
         (Settled::Found(found, rung), effort) => {
@@ -29,8 +29,8 @@ pub(crate) fn settle_at_rest(problem: &Problem, settings: &Settings) -> (Settled
     }
 }
 
-/// The solution as it is reported for a problem at rest: contacts without force are open, and free motions are shown. Twist and sizes stay those of
-/// `found`.
+/// The solution as it is reported for a problem at rest: contacts without force are open, and motions that nothing resists are listed. Twist and
+/// sizes stay those of `found`.
 pub(crate) fn reported_at_rest(problem: &Problem, found: Found) -> Found {
     let open = opened(problem, &found).unwrap_or_else(|| found.clone());
     let shown = on_the_solution_interval(problem, open);

@@ -55,7 +55,7 @@ impl Active {
         self.iter().position(|p| p == pair)
     }
 
-    /// Adds a pair. `None` if the contact already has as many active pairs as axes.
+    /// Makes another pair of the contact active. `None` if the contact already has as many active pairs as axes.
     pub(super) fn with(mut self, pair: usize) -> Option<Self> {
         let at = self.len();
         *self.pairs.get_mut(at)? = u16::try_from(pair).ok()?;
@@ -73,14 +73,14 @@ impl Active {
     }
 }
 
-/// The linear response of a contact in a given state to u and z₀.
+/// The linear response of a contact in a given state to its stretch u and the covering variable z₀.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Reaction {
     /// The projection P of `x = P u - k z₀`.
     pub(super) hold: SMatrix<f64, 3, 3>,
     /// The rows of Z, one for each active pair: `z_A = -(Z u + ζ z₀)`.
     pub(super) multipliers: [SVector<f64, 3>; 3],
-    /// ζ and k, the response to z₀.
+    /// ζ and k, the response to the covering variable z₀.
     pub(super) cover: Jumps,
     /// ζ and k of the perturbation that breaks ties.
     pub(super) tie: Jumps,
@@ -94,7 +94,7 @@ pub(super) struct Jumps {
 }
 
 impl Reaction {
-    /// The response of a contact without jumps.
+    /// The response of a contact that sticks: it has no gap and no slip.
     pub(super) fn sticking() -> Self {
         let (zero, none) = (SVector::zeros(), Jumps { of_pairs: [0.0; 3], of_x: SVector::zeros() });
         Self { hold: SMatrix::identity(), multipliers: [zero; 3], cover: none, tie: none }
@@ -168,7 +168,7 @@ impl ContactForm {
 #[derive(Debug, Clone)]
 pub(super) struct StateBasis {
     pub(super) active: Vec<Active>,
-    /// Linear responses, valid only for contacts with active pairs.
+    /// Linear responses of all contacts; entries of contacts without active pairs are not valid.
     reactions: Vec<Reaction>,
     sticking: Reaction,
 }
@@ -193,7 +193,7 @@ impl StateBasis {
         self.jumped(contact).unwrap_or(&self.sticking)
     }
 
-    /// The response of a contact, if it has active pairs.
+    /// The linear response of a contact, if some of its pairs are active (z is basic).
     pub(super) fn jumped(&self, contact: usize) -> Option<&Reaction> {
         (self.active[contact].len() > 0).then(|| &self.reactions[contact])
     }

@@ -38,13 +38,13 @@ pub(crate) struct StatePath {
     pub(super) basis: StateBasis,
     pub(super) sums: Sums<3>,
     pub(crate) pivots: usize,
-    /// Number of evaluations of single contacts, over all pivots.
+    /// Number of times that a contact was evaluated, over all pivots.
     looks: usize,
-    /// Largest number of evaluations, if there is a limit: above it the path ends.
+    /// The largest such number, if there is a limit: above it the path ends.
     pub(crate) most_looks: Option<usize>,
     /// Pivots since the sums over contacts were last computed anew; each pivot adds rounding to them.
     pub(super) age: usize,
-    /// Factors of the system of the present step.
+    /// Factors of the bordered system of the present pivot.
     factors: Bordered,
     pricing: LazyPricing,
     candidates: Vec<Candidate>,
@@ -101,7 +101,7 @@ impl StatePath {
         first.map(|entering| (entering, -least))
     }
 
-    /// The state that the present basis gives to a contact with this law.
+    /// The contact state that belongs to the present basis, for a contact with this law.
     pub(super) fn state(&self, contact: usize, law: &LocalLaw<'_>) -> State {
         let (active, gap) = (&self.basis.active[contact], self.form.locals[contact].contact.gap);
         if law.is_absent() || (gap && active.has(0)) {
@@ -121,7 +121,7 @@ impl StatePath {
         self.looks += self.form.len();
     }
 
-    /// Follows the path from a point where both variables of a pair are zero.
+    /// Follows the path from a point where both variables of the complementary pair `entering` are zero.
     pub(super) fn run(&mut self, mut entering: Entering, at: &Point, limit: usize) -> PivotEnd {
         self.candidates.clear();
         self.candidates.reserve(self.form.pairs);

@@ -11,7 +11,7 @@ use crate::prelude::*;
 pub(crate) struct Proposal {
     pub(crate) states: Option<Vec<State>>,
     pub(crate) pivots: usize,
-    /// The number of pairs of the kinematic form.
+    /// The number of complementary pairs of the kinematic form.
     pub(crate) pairs: usize,
     /// Whether a path ended at a limit or a breakdown, not on a ray.
     pub(crate) cut_short: bool,

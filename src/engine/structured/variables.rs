@@ -26,7 +26,7 @@ pub(super) struct Candidate {
     pub(super) vanishing: Vanishing,
 }
 
-/// A value that decreases along a step.
+/// The value of a variable that decreases along a step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Vanishing {
     pub(super) value: f64,
@@ -112,14 +112,15 @@ impl ContactForm {
         }
     }
 
-    /// The time t of `object/lazy_pricing` until which no variable of this contact can reach zero, while the path follows the direction e.
+    /// The waiting time of a contact on the clock of `object/lazy_pricing`: before it no variable of the contact can reach zero. e is the reference
+    /// direction of the path.
     pub(super) fn slack(&self, basis: &StateBasis, contact: u32, at: &Point, e: &Point) -> f64 {
         let local = &self.locals[contact as usize];
         let (active, reaction) = (&basis.active[contact as usize], basis.reaction(contact as usize));
         let (stretch, change) = (local.stretch(&at.y), -(&local.contact.seen * &e.y));
         let (margin, width) = (PRICING_MARGIN * local.level(&stretch, at.s), local.contact.seen.norm());
         let mut least = f64::INFINITY;
-        // Each variable has the form `felt·u + d z₀`.
+        // Each variable of the contact has the form `felt·u + d z₀`.
         let mut consider = |felt: &SVector<f64, 3>, d: f64, size: f64| {
             let value = felt.dot(&stretch) + d * at.s - margin * size;
             let rate = felt.dot(&change) + d * e.s;

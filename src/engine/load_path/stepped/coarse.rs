@@ -28,8 +28,8 @@ impl Coarse {
         Self { present: present.clone(), lost: 0.0, farthest: 0.0 }
     }
 
-    /// Makes the step of the first path between two places. `at_once` is that step made as a whole. If the second path finds no step of its own, or
-    /// only one to a distant state, it moves to `at_once`. `beside` is memory for its own step.
+    /// Makes on the second path the step that the first path has made between two places. `at_once` is the end of that step made as a whole. If the
+    /// second path finds no step of its own, or only one to a distant state, it moves to `at_once`. `beside` is memory for its own step.
     pub(super) fn follow(
         &mut self,
         along: &mut StepProblem<'_>,

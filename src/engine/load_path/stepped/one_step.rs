@@ -29,7 +29,7 @@ impl SteppedState {
         largest(&self.forces, &SVector::norm_squared).sqrt()
     }
 
-    /// The largest difference between contact forces of two states, N.
+    /// The distance of two states: the largest difference between the forces of a contact, N.
     pub(super) fn distance_to(&self, other: &Self) -> f64 {
         let pairs = self.forces.iter().zip(&other.forces);
         pairs.map(|(a, b)| (a - b).norm_squared()).fold(0.0, f64::max).sqrt()
@@ -37,7 +37,7 @@ impl SteppedState {
 }
 
 impl SteppedState {
-    /// An empty state, whose memory later states use.
+    /// An empty state, to be overwritten by later states.
     pub(super) fn nowhere() -> Self {
         let (slips, forces, states) = (Vec::new(), Vec::new(), Vec::new());
         Self { fraction: 0.0, twist: Vector::zeros(), slips, forces, states }

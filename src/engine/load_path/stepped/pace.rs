@@ -26,7 +26,7 @@ pub(super) struct StepPace {
 }
 
 impl StepPace {
-    /// The control at the beginning of a leg.
+    /// The step control at the beginning of a leg.
     pub(super) fn along<X>(course: &Trajectory<X>) -> Self {
         let longest = if let Trajectory::Turn { angle, .. } = course { FRAC_PI_2 / angle.abs() } else { 1.0 };
         let speeds = Speeds::default();
@@ -34,7 +34,7 @@ impl StepPace {
         Self { rate: None, speeds, changed: 1.0, step: 1.0 / 16.0, longest, refused: false, tried: 0 }
     }
 
-    /// Restarts the control on the next leg, in the same memory.
+    /// Restarts the step control on the next leg, in the same memory.
     pub(super) fn start_leg<X>(&mut self, course: &Trajectory<X>) {
         self.speeds.clear();
         *self = Self { speeds: core::mem::take(&mut self.speeds), ..Self::along(course) };

@@ -23,7 +23,7 @@ impl Speeds {
 
     /// Records the speed of the object in a step that has ended at this fraction of the leg.
     pub(super) fn note(&mut self, fraction: f64, speed: f64) {
-        // A speed is recorded if it exceeds the last one by this factor.
+        // A speed is recorded if it is more than twice the last recorded one.
         if self.0.last().is_none_or(|[_, fastest]| speed > 2.0 * fastest) {
             self.0.push([fraction, speed]);
         }

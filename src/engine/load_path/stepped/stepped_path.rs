@@ -35,7 +35,7 @@ pub(crate) struct Steps<'g> {
     pub(super) pace: StepPace,
     /// The allowed error of the forces, over the largest force.
     pub(super) error: f64,
-    /// A second path with the same steps, each made as a whole instead of in two halves.
+    /// A second path with the same steps, each made as a whole instead of in two halves. Its distance from this path measures the error.
     pub(super) coarse: Coarse,
     /// Largest error that both paths may have in common, divided by the largest force.
     pub(super) unseen: f64,
