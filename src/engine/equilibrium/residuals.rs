@@ -15,21 +15,22 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Residuals {
-    /// `|Σ F_i + W|` over the sum of the sizes of its terms and the least force that a spring could have from the displacements of its contact; the
-    /// same for moments, where forces count at the root mean square distance of the contacts; the larger of both.
+    /// Equilibrium: `|Σ F_i + W|` over the sum of the sizes of its terms and the least force that a spring could have from the displacements of its
+    /// contact; the same for moments, where forces count at the root mean square distance of the contacts; the larger of both.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub equilibrium: f64,
-    /// `|F/k - (a - u_c + g - s)|` axis by axis, the gap along the normal and the slip along the tangents: the contact springs.
+    /// Contact springs: `|F/k - (a - u_c + g - s)|` axis by axis, with the gap g along the normal and the slip s along the tangents.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub springs: f64,
-    /// `max(0, -F_n)`, and `max(0, |F_t| - μ F_n)` over 1 + μ: the friction cone. For a polygon the size of `F_t` is the largest `h·F_t`. Only for
+    /// Friction cone: `max(0, -F_n)`, and `max(0, |F_t| - μ F_n)` over 1 + μ. For a polygon the size of `F_t` is the largest `h·F_t`. Only for
     /// contacts that are bound by it, see [`Hold`](crate::grasp::Hold).
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub cone: f64,
-    /// `max(0, -g)`: penetration; `|g|` of a bonded contact.
+    /// Penetration: `max(0, -g)`; `|g|` of a bonded contact.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub gap: f64,
-    /// `|F_n g|`, and `|μ F_n |s| - F_t·s|` over 1 + μ, which is zero iff the slip follows the friction force; `|s|` where nothing may slip.
+    /// Complementarity: `|F_n g|`, and `|μ F_n |s| - F_t·s|` over 1 + μ, which is zero iff the slip follows the friction force; `|s|` where nothing
+    /// may slip.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub complementarity: f64,
 }

@@ -99,7 +99,8 @@ pub(super) struct StickingState {
 }
 
 impl OnsetEvent<3> {
-    /// The event at a load factor, with the load, the sticking state and the active sets of contacts there, in lists supplied by the caller.
+    /// The onset as an event at a load factor, from the load, the sticking state and the active sets of contacts there. The lists come from the
+    /// caller, so that no memory is allocated.
     pub(super) fn new(
         segment: Segment<'_>,
         (factor, load): (f64, Wrench<3>),

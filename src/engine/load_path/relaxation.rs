@@ -48,7 +48,7 @@ pub(super) struct Relaxation<'f, 's, 'g> {
     contacts: Vec<Turning>,
     /// The tangent stiffness T.
     stiffness: PathStiffness,
-    /// The right-hand side b.
+    /// The right-hand side b of `T q' = b λ'`.
     load: Vector,
     way: Direction,
 }

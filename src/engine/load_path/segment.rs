@@ -246,7 +246,7 @@ impl<'g> Segment<'g> {
         }
     }
 
-    /// Adds the present slip of a contact to its memory: from now on its offset has this slip subtracted.
+    /// Adds the present slip of a contact to its slip memory: from now on its offset has this slip subtracted.
     pub(super) fn remember_slip(
         &mut self,
         contact: usize,

@@ -87,7 +87,7 @@ impl<'g> Pieces<'g> {
 }
 
 impl<'g> Stretch<'g> {
-    /// The first place on a piece where a motion is too large, given a motion that is too large at the end of the piece.
+    /// The first place on a piece of the path where a rotation, slip or opening is too large, given a motion that is too large at the end of the piece.
     fn first_too_far(&self, grasp: &'g Engine, answer_for: AnswerFor, at_the_end: CountedMotion) -> Place {
         // If the state within a step cannot be computed because of rounding, the motion at the end of the step is taken.
         let farthest_at = |fraction: f64| {

@@ -35,7 +35,7 @@ use crate::prelude::*;
 use crate::search::{Found, SmallMotions};
 
 /// A state of the moving object: its twist, the responses of the contacts, and the imbalance of forces and load.
-struct Place {
+struct MovingObject {
     twist: Vector,
     contacts: Vec<ContactResponse>,
     left: Vector,
@@ -70,7 +70,8 @@ impl<'g> RestsAgain<'g> {
         let none = vec![ContactResponse::open(); problem.len()];
         // At the start rounding decides whether a contact on the edge of its cone sticks. So all contacts count as open in the matrix of the first
         // step, which has the dampers alone.
-        let mut here = Place { contacts: none.clone(), ..Place::at(start.clone(), none, &mut problem) };
+        let mut here =
+            MovingObject { contacts: none.clone(), ..MovingObject::at(start.clone(), none, &mut problem) };
         let (at_first, mut length) = (here.left.norm(), 1.0);
         for _ in 0..MOST_SNAPPING_STEPS {
             if here.left.norm() <= AT_REST_AGAIN * at_first {
@@ -92,7 +93,7 @@ impl<'g> RestsAgain<'g> {
             let step = factors.solve(&here.left);
             let expected = &damping * &step * (1.0 / length);
             let before = (problem.slips.clone(), problem.offsets.clone(), problem.cones.clone());
-            let next = Place::at(&here.twist + &step, here.contacts.clone(), &mut problem);
+            let next = MovingObject::at(&here.twist + &step, here.contacts.clone(), &mut problem);
             let is_as_expected = (&next.left - &expected).norm() <= AS_EXPECTED * here.left.norm();
             let grows = next.left.norm() > FASTEST_GROWTH * here.left.norm() || step.dot(&here.left) <= 0.0;
             if length > SHORTEST_SNAPPING_STEP && (grows || !is_as_expected) {
@@ -131,7 +132,7 @@ fn is_small(grasp: &Engine, small: &SmallMotions, moved: &Vector) -> bool {
 const LONGER: f64 = 2.0;
 const SHORTER: f64 = 0.25;
 
-impl Place {
+impl MovingObject {
     /// The state at a twist. The contacts respond to it, starting from their last responses, and `problem` remembers their slips.
     fn at(twist: Vector, mut contacts: Vec<ContactResponse>, problem: &mut Problem) -> Self {
         let left = problem.yield_to(&twist, &mut contacts);

@@ -72,7 +72,7 @@ impl<T: Clone> LegGoal<T> {
         }
     }
 
-    /// The values of the fields `…_by` and `…_to` for this goal.
+    /// The values of the serialised fields `…_by` and `…_to` for this goal.
     fn written(&self) -> (Option<T>, Option<T>) {
         match self {
             Self::Stay => (None, None),

@@ -31,7 +31,7 @@ pub(crate) struct Correction {
 }
 
 impl Piece {
-    /// The exact solution in the contact states `states`, from which this piece was made, minus given forces and twist. `size` is the largest force
+    /// The exact solution in the contact states `states`, from which this [`Piece`] was made, minus given forces and twist. `size` is the largest force
     /// of the problem, N.
     pub(crate) fn correction(
         &self,

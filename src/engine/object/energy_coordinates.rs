@@ -20,7 +20,7 @@ use crate::prelude::*;
 pub(crate) struct Facet {
     /// The row (κ, c), with c of length one.
     pub(crate) row: SVector<f64, 3>,
-    /// Length of `row`. A number that refers to the row scaled to length one is multiplied by this length to refer to `row`.
+    /// Length of `row`. Entries of covering or perturbation vectors for the row scaled to length one, times this length, are those for `row`.
     pub(crate) unit: f64,
 }
 

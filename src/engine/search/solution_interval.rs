@@ -36,8 +36,7 @@ pub(crate) fn on_the_solution_interval(problem: &Problem, found: Found) -> Found
     }
 }
 
-/// The states in which sticking contacts yield that may: those without force open, those on the edge of their cone slide. `None` if there are no such
-/// contacts.
+/// The states in which sticking contacts without force open, and those on the edge of their cone slide. `None` if there are neither.
 fn yielding(problem: &Problem, found: &Found) -> Option<Vec<State>> {
     let largest = found.forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
     let mut states = found.states.clone();

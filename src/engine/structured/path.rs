@@ -39,9 +39,9 @@ pub(crate) struct StatePath {
     pub(super) sums: Sums<3>,
     pub(crate) pivots: usize,
     /// Number of times that a contact was evaluated, over all pivots.
-    looks: usize,
+    evaluations: usize,
     /// The largest such number, if there is a limit: above it the path ends.
-    pub(crate) most_looks: Option<usize>,
+    pub(crate) most_evaluations: Option<usize>,
     /// Pivots since the sums over contacts were last computed anew; each pivot adds rounding to them.
     pub(super) age: usize,
     /// Factors of the bordered system of the present pivot.
@@ -118,7 +118,7 @@ impl StatePath {
     pub(super) fn refresh(&mut self) {
         self.sums = self.basis.sums(&self.form);
         self.age = 0;
-        self.looks += self.form.len();
+        self.evaluations += self.form.len();
     }
 
     /// Follows the path from a point where both variables of the complementary pair `entering` are zero.
@@ -130,7 +130,7 @@ impl StatePath {
             self.line_up(entering.contact, at, &first.along);
         }
         loop {
-            if self.pivots >= limit || self.most_looks.is_some_and(|most| self.looks > most) {
+            if self.pivots >= limit || self.most_evaluations.is_some_and(|most| self.evaluations > most) {
                 return PivotEnd::PivotLimit;
             }
             if are_stale(self.age, self.form.len()) {
@@ -146,7 +146,7 @@ impl StatePath {
             let leaving = self.blocking(&step, &entering);
             // A pivot element below this fraction of the largest change in the step may be rounding: the sums are computed anew before it is used.
             let doubtful = match &leaving {
-                Leaving::Nobody => true,
+                Leaving::NoVariable => true,
                 Leaving::Covering => step.along.s.abs() < DOUBTFUL_PIVOT * step.largest,
                 Leaving::Variable(candidate) => {
                     candidate.vanishing.rate.abs() < DOUBTFUL_PIVOT * step.largest
@@ -157,7 +157,7 @@ impl StatePath {
                 continue;
             }
             let leaving = match leaving {
-                Leaving::Nobody => return PivotEnd::Ray,
+                Leaving::NoVariable => return PivotEnd::Ray,
                 Leaving::Covering => {
                     self.pivots += 1;
                     if entering.jump && self.exchange(&entering, None).is_none() {
@@ -194,7 +194,7 @@ impl StatePath {
 
     /// Queues all contacts except `out`, the contact of the pair outside the basis: every step evaluates it.
     fn line_up(&mut self, out: u32, at: &Point, along: &Point) {
-        self.looks += self.form.len();
+        self.evaluations += self.form.len();
         let Self { form, basis, pricing, .. } = self;
         pricing.line_up(form.len(), along, &|contact, e| {
             (0, if contact == out { f64::INFINITY } else { form.slack(basis, contact, at, e) })
@@ -244,9 +244,9 @@ impl StatePath {
         let covering = Vanishing { value: step.here.s, rate: step.along.s, level: step.here.size() };
         let z0_shrinks = covering.rate < -FEW_ROUNDINGS * step.largest;
         let mut length = if z0_shrinks { covering.longest() } else { f64::INFINITY };
-        let mut looks = 0;
-        let mut look = |contact: u32, length: &mut f64| {
-            looks += 1;
+        let mut evaluations = 0;
+        let mut evaluate = |contact: u32, length: &mut f64| {
+            evaluations += 1;
             form.decreasing(basis, contact, step, entering, |candidate| {
                 if candidate.vanishing.ratio() <= *length {
                     *length = length.min(candidate.vanishing.longest());
@@ -254,35 +254,35 @@ impl StatePath {
                 }
             });
         };
-        look(entering.contact, &mut length);
+        evaluate(entering.contact, &mut length);
         if lazy {
             // Contacts evaluated before in this step are no longer in the queue; there are some if the step is repeated on recomputed sums.
             for k in 0..pricing.looked.len() {
-                look(pricing.looked[k], &mut length);
+                evaluate(pricing.looked[k], &mut length);
             }
             let speed = pricing.speed(&step.along);
             let within = |length: f64| length * speed * (1.0 + TIE);
             while let Some((contact, stamp)) = pricing.line.next_within(within(length)) {
                 let slack = form.slack(basis, contact, &step.here, &pricing.towards);
                 if !pricing.puts_off(within(length), contact, stamp, slack) {
-                    look(contact, &mut length);
+                    evaluate(contact, &mut length);
                 }
             }
         } else {
             for (contact, _) in (0..).zip(&form.locals).filter(|(contact, _)| *contact != entering.contact) {
-                look(contact, &mut length);
+                evaluate(contact, &mut length);
             }
         }
-        self.looks += looks + candidates.len();
+        self.evaluations += evaluations + candidates.len();
         if length == f64::INFINITY {
-            return Leaving::Nobody;
+            return Leaving::NoVariable;
         }
         if z0_shrinks && covering.ratio() <= length {
             return Leaving::Covering;
         }
         candidates.retain(|candidate| candidate.vanishing.ratio() <= length);
         match candidates.as_slice() {
-            [] => Leaving::Nobody,
+            [] => Leaving::NoVariable,
             [only] => Leaving::Variable(*only),
             _ => self.break_tie(entering),
         }
@@ -313,7 +313,7 @@ impl StatePath {
             change / -candidate.vanishing.rate
         };
         let first = self.candidates.iter().map(|c| (c, ratio(c))).min_by(|a, b| a.1.total_cmp(&b.1));
-        first.map_or(Leaving::Nobody, |(candidate, _)| Leaving::Variable(*candidate))
+        first.map_or(Leaving::NoVariable, |(candidate, _)| Leaving::Variable(*candidate))
     }
 
     /// Makes the entering variable basic and the leaving one zero. `None` if active pairs become linearly dependent, which no exact basis has.
@@ -338,7 +338,7 @@ impl StatePath {
 }
 
 enum Leaving {
-    Nobody,
+    NoVariable,
     Covering,
     Variable(Candidate),
 }

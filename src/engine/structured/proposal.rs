@@ -35,8 +35,8 @@ pub(crate) fn propose(
     }
     path.form.assign(problem, trial.factor(), &x);
     // Multiplications to evaluate one contact: for each of its pairs a product with the motion of the object.
-    let of_a_look = (problem.size().count() * path.form.pairs).div_ceil(problem.len().max(1)).max(1);
-    path.most_looks = max_pivots.is_none().then_some(most_work / of_a_look);
+    let of_an_evaluation = (problem.size().count() * path.form.pairs).div_ceil(problem.len().max(1)).max(1);
+    path.most_evaluations = max_pivots.is_none().then_some(most_work / of_an_evaluation);
     let mut proposal = Proposal { states: None, pivots: 0, pairs: path.form.pairs, cut_short: false };
     for attempt in 0..=other_paths {
         let limit = max_pivots.unwrap_or_else(|| path.pivots + path.pivot_limit());

@@ -45,7 +45,7 @@ impl Vanishing {
     /// that reach zero before it are tied.
     pub(super) fn longest(&self) -> f64 {
         let value = self.value.max(0.0);
-        // The second term covers the rounding of the terms that add up to the value.
+        // The last term covers the rounding of the terms that add up to the value.
         (value + TIE * value + 64.0 * f64::EPSILON * self.level) / -self.rate
     }
 }

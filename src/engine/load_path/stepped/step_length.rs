@@ -45,7 +45,7 @@ impl<'g> Steps<'g> {
             };
         };
         let part = self.part_of_what_is_allowed(&twice);
-        // The next step is at most twice as long, and no longer after a refused step.
+        // The next step is at most twice as long as this one; right after a refused step it may not grow.
         let fastest = if self.pace.refused { 1.0 } else { 2.0 };
         self.pace.refused = part > 1.0;
         // The next step aims at 0.7 of the allowed error, and is no shorter than a fifth of this one.
