@@ -63,7 +63,7 @@ impl Band {
         let entries = &mut self.entries[..];
         let least = BAND_PIVOT * entries.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         let (mut pivots, mut pinned) = (Vec::with_capacity(count), Vec::new());
-        // Rightmost column that an exchanged row has reached.
+        // The rightmost column that a row reaches after the exchanges so far.
         let mut last = 0;
         for k in 0..count {
             let below = reach.min(count - 1 - k);
@@ -153,7 +153,7 @@ impl BandFactors {
         for (k, pivot) in self.pivots.iter().enumerate() {
             x.swap(k, k + pivot);
             let (known, below) = (x[k], reach.min(count - 1 - k));
-            // A right-hand side with leading zeros, such as the load of one contact, changes later rows only.
+            // Zeros of the right-hand side change no later row. The load of one contact has many.
             if known != 0.0 {
                 let factors = &self.column(k, 0)[1..];
                 x[k + 1..=k + below].iter_mut().zip(factors).for_each(|(x, factor)| *x -= factor * known);

@@ -22,7 +22,7 @@ struct Tableau {
     weights: Sum,
     /// Weights of the error of the embedded formula of order 5.
     fifth: Sum,
-    /// Weights of the embedded formula of order 3; its error is the difference from the result.
+    /// Weights of the embedded formula of order 3. Its difference from the result estimates the error.
     third: Sum,
 }
 

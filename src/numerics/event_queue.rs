@@ -15,8 +15,8 @@ const SAMPLED: usize = 32;
 /// often.
 const TIERS: usize = 3;
 
-/// An item as one integer, so that one comparison suffices: the bits of its time, then its number and its stamp. Times are not negative, so
-/// their bits have the order of the times.
+/// An item as one integer, so that one comparison suffices: the bits of its time, then its number and its stamp, by which the caller recognises an
+/// outdated entry. Times are not negative, so their bits have the order of the times.
 type Entry = u128;
 
 fn entry(time: f64, number: u32, stamp: u32) -> Entry {
@@ -35,7 +35,7 @@ struct Tier {
     horizon: f64,
 }
 
-/// A queue of numbers, each with a time.
+/// A queue of item numbers, each with the time at which the item is due.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct EventQueue {
     /// The sorted items up to the earliest horizon.
@@ -56,7 +56,7 @@ impl EventQueue {
         self.clock = 0.0;
     }
 
-    /// Refills the queue with the numbers below `count`; `time` returns the stamp and the time of each.
+    /// Refills the queue with items numbered from 0 to `count` − 1; `time` returns the stamp and the time of each.
     pub(crate) fn refill(&mut self, count: usize, time: &(impl Fn(u32) -> (u32, f64) + Sync)) {
         self.clear();
         self.next.reserve(count);
@@ -69,7 +69,7 @@ impl EventQueue {
         all.retain(|entry| parts(*entry).0.is_finite());
     }
 
-    /// Schedules a number `time` after the present clock. An infinite time is not scheduled.
+    /// Schedules an item `time` after the present clock. An infinite time is not scheduled.
     pub(crate) fn wait(&mut self, number: u32, stamp: u32, time: f64) {
         if !time.is_finite() {
             return;
@@ -82,9 +82,9 @@ impl EventQueue {
         }
     }
 
-    /// Whether `time` is later than `than`, both from the present clock. If so, the number is scheduled.
+    /// Schedules an item if its waiting time `time` exceeds `than`, and returns whether it does. Both count from the present clock.
     pub(crate) fn schedule_if_later(&mut self, than: f64, number: u32, stamp: u32, time: f64) -> bool {
-        // The comparison is that of `next_within`, so that the number cannot return within the same time.
+        // The comparison is that of `next_within`: rounding cannot return this item for the time `than`.
         let longer = self.clock + time > self.clock + than;
         if longer {
             self.wait(number, stamp, time);
@@ -92,7 +92,7 @@ impl EventQueue {
         longer
     }
 
-    /// The next number whose time is at most `time` after the present clock, with its stamp.
+    /// The next item whose time is at most `time` after the present clock, with its stamp.
     pub(crate) fn next_within(&mut self, time: f64) -> Option<(u32, u32)> {
         let until = self.clock + time;
         loop {
@@ -133,7 +133,7 @@ impl EventQueue {
     }
 }
 
-/// The last item of about the first part of a tier; `None` if the tier is empty.
+/// The last entry of the first part of a tier, about an eighth of it; `None` if the tier is empty.
 fn last_of_first_part(waiting: &[Entry]) -> Option<Entry> {
     // A short tier is moved as a whole, since dividing it would cost more than sorting it.
     if waiting.len() <= 256 {

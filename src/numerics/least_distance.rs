@@ -34,7 +34,7 @@ pub(crate) fn least_distance(rows: Vec<(f64, Vec<f64>)>) -> Option<Vec<f64>> {
             if nearest.has(*k) { f64::NEG_INFINITY } else { work }
         };
         let most = (0..generators.len()).max_by(|a, b| works(a).total_cmp(&works(b)))?;
-        // Below this tolerance, relative to the largest b, no generator violates its row.
+        // Up to rounding every generator a has `a·r <= 0` with the residual r: the closest point is found.
         if works(&most) <= SOLVED_ROUNDING {
             let (parts, last) = nearest.residual().split_at(count);
             // If the last component of the residual is zero, no τ satisfies all rows.

@@ -57,7 +57,7 @@ pub(crate) fn implicit_step<F: Fn(&mut [f64])>(
             if error <= tolerance {
                 return row.pop().map(|change| Stepped { change, error });
             }
-            // A step fails if its error increases in a row after the fourth.
+            // A step fails if the estimated error grows from one row of the scheme to the next, after the fourth.
             if !error.is_finite() || j > 4 && error > last_error {
                 return None;
             }

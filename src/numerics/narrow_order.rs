@@ -33,7 +33,7 @@ pub(crate) fn narrow_order(count: usize, couplings: &[[Range<usize>; 2]]) -> Vec
     numbers
 }
 
-/// The largest distance in the order between two coordinates of the same coupling.
+/// The half bandwidth: the largest distance in the order between two coordinates of the same coupling.
 pub(crate) fn widest(numbers: &[usize], couplings: &[[Range<usize>; 2]]) -> usize {
     let mut widest = 0;
     for ranges in couplings {

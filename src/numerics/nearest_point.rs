@@ -142,7 +142,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         for (q, h) in self.q.chunks_exact(self.size).zip(&self.components) {
             subtract(&mut self.residual, *h, q);
         }
-        // Repeated, so that a small residual is orthogonal to the columns relative to its own size.
+        // The projection is subtracted a second time, so that even a small residual is orthogonal to the columns relative to its own size.
         for q in self.q.chunks_exact(self.size) {
             let h = dot(q, &self.residual);
             subtract(&mut self.residual, h, q);

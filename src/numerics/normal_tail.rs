@@ -31,7 +31,7 @@ pub(crate) fn normal_tail(x: f64) -> f64 {
     }
     // Φ(-x) = φ(x) / (x + 1/(x + 2/(x + 3/(x + …))))
     let mut fraction = x;
-    // Further terms no longer change the result.
+    // The number of terms after which the result no longer changes.
     let mut k = (1080.0 / (x * x)).ceil() + 4.0;
     while k > 0.0 {
         fraction = x + k / fraction;
@@ -104,8 +104,8 @@ mod tests {
         assert!((normal_density(0.0) - FRAC_1_SQRT_2 / PI.sqrt()).abs() < 1e-16);
     }
 
-    /// Both variables are positive with the probability `1/4 + asin ρ / 2π`. Of one variable twice, the greater bound counts. Otherwise the variables
-    /// are independent given the first one, `∫ φ(x) Φ(-(b - ρx) / √(1 - ρ²)) dx` from a.
+    /// Both variables are positive with the probability `1/4 + asin ρ / 2π`. With ρ = 1 both are the same variable, and the greater bound counts.
+    /// Otherwise the variables are independent given the first one, `∫ φ(x) Φ(-(b - ρx) / √(1 - ρ²)) dx` from a.
     #[test]
     fn two_tails_are_those_of_closed_forms() {
         let near = |value: f64, exact: f64| assert!((value / exact - 1.0).abs() < 3e-3, "{value} {exact}");
@@ -116,7 +116,7 @@ mod tests {
                 let at = |k: i32| a + width * (f64::from(k) + 0.5);
                 let given = |x: f64| normal_tail((b - rho * x) / (1.0_f64 - rho * rho).sqrt());
                 let exact: f64 = (0..16_000).map(|k| width * normal_density(at(k)) * given(at(k))).sum();
-                // Where both exclude each other, the difference of two equal numbers is left.
+                // With strong negative correlation the result is the small difference of nearly equal numbers, so its absolute error is compared.
                 assert!(
                     (normal_tail_of_both([a, b], rho) - exact).abs() < 1e-3 * exact + 1e-6 * normal_tail(a)
                 );

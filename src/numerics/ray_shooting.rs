@@ -18,7 +18,7 @@ pub(crate) struct RayExit {
     pub(crate) shares: Vector,
     /// Normal v: all points x of the set satisfy `v·(x - middle) <= reach`.
     pub(crate) normal: Vector,
-    /// At least one; it is one up to rounding if the pivots have converged.
+    /// The bound in `v·(x - middle) <= reach`. It is at least one, and one up to rounding if the pivots have converged.
     pub(crate) reach: f64,
     /// s: distance of the target divided by the distance at which the ray leaves the simplex.
     pub(crate) stretch: f64,

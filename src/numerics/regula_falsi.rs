@@ -1,22 +1,22 @@
 //! The place where a function of one variable changes sign, by regula falsi with the rule of Illinois.
 //!
-//! The secant through both ends of a bracket gives the next place, which replaces one end. Where the same end is replaced twice, the value at the
-//! other counts half, so that both ends approach the root: three values together gain as many digits as a step of order three.
+//! The secant through both ends of a bracket gives the next place, which replaces one end. If the same end is replaced twice in a row, the value
+//! stored for the other end is halved, so that both ends approach the root. Three evaluations together converge with order three.
 //!
 //! Source: Dowell and Jarratt, A modified regula falsi method for computing the root of an equation, BIT 11, 1971.
 
 use super::tolerances::FEW_ROUNDINGS;
 
-/// A place at the root of a function that is positive before the root, or just beyond: the value lies between `-2 within` and zero, or no place before it
-/// differs from the root by more than rounding. `bracket` has a place before the root and one beyond, each with its value. An infinite value
-/// makes no secant. `None` if a value is NaN.
+/// The root of a function that is positive before it, approximated from beyond. The function at the returned place lies between `-2 within` and zero,
+/// unless the bracket has shrunk to rounding before. The bracket is a place before the root and one beyond it, each with its function value. If a
+/// value is infinite, the bracket is bisected. `None` if a value is NaN.
 pub(crate) fn regula_falsi(
     [mut low, mut high]: [(f64, f64); 2],
     within: f64,
     value: &mut dyn FnMut(f64) -> f64,
 ) -> Option<f64> {
     let (mut reached, mut last) = (high.1, None);
-    // Bisection alone would need some fifty values; with secants ten are many.
+    // Bisection alone would need some fifty evaluations; secants rarely need ten.
     for _ in 0..100 {
         if reached >= -2.0 * within || high.0 - low.0 <= FEW_ROUNDINGS * high.0.abs() {
             return Some(high.0);
@@ -41,7 +41,7 @@ pub(crate) fn regula_falsi(
 mod tests {
     use super::*;
 
-    /// The root that is found, and the number of values.
+    /// The root that is found, and the number of evaluations.
     fn found(from: [f64; 2], within: f64, value: impl Fn(f64) -> f64) -> (Option<f64>, usize) {
         let mut count = 0;
         let root = regula_falsi(from.map(|x| (x, value(x))), within, &mut |x| {

@@ -16,9 +16,9 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 pub(crate) struct Singular {
     pub(crate) values: Vec<f64>,
-    /// The left vectors times their values.
+    /// The left singular vectors times their singular values, U diag(values).
     scaled_left: DMatrix<f64>,
-    /// The right vectors, as columns.
+    /// The right singular vectors V, as columns.
     pub(crate) right: DMatrix<f64>,
 }
 
@@ -52,7 +52,7 @@ impl Singular {
         }
     }
 
-    /// The parts of a vector along the left vectors; zero along those without a value.
+    /// Components of a vector along the left singular vectors; zero where the singular value is zero.
     pub(crate) fn along(&self, vector: &DVector<f64>) -> Vec<f64> {
         numbered(self.values.len(), &|k| {
             if self.values[k] > 0.0 {
@@ -63,7 +63,7 @@ impl Singular {
         })
     }
 
-    /// The least-squares solution of least norm; values up to `least` count as zero.
+    /// The least-squares solution of least norm; singular values up to `least` count as zero.
     pub(crate) fn solve(&self, vector: &DVector<f64>, least: f64) -> DVector<f64> {
         let mut solution = DVector::zeros(self.values.len());
         for (k, part) in self.along(vector).into_iter().enumerate() {
@@ -90,7 +90,7 @@ impl Singular {
 fn rotation(columns: &DMatrix<f64>, i: usize, j: usize) -> Option<f64> {
     let (a, b) = (columns.column(i), columns.column(j));
     let (a2, b2, ab) = (a.norm_squared(), b.norm_squared(), a.dot(&b));
-    // The rounding of a sum grows with the root of its length.
+    // The expected rounding error of a dot product grows with the square root of its length.
     let clear = ab.abs() > FEW_ROUNDINGS * (columns.nrows() as f64 * a2 * b2).sqrt();
     if !clear {
         return None;
@@ -111,7 +111,8 @@ fn rotate(columns: &mut DMatrix<f64>, i: usize, j: usize, tangent: f64) {
 
 /// The eigenvalues of a symmetric matrix, from the largest to the smallest, with their unit vectors as columns.
 pub(crate) fn symmetric_eigen(matrix: &DMatrix<f64>) -> (Vec<f64>, DMatrix<f64>) {
-    // No eigenvalue is larger than a sum of sizes along a row, so that the matrix with this sum added has its eigenvalues as singular values.
+    // No eigenvalue exceeds the largest sum of absolute values along a row. With this sum added to the diagonal, no eigenvalue is negative, so
+    // eigenvalues are singular values.
     let mut shift = 0.0_f64;
     for row in matrix.row_iter() {
         shift = shift.max(row.lp_norm(1));

@@ -33,7 +33,7 @@ pub(crate) fn two_sided(probability: f64, degrees: Option<f64>) -> f64 {
     }
 }
 
-/// The probability that |t| is below √ν tan θ, with a = ν/2.
+/// The probability that |t| is below √ν tan θ, with a = ν/2 and `whole` = B(a, 1/2).
 fn within_an_angle(angle: f64, a: f64, whole: f64) -> f64 {
     let (sin, cos) = angle.sin_cos();
     let x = cos * cos;
@@ -109,7 +109,7 @@ mod tests {
         assert!((two_sided(0.99, Some(7.0)) - 3.499_483).abs() < 1e-6);
     }
 
-    /// For one or two degrees of freedom the distribution function is that of arctan t and of t / √(2 + t²).
+    /// For one or two degrees of freedom the distribution function is a closed expression in arctan t or t / √(2 + t²).
     #[test]
     fn few_degrees_of_freedom_have_closed_forms() {
         for probability in [0.1_f64, 0.5, 0.9, 0.95, 0.999] {
@@ -137,7 +137,8 @@ mod tests {
         }
     }
 
-    /// At the largest number of degrees that is computed, the quantile must agree with that of the normal distribution.
+    /// At the largest number of degrees of freedom for which Student's distribution is evaluated, its quantile must agree with that of the normal
+    /// distribution.
     #[test]
     fn many_degrees_of_freedom_are_a_scatter_that_is_known() {
         let [many, more] = [4000.0, 4001.0].map(|nu| two_sided(0.95, Some(nu)));

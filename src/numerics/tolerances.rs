@@ -5,26 +5,26 @@
 /// The rounding of a few operations, relative to their terms: 4 ε.
 ///
 /// Three examples: a normal computed as (cos π/2, sin π/2) has a component of 6e-17; the residual of Newton's method stagnates at this level; a
-/// smaller projection only changes rounding. Smaller, such an entry counts as a spring, and steps are made on noise. Larger, true entries of
-/// soft springs beside stiff ones are lost, and forces lose their last digit.
+/// smaller projection only changes rounding. If smaller, such a component of a normal counts as an entry of a spring, and steps are made on
+/// noise. If larger, true entries of soft springs beside stiff ones are lost, and forces lose their last digit.
 pub(crate) const FEW_ROUNDINGS: f64 = 4.0 * f64::EPSILON;
 
 /// The rounding of a short sum, relative to its largest term: some sixteen operations, 16 ε.
 ///
-/// Smaller, exact ties are separated: a tie rule fails, or an angle at which two numbers only touch is treated as a crossing or missed. Larger,
+/// If smaller, exact ties are separated: a tie rule fails, or an angle at which two numbers only touch is treated as a crossing or missed. If larger,
 /// rows that block one after another count as ties, and numbers that cross slowly count as touching.
 pub(crate) const ROUNDED_SUM: f64 = 16.0 * f64::EPSILON;
 
 /// The rounding of a quantity that results from linear solves, relative to the largest of its kind.
 ///
-/// Systems of condition 1e3 leave 1e-13. Smaller, ties of symmetric grasps are separated, and balanced sums count as unbalanced. Larger,
+/// Systems of condition 1e3 leave 1e-13. If smaller, ties of symmetric grasps are separated, and balanced sums count as unbalanced. If larger,
 /// quantities that are visible to the caller count as zero.
 pub(crate) const SOLVED_ROUNDING: f64 = 1e-12;
 
 /// Relative size below which a quantity is negligible: a gap, a slip, a gain, a difference of two results.
 ///
-/// It lies between the rounding of solves (1e-12) and the digits of data and sentences (1e-6). Smaller, results of iterations differ by their
-/// own error. Larger, measurable effects are omitted.
+/// It lies between the rounding of solves (1e-12) and the digits of data and sentences (1e-6). If smaller, results of iterations differ by their
+/// own error. If larger, measurable effects are omitted.
 pub(crate) const NEGLIGIBLE: f64 = 1e-9;
 
 /// A step of fraction t is accepted if it reduces the error by at least this fraction of the decrease predicted by the linearisation.
@@ -35,40 +35,40 @@ pub(crate) const SUFFICIENT_DECREASE: f64 = 0.1;
 /// A vector is linearly dependent on others if its component orthogonal to them is below this fraction of its length. A matrix of products of
 /// orthonormal vectors is then singular.
 ///
-/// Rounding leaves 1e-16 times a few operations; normals of real geometry are parallel up to 1e-12. Smaller, rounding becomes a direction with
-/// stiffness, and a free motion appears stiff. Larger, soft springs beside stiff ones are lost.
+/// Rounding leaves 1e-16 times a few operations; normals of real geometry are parallel up to 1e-12. If smaller, rounding becomes a direction with
+/// stiffness, and a free motion appears stiff. If larger, soft springs beside stiff ones are lost.
 pub(crate) const LINEARLY_DEPENDENT: f64 = 1e-13;
 
 /// Pivot, relative to the largest entry, below which LU with partial pivoting is refused.
 ///
 /// [`CompletePivoting`](super::CompletePivoting) or [`Orthogonal`](super::Orthogonal) must then tell singular from soft. Above this limit a
-/// solution has some six digits without refinement. Smaller, callers that do not refine get wrong digits; larger, more matrices take the slower
+/// solution has some six digits without refinement. If smaller, callers that do not refine get wrong digits; if larger, more matrices take the slower
 /// factors.
 pub(super) const PARTIAL_PIVOT: f64 = 1e-10;
 
 /// Pivot of a band matrix, relative to its largest entry, that counts as zero.
 ///
-/// It is smaller than [`PARTIAL_PIVOT`], since solutions of band systems are refined. Exactly singular matrices leave some 1e-16. Larger, soft
+/// It is smaller than [`PARTIAL_PIVOT`], since solutions of band systems are refined. Exactly singular matrices leave some 1e-16. If larger, soft
 /// springs beside stiff ones count as absent.
 pub(super) const BAND_PIVOT: f64 = 1e-11;
 
 /// Pivot, relative to the original diagonal entry, below which a matrix does not count as positive definite.
 ///
-/// Smaller, a semidefinite matrix gets factors that consist of rounding. Larger, matrices of condition 1e12 are refused.
+/// If smaller, a semidefinite matrix gets factors that consist of rounding. If larger, matrices of condition 1e12 are refused.
 pub(super) const POSITIVE_PIVOT: f64 = 1e-12;
 
 /// A set counts as flat if it is thinner than this fraction of its size in some direction.
 ///
-/// Smaller, a flat set gets a volume that consists of rounding. Larger, thin sets count as flat, and wrenches inside them as out of reach.
+/// If smaller, a flat set gets a volume that consists of rounding. If larger, thin sets count as flat, and wrenches inside them as out of reach.
 pub(super) const FLAT_SET: f64 = 1e-10;
 
 /// Largest decrease of a growing polytope's distance from the origin, relative to its size, that is accepted as rounding; more ends the search.
 ///
-/// Smaller, sets of many points end with a loose bound. Larger, a polytope with a wrong face continues to grow.
+/// If smaller, sets of many points end with a loose bound. If larger, a polytope with a wrong face continues to grow.
 pub(super) const POLYTOPE_SHRINKS: f64 = 1e-7;
 
-/// Limit for rounding in ray shooting. It applies to the distance beyond a plane or from the middle of a set, relative to the ray, and to a
-/// pivot, relative to the largest.
+/// Limit for rounding in ray shooting. Distances beyond a plane, or from the middle of a set, are compared with this fraction of the ray, pivots with
+/// this fraction of the largest.
 ///
-/// Smaller, rounding makes a ray change planes until the pivot limit. Larger, the length of a ray has fewer correct digits.
+/// If smaller, rounding makes a ray change planes until the pivot limit. If larger, the length of a ray has fewer correct digits.
 pub(super) const BEYOND_PLANE: f64 = 1e-13;

@@ -100,7 +100,7 @@ impl Trigonometric {
             let divided = if quarter == 0 { roots_here } else { 0 };
             p[..divided].fill(0.0);
             p.rotate_left(divided);
-            // Since powers of t are divided out, a value near the start is as accurate as its slope.
+            // With the roots at φ = 0 divided out, values near the start have no rounding error larger than themselves, so none counts as zero.
             match fall_of(&p, end, if divided > 0 { 0.0 } else { rounding }) {
                 Some(FirstZero::At(t)) => return Some(FirstZero::At(begin + 2.0 * t.atan())),
                 Some(FirstZero::Touches(t)) => {
@@ -239,7 +239,7 @@ mod tests {
     use super::*;
     use crate::numerics::generic;
 
-    /// Reference: the first zero crossing, found by small steps.
+    /// Reference: the first zero crossing, found by sampling in small steps.
     fn stepped(f: &Trigonometric, most: f64) -> Option<f64> {
         let steps = 4_000;
         let angle = |k: i32| most * f64::from(k) / f64::from(steps);

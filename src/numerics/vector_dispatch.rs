@@ -31,7 +31,7 @@ pub(crate) trait Vectors: Copy {
     fn run<R>(self, work: impl FnOnce() -> R) -> R;
 }
 
-/// The vectors of the compilation target.
+/// Vector instructions of the compilation target, without a check at run time.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Compiled;
 
@@ -42,7 +42,7 @@ impl Vectors for Compiled {
     }
 }
 
-/// Work that is generic over the vector instructions.
+/// Work that is generic over the vector instructions it is compiled for.
 pub(crate) trait OnVectors {
     type Output;
     fn on<V: Vectors>(self, vectors: V) -> Self::Output;

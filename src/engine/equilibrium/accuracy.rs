@@ -15,8 +15,9 @@ use crate::serial::AsComputed;
 
 /// Estimated errors of an equilibrium, relative to the exact one with the same contact states, and its condition.
 ///
-/// The errors come from the residual of the conditions, evaluated in twice the working precision, and a solve for it. The condition comes from
-/// varying all data at once, in a few patterns of signs (small-sample estimates, C. S. Kenney and A. J. Laub, SIAM J. Sci. Comput. 15, 1994).
+/// For the errors the residuals of the conditions are evaluated in twice the working precision, and the linear problem is solved for them. The
+/// condition comes from varying all data at once, in a few patterns of signs (small-sample estimates, C. S. Kenney and A. J. Laub, SIAM J. Sci.
+/// Comput. 15, 1994).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -26,7 +27,7 @@ pub struct Accuracy {
     /// load – are taken as exact.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub force: f64,
-    /// Estimated error of the displacements of the body at the contacts, m: the largest of all contacts. Free motions do not count.
+    /// Estimated error of the displacements of the body at the contacts, m: the largest of all contacts. Motions that nothing resists do not count.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement: f64,
     /// Condition of the contact forces: if all data have a relative error ε, the forces have about this times ε, relative to the largest. Rounding of
@@ -36,10 +37,10 @@ pub struct Accuracy {
 }
 
 impl Engine {
-    /// [`Grasp::accuracy`](crate::ask::Grasp::accuracy).
+    /// Implements [`Grasp::accuracy`](crate::ask::Grasp::accuracy).
     pub(crate) fn accuracy(&self, equilibrium: &Equilibrium<3>) -> Option<Accuracy> {
         let problem = self.problem_of(equilibrium)?;
-        // Slips along a path on the round cone are integrated, so that the present state alone does not determine them.
+        // Slips along a load path on the round cone are integrated over its history: the present state does not determine them.
         let slides = equilibrium.local.states.iter().any(State::slides);
         if equilibrium.rule == FoundBy::LoadPath && equilibrium.cone == Cone::Round && slides {
             return None;
@@ -55,7 +56,7 @@ impl Engine {
         let mut displacement = 0.0_f64;
         for (i, site) in self.sites().iter().enumerate() {
             let moved = site.map.tr_mul(&missing.twist).norm();
-            // The error of a displacement is at least half a unit of rounding of the terms that it sums.
+            // The error of a displacement is at least half a unit of rounding of the terms of which it is the sum.
             displacement = displacement.max(moved + 0.5 * f64::EPSILON * problem.span(i, &at.twist));
         }
         let varied = |pattern| {
@@ -66,7 +67,7 @@ impl Engine {
             }
             size(&forces)
         };
-        // Number of sign patterns with which all data are varied.
+        // All data are varied with three patterns of signs.
         let most = (0..3).map(varied).fold(0.0, f64::max);
         Some(Accuracy {
             force: size(&missing.forces) + missing.doubt,
@@ -88,11 +89,12 @@ impl Engine {
     }
 }
 
-/// First-order residual of the conditions if every number of the question changes by plus or minus its own value; `pattern` determines the signs.
+/// A variation of all data: every number of the question changes by plus or minus its own value, to first order. The fields have the resulting
+/// changes of stretches, load and friction forces.
 struct Variation {
     stretches: Vec<SVector<f64, 3>>,
     load: Vector,
-    /// Change of the friction forces due to that of their coefficients, N.
+    /// Change of the friction forces due to the change of the coefficients of friction, N.
     dragged: Vec<SVector<f64, 3>>,
 }
 
@@ -128,7 +130,7 @@ impl Variation {
                 }
             }
             site.map.push(&variation.dragged[i], &mut variation.load);
-            // The relative error of a point refers to the origin of its coordinates, not to neighbouring points.
+            // A point changes by its own coordinates: their relative error refers to the origin, not to neighbouring points.
             let point = grasp
                 .contacts()
                 .get(i)

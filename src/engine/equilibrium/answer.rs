@@ -19,7 +19,7 @@ use crate::search::{Doubt, FoundBy};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// How a question for an equilibrium ends.
+/// The answer to a question for an equilibrium.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -64,16 +64,16 @@ pub struct Equilibrium<const C: usize> {
     /// the contact points, with lengths in units of their root mean square distance from it. A joint's displacement counts times a power of two near
     /// the longest motion of its contacts.
     pub twist: Twist<C>,
-    /// The motion of each of [several bodies](crate::grasp::Bodies); `twist` is then that of the body on which loads act. Empty for one object.
+    /// The motion of each of [several bodies](crate::grasp::Bodies); `twist` is then the motion of the body on which loads act. Empty for one object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub bodies: Vec<BodyMotion<C>>,
     /// Loads on single bodies that a [program](crate::load_path::Leg::body_load_by) has applied in addition to `load`, without the constant loads of
     /// bodies.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub body_loads: Vec<BodyLoad<C>>,
-    /// The motion that is farthest beyond [small motions](crate::Settings::small_motions). The theory keeps contact points and normals fixed, so
-    /// that such an answer solves the question as posed but says little about the object. A taper of 1e-9 rad holds any load, once the object has
-    /// moved far enough along it. `None` where all motions are small.
+    /// The motion that is farthest beyond [small motions](crate::Settings::small_motions). The theory keeps contact points and normals fixed, so such
+    /// an answer solves the question as posed but says little about the object. For example, a wedge with a taper of only 1e-9 rad holds any load in
+    /// the theory, since the object may move any distance. `None` where all motions are small.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub too_far: Option<TooFar>,
     /// The contacts, in the order of the grasp; each point of a soft fingertip is one of them.
@@ -87,8 +87,8 @@ pub struct Equilibrium<const C: usize> {
     /// The tendons of the hand; empty without a hand.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub tendons: Vec<TendonAnswer>,
-    /// Suction cups whose lips are open all around. The answer still includes the pull of their vacuum, which would be lost: it does not hold for the
-    /// real grasp.
+    /// Suction cups whose lips are open all around. The answer still includes the pull of their vacuum, which such a cup would lose: it is not valid
+    /// for the real grasp.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub open_cups: Vec<WholeContact>,
     /// The residuals of the conditions, recomputed from the question.
@@ -143,21 +143,21 @@ impl<const C: usize> Equilibrium<C> {
         self.contacts.iter().map(|contact| contact.force.norm()).fold(load, f64::max)
     }
 
-    /// This answer after serialisation and reading back: without its local solution, and of the work only the pivots.
+    /// This answer as it is after it was written and read back: without `local`, and of `work` only with the pivots.
     #[cfg(feature = "serde")]
     pub(crate) fn written(self) -> Self {
         let work = WorkDone { pivots: self.work.pivots, ..WorkDone::default() };
         Self { work, local: LocalAnswer::default(), ..self }
     }
 
-    /// Whether the answer has the solution of this number of contacts and drives, which further questions need.
+    /// Whether the answer still has the engine's solution, for this number of contacts and drives: further questions need it.
     pub(crate) fn knows_all_of(&self, sites: usize) -> bool {
         self.local.states.len() == sites && self.contacts.len() + self.local.drive_forces.len() == sites
     }
 }
 
 impl Equilibrium<3> {
-    /// Forces of all contacts, then of the drives of a hand.
+    /// Forces of all contacts, followed by those of the drives of a hand.
     pub(crate) fn site_forces(&self) -> Vec<SVector<f64, 3>> {
         let mut all = mapped(&self.contacts, &|contact| contact.force);
         all.extend_from_slice(&self.local.drive_forces);
@@ -174,11 +174,11 @@ pub(crate) struct LocalAnswer {
     /// The twist in the engine's coordinates.
     pub(crate) twist: Coordinates,
     pub(crate) free_motions: Vec<Coordinates>,
-    /// Commanded displacements less clearance and slips, m, in the contact frames.
+    /// Commanded displacements minus clearance and `slips`, m, in the contact frames.
     pub(crate) offsets: Vec<SVector<f64, 3>>,
-    /// The slips that were subtracted from the offsets, m.
+    /// The slips along a load path that were subtracted from the offsets, m.
     pub(crate) slips: Vec<SVector<f64, 3>>,
-    /// Present friction cones, narrower at contacts that slide with kinetic friction: empty, or one for each contact.
+    /// Present friction cones, narrower at contacts that slide with kinetic friction. An empty list stands for the static cones.
     pub(crate) cones: Vec<Coulomb>,
 }
 

@@ -1,4 +1,4 @@
-//! The friction cone of an answer, and the range of its small motions.
+//! The friction cone to which an answer refers, and the limits of its small motions.
 
 use nalgebra::SVector;
 
@@ -58,7 +58,7 @@ impl Cone {
 }
 
 impl Engine {
-    /// The problem at rest on this cone.
+    /// The problem at rest with this friction cone.
     pub(crate) fn problem_on(&self, cone: Cone, offsets: Vec<SVector<f64, 3>>, load: &Load) -> Problem<'_> {
         let facets = if let Cone::Polygon(facets) = cone { facets } else { PolygonCone::default() };
         self.problem(Polygon::shared(self.space(), &facets), cone == Cone::Round, offsets, load)

@@ -35,7 +35,7 @@ pub struct ContactAnswer<const C: usize> {
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub slip: SVector<f64, C>,
     /// Friction in reserve of a sticking contact, N: `μ F_n - |F_t|` in the plane and on the round cone, on a polygon the least of
-    /// `μ F_n - h·F_t` over its facets. Infinite if it is bonded or has infinite friction. Zero for a sliding, separated or
+    /// `μ F_n - h·F_t` over its facets. Infinite if the contact is bonded or has infinite friction. Zero for a sliding, separated or
     /// frictionless contact.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,

@@ -22,13 +22,13 @@ pub struct Decomposition<const C: usize> {
 }
 
 impl Engine {
-    /// [`Statics::decompose`](crate::ask::Statics::decompose).
+    /// Implements [`Statics::decompose`](crate::ask::Statics::decompose).
     pub(crate) fn decompose(&self, equilibrium: &Equilibrium<3>) -> Decomposition<3> {
         let contact = |i: usize| equilibrium.contacts.get(i);
         let carries: Vec<bool> =
             (0..self.len()).map(|i| contact(i).is_some_and(|c| c.state != ContactState::Separated)).list();
         let load = self.inside_unchecked(&self.with_vacuum(&equilibrium.load));
-        // Only forces on the object count, whatever joints are behind the contacts.
+        // Only the components of the load on the object count, not those on joints.
         let load = self.space().object_alone(&load);
         let on_object = |site: &Site| {
             let mut map = Map::zeros(site.map.size());

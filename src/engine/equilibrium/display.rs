@@ -24,8 +24,8 @@ impl<const C: usize> fmt::Display for Outcome<C> {
     }
 }
 
-/// One line for the object, then one for each contact: its state, its force in the contact frame and the margin to the edge of its cone. Points of a
-/// soft fingertip are one.
+/// One line for the object, then one for each contact: its state, its force in the contact frame and the margin to the edge of its cone. The points
+/// of a soft fingertip share a line.
 impl<const C: usize> fmt::Display for Equilibrium<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
@@ -50,7 +50,7 @@ impl<const C: usize> fmt::Display for Equilibrium<C> {
     }
 }
 
-/// "left: sticks, force (8, -2.4525) N, margin 1.5475 N".
+/// For example "left: sticks, force (8, -2.4525) N, margin 1.5475 N".
 impl<const C: usize> fmt::Display for WholeAnswer<'_, C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
@@ -69,7 +69,7 @@ impl<const C: usize> fmt::Display for ContactAnswer<C> {
     }
 }
 
-/// "left base: torque -0.28 N m, 0.1 N m left of its limit".
+/// For example "left base: torque -0.28 N m, 0.1 N m left of its limit".
 impl fmt::Display for JointAnswer {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (what, unit) = match self.kind {
@@ -87,7 +87,7 @@ impl fmt::Display for JointAnswer {
     }
 }
 
-/// "flexor: tension 4 N, slack".
+/// For example "flexor: tension 4 N, slack".
 impl fmt::Display for TendonAnswer {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);

@@ -12,7 +12,7 @@ use crate::object::largest_force;
 use crate::prelude::*;
 
 impl Engine {
-    /// [`Grasp::distinct`](crate::ask::Grasp::distinct).
+    /// Implements [`Grasp::distinct`](crate::ask::Grasp::distinct).
     pub(crate) fn distinct(&self, equilibrium: &Equilibrium<3>) -> Option<Vec<bool>> {
         let problem = self.problem_of(equilibrium)?;
         let [force_error, displacement_error] =
@@ -21,14 +21,14 @@ impl Engine {
         let forces = equilibrium.site_forces();
         let sizes = forces.iter().map(nalgebra::Matrix::norm);
         let largest = largest_force(self.sites(), &problem.offsets, twist, problem.wrench.norm(), sizes);
-        // A condition may be zero if its value is below ten times the estimated error.
+        // A margin below ten times the estimated error may be zero in truth.
         let part = |error: f64, size: f64| if size > 0.0 { 10.0 * error / size } else { 0.0 };
         let distinct = |(i, state): (usize, &State)| {
             let at = problem.at(i, &forces[i], twist, largest);
             let of_forces = part(force_error, largest);
             let of_displacements = part(displacement_error, at.span);
-            // A condition may be zero if its value is below this part of its terms, the rounding of the data. Normals, arms and their products carry
-            // a few units of 1e-16, which well-posed grasps magnify a hundred times and more.
+            // A margin below this fraction of its terms may be zero in truth, because the data are rounded. Normals, arms and their products have
+            // errors of a few 1e-16, which even well-posed grasps magnify a hundredfold.
             let least = SOLVED_ROUNDING.max(match state {
                 Mode::Open => of_displacements,
                 Mode::Sticking => of_forces,

@@ -1,4 +1,4 @@
-//! Checks a refutation in exact rational arithmetic, on the numbers of the problem.
+//! Checks a case-by-case proof of no equilibrium in exact rational arithmetic, on the numbers of the problem.
 //!
 //! Virtual forces are first balanced exactly, by changing six of them. Then every generator of the relaxed contact law in a case is tested, with
 //! polygons around arcs of directions. Its work, divided by its length in √J, must not exceed the gain divided by [`ESCAPE`] and the size of the
@@ -49,7 +49,8 @@ impl Exact {
         }
     }
 
-    /// Generators (ξ, F) of the relaxed law under a label. The contact may open, and slides at finite friction.
+    /// Generators, pairs of stretch and force, of the contact law relaxed to its convex hull in the case of a label. The contact may open and has
+    /// finite friction.
     fn generators(&self, label: &Label) -> Vec<[[Rational; 3]; 2]> {
         let zero = Rational::zero;
         let none = || [zero(), zero(), zero()];
@@ -91,7 +92,7 @@ impl Exact {
     }
 }
 
-/// Corners of a polygon around the arc of the unit circle between two angles, with twice as many sides as in proofs.
+/// Corners of a polygon around the arc of the unit circle between two angles, with twice as many sides as in the proof that is checked.
 fn around(from: f64, to: f64) -> Vec<[Rational; 2]> {
     let pieces = (1..16).find(|k| to - from <= FRAC_PI_8 * f64::from(*k)).unwrap_or(16);
     let half = 0.25 * (to - from) / f64::from(pieces);
@@ -151,7 +152,7 @@ fn is_contradicted(
     let parts = || contacts.iter().zip(forces.chunks(3));
     let work = parts().fold(Rational::zero(), |sum, (contact, f)| sum + dot(f, &contact.offset));
     let gain = work - dot(&motion, &load);
-    // The changed forces balance without a residual.
+    // The virtual forces now balance exactly.
     let sum =
         |k: usize| parts().flat_map(|(c, f)| (0..3).map(move |a| &c.map[a][k] * &f[a])).sum::<Rational>();
     assert!((0..6).all(|k| sum(k).is_zero()));
@@ -170,7 +171,7 @@ fn is_contradicted(
         })
 }
 
-/// Three fingers around a jar, each with different data, pulled with more than they hold.
+/// Three fingers with different data around a jar, which is pulled with more force than they can hold.
 fn jar(shift: f64, load: [f64; 3]) -> (Engine, Wrench<3>) {
     let finger = |k: f64| {
         let (sin, cos) = (2.0 * k + shift).sin_cos();
@@ -193,13 +194,13 @@ fn every_leaf_is_contradicted_in_exact_arithmetic() -> Result<(), crate::Error> 
         let escape = check(&problem, &steps).expect("a proof");
         let laws = problem.sites.iter().zip(problem.locals()).zip(&problem.offsets);
         let contacts: Vec<_> = laws.map(|(law, offset)| Exact::new(law, offset)).collect();
-        // Size of the data as in `check`: that of the elastic trial state, √J.
+        // As in `check` the size of the data is that of the elastic trial state, √J.
         let trial = problem.trial();
         let state = trial.solve(problem.sites, &problem.offsets, problem.load()).expect("it is held");
         let stored = problem.sites.iter().zip(&state.forces).map(|(s, f)| 2.0 * s.springs.stored(f));
         let data = exact(stored.sum::<f64>().sqrt());
 
-        // A quarter of the load is held, so the same steps cannot contradict every case of it.
+        // The grasp holds a quarter of the load, so the same steps cannot be a proof for that load.
         let (held, mut weak) = (grasp.problem_under(&(load * 0.25), &settings)?, 0);
         let mut open = vec![problem.each(|local| local.first_label())];
         for step in &steps {

@@ -14,18 +14,18 @@ use nalgebra::{SMatrix, SVector};
 use crate::grasp::{Site, Space};
 use crate::numerics::Map;
 
-/// dG for a point that moves along a coordinate axis, in the engine's coordinates whose unit of length is `length`, 1/m.
+/// The change dG for a contact point that moves along a coordinate axis, per metre. The engine measures arms in units of `length`.
 pub(super) fn map_by_point(site: &Site, axis: usize, length: f64) -> Map {
     let mut arm = SVector::<f64, 3>::zeros();
     arm[axis] = 1.0 / length;
     let mut map = site.space.grasp_map(site.map.size(), &arm, &site.frame);
-    // The force itself stays and only its moment changes.
+    // The resultant force is unchanged; only its moment changes.
     (0..site.space.axes()).for_each(|k| map.set_row(k, &SVector::zeros()));
     map
 }
 
-/// dG for a frame that turns, 1/rad: about its normal from t₁ to t₂ (axis 0, only in space), or so that the normal tilts towards the tangent with
-/// this axis. `None` for an axis that does not exist.
+/// The change dG for a contact frame that turns, per radian. For axis 0, in space only, it turns about its normal from t₁ to t₂; otherwise the normal
+/// tilts towards the tangent with this axis. `None` for an axis that does not exist.
 pub(super) fn map_by_normal(site: &Site, axis: usize) -> Option<Map> {
     let (from, to) = match axis {
         0 if site.space == Space::Spatial => (1, 2),

@@ -20,12 +20,12 @@ pub struct JointAnswer {
     /// Label of the joint.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub joint: PartLabel,
-    /// Whether the joint turns or slides.
+    /// Whether the joint is revolute or prismatic.
     #[cfg_attr(feature = "serde", serde(default))]
     pub kind: JointKind,
     /// State of the joint's own drive.
     pub state: DriveState,
-    /// Displacement φ from the posture in which the contacts were given, rad or m.
+    /// Displacement φ of the joint from the posture in which the contacts were given, rad or m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement: f64,
     /// Torque of all drives on the joint along φ – its own, couplings, tendons, and constant torques – N m or N. It balances the contact forces, `τ =
@@ -35,7 +35,7 @@ pub struct JointAnswer {
     /// Torque of the joint's own drive, without constant torques, N m or N; zero without a drive.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub drive: f64,
-    /// Margin to the limit, the bound less |drive|, N m or N; infinite without a limit.
+    /// Margin to the limit of the drive, the bound minus |drive|, N m or N; infinite without a limit.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
     /// Displacement by which the joint's own drive has yielded beyond its spring, `θ - φ - drive/k`, rad or m: zero while it holds, apart from
@@ -58,7 +58,7 @@ pub struct TendonAnswer {
     /// Tension of the tendon, N: that of its spring and the constant one.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub tension: f64,
-    /// Margin to the limit, N; infinite without a limit.
+    /// Margin to the greatest tension of the drive, N; infinite without a limit.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
     /// Displacement by which the tendon's drive has yielded beyond its spring, `x - r·φ - T/k`, m.
@@ -82,7 +82,7 @@ pub enum DriveState {
     Absent,
 }
 
-/// State of all drives of one joint or tendon together.
+/// State, force and yielded displacement of a joint or tendon, combined from its drives.
 struct Own {
     carried: f64,
     state: DriveState,
@@ -157,7 +157,7 @@ fn margin(named: &Named, carried: f64, state: DriveState) -> f64 {
     }
 }
 
-/// State of a drive, and the displacement by which it has yielded along its own axis.
+/// State of a drive, and the displacement by which it has yielded.
 fn drive_state(
     drive: &Drive,
     state: &State,

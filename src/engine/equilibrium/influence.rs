@@ -7,15 +7,15 @@ use crate::contact::ZERO_SLACK;
 use crate::grasp::{Motion, Wrench};
 use crate::prelude::*;
 
-/// The matrix A of a contact: column k is its force under a force of 1 N along coordinate axis k.
+/// The matrix A of a contact: column k is its contact force if a force of 1 N along coordinate axis k acts at the point.
 pub(crate) struct Influence {
     pub(crate) of: SMatrix<f64, 3, 3>,
-    /// Sum of the force sizes under the three loads, which scales rounding.
+    /// Sum of the force sizes under the three unit loads, which scales rounding.
     pub(crate) size: f64,
 }
 
 impl Influence {
-    /// `Aᵀ row`: the contribution to `row·F` of 1 N along each coordinate axis; zero if within rounding.
+    /// `Aᵀ row`: for a condition `row·F` on the contact force F, its change by 1 N along each coordinate axis; zero if within rounding.
     pub(crate) fn gradient_of(&self, row: &SVector<f64, 3>) -> SVector<f64, 3> {
         let gradient = self.of.tr_mul(row);
         if gradient.norm() > ZERO_SLACK * row.norm() * self.size { gradient } else { SVector::zeros() }

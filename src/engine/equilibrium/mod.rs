@@ -9,8 +9,8 @@
 //! | sticking | `F = K (a - G_iᵀq)` | `F_n >= 0`, `\|F_t\| <= μ F_n` |
 //! | sliding | `F_n = k_n (a_n - n·u_c)`, `\|F_t\| = μ F_n` | `F_n >= 0`, slip `s = a_t - t·u_c - F_t/k_t` along F_t |
 //!
-//! The states remain to be found. The rungs of a ladder ([`FoundBy`]) propose them, the cheapest first: everything sticks; everything that touches
-//! sticks; Newton's method, in space and with many contacts; Lemke's method on the kinematic form, then on the force form (see
+//! The states remain to be found. Several methods ([`FoundBy`]) propose them, in this order, the cheapest first: everything sticks; everything that
+//! touches sticks; Newton's method, in space and with many contacts; Lemke's method on the kinematic form, then on the force form (see
 //! [`forms`](crate::forms)); every combination of states, with few contacts. In space Newton's method goes to the round cone, from the trial state
 //! and then from proposals of Lemke's method on a polygonal cone. If both fail, branch and bound over states and directions of friction decides.
 //! Proposed states are solved for again, every condition is checked, and residuals are recomputed from the question, before the answer is called an

@@ -20,7 +20,7 @@ use crate::words::{LinkKind, Words};
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct PadAnswer<const C: usize> {
-    /// Label of the contact, where a soft fingertip counts as one: as in a scene.
+    /// Label of the contact. In its index a soft fingertip counts as one contact, as in a scene.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: ContactLabel,
     /// Index of the fingertip's first point in the list of contacts of the answer.
@@ -202,7 +202,7 @@ impl Engine {
             sums[k][1] += x.abs();
         };
         for (i, contact) in (first..).zip(of) {
-            // Bearings of a link have frames of their own.
+            // The bearings of a link between bodies have frames of their own.
             let force = match contact.contact.link {
                 Some(_) => frame.tr_mul(&contact.force_world),
                 None => contact.force,
@@ -220,7 +220,7 @@ impl Engine {
                 add(axes + turn, space.displacement_of(&arm, &unit).dot(&contact.force_world));
             }
         }
-        // A sum below this part of the sizes of its terms is rounding.
+        // A sum below this fraction of the sizes of its terms is rounding.
         let clean = |[sum, size]: &[f64; 2]| if sum.abs() <= 1e-14 * size { 0.0 } else { *sum };
         Wrench::among(space, &Vector::from_slice(&sums.iter().map(clean).collect::<Vec<_>>()))
     }

@@ -6,7 +6,7 @@
 //! ```text
 //! dF_i = K_i (da_i - G_iᵀdq) + f_i,   f_i = (∂K_i/∂p) v_i,      Σ G_i dF_i + dW = 0
 //! friction     sliding:  f = F_n p (the unit edge p)             sticking: 0
-//! stiffness    normal:   f = (e_n + μ p) F_n / k_n               tangential: f = e_a F_a/k_a less its part across the facet
+//! stiffness    normal:   f = (e_n + μ p) F_n / k_n               tangential: f = e_a F_a/k_a minus its part across the facet
 //! ```
 //!
 //! The stretches v are taken as F/k, so that no difference of large displacements is needed. A change dG_i of the geometry
@@ -150,8 +150,8 @@ impl StickingResponse<'_> {
         Some(solved)
     }
 
-    /// dG of one contact. `None` if the axis is out of range, and for the position of a contact of a hand. `None` also if the changed geometry would
-    /// resist a motion that is free in this one: the derivative of that motion is then not defined.
+    /// The change dG of the grasp map of one contact. `None` if the axis is out of range, and for the position of a contact of a hand. `None` also if
+    /// a motion that is free at present would be resisted in the changed geometry: the derivative of that motion is then not defined.
     fn map_change(&self, contact: usize, by: Parameter) -> Option<Map> {
         let site = &self.problem.sites[contact];
         let change = match by {
@@ -168,7 +168,8 @@ impl StickingResponse<'_> {
             offsets[contact] = change.tr_mul(motion);
             let alone = self.problem.local(contact).springs.stiffest() * change.norm() * motion.norm();
             let response = self.state(&offsets, &Vector::zeros());
-            // Forces below this part of the force that the whole motion would cause in the stiffest spring are rounding.
+            // Forces count as rounding below this fraction of the force that the same displacement would cause in the stiffest spring of the contact
+            // alone.
             response.is_some_and(|response| {
                 response.forces.iter().all(|force| force.norm() <= NEGLIGIBLE * alone)
             })
@@ -202,7 +203,7 @@ impl StickingResponse<'_> {
         } else if !matches!(state, Mode::Corner(_))
             && let Some(h) = local.outward(state)
         {
-            // `e_a F_a/k_a` less the part that slip cancels, so that h·F_t stays at μ F_n. On the round cone slip also softens the spring.
+            // `e_a F_a/k_a` minus the part that slip takes up, so that h·F_t stays at μ F_n. On the round cone slip also reduces the stiffness across it.
             let softened =
                 state.slide().map_or(stretch, |slide| stretch * local.springs.softening(axis, slide.lambda));
             f = local.edge(state).pull * (-h[axis] * softened);

@@ -18,7 +18,7 @@ use crate::search::{
 };
 
 impl Engine {
-    /// [`Grasp::solve`](crate::ask::Grasp::solve).
+    /// Implements [`Grasp::solve`](crate::ask::Grasp::solve).
     pub(crate) fn solve(&self, load: &Wrench<3>, settings: &Settings) -> Result<Outcome<3>, Error> {
         let problem = self.problem_under(load, settings)?;
         let (mut settled, effort) = settle_at_rest(&problem, settings);
@@ -39,7 +39,7 @@ impl Engine {
         }
     }
 
-    /// [`Grasp::equilibria`](crate::ask::Grasp::equilibria).
+    /// Implements [`Grasp::equilibria`](crate::ask::Grasp::equilibria).
     pub(crate) fn equilibria(
         &self,
         load: &Wrench<3>,
@@ -71,7 +71,7 @@ impl Engine {
         for found in search.found {
             add(found, FoundBy::Enumeration, &effort);
         }
-        // The round cone may have an equilibrium where the polygon inside has none, or one far from it.
+        // The polygon lies inside the round cone, on which there may be an equilibrium where the polygon has none, or one far from any on the polygon.
         if problem.round
             && let (Settled::Found(found, rule), effort) = settle(&problem, settings)
         {
@@ -138,10 +138,10 @@ fn accurate(equilibrium: &Equilibrium<3>) -> bool {
     equilibrium.residuals.worst() <= most
 }
 
-/// Whether two solutions are the same equilibrium, apart from a free motion.
+/// Whether two solutions are the same equilibrium. Positions along a free motion may differ.
 fn same(problem: &Problem, a: &Found, b: &Found) -> bool {
     let size = |found: &Found| problem.largest_force(&found.forces, &found.twist);
-    // Solutions are the same if forces and motions differ by less than this part of the largest.
+    // Solutions are the same if forces and motions differ by less than this fraction of the largest.
     let force = NEGLIGIBLE * size(a).max(size(b));
     let motion = NEGLIGIBLE * a.twist.norm().max(b.twist.norm());
     let moves_freely = !a.free_motions.is_empty() && !b.free_motions.is_empty();

@@ -12,17 +12,17 @@ use crate::object::{NO_FORCE, Problem, least_spring_force};
 use crate::prelude::*;
 use crate::search::Found;
 
-/// Answer at a contact, or at a drive of a hand.
+/// Values whose residuals are computed, at a contact or at a drive of a hand.
 struct SiteAnswer<'a> {
     force: &'a SVector<f64, 3>,
     gap: f64,
     separated: bool,
     stretch: SVector<f64, 3>,
-    /// Slip since the state was decided, m.
+    /// Slip since the contact's state was last decided, m; only this part of the slip obeys the contact law.
     slip: SVector<f64, 3>,
 }
 
-/// Law of one contact or drive, and the sizes by which its residuals are divided, N and m.
+/// The law of one contact or drive, and the sizes of force and displacement by which its residuals are divided, N and m.
 struct ContactLaw<'c> {
     site: &'c Site,
     friction: Coulomb,
@@ -87,7 +87,7 @@ impl Engine {
         cone: Cone,
     ) -> Residuals {
         let [force_terms, travel_terms] = found.sizes;
-        // The comparisons below ignore NaN.
+        // A residual that is NaN would be ignored by the comparisons below.
         if !answers.iter().all(is_finite) || !twist.iter().all(|x| x.is_finite()) {
             return Residuals::NONE_HOLDS;
         }
@@ -95,7 +95,7 @@ impl Engine {
         let object = self.space().of_the_object();
         let turned: f64 = twist.iter().take(object).skip(self.space().axes()).map(|x| x.abs()).sum();
         let translated = self.space().object_alone(twist);
-        // The contact law concerns the slip since the state from which the offsets count.
+        // The contact law holds for the slip since the contact's state was last decided; earlier slip is part of the offsets.
         let slip = |i: usize| answers[i].slip - problem.slips[i];
         let of_drives = self.drive_site_answers(problem, twist, found);
         let mut travels: Vec<f64> = numbered(self.len(), &|i| {
@@ -104,7 +104,7 @@ impl Engine {
             let own = problem.offsets[i].norm() + contact.clearance.abs() + give;
             let moved =
                 translated.norm() + turned * contact.point.norm() + self.displacement_by_joints(i, twist).1;
-            // Least size, N or m, by which residuals are divided: products of subnormal numbers have no relative precision.
+            // `SMALLEST` is the least size, N or m, by which residuals are divided: products of subnormal numbers have no relative precision.
             (own + moved + answers[i].gap.abs() + slip(i).norm()).max(travel_terms).max(SMALLEST)
         });
         for (k, site_answer) in of_drives.iter().enumerate() {
@@ -113,8 +113,8 @@ impl Engine {
             let moved = self.sites()[i].map.norm() * found.twist.norm();
             travels.push((problem.offsets[i].norm() + give + moved).max(travel_terms).max(SMALLEST));
         }
-        // Displacements of a contact that hardly moves are rounding of larger ones elsewhere. Their size is therefore taken as at least this part of
-        // the largest of the scene.
+        // The displacements of a contact that hardly moves may be rounding of larger ones elsewhere. Their size is therefore taken as at least this
+        // fraction of the largest of all contacts.
         let still = 1e-20 * travels.iter().copied().fold(0.0, f64::max);
         for travel in &mut travels {
             *travel = travel.max(still);
@@ -162,7 +162,7 @@ impl Engine {
         (sum, size)
     }
 
-    /// The solution at the drives of a hand, as if they were contacts.
+    /// The values at the drives of a hand, which obey contact laws, too.
     fn drive_site_answers<'a>(
         &self,
         problem: &Problem,
@@ -220,8 +220,8 @@ impl Engine {
         (object..count).map(|k| sums[k].abs() / sizes[k].max(force_size)).fold(0.0, f64::max)
     }
 
-    /// Imbalance of forces and moments on the object, relative to the sizes of their terms. To these sizes `spring_force` is added: the least force
-    /// that a spring could have from the displacements of its contact, or more.
+    /// Imbalance of forces and moments on the object, relative to the sizes of their terms. To these sizes `spring_force` is added, at least the
+    /// least force that a spring could have from the displacements of its contact.
     fn out_of_balance(&self, load: &Wrench<3>, answers: &[ContactAnswer<3>], spring_force: f64) -> f64 {
         let (space, axes) = (self.space(), self.space().axes());
         let mut sum = load.coordinates(space);
@@ -244,9 +244,9 @@ impl Engine {
             force_size += contact.suction;
             moment_size += contact.point.norm() * contact.suction;
         }
-        // If no contact carries a force, the computed forces are rounding of those that the springs could have.
+        // If no contact carries a force, the computed forces are rounding. Its scale is the force that displacements could cause in a spring.
         force_size += spring_force;
-        // A moment is compared with the moments, and with the forces at the distance of the contacts.
+        // Moments are compared with the sum of all moments and of all forces times the mean arm of the contacts.
         moment_size += force_size * self.length();
         let force = space.linear_part::<3>(&sum).norm();
         let moment = sum.iter().take(space.of_the_object()).skip(axes).map(|m| m * m).sum::<f64>().sqrt();

@@ -34,7 +34,7 @@ impl<const C: usize> Refutation<C> {
 }
 
 impl Engine {
-    /// [`Grasp::refutation`](crate::ask::Grasp::refutation).
+    /// Implements [`Grasp::refutation`](crate::ask::Grasp::refutation).
     pub(crate) fn refutation(
         &self,
         load: &Wrench<3>,
@@ -44,7 +44,7 @@ impl Engine {
         Ok(search::refute(&problem, settings).map(|(steps, cases)| Refutation { steps: steps.into(), cases }))
     }
 
-    /// [`Refutation::check`].
+    /// Implements [`Refutation::check`].
     pub(crate) fn check_refutation(
         &self,
         proof: &Refutation<3>,

@@ -7,7 +7,7 @@ use crate::serial::AsComputed;
 /// the round cone) is called an equilibrium.
 ///
 /// Residuals are recomputed from points, frames, stiffnesses, commands and load, not from data of the solver. Forces are divided by the largest
-/// contact force or load of the scene; without any force, by 1e-25 of the least force that a spring could have. Displacements of a contact are
+/// contact force or load; without any force, by 1e-25 of the least force that a spring could have. Displacements of a contact are
 /// divided by the sum of the sizes of its own displacements, products by the product of both. On a load path a slip counts since the state of the
 /// contact was last decided.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -15,27 +15,28 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Residuals {
-    /// `|Σ F_i + W|` over the sum of the sizes of its terms and the least force that a spring could have from the displacements of its contact; the
-    /// same for moments, where forces count at the root mean square distance of the contacts; the larger of both.
+    /// Equilibrium: `|Σ F_i + W|` over the sum of the sizes of its terms and the least force that a spring could have from the displacements of its
+    /// contact; the same for moments, where forces count at the root mean square distance of the contacts; the larger of both.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub equilibrium: f64,
-    /// `|F/k - (a - u_c + g - s)|` axis by axis, the gap along the normal and the slip along the tangents: the contact springs.
+    /// Contact springs: `|F/k - (a - u_c + g - s)|` axis by axis, with the gap g along the normal and the slip s along the tangents.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub springs: f64,
-    /// `max(0, -F_n)`, and `max(0, |F_t| - μ F_n)` over 1 + μ: the friction cone. For a polygon the size of `F_t` is the largest `h·F_t`. Only for
+    /// Friction cone: `max(0, -F_n)`, and `max(0, |F_t| - μ F_n)` over 1 + μ. For a polygon the size of `F_t` is the largest `h·F_t`. Only for
     /// contacts that are bound by it, see [`Hold`](crate::grasp::Hold).
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub cone: f64,
-    /// `max(0, -g)`: penetration; `|g|` of a bonded contact.
+    /// Penetration: `max(0, -g)`; `|g|` of a bonded contact.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub gap: f64,
-    /// `|F_n g|`, and `|μ F_n |s| - F_t·s|` over 1 + μ, which is zero iff the slip follows the friction force; `|s|` where nothing may slip.
+    /// Complementarity: `|F_n g|`, and `|μ F_n |s| - F_t·s|` over 1 + μ, which is zero iff the slip follows the friction force; `|s|` where nothing
+    /// may slip.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub complementarity: f64,
 }
 
 impl Residuals {
-    /// Residuals of an answer with a number that is not finite.
+    /// Residuals of an answer that contains a number which is not finite: all are infinite.
     pub(super) const NONE_HOLDS: Self = Self {
         equilibrium: f64::INFINITY,
         springs: f64::INFINITY,

@@ -1,4 +1,5 @@
-//! The response of a grasp whose contacts keep their states. It is linear in loads, commands and data, so that one factorisation serves every source.
+//! The response of a grasp whose contacts keep their states. It is linear in loads, commands and small changes of data, so that one factorisation
+//! serves all of these sources.
 //!
 //! Each source gives forces of all contacts and drives, contacts first and then the drives of a hand. Where everything sticks, the columns of the
 //! response to unit loads are the influence matrix of the grasp. [`Edges`] are the conditions on any sum of these forces.
@@ -96,8 +97,8 @@ impl<'g> StickingResponse<'g> {
 }
 
 impl Engine {
-    /// The least margin of a condition of sticking under a load, over the largest force, computed as if every contact stuck. `None` if nothing
-    /// resists the load, or without forces.
+    /// The least margin to opening or sliding of any contact under a load, divided by the largest contact force. It is computed as if every contact
+    /// stuck, and may be negative. `None` if nothing resists the load, or without forces.
     pub(crate) fn sticking_margin(&self, load: &Wrench<3>, settings: &Settings) -> Option<f64> {
         let sticking = StickingResponse::new(self, settings);
         let forces = sticking.forces(&self.offsets(), &self.load_alone(load, "load").ok()?).ok()?.of;

@@ -55,7 +55,7 @@ pub enum TooFar {
     },
 }
 
-/// "it turns by more than 5.7°", "left slips by more than 4 mm".
+/// For example "it turns by more than 5.7°", "left slips by more than 4 mm".
 impl fmt::Display for TooFar {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = match self {
@@ -79,8 +79,8 @@ impl TooFar {
     }
 }
 
-/// A rotation, slip or opening, whose length is compared with its limit. In given contact states it is affine in the motion of the object, the
-/// forces and the commands.
+/// The rotation of a body, or the slip or opening of a contact, whose length is compared with its limit. In given contact states it is affine in the
+/// motion of the object, the forces and the commands.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct CountedMotion {
     /// The rotation (rad) or slip (m). An opening has one component, along the normal, which counts where it is positive (m).
@@ -99,7 +99,7 @@ enum MotionOf {
 }
 
 impl CountedMotion {
-    /// Whether the motion is an opening, which counts in one direction alone.
+    /// Whether the motion is an opening, of which only the positive direction counts.
     pub(crate) fn is_opening(&self) -> bool {
         matches!(self.of, MotionOf::Opening(_))
     }
@@ -115,7 +115,7 @@ pub(crate) fn farthest(motions: &[CountedMotion]) -> Option<&CountedMotion> {
     motions.iter().max_by(|a, b| a.over_the_limit().total_cmp(&b.over_the_limit()))
 }
 
-/// Contacts in known states, with their forces and the offsets of their springs.
+/// An equilibrium, with the data from which its motions are measured: contact states, forces, offsets of the springs, slips and twist.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Standing<'s> {
     pub(crate) offsets: &'s [SVector<f64, 3>],
@@ -126,7 +126,7 @@ pub(crate) struct Standing<'s> {
 }
 
 impl<'s> Standing<'s> {
-    /// The solution of a local problem.
+    /// The contacts in a solution `found` of a problem.
     pub(crate) fn found(problem: &'s Problem<'_>, found: &'s Found) -> Self {
         let (offsets, slips) = (&problem.offsets, &problem.slips);
         Self { offsets, slips, states: &found.states, forces: &found.forces, twist: &found.twist }
@@ -138,7 +138,7 @@ impl Engine {
     pub(crate) fn size_of_grasp(&self) -> f64 {
         let first = self.contacts()[0].point;
         let far = largest(self.contacts(), &|contact| contact.point.amax());
-        // Contact points are apart if their distance is more than this part of their coordinates: less is the rounding of their centroid.
+        // Contact points coincide if their distances are below this fraction of their coordinates, the rounding of their centroid.
         if self.contacts().iter().all(|contact| (contact.point - first).amax() <= SOLVED_ROUNDING * far) {
             return f64::INFINITY;
         }
@@ -167,7 +167,7 @@ impl Engine {
         }
         let limit = small.slip * self.size_of_grasp();
         for (i, (contact, site)) in self.contacts().iter().zip(self.sites()).enumerate() {
-            // A slack cable is open as well, but this is no motion that counts.
+            // A slack cable is an open contact, but it may hang loose by any length.
             if contact.link == Some(LinkKind::Cable) {
                 continue;
             }

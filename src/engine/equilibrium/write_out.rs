@@ -1,4 +1,4 @@
-//! Converts a solution of the local problem to an answer in physical quantities.
+//! Converts a solution of the scaled problem ([`Problem`]) to an answer in physical quantities.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -15,7 +15,7 @@ use crate::prelude::*;
 use crate::search::{Effort, Found, FoundBy};
 
 impl Engine {
-    /// The answer in physical quantities for a solution of the local problem.
+    /// The answer in physical quantities for a solution of the scaled problem.
     pub(crate) fn equilibrium(
         &self,
         problem: &Problem,
@@ -114,7 +114,7 @@ impl Engine {
     }
 }
 
-/// States of all contacts in a solution of the local problem, then of the drives of a hand.
+/// States of all contacts in a solution, then of the drives of a hand, which are handled like contacts.
 pub(crate) fn site_states(problem: &Problem, found: &Found) -> Vec<ContactState<3>> {
     solved_sites(problem, found).map(|solved| solved.state().0).list()
 }
@@ -134,17 +134,17 @@ fn solved_sites<'s>(problem: &'s Problem<'s>, found: &'s Found) -> impl Iterator
     })
 }
 
-/// One contact in a solution of the local problem.
+/// One contact or drive in a solution, in its own frame.
 struct SolvedContact<'s> {
     local: LocalLaw<'s>,
     frame: &'s SMatrix<f64, 3, 3>,
     bonded: bool,
     state: &'s State,
     force: SVector<f64, 3>,
-    /// Commanded displacement less clearance and less the accumulated slip `memory`, m.
+    /// Commanded displacement minus clearance and minus the accumulated slip `memory`, m.
     offset: SVector<f64, 3>,
     memory: SVector<f64, 3>,
-    /// Displacement of the body's core in the contact frame, less that of the finger by its joints, m.
+    /// Displacement of the body's core in the contact frame, minus that of the finger by its joints, m.
     moved: SVector<f64, 3>,
 }
 
@@ -157,8 +157,8 @@ impl SolvedContact<'_> {
             Mode::Sticking if self.local.is_frictionless() => (ContactState::Frictionless, slip),
             Mode::Sticking => (ContactState::Sticking, SVector::zeros()),
             sliding => {
-                // Friction pulls the body the way the finger slips. If the slip is still zero (the very edge), the direction is that in which it
-                // would start.
+                // Friction pulls the body in the direction in which the finger slips. While the slip is still zero, on the edge of the cone, the
+                // direction is that in which slip would start.
                 let outward = self.local.outward(sliding).unwrap_or(slip);
                 let is_facet_slide =
                     sliding.slide().is_none() && slip.norm() > 0.0 && slip.dot(&outward) > 0.0;
@@ -196,7 +196,7 @@ impl SolvedContact<'_> {
             Stiffness::Series(_) => (None, None),
         };
         let gap = self.moved[0] - self.offset[0];
-        // The gap of a touching contact is computed as the rounding of two displacements, and counts as zero.
+        // The computed gap of a touching contact is the rounding of two displacements, and counts as zero.
         let is_none = gap <= ZERO_SLACK * (self.moved.norm() + self.offset.norm());
         ContactAnswer {
             contact: contact.label(index),

@@ -12,8 +12,8 @@ use crate::numerics::{IntoList, Map, Square, Vector};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The force form. `None` if a number overflows, or for a problem in rates with a contact on the edge of its cone: such a contact has no copositive
-/// force form.
+/// The force form. `None` if a number overflows, or for a problem in rates in which a contact is on the edge of its cone: the force form of its rates
+/// would not be copositive.
 pub(crate) fn force_form(problem: &Problem) -> Option<Form> {
     if problem.locals().any(|local| local.is_on_an_edge()) {
         return None;
@@ -68,7 +68,7 @@ pub(crate) fn force_states(problem: &Problem, form: &Form, basis: &Basis) -> Vec
         match *corners[contact] {
             _ if !pressed[contact] => Mode::Open,
             _ if !slips[contact] => local.unjumped(),
-            // A corner is where two facets meet; on a facet the force lies between two corners.
+            // In the plane each of the two facets has one corner, with the same index. In space two facets meet at a corner.
             [corner] if local.is_planar() => Mode::Facet(corner),
             _ if local.is_planar() => Mode::Open,
             [corner] => Mode::Corner(corner),
@@ -80,7 +80,7 @@ pub(crate) fn force_states(problem: &Problem, form: &Form, basis: &Basis) -> Vec
     problem.locals().enumerate().map(state).list()
 }
 
-/// Units of the twist components: one unit along a component stores spring energy of order one.
+/// Units of the twist components: a motion by one unit along a component stores a spring energy of order one.
 fn twist_units(problem: &Problem) -> Vector {
     let mut sums = Vector::all_zero(problem.size());
     for site in problem.sites {
@@ -96,9 +96,9 @@ struct Builder<'p, 'g> {
     rows: Vec<Row>,
     z_unit: Vec<f64>,
     w_unit: Vec<f64>,
-    /// The first row of each contact.
+    /// Index of the first row of each contact.
     first: Vec<usize>,
-    /// `Σ G k Gᵀ` of the springs that act both ways, and the load `W + Σ G k a` with the forces of their offsets.
+    /// `Σ G k Gᵀ` of the springs that act both ways; the next field, `W + Σ G k a`, has the load and the forces of their offsets.
     stiffness: Square,
     load: Vector,
 }
@@ -153,7 +153,8 @@ impl<'p, 'g> Builder<'p, 'g> {
             row
         });
         let facets = local.facets().len();
-        // Adds `v·q` to a row, with the twist q scaled and split in two; if `skew`, also adds the negative transpose to the balance rows.
+        // Adds `v·q` to a row of the matrix, with the twist q scaled and split into its positive and negative part. If `skew`, it also adds the
+        // negative transpose to the rows of equilibrium.
         let couple = |m: &mut DMatrix<f64>, row: usize, v: Vector, skew: bool| {
             for (axis, entry) in v.component_mul(unit).iter().enumerate() {
                 let column = twist_columns + 2 * axis;

@@ -17,7 +17,8 @@ use crate::numerics::{IntoList, mapped, matrix_of, numbered, vector_of};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
-/// One row and column of the form in energy coordinates x = K^{-1/2} F: the slack is `ŵ = row · x`, and the unknown ẑ adds `column ẑ` to x.
+/// One gap or slip as unknown ẑ with its slack, in energy coordinates x = K^{-1/2} F of the contact: ẑ adds `column ẑ` to x, and the slack is `ŵ =
+/// row · x`.
 struct Jump {
     contact: usize,
     row: SVector<f64, 3>,
@@ -26,7 +27,7 @@ struct Jump {
     z_unit: f64,
 }
 
-/// The rows that these contacts need, with their columns.
+/// The rows that these contacts need in the kinematic form, and the jumps (gaps and slips) of their columns.
 fn jumps(problem: &Problem, contacts: &[usize]) -> (Vec<Row>, Vec<Jump>) {
     let (mut rows, mut jumps) = (Vec::new(), Vec::new());
     for &contact in contacts {
@@ -65,7 +66,7 @@ pub(crate) fn kinematic_form(problem: &Problem, trial: &Piece, state: &PieceStat
             trial.weighted_stretch(jumps[i].contact, &jumps[i].row, &displacements[j])
         });
     }
-    // The products of Qᵀ with rows and columns.
+    // Qᵀ times the rows and columns of all jumps.
     let mut transformed = Vec::with_capacity(jumps.len());
     for of_contact in jumps.chunk_by(|a, b| a.contact == b.contact) {
         let by_contact = trial.factor_rows(of_contact[0].contact);
@@ -76,7 +77,7 @@ pub(crate) fn kinematic_form(problem: &Problem, trial: &Piece, state: &PieceStat
     form(problem, state, rows, &jumps, &|i, j| transformed[i][0].dot(&transformed[j][1]))
 }
 
-/// Displacements of the coordinates under unit jumps (gaps or slips), kept by contact: forms of other sets of contacts reuse them.
+/// Displacements of all coordinates under unit jumps (gaps or slips), stored for each contact: a later form of another set of contacts reuses them.
 #[derive(Debug, Default)]
 pub(crate) struct Moved(Vec<Option<Vec<Vec<f64>>>>);
 
@@ -97,7 +98,7 @@ pub(crate) fn kinematic_form_among(
         if known[contact].is_none() {
             let mut displacements: Vec<Vec<f64>> = Vec::with_capacity(of_contact.len());
             for (k, jump) in of_contact.iter().enumerate() {
-                // Facets come in pairs of opposite directions.
+                // Facets come in pairs of opposite directions, whose displacements differ only in sign.
                 let opposite = of_contact[..k].iter().position(|other| other.column == -jump.column);
                 displacements.push(match opposite {
                     Some(other) => mapped(&displacements[other], &|x| -x),

@@ -4,8 +4,8 @@
 //! cone a polygon with facet normals h_j and corners d_j ([`PolygonCone`](crate::PolygonCone)).
 //!
 //! **Kinematic form** ([`Grasp::kinematic_form`](crate::ask::Grasp::kinematic_form)). In the trial state every contact sticks, F⁰ = K (a - Gᵀq⁰) with
-//! Σ G_i F⁰_i + W = 0: one d x d solve. Jumps z are added to it, gaps and slips `s = Σ σ_j h_j`. They change the forces by the part that the motion
-//! of the object does not follow:
+//! Σ G_i F⁰_i + W = 0: one d x d solve. The unknowns z are jumps from this state: gaps, and parts σ_j of slips `s = Σ σ_j h_j`. The object gives way
+//! to a jump, and P contains what then remains of its force:
 //!
 //! ```text
 //! F = F⁰ + P B z,   w = L F,   0 <= z ⟂ w = L F⁰ + (L P B) z >= 0

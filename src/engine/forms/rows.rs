@@ -24,7 +24,7 @@ pub enum Row {
         /// Index of the contact, from 0.
         contact: usize,
     },
-    /// Force form: z = part β of the tangential force `F_t = Σ β_j d_j` at one corner of the cone (N), w = `λ - d_j·s` (m).
+    /// Force form: z = coefficient β of one corner d_j in the tangential force `F_t = Σ β_j d_j` (N), w = `λ - d_j·s` (m).
     TangentialForce {
         /// Index of the contact, from 0.
         contact: usize,
@@ -49,7 +49,7 @@ pub enum Row {
     },
 }
 
-/// Complementary pairs that a contact has in general, left out because they are not needed.
+/// Complementary pairs of a contact that are left out of a form because they are not needed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct LeftOut {

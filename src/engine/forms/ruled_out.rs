@@ -1,5 +1,5 @@
-//! A quick test that excludes contact states which clearly break a row of the kinematic form. It evaluates few rows: states that pass may still be
-//! wrong, which only a solution of the whole scene shows.
+//! A quick test that excludes contact states which clearly break a row of the kinematic form. It evaluates few rows: whether states that pass are
+//! right, only a solution with all contacts shows.
 
 use crate::numerics::{matrix_of, vector_of};
 
@@ -32,13 +32,13 @@ pub(crate) fn clearly_breaks(form: &Form, is_planar: bool, states: &[State], lar
     let solved = if jumps.is_empty() { Some(pushed) } else { of_jumps.full_piv_lu().solve(&pushed) };
     let Some(z) = solved else { return false };
     let most = z.iter().fold(0.0, |most: f64, z| if z.abs() <= most { most } else { z.abs() });
-    // Jumps larger than this multiple of the forces show that rows are linearly dependent; the test then excludes nothing. The comparison is false
-    // for NaN.
+    // Jumps larger than this multiple of the forces show that rows are linearly dependent; the test then excludes nothing. For NaN the comparison is
+    // false.
     let known = most <= 1e8 * largest;
     if !known {
         return false;
     }
-    // A row is clearly broken if it is negative by more than this part of the largest force or jump. The form is accurate to some 1e-14.
+    // A row is clearly broken if it is negative by more than this fraction of the largest force or jump. The form is accurate to some 1e-14.
     let broken = -NEGLIGIBLE * largest.max(most);
     let w = |i: usize| q[i] + jumps.iter().zip(z.iter()).map(|((j, _), z)| m[(i, *j)] * z).sum::<f64>();
     jumps.iter().zip(z.iter()).any(|((_, has_sign), z)| *has_sign && *z < broken)

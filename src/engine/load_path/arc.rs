@@ -1,7 +1,7 @@
 //! An arc: a piece of the path on which contact states stay while directions of sliding turn. This file has the linear algebra at a point of it.
 //!
 //! Let a contact slide along p = F_t / |F_t| with `|F_t| = μ F_n`. Its tangent `C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ`, see [`Tangent`], depends on p
-//! alone. Offsets a are affine in the factor λ; the load W is affine or turns with it. Twist and factor change together:
+//! alone. Offsets a are affine in the load factor λ; the load W is affine in λ or turns with it. Twist and factor change together:
 //!
 //! ```text
 //! T q' = b λ',     T = Σ G_i C_i G_iᵀ,     b = Σ G_i C_i a_i' + W',     |q'|²/u² + λ'² = 1
@@ -25,32 +25,32 @@ use crate::numerics::Vector;
 use crate::object::{Imbalance, Piece, PieceState};
 use crate::prelude::*;
 
-/// Contacts in fixed states along an arc.
+/// An arc of a load path: contacts keep their states, and directions of sliding turn.
 pub(super) struct Arc<'s, 'g> {
     pub(super) segment: &'s Segment<'g>,
     pub(super) states: &'s [State],
     /// The contacts that slide.
     pub(super) sliding: Vec<usize>,
-    /// The displacement u that contributes as much to arclength as the whole leg, m.
+    /// The displacement u that counts in arclength as much as the whole leg of the load program, m.
     unit: f64,
-    /// Motions that nothing resists, each with its rate for one unit of the factor.
+    /// Motions that nothing resists, each with its velocity per unit of the load factor.
     free_motions: Vec<(Vector, f64)>,
-    /// Computed when first needed: rates of relaxation need only the sliding contacts.
+    /// The terms of contacts that do not slide. They are computed when first needed, since rates of relaxation need only the sliding contacts.
     fixed: OnceCell<Fixed>,
     /// Whether commands change along the leg.
     pub(super) driven: bool,
 }
 
-/// The parts of T and b that stay constant along an arc.
+/// The parts of `T q' = b λ'`, tangent stiffness and right-hand side, that are constant along an arc.
 struct Fixed {
-    /// T of the contacts that do not slide. Motions that nothing resists get an artificial stiffness, which keeps them at rest or at the speed at
-    /// which contacts without force push.
+    /// The tangent stiffness of the contacts that do not slide. Motions that nothing resists get an artificial stiffness, which keeps them at rest or
+    /// at the speed at which contacts without force push.
     stiffness: PathStiffness,
-    /// The part of b from contacts that do not slide, without the rate of the load.
+    /// The part of the right-hand side b that commands of contacts that do not slide contribute.
     push: Vector,
 }
 
-/// A direction of the path in twist and load factor.
+/// A direction of the path in the space of twist and load factor.
 #[derive(Debug, Clone)]
 pub(super) struct Direction {
     /// Rate of the twist, q' = dq/ds per unit of arclength.
@@ -60,19 +60,19 @@ pub(super) struct Direction {
 }
 
 impl Direction {
-    /// Towards a larger load factor, with any motion: the transverse row then keeps the load factor fixed.
+    /// The direction of a growing load factor, without motion. Corrections transverse to it leave the load factor fixed.
     pub(super) fn forward() -> Self {
         Self { twist: Vector::zeros(), factor: 1.0 }
     }
 
-    /// Whether motions transverse to this direction keep the load factor.
+    /// Whether this is [`Self::forward`]: corrections transverse to it leave the load factor fixed.
     fn keeps_the_factor(&self) -> bool {
         self.twist.norm_squared() == 0.0
     }
 }
 
 impl<'s, 'g> Arc<'s, 'g> {
-    /// The arc in these states, on which motions that nothing resists continue at their rates for one unit of the load factor.
+    /// The arc in these states, on which motions that nothing resists continue at the given velocities per unit of the load factor.
     pub(super) fn new<'m>(
         segment: &'s Segment<'g>,
         states: &'s [State],
@@ -124,17 +124,17 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.segment.grasp.sites()
     }
 
-    /// The part of b at a load factor from the load and from contacts that do not slide.
+    /// The part of the right-hand side b at a load factor that comes from the load and from contacts that do not slide.
     fn push_at(&self, factor: f64) -> Vector {
         self.segment.course.rate_at(factor) + &self.fixed().push
     }
 
-    /// Norm of the part of b from the load and from contacts that do not slide, N.
+    /// Norm of the rate of the load, with that of the forces by which commands push contacts that do not slide, N per unit of the load factor.
     pub(super) fn load_rate(&self, factor: f64) -> f64 {
         self.push_at(factor).norm()
     }
 
-    /// Tangent stiffness of a sliding contact with this friction force; a contact without one slides in the direction of its state.
+    /// Tangent stiffness of a sliding contact with this friction force; without friction force it slides in the direction that its state has.
     pub(super) fn tangent(&self, contact: usize, friction: &SVector<f64, 3>) -> Tangent {
         let local = self.segment.problem.local(contact);
         if tangential_norm(friction) == 0.0 {
@@ -148,13 +148,13 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.sliding.iter().zip(frictions).map(|(&i, friction)| self.tangent(i, &friction)).list()
     }
 
-    /// Factors of `[T u | -b]` with a transverse row at a load factor, and the size of their entries.
+    /// LU factors of `[T u | -b]` at a load factor, completed by the row `across` transverse to the path, and the size of the entries.
     fn bordered(&self, tangents: &[Tangent], factor: f64, across: &Direction) -> Option<(PathFactors, f64)> {
         let (stiffness, push) = self.balance(tangents, factor);
         self.factored(stiffness, &push, across)
     }
 
-    /// The tangent stiffness T and the right side b at a load factor.
+    /// The tangent stiffness T and the right-hand side b at a load factor.
     pub(super) fn balance(&self, tangents: &[Tangent], factor: f64) -> (PathStiffness, Vector) {
         let (mut t, mut push) = (self.fixed().stiffness.clone(), self.push_at(factor));
         for (&i, tangent) in self.sliding.iter().zip(tangents) {
@@ -173,7 +173,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         (t, push)
     }
 
-    /// Factors of `[T u | -b]` with a transverse row, and the size of their entries. `None` if the path may continue in more than one direction.
+    /// LU factors of `[T u | -b]`, completed by the row `across` transverse to the path, and the size of the entries. `None` if the path may continue
+    /// in more than one direction.
     pub(super) fn factored(
         &self,
         mut t: PathStiffness,
@@ -192,12 +193,13 @@ impl<'s, 'g> Arc<'s, 'g> {
         (scale, &across.twist * (scale / self.unit))
     }
 
-    /// Twist and load factor from a solution in scaled coordinates.
+    /// Twist and load factor from a solution of the bordered system, in which the twist is measured in units of `unit`.
     pub(super) fn unscaled(&self, (x, factor): (Vector, f64)) -> Direction {
         Direction { twist: x * self.unit, factor }
     }
 
-    /// The unit direction of the path in arclength at a load factor with these tangents, oriented along a given one.
+    /// The direction of the path per unit of arclength, at a load factor and with these tangent stiffnesses of sliding contacts. It has a positive
+    /// component along `along`.
     pub(super) fn direction(
         &self,
         tangents: &[Tangent],
@@ -209,7 +211,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         let ends = [along.factor * scale, scale];
         let (x, factor) = t.solved_once(self.segment.grasp.size(), [&-&push, &row], ends)?;
         let length = (x.norm_squared() + factor * factor).sqrt();
-        // Least cosine of the turn of the tangent within a step: sixty degrees. After a longer step the direction might be reversed.
+        // Within a step the tangent of the path may turn by sixty degrees at most. After a larger turn its orientation might be wrong.
         let turned = 1.0 / length >= 0.5;
         turned.then(|| Direction { twist: x * (self.unit / length), factor: factor / length })
     }
@@ -232,8 +234,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.states.iter().enumerate().map(rate).list()
     }
 
-    /// Moves a state onto the cones, with friction in these directions, and into balance, by corrections transverse to `across`. Returns the state
-    /// and its load factor.
+    /// Corrects a state, transverse to the direction `across`, until forces balance and sliding contacts are on their cones with friction in these
+    /// directions. Returns the state and its load factor.
     pub(super) fn balanced(
         &self,
         mut twist: Vector,
@@ -241,7 +243,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         across: &Direction,
         frictions: &[SVector<f64, 3>],
     ) -> Option<(PieceState, f64)> {
-        // Imbalance below this part of the sum of all terms, times the root of their number, is rounding.
+        // Imbalance below this fraction of the sum of all terms, times the root of their number, is rounding.
         let rounding = 2e-16 * ((self.sites().len() + 2) as f64).sqrt();
         let (mut frictions, mut balanced) = (frictions.to_vec(), None);
         for _ in 0..4 {
@@ -250,8 +252,7 @@ impl<'s, 'g> Arc<'s, 'g> {
             let mut forces = self.forces_at(&twist, factor, &frictions);
             let initial_force: f64 = forces.iter().map(Matrix::norm).sum();
             let mut ended = None;
-            // Maximum number of Newton corrections onto the cones. A step violates the cones by its error, and the first correction leaves the square
-            // of it.
+            // At most six Newton corrections: a step violates the cones by its error, and the first correction already leaves only the square of it.
             for _ in 0..6 {
                 let load = self.segment.course.at(factor);
                 let Imbalance { left, size: carried } = Imbalance::of(self.sites(), &forces, &load, 0.0);
@@ -261,7 +262,7 @@ impl<'s, 'g> Arc<'s, 'g> {
                 }
                 let mut change = self.unscaled(bordered.solve(&left, 0.0));
                 if across.keeps_the_factor() {
-                    // The exact change of the load factor is zero; the solver returns only rounding.
+                    // The exact change of the load factor is zero; the computed one is rounding.
                     change.factor = 0.0;
                 }
                 twist += &change.twist;
@@ -271,7 +272,7 @@ impl<'s, 'g> Arc<'s, 'g> {
             }
             let carried = ended?;
             let off = self.off_the_cones(&forces);
-            // Along a motion that hardly anything resists a correction turns friction directions noticeably. It is then repeated with the new
+            // If hardly anything resists a motion, the correction along it may turn friction forces off the cones. It is then repeated with their new
             // directions.
             let is_on_them = off <= SLACK_ON_AN_ARC * carried;
             if !is_on_them {
@@ -329,8 +330,8 @@ impl<'s, 'g> Arc<'s, 'g> {
 }
 
 impl Segment<'_> {
-    /// State and rates if contacts slide on the round cone: the path to first order. The state is the one near `at` with friction on the cones: if a
-    /// contact has opened, the others take over its force. Motions that nothing resists move at the rates `pushed`.
+    /// State and rates of a path on which contacts slide on the round cone. The state is the one near `at` that is in balance with friction on the
+    /// cones; if a contact has opened, the others take over its force. Along motions that nothing resists the object moves at the rates `pushed`.
     pub(super) fn tangent(
         &self,
         states: &[State],
@@ -347,8 +348,8 @@ impl Segment<'_> {
         let arc = Arc::new(self, states, piece.free_motions().iter().map(|v| (v, 0.0)), 1.0);
         let largest = self.problem.largest_force(&at.forces, &at.twist).max(self.largest);
         let is_near = |(there, _): &(PieceState, f64)| {
-            // A correction by more than this part of the largest force leads to another equilibrium. After an event only rounding violates balance
-            // and cones.
+            // A correction by more than this fraction of the largest force has led to another equilibrium: after an event only rounding is to be
+            // corrected.
             there.forces.iter().zip(&at.forces).all(|(f, g)| (f - g).norm() <= 1e-6 * largest)
         };
         let balanced =

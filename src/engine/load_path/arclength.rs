@@ -1,4 +1,4 @@
-//! The unit of arclength along an arc: the displacement that contributes as much to arclength as the whole leg.
+//! The unit of arclength along an arc: the displacement that counts in arclength as much as the whole leg of the load program.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -12,8 +12,8 @@ use crate::numerics::{largest, least};
 use crate::prelude::*;
 
 impl Pieces<'_> {
-    /// Displacement of the object for one unit of the load factor at the beginning of an arc. While the load turns, the rate a quarter turn later is
-    /// included.
+    /// Displacement of the object for one unit of the load factor at the beginning of an arc. While the load turns, its rate a quarter turn later
+    /// counts as well, since the present one may be small.
     pub(super) fn displacement_rate(&self, point: &PathPoint) -> f64 {
         let mut size = point.twist_rate.norm();
         if let Trajectory::Turn { angle, .. } = self.segment.course {
@@ -23,8 +23,8 @@ impl Pieces<'_> {
                 size = size.hypot(rate.twist.norm());
             }
         }
-        // Near a limit load hardly anything resists a motion, and an unbounded displacement would be no scale for others. So this is the largest
-        // ratio of that displacement to the deflection of the softest spring.
+        // Near a limit load hardly anything resists a motion, and its huge displacement would be no scale for others. It therefore counts as at most
+        // this multiple of the deflection of the softest spring.
         let size = size.min(1e6 * self.springs_give(point));
         if size > 0.0 { size } else { 1.0 }
     }

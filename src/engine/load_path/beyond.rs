@@ -1,9 +1,9 @@
 //! Beyond the end of an equilibrium: whether any other exists under a slightly larger load.
 //!
 //! A motion may prove that there is none: the motion with which the object leaves, or another one that separates the load from all possible contact
-//! forces. In the plane and on polygons every combination of contact states is tried at `τ* + ε`, with ε infinitesimal. A condition holds there if
-//! its value at τ* is positive, or zero with a rate that is not negative. On the round cone an equilibrium slightly beyond is searched for without
-//! regard to the path.
+//! forces. In the plane and on polygons every combination of contact states is tried at the load factor `τ* + ε`, with τ* at the end and ε
+//! infinitesimal. A condition holds there if its value at τ* is positive, or zero with a rate that is not negative. On the round cone an equilibrium
+//! slightly beyond is searched for without regard to the path.
 
 use nalgebra::SVector;
 
@@ -42,13 +42,14 @@ pub enum Beyond<const C: usize> {
     /// states. On the round cone it may be proved only at a distance beyond the end. The distance is at most a hundredth of the whole load, or of all
     /// commands, or of the leg if there is no load yet.
     LimitLoad,
-    /// This equilibrium ends here, but others exist at slightly larger loads. After an onset a load path decides whether the grasp snaps over to one of
-    /// them ([`Jump::snaps`](super::Jump::snaps)). At the end of a path, viscous contacts reach none of them by small motions.
+    /// This equilibrium ends here, but others exist at slightly larger loads. After an onset a load path decides whether the grasp snaps over to one
+    /// of them ([`Jump::snaps`](super::Jump::snaps)). At the end of a load path that has already been excluded: moving as viscous contacts would, the
+    /// object reaches none of them by small motions.
     Snap,
-    /// This equilibrium ends here: the rates have no solution. Whether others exist beyond is not known, and no proof was found that there are none.
-    /// The cause is too many contacts: more than 32 on the round cone, or else more combinations of states than [`Settings::most_states`].
+    /// This equilibrium ends here: the problem in rates has no solution. Whether others exist beyond is not known, and no proof was found that there
+    /// are none. The cause is too many contacts: more than 32 on the round cone, or else more combinations of states than [`Settings::most_states`].
     Ends {
-        /// The reason why the rates have no solution; its work is that of the load direction, J for one unit of the load factor.
+        /// The reason why the rates have no solution. The work in it is that of the rate of the load, J per unit of the load factor.
         reason: NoEquilibrium<C>,
     },
     /// The lips of these suction cups are open all around, and their vacuum is gone. What remains is another grasp, without their vacuum.
@@ -76,11 +77,11 @@ pub struct Continuation<const C: usize> {
     pub force_rates: Vec<SVector<f64, C>>,
     /// Rate of the object's twist, m and rad for one unit of the load factor.
     pub twist_rate: Motion<C>,
-    /// The rule that found the solution of the rates.
+    /// The rule that found the solution of the problem in rates.
     pub rule: FoundBy,
 }
 
-/// The continuation of an equilibrium whose rates have a solution.
+/// The continuation of an equilibrium for which the problem in rates has the solution `found`.
 pub(super) fn continuation(grasp: &Engine, rates: &Problem, found: Found, rule: FoundBy) -> Beyond<3> {
     let (mut states, mut force_rates) = (site_states(rates, &found), found.forces);
     states.truncate(grasp.len());
@@ -105,7 +106,7 @@ pub(super) struct EquilibriumEnd<'f> {
     pub(super) motion: Option<Vector>,
 }
 
-/// The situation beyond an end where the rates have no solution.
+/// The situation beyond the end of an equilibrium, where the problem in rates has no solution.
 pub(super) fn beyond_end(
     segment: &Segment<'_>,
     rates: &Problem,
@@ -114,7 +115,7 @@ pub(super) fn beyond_end(
     settings: &Settings,
 ) -> Beyond<3> {
     let problem = segment.problem_at(end.factor);
-    // The problem at a finite distance beyond the end, as a part of [`way_beyond`].
+    // The problem at a finite distance beyond the end, in units of [`way_beyond`].
     let past = |part: f64| segment.problem_at(end.factor + part * way_beyond(&problem, rates));
     let separates = |v: &Vector| separates_from_here_on(&problem, v, &rates.wrench);
     if end.motion.as_ref().is_some_and(separates)
@@ -131,7 +132,7 @@ pub(super) fn beyond_end(
             _ => beyond,
         };
     }
-    // With many contacts the search does not itself prove that the rates have no solution.
+    // With many contacts the search may end undecided although the rates have no solution. Farkas' lemma may then prove it.
     let settled = match settled {
         Settled::Undecided(_) if no_rates(rates) => Settled::NoneOf(0),
         settled => settled,
@@ -140,7 +141,7 @@ pub(super) fn beyond_end(
         return search_beyond(&problem, rates);
     }
     match segment.grasp.outcome(rates, &load(), settled, effort, segment.answer_for) {
-        // Distance beyond the end up to which all loads are proved not to be held; a longer one makes the proof clearer.
+        // The proof covers all loads up to this distance beyond the end; with a shorter one rounding might hide it.
         Outcome::NoEquilibrium(_) if nothing_holds(&problem, &past(1e-2)) => Beyond::LimitLoad,
         Outcome::NoEquilibrium(reason) => Beyond::Ends { reason },
         Outcome::Undecided(undecided) => Beyond::Undecided { doubt: undecided.doubt },
@@ -149,7 +150,7 @@ pub(super) fn beyond_end(
 }
 
 /// Whether Farkas' lemma excludes every choice of slips and gaps, so that the rates have no solution. The form is computed in floating point: the
-/// proof holds up to its rounding. Linear programs with two rows for each row of the form search for it.
+/// proof holds up to its rounding. The proof is searched for by linear programs with twice as many rows as the form.
 pub(super) fn no_rates(rates: &Problem) -> bool {
     if !dense_is_affordable(rates, 2) {
         return false;
@@ -160,29 +161,29 @@ pub(super) fn no_rates(rates: &Problem) -> bool {
     kinematic_form(rates, &trial, &state).is_some_and(|form| form.lcp.solve_with(&settings).is_infeasible())
 }
 
-/// Searches for an equilibrium slightly beyond the end, with the slip so far but without regard to the path.
+/// Searches for an equilibrium slightly beyond the end of a path. Contacts keep the slip so far, but their states need not continue the path.
 fn from_scratch<'g>(
     past: impl Fn(f64) -> Problem<'g>,
     forces: &[SVector<f64, 3>],
     settings: &Settings,
 ) -> Beyond<3> {
-    // Whether an equilibrium at this distance differs from the end by more than a continued path could.
+    // Whether there is an equilibrium at this distance whose forces differ from those at the end by more than on a continued path.
     let another = |part: &f64| match settle(&past(*part), settings).0 {
         Settled::Found(found, _) => !is_near(&found.forces, forces, *part),
         _ => false,
     };
     let mut why = Doubt::RayWithoutProof;
-    // Distances tried in turn: at a shorter one the search on the round cone may not decide.
+    // Distances are tried in turn, since at a short one the search on the round cone may not decide.
     for part in [LITTLE_BEYOND, 1e-4, 1e-2] {
         match settle(&past(part), settings).0 {
             // At a larger distance the search would need as many pivots again.
             Settled::Undecided(Doubt::OutOfPivots) => return Beyond::Undecided { doubt: Doubt::OutOfPivots },
             Settled::Undecided(doubt) => why = doubt,
             Settled::Found(found, _) => {
-                // If the forces found are nearly those at the end, shorter distances decide. On a continued path forces converge to those at the end;
-                // those of another equilibrium do not.
+                // If the forces found are nearly those at the end, shorter distances decide: only the forces of another equilibrium then stay
+                // different from those at the end.
                 let is_another = !is_near(&found.forces, forces, part) || [1e-8, 1e-10].iter().any(another);
-                // Otherwise this equilibrium may be the one that ends here, found past its end through rounding.
+                // If not, the equilibrium found may be the one that ends here, which rounding lets exist a little further.
                 return if is_another {
                     Beyond::Snap
                 } else {
@@ -195,22 +196,22 @@ fn from_scratch<'g>(
     Beyond::Undecided { doubt: why }
 }
 
-/// Whether forces could belong to a path that continues over the distance `part`: they then change by at most the square root of it, relative to the
-/// largest.
+/// Whether `found` could be the forces of a continued path at the distance `part` beyond the end. They then differ from `forces` by at most the
+/// square root of the distance, relative to the largest force.
 fn is_near(found: &[SVector<f64, 3>], forces: &[SVector<f64, 3>], part: f64) -> bool {
     let largest = largest(forces, &nalgebra::Matrix::norm);
     let near = part.min(LITTLE_BEYOND).sqrt();
     found.iter().zip(forces).all(|(f, g)| (f - g).norm() <= near * largest)
 }
 
-/// The unit of distances beyond the end: the load step [`whole_way`], or the whole leg if there is no load yet. With a zero unit all of them would
-/// lie at the end itself.
+/// The unit of distances beyond the end, as a change of the load factor: [`whole_way`], or the whole leg if there is no load yet.
 fn way_beyond(problem: &Problem, rates: &Problem) -> f64 {
     let way = whole_way(problem, rates);
     if way > ZERO_SLACK { way } else { 1.0 }
 }
 
-/// The change of the load factor that makes up the whole load, or all commands, whichever is less; zero if there is neither.
+/// The change of the load factor that would build up the whole present load from zero, or all present commands, whichever is less. Zero if there is
+/// neither.
 fn whole_way(problem: &Problem, rates: &Problem) -> f64 {
     let total = |offsets: &[SVector<f64, 3>]| summed(offsets, &nalgebra::Matrix::norm);
     let load_way = problem.wrench.norm() / rates.wrench.norm();
@@ -220,7 +221,7 @@ fn whole_way(problem: &Problem, rates: &Problem) -> f64 {
 }
 
 fn search_beyond(problem: &Problem, rates: &Problem) -> Beyond<3> {
-    // The problem with complete contact laws in which rates of load and commands replace load and commands.
+    // The problem whose load and commands are the present rates. Its contact laws are the complete ones, since any states may occur.
     let rates = &Problem {
         offsets: rates.offsets.clone(),
         wrench: rates.wrench.clone(),
@@ -237,8 +238,8 @@ fn search_beyond(problem: &Problem, rates: &Problem) -> Beyond<3> {
         ) else {
             return false;
         };
-        // Tolerance for rounding, relative to the size of a condition. It has an upper bound: a larger violation is real, however strongly a piece
-        // amplifies rounding.
+        // Tolerance for rounding, relative to the size of a condition. It has an upper bound: a larger violation is real, however badly conditioned
+        // the linear problem is.
         let rounding = (ZERO_SLACK * piece.growth()).min(MOST_SLACK);
         let mut values = Vec::new();
         for_each_condition(problem, &states, &now.forces, &now.twist, |value, size| {
@@ -249,8 +250,8 @@ fn search_beyond(problem: &Problem, rates: &Problem) -> Beyond<3> {
         for_each_condition(rates, &states, &next.forces, &next.twist, |rate, rate_size| {
             let (value, size) = values[at];
             at += 1;
-            // A condition counts as zero if it would break within this part of the load change that makes up the whole load: the load factor is not
-            // known more accurately.
+            // A positive condition counts as zero if it would become negative within this fraction of the whole load, since the load factor at the
+            // end is not known more accurately.
             let fleeting = rate < 0.0 && value <= NEGLIGIBLE * way * -rate;
             let zero = value.abs() <= rounding * size || (value > 0.0 && fleeting);
             holds &= if zero { rate >= -rounding * rate_size } else { value > 0.0 };

@@ -89,7 +89,8 @@ impl<const C: usize> Leg<C> {
 pub(super) struct BodyLoads(Option<Arc<[Vec<Wrench<3>>; 2]>>);
 
 impl BodyLoads {
-    /// Continues to the next leg. It begins with the loads at the end of the last leg, and its goals change them for the bodies with these names.
+    /// Continues to the next leg. It begins with the loads at the end of the last leg, which its goals change body by body; `names` are those of all
+    /// bodies.
     pub(super) fn append(&mut self, names: &[Arc<str>], goals: &[BodyGoal<3>]) {
         if goals.is_empty() && self.0.is_none() {
             return;
@@ -107,7 +108,7 @@ impl BodyLoads {
         self.0 = Some(Arc::new([from, to]));
     }
 
-    /// The sum of these loads in the engine's coordinates, at the beginning and at the end of the leg.
+    /// The sum of the loads of all bodies in the engine's coordinates, at the beginning and at the end of the leg.
     pub(super) fn inside(&self, grasp: &Engine) -> Option<[Vector; 2]> {
         let (loads, bodies) = self.0.as_ref().zip(grasp.bodies())?;
         Some([0, 1].each(|end| grasp.combine_wrenches(bodies, &loads[end])))
@@ -118,7 +119,7 @@ impl BodyLoads {
         self.0.as_ref().map_or(&[], |loads| &loads[end])
     }
 
-    /// The grasp with its bodies under their loads at a fraction of the leg.
+    /// The grasp with its bodies under the loads that they have at a fraction of the leg.
     pub(super) fn apply<'g>(&self, grasp: &'g Engine, fraction: f64) -> Cow<'g, Engine> {
         let Some(loads) = &self.0 else { return Cow::Borrowed(grasp) };
         let at = |(from, to): (&Wrench<3>, &Wrench<3>)| *from + (*to - *from) * fraction;

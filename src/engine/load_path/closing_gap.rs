@@ -1,15 +1,15 @@
 //! Free motion after a loss of equilibrium, until a gap closes.
 //!
 //! If nothing resists the motion v of a loss, forces stay constant along it: no spring is stretched further, and friction is exhausted already. So
-//! the object is in balance under the load of the loss everywhere along the motion. It ends where the first open contact closes, and its slips are
-//! kept:
+//! the object is in balance under the load of the loss everywhere along the motion. The motion ends after the length δ, at which the first open
+//! contact closes, and contacts keep the slips that it causes:
 //!
 //! ```text
 //! δ = min gap_i / (-n_i·G_iᵀv)
 //! ```
 //!
-//! From there the path continues at the same load. If friction falls as contacts begin to slide, the force that they lose is removed first
-//! ([`super::jump_leg`]), and the gap closes on that leg. A motion too large for linear kinematics is not made.
+//! From there the path continues at the same load. If kinetic friction is lower, contacts that begin to slide lose a force. It is removed first,
+//! along a leg ([`super::jump_leg`]) on which the gap then closes. A motion too large for linear kinematics is not made.
 
 use super::event::{Change, Event, Loss, LossKind, PathEnd};
 use super::follower::Follower;
@@ -27,9 +27,9 @@ use crate::search::Found;
 
 use nalgebra::SVector;
 
-/// The free motion up to the gap that closes first.
+/// A motion of the object that nothing resists, up to the gap that closes first.
 struct FreeWay {
-    /// Length of the motion, as a multiple of its direction.
+    /// Length of the motion, as a multiple of the motion vector.
     length: f64,
     /// Contacts whose gaps close at the end of the motion.
     closing: Vec<usize>,
@@ -37,8 +37,8 @@ struct FreeWay {
     still: Vec<bool>,
 }
 
-/// Whether a body may move past a contact with this force at a velocity, in the contact frame, without changing the force. Velocities up to `none`
-/// are rounding.
+/// Whether a contact with this force lets the body move at this velocity (in the contact frame) without a change of the force. Velocities up to
+/// `none` are rounding.
 fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f64, 3>, none: f64) -> bool {
     match local.resistance(velocity) {
         Resistance::Unlimited => false,
@@ -48,8 +48,8 @@ fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f
         Resistance::ByFriction(_) if velocity[0].abs() > none => false,
         Resistance::ByFriction(_) if !local.may_slide() || tangential(velocity).norm() <= none => true,
         Resistance::ByFriction(most) => {
-            // The resistance refers to a unit normal stretch, and the normal velocity reduces it. Friction resists fully if slip and friction
-            // directions differ by less than √(2·1e-10) rad.
+            // `most` is the greatest resistance per unit of normal stretch, here scaled to the present force. Friction reaches it if the directions
+            // of slip and friction differ by less than √(2·1e-10) rad. A normal velocity that is rounding may reduce it.
             let most = most * force[0] / local.springs.force_along(0, 1.0);
             -force.dot(velocity) >= most - 1e-10 * most.abs() - force[0] * none
         }
@@ -65,7 +65,7 @@ impl<'g> Pieces<'g> {
         let (mut still, mut gaps, mut fastest) = (Vec::new(), Vec::new(), 0.0);
         for (i, site) in grasp.sites().iter().enumerate() {
             let velocity = site.map.tr_mul(motion);
-            // A contact velocity below this part of the largest that the motion could give it is rounding.
+            // A contact velocity below this fraction of the largest that the motion could give it is rounding.
             let none = NEGLIGIBLE * site.span_moved(&SVector::zeros(), motion.norm());
             let (local, force) = (self.segment.problem.local(i), &self.node.at.forces[i]);
             still.push(velocity.norm() <= none);
@@ -98,7 +98,7 @@ impl<'g> Pieces<'g> {
         is_small.then_some(FreeWay { length, closing, still })
     }
 
-    /// Makes contacts on the edge of their cones slide or open along the motion, and returns the changes of state.
+    /// Makes contacts on the edge of their cones slide or open along the motion, unless they stay in place, and returns the changes of state.
     fn yield_along(
         &mut self,
         motion: &Vector,
@@ -117,10 +117,10 @@ impl<'g> Pieces<'g> {
         self.node.apply_rates(&mut self.segment, self.factor, &rates, &found)
     }
 
-    /// Moves the object until the gap closes; `None` if rounding prevents the computation of the state at the closed gap.
+    /// Moves the object until the gap closes; `None` if the state at the closed gap cannot be computed because of rounding.
     fn move_to_gap(&mut self, motion: &Vector, way: &FreeWay) -> Option<()> {
         let point = self.node.point_at(&self.segment.at_rest(self.factor), self.factor, None).ok()?;
-        // Forces are solved for in the new states, so that contacts that have opened lose even the rounding of their force.
+        // Forces are solved for anew in the new states: in contacts that have opened not even a rounding error of a force remains.
         let forces = mapped(&point.lines, &|line| line.force);
         let twist = &self.node.at.twist + motion * way.length;
         self.node.move_to_end(&mut self.segment, &point, self.factor, &PieceState { forces, twist });
@@ -137,7 +137,8 @@ impl<'g> Pieces<'g> {
         Some(())
     }
 
-    /// The event at which a gap closes after a free motion from a loss; the path continues from there. `None` if no gap closes.
+    /// The event at which the object, which nothing resists after a loss, has moved until a gap closes; the path continues from there. `None` if no
+    /// gap closes.
     pub(super) fn closing_gap_event(&mut self, journey: &Journey<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         if self.failed_jump.is_some() || self.pace.steps >= journey.settings.most_steps {
             return None;
@@ -154,13 +155,14 @@ impl<'g> Pieces<'g> {
             if lets_go { jump.run(&goal, journey).map(|()| first) } else { Ok(first) }
         });
         let changes = went.ok()?;
-        // If rounding prevents the computation of the state at the closed gap, the path ends with the loss.
+        // If the state at the closed gap cannot be computed because of rounding, the path ends with the loss.
         let jump = self.end_jump(journey, &goal, jump).ok()?;
         self.at_node = true;
         Some(Event { jump: Some(Box::new(jump)), ..self.caught(journey, changes, state) })
     }
 
-    /// The event of a loss from which the path continues, with the changes of states there and the state before them. The jump is still missing.
+    /// The event that replaces a loss from which the path continues: the changes of contact states there, and the state before them. The caller adds
+    /// the jump.
     pub(super) fn caught(
         &self,
         journey: &Journey<'g>,
@@ -184,7 +186,7 @@ impl<'g> Pieces<'g> {
 
 impl<'g> JumpInProgress<'g> {
     /// Continues after a loss on this leg. If contacts begin to slide with kinetic friction, the force that they lose is removed along a new leg.
-    /// Otherwise the object moves until a gap closes. Returns whether a force is to be removed.
+    /// Otherwise the object moves until a gap closes. Returns whether such a force is to be removed.
     ///
     /// # Errors
     /// The loss, if no gap closes.

@@ -12,7 +12,7 @@ use crate::numerics::moved;
 use crate::prelude::*;
 
 impl Engine {
-    /// Separates the changes of contacts from those of drives, which are labelled by their joint or tendon.
+    /// Separates the changes of contacts from those of drives; a drive is labelled by its joint or tendon.
     pub(super) fn contacts_and_drives(
         &self,
         changes: Vec<(usize, Change<3>)>,
@@ -33,7 +33,7 @@ impl Engine {
         (contacts, drives)
     }
 
-    /// Separates contacts that stop sticking from drives that do, which are labelled by their joint or tendon.
+    /// Separates contacts that stop sticking from drives that yield; a drive is labelled by its joint or tendon.
     pub(super) fn leaving_apart(&self, mut leaving: Vec<Leaving<3>>) -> (Vec<Leaving<3>>, Vec<PartChange>) {
         let mut drives = Vec::new();
         leaving.retain_mut(|Leaving { contact, how }| {
@@ -48,7 +48,7 @@ impl Engine {
         (leaving, drives)
     }
 
-    /// Separates contacts from drives, which are labelled by their joint or tendon.
+    /// Separates contacts from drives; a drive is labelled by its joint or tendon.
     pub(super) fn sites_apart(&self, sites: Vec<usize>) -> (Vec<ContactLabel>, Vec<PartLabel>) {
         let (contacts, drives): (Vec<usize>, Vec<usize>) = sites.into_iter().partition(|i| *i < self.len());
         let contact = |i: usize| self.contacts()[i].label(i);
@@ -61,7 +61,8 @@ impl Engine {
         linkage.part(site - self.len()).map(|part| linkage.label(part))
     }
 
-    /// The contact, or the joint or tendon of the drive, with this index. `None` for springs without joint or tendon, which never leave their state.
+    /// The contact with this index; for the index of a drive, its joint or tendon. `None` for springs without joint or tendon, which never leave
+    /// their state.
     pub(crate) fn leaver(&self, site: usize) -> Option<Leaver> {
         match self.linkage() {
             Some(linkage) if site >= self.len() => linkage.part(site - self.len()).map(Leaver::Drive),
@@ -69,7 +70,7 @@ impl Engine {
         }
     }
 
-    /// The label of the contact, or of the joint or tendon of the drive, with this index.
+    /// The label of the contact with this index; for the index of a drive, that of its joint or tendon.
     pub(super) fn edge_of(&self, site: usize) -> Option<EdgeOf> {
         match self.contacts().get(site) {
             Some(contact) => Some(EdgeOf::Contact(contact.label(site))),

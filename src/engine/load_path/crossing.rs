@@ -8,7 +8,7 @@ use super::segment::PathPoint;
 use super::watch::{Watch, watch};
 use crate::prelude::*;
 
-/// The end of a step, with the conditions there.
+/// The end of a step along an arc, with the conditions that are watched, evaluated there.
 pub(super) struct StepEnd {
     pub(super) length: f64,
     pub(super) rule: Rule,
@@ -19,7 +19,7 @@ pub(super) struct StepEnd {
 }
 
 impl Pieces<'_> {
-    /// Makes a step of a length, and evaluates the conditions at its end.
+    /// Makes a step of this length along an arc, and evaluates the watched conditions at its end.
     pub(super) fn step(
         &self,
         point: &PathPoint,
@@ -33,7 +33,7 @@ impl Pieces<'_> {
         Some(StepEnd { length, rule, reached, watches, located: None })
     }
 
-    /// The index of the condition violated at the end of a step that linear interpolation between both ends reaches first.
+    /// Of the conditions that are violated at the end of a step, the index of the one that vanishes first by linear interpolation between both ends.
     pub(super) fn first_crossing(start: &[Watch], end: &StepEnd) -> Option<usize> {
         let part = |k: usize| {
             let (from, to) = (start[k].value.max(0.0), end.watches[k].value);
@@ -53,14 +53,14 @@ impl Pieces<'_> {
     ) -> Option<StepEnd> {
         let (mut low, mut high) = ((0.0, start[k].value.max(0.0)), (end.length, end.watches[k].value));
         if start[k].is_met() {
-            // The condition is zero at the start already, and violated right behind it.
+            // The condition is zero at the start already, and negative right after it.
             low.1 = 0.0;
         }
-        // Maximum number of evaluations: bisection alone would need 50.
+        // At most eighty steps are tried; bisection alone would need fifty.
         for trial in 0..80 {
             // A secant step, and every third time bisection, so that the bracket shrinks for certain.
             let part = low.1 / (low.1 - high.1);
-            // Least distance of a secant step from either end of the bracket, as a part of it.
+            // A secant step keeps at least this fraction of the bracket away from both of its ends.
             let inside = 1e-3;
             let part = if trial % 3 == 2 { 0.5 } else { part.clamp(inside, 1.0 - inside) };
             let newton =

@@ -16,7 +16,7 @@ use crate::numerics::{IntoList, Vector, largest, numbered};
 use crate::prelude::*;
 use crate::search::{Doubt, Settings};
 
-/// A program of repeated cycles in progress.
+/// A cycle of legs that is being followed again and again.
 #[derive(Debug)]
 pub(crate) struct Cycles<'g> {
     path: Following<'g, Pieces<'g>>,
@@ -38,7 +38,7 @@ pub(crate) struct CycleState {
     pub(crate) weaker: Vec<bool>,
 }
 
-/// Totals of one cycle.
+/// Totals and extremes of one cycle of legs.
 #[derive(Debug, Clone)]
 pub(crate) struct CycleRecord {
     /// The path length that each contact or drive has slid, m.
@@ -50,7 +50,7 @@ pub(crate) struct CycleRecord {
     /// The smallest gap of each contact or drive that was open during the whole cycle, m; `None` for others.
     pub(crate) open: Vec<Option<f64>>,
     pub(crate) step_error: f64,
-    /// Successive states of all contacts and drives, each list with the leg on which it occurs.
+    /// Successive lists of the states of all contacts and drives, each with the leg on which it occurs.
     states: Vec<(usize, Vec<State>)>,
 }
 
@@ -90,12 +90,12 @@ impl<'g> Cycles<'g> {
         settings: &Settings,
     ) -> Result<Self, Error> {
         let path = Following::start(grasp, (base, legs), settings, Pieces::at_start)?;
-        // A cycle is closed if its end differs from its beginning by at most this part of the largest load or command along it.
+        // A cycle is closed if its end differs from its beginning by at most this fraction of the largest load or command along it.
         path.journey.program.check_closed(SOLVED_ROUNDING)?;
         Ok(Self { path, legs: legs.to_vec(), base: *base, completed: 0 })
     }
 
-    /// The program at the beginning of a cycle, from the given state; `None` if this state is no equilibrium of the grasp with its slips.
+    /// The program at the beginning of a cycle, from the given state; `None` if this state is no equilibrium of the grasp with the slips in it.
     pub(crate) fn beginning_at(&self, from: &CycleState, settings: &Settings) -> Option<Self> {
         let grasp = self.path.journey.grasp;
         let largest = largest(&from.forces, &Matrix::norm);
@@ -104,9 +104,9 @@ impl<'g> Cycles<'g> {
             slipped.offsets.iter_mut().zip(&from.slips).for_each(|(offset, slip)| *offset -= slip);
             slipped.slips.clone_from(&from.slips);
             slipped.cones = from.cones(grasp);
-            // A state in which a contact would have to slide at once is refused without a search.
+            // If a contact would have to slide at once, the state is no equilibrium with these slips, and no search is needed.
             let slides = |(i, force): (usize, &SVector<f64, 3>)| {
-                // A condition of sticking that is violated by more than this part of the largest force means sliding.
+                // A condition of sticking that is violated by more than this fraction of the largest force means sliding.
                 slipped
                     .local(i)
                     .edges(&Mode::Sticking)
@@ -125,7 +125,7 @@ impl<'g> Cycles<'g> {
         is_there.then_some(begun)
     }
 
-    /// Sets the number of steps along sliding arcs that a leg may take from now on.
+    /// Sets how many steps along sliding arcs are allowed on each leg from now on.
     pub(crate) fn allow_steps(&mut self, most_steps: usize) {
         self.path.journey.settings.most_steps = most_steps;
     }
@@ -153,7 +153,7 @@ impl<'g> Cycles<'g> {
             self.path.continue_with(&self.legs).ok()?;
         }
         self.completed += 1;
-        // The last piece of the previous cycle is still stored, since the present state is computed from it; it is no part of this cycle.
+        // The last piece of the previous cycle is still stored, since the present state is computed from it. It does not count for this cycle.
         let before = self.path.follower.as_ref().map_or(0, |follower| follower.behind.len());
         while self.path.next().is_some() {}
         self.end().is_none().then_some(())?;
@@ -172,13 +172,13 @@ impl<'g> Cycles<'g> {
             states: Vec::new(),
         };
         for (k, stretch) in behind.iter().enumerate().skip(before) {
-            // Slips at the end of the piece; those of a jump that follows are added with the jump.
+            // Slips at the end of the piece. Those of a jump that follows are counted with the jump, which is a piece of its own.
             let next = behind
                 .get(k + 1)
                 .map(|next| next.jump.as_ref().map_or(&next.problem.slips, |jump| &jump.slips));
             record.add(stretch, next.unwrap_or(slips_at_the_end), first);
         }
-        // The state at the end of the cycle is computed from the piece that leads to it.
+        // The last piece is kept: the state at the end of the cycle is computed from it.
         follower.behind.extend(behind.into_iter().last());
         Some(record)
     }
@@ -203,7 +203,7 @@ impl<'g> Cycles<'g> {
 }
 
 impl CycleState {
-    /// The friction of each contact or drive: kinetic for those in `weaker`, otherwise static. Empty if `weaker` is.
+    /// The friction of each contact or drive: kinetic for those in `weaker`, otherwise static. Empty if `weaker` is empty.
     fn cones(&self, grasp: &Engine) -> Vec<Coulomb> {
         let sites = grasp.sites().iter().zip(&self.weaker);
         sites.map(|(site, weaker)| site.kinetic.filter(|_| *weaker).unwrap_or(site.friction)).list()
@@ -211,7 +211,7 @@ impl CycleState {
 }
 
 impl CycleRecord {
-    /// Adds a piece of the path, with the slips after it.
+    /// Adds a piece of the path to the totals; `after` are the slips at its end.
     fn add(&mut self, piece: &Stretch<'_>, after: &[SVector<f64, 3>], first: usize) {
         let leg = piece.leg.saturating_sub(first);
         if let Some(jump) = &piece.jump {

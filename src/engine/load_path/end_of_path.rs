@@ -12,8 +12,8 @@ use crate::search::{Effort, Settings, Settled};
 
 /// The end of a path whose rates have no solution.
 ///
-/// The object gives way if a motion meets no resistance. Otherwise the end is a corner: no combination of states of the contacts on the edge of their
-/// cones gives rates of forces and motion. If that is not known, a proof suffices that no equilibrium exists beyond.
+/// The object gives way if a motion meets no resistance. Otherwise the end is a corner: in no combination of states of the contacts on the edge of
+/// their cones do forces and motion have rates. If the search for rates was undecided, a proof that no equilibrium exists beyond serves as well.
 pub(super) fn end_of_path(
     edge: &StateAtEdge<'_>,
     (settled, effort): (Settled, &Effort),
@@ -27,7 +27,7 @@ pub(super) fn end_of_path(
     }
     let motions = leaving_motions(rates, &segment.course.at(loss.fraction), &rates.yielding());
     let [mut motion, mut against] = motions.map_or([None, None], |motions| motions.each(Some));
-    // If no contact presses yet, springs do not determine the motion. A motion that no friction can work against then proves the end.
+    // If no contact presses yet, springs do not determine the motion with which the object leaves; it is that of rigid bodies.
     if let Some(rigid) = rigid_motion(rates) {
         motion = Some(rigid);
         if let Settled::Separating(v) = &settled {
@@ -49,14 +49,15 @@ pub(super) fn end_of_path(
 /// The unit motion with which the object leaves when all contacts on the edge of their cones slide, and the virtual motion that proves the loss.
 ///
 /// The object leaves by a motion that changes no contact force, and on which the load works. The virtual motion is one on which no contact force of
-/// these states does work. Friction inclines it: for a block that slides to the right it points upwards along the edge of the cone. Without such
-/// motions both are the motion of the rates in these states, reversed if it slips against friction.
+/// these states does work. Because of friction it differs from the motion: for a block that slides to the right, it points upwards along the edge of
+/// the cone. If there are no such motions, both are the motion that solves the problem in rates in these states, reversed if it slips against
+/// friction.
 pub(super) fn leaving_motions(rates: &Problem, load: &Vector, states: &[State]) -> Option<[Vector; 2]> {
     let piece = Piece::new(rates, states);
     let solved = match piece.solve(rates.sites, &rates.offsets, &rates.wrench) {
         Err(unbalanced) => {
-            // If friction is exhausted no spring resists, but the friction forces work on the motion. If only commands change, the load itself drives
-            // the object out.
+            // No spring resists a motion along which friction is exhausted everywhere. Of several, the one on which the rate of the load does the
+            // most work is taken. If only commands change, the load itself takes the place of its rate.
             let along = |motions: &[Vector], wrench: &Vector| {
                 let v = motions.iter().fold(Vector::zeros(), |sum, v| sum + v * v.dot(wrench));
                 (v.norm() > 0.0).then(|| v.normalize())

@@ -32,7 +32,7 @@ pub struct LegEnergy {
     pub dissipated: f64,
     /// Sum of the absolute values of all contributions, piece by piece and contact by contact: the scale for the rounding of the balance, since works
     /// cancel. Along a sliding arc of the round cone the stored energies before and after each step are contributions, since their change is a
-    /// difference. Not written.
+    /// difference. Not serialised.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub turnover: f64,
 }
@@ -49,12 +49,12 @@ impl LegEnergy {
     pub(super) fn store(&mut self, sites: &[Site], from: &[SVector<f64, 3>], to: &[SVector<f64, 3>]) {
         for (site, (from, to)) in sites.iter().zip(from.iter().zip(to)) {
             self.stored += 0.5 * (to - from).dot(&site.springs.deflection(&(to + from)));
-            // A difference of two energies carries the rounding of both.
+            // The change of energy is a difference, which carries the rounding of both energies.
             self.turnover += site.springs.stored(to) + site.springs.stored(from);
         }
     }
 
-    /// Adds the energies of another part of the leg.
+    /// Adds the energies of another stretch of the leg.
     pub(super) fn add_part(&mut self, part: &Self) {
         self.load_work += part.load_work;
         self.finger_work += part.finger_work;
@@ -63,7 +63,7 @@ impl LegEnergy {
         self.turnover += part.turnover;
     }
 
-    /// Adds the energies of a piece from a load factor on, with fixed states and no contact sliding on a round cone.
+    /// Adds the energies of a piece of the path that begins at a load factor, on which contacts keep their states and none slides on a round cone.
     pub(super) fn add(
         &mut self,
         segment: &Segment,
@@ -88,7 +88,7 @@ impl LegEnergy {
                 if states[i].slides() { site.springs.slip(&moving, &line.rate) } else { SVector::zeros() };
             for axis in 0..site.springs.axes() {
                 let pushed = force[axis] * segment.change[i][axis] * step;
-                // d(½F²/k) = F dF / k, exact at the middle of the piece.
+                // `Δ(½F²/k) = F ΔF / k` with the force F at the middle of the piece, which is exact.
                 let stored = force[axis] * give[axis] * step;
                 let dissipated = force[axis] * slip[axis] * step;
                 self.finger_work += pushed;
@@ -99,7 +99,7 @@ impl LegEnergy {
         }
     }
 
-    /// Adds the energies of a piece on which all quantities are harmonics of the load's angle.
+    /// Adds the energies of a piece of the path on which all quantities are harmonic functions of the load's angle.
     fn add_turned(&mut self, segment: &Segment, states: &[State], turned: &TurningState, step: f64) {
         let angle = turned.angle * step;
         for k in 0..segment.grasp.size().count() {

@@ -27,7 +27,7 @@ pub struct Event<const C: usize> {
     pub fraction: f64,
     /// The load at the event.
     pub load: Wrench<C>,
-    /// Changes, contact by contact. Empty if only a motion has become free, or if contacts at the start of a leg keep their states although other
+    /// Changes, contact by contact. Empty if only a motion has lost its resistance, or if contacts at the start of a leg keep their states although other
     /// continuations exist. Symmetric grasps change several contacts at once.
     pub changes: Vec<ContactChange<C>>,
     /// Changes in the hand, if one holds the object: drives of joints and tendons that yield, hold, slacken or tighten.
@@ -109,16 +109,16 @@ pub enum Change<const C: usize> {
     },
 }
 
-/// How a load path ends.
+/// The end of a load path.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum PathEnd<const C: usize> {
     /// All legs were followed to their end.
     Completed,
-    /// The equilibrium ends here: no rates continue it under the growing load. Whether another exists beyond is a separate question, see
-    /// [`LoadPath::beyond`](super::LoadPath::beyond).
+    /// The equilibrium ends here: in no contact states do forces and motion have rates under the growing load. Whether another exists beyond is a
+    /// separate question, see [`LoadPath::beyond`](super::LoadPath::beyond).
     Lost(Box<Loss<C>>),
-    /// There is no equilibrium to start from.
+    /// There is no equilibrium from which the path could start.
     NoStart(Box<Outcome<C>>),
     /// The path could not be followed beyond this place, and it is not known whether it continues. Up to this place it is valid.
     Undecided {
@@ -187,7 +187,8 @@ pub struct Loss<const C: usize> {
     /// equilibrium exists. Empty if no friction fell.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub jumped: Vec<JumpSlip<C>>,
-    /// The virtual motion that contacts can resist least at the loss, in the engine's coordinates: it may prove the loss.
+    /// A virtual motion against which contact forces can do little or no work at the loss, in the engine's coordinates. It may prove that no
+    /// equilibrium exists beyond.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) against: Option<Coordinates>,
     /// The motion with which the object leaves, in the engine's coordinates.
@@ -196,12 +197,12 @@ pub struct Loss<const C: usize> {
 }
 
 impl<const C: usize> Loss<C> {
-    /// The virtual motion that contacts can resist least at the loss, in the engine's coordinates: it may prove the loss.
+    /// The virtual motion that may prove the loss, in the engine's coordinates: contact forces can do little or no work against it.
     pub(crate) fn virtual_motion(&self) -> Option<&Coordinates> {
         self.against.as_ref()
     }
 
-    /// This loss with a virtual motion that differs from the motion with which the object leaves.
+    /// This loss with the virtual motion that may prove it; it need not be the motion with which the object leaves.
     pub(super) fn and_virtually(mut self, against: Option<&Vector>) -> Self {
         self.against = against.map(Coordinates::of);
         self

@@ -91,13 +91,13 @@ impl<T: Face> Face for LegGoal<T> {
 }
 
 impl<const C: usize> OnsetEvent<C> {
-    /// Swaps the fields that are the same in the engine and for the caller.
+    /// Swaps the fields that have the same type in the engine and for the caller.
     pub(crate) fn exchange(&mut self, inside: &mut OnsetEvent<3>) {
         core::mem::swap(&mut self.local, &mut inside.local);
         core::mem::swap(&mut self.drives, &mut inside.drives);
     }
 
-    /// Takes the values of an event of the engine, in its own memory.
+    /// Takes over the values of an event of the engine, and keeps the allocated memory.
     pub(crate) fn replace_with(&mut self, inside: &mut OnsetEvent<3>) {
         self.exchange(inside);
         (self.factor, self.load, self.cone) = (inside.factor, Face::from_inside(inside.load), inside.cone);

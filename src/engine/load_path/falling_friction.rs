@@ -13,7 +13,7 @@ use crate::prelude::*;
 
 impl<'g> Pieces<'g> {
     /// Lists the present friction cone of every contact, if some have kinetic friction. At the start contacts that slide already get kinetic
-    /// friction, which may cause a jump. If cones are listed already, the path is in progress, and they stay.
+    /// friction, which may cause a jump. If the list exists already, the path is in progress, and the list stays as it is.
     pub(super) fn with_falling_friction(mut self, journey: &Journey<'g>) -> Result<Self, PathEnd<3>> {
         let grasp = journey.grasp;
         if self.friction_falls() || grasp.weaker_once_they_slide().next().is_none() {
@@ -48,7 +48,7 @@ impl<'g> Pieces<'g> {
         !self.segment.problem.cones.is_empty()
     }
 
-    /// Gives contacts that do not slide static friction; they are inside its cone.
+    /// Gives static friction to contacts that do not slide. Their forces are inside the static cone, so they are not on its edge.
     pub(super) fn friction_of_rest(&mut self) {
         let problem = &mut self.segment.problem;
         for (i, cone) in problem.cones.iter_mut().enumerate() {
@@ -62,12 +62,12 @@ impl<'g> Pieces<'g> {
         }
     }
 
-    /// Whether a contact that alternately sticks and slips while it is unloaded has all but lost its force. It would do so infinitely often before
-    /// the force vanishes.
+    /// Whether a contact with kinetic friction has all but lost its force. While it is unloaded it alternately sticks and slips, infinitely often
+    /// before its force vanishes.
     pub(super) fn runs_out(&self, reached: &ExitsReached) -> bool {
         let largest = self.segment.largest;
         let is_weaker = |i: usize| self.segment.problem.sites[i].kinetic.is_some();
-        // A force below this part of the largest counts as vanished.
+        // A force below this fraction of the largest counts as vanished.
         reached.iter().any(|(i, _)| is_weaker(*i) && self.node.at.forces[*i].norm() <= NEGLIGIBLE * largest)
     }
 
@@ -84,7 +84,8 @@ impl<'g> Pieces<'g> {
         self.stalls = 0;
     }
 
-    /// Lets sliding contacts with kinetic friction come to rest on a leg along which nothing changes, since time passes on it. Returns these changes.
+    /// On a leg along which nothing changes, sliding contacts with kinetic friction come to rest, since such a leg stands for time that passes.
+    /// Returns these changes.
     pub(super) fn pause(&mut self) -> Vec<(usize, Change<3>)> {
         let segment = &self.segment;
         let is_still = matches!(&segment.course, Trajectory::Straight { rate, .. } if rate.norm() == 0.0)

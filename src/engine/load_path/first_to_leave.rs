@@ -1,4 +1,4 @@
-//! The onset in the common case: everything clearly sticks at the base, and one contact reaches the edge of its cone before all others.
+//! The onset in the common case: everything clearly sticks at the base load, and one contact reaches the edge of its cone before all others.
 //!
 //! This case is cheap: one factorisation for two loads, a ratio test, and one more solve at the onset, which makes the last digits of its factor
 //! exact. [`super::sticking_path`] handles all other cases.
@@ -19,7 +19,7 @@ use crate::numerics::{Harmonic, Vector, cleared_for};
 use crate::object::{Imbalance, PieceState};
 use crate::search::{Found, FoundBy};
 
-/// The contact that stops sticking first, and the state there.
+/// The contact that stops sticking first, and the state of the grasp there.
 pub(super) struct FirstToLeave {
     pub(super) factor: f64,
     pub(super) contact: usize,
@@ -39,7 +39,7 @@ pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) ->
     piece.solve_roughly_into(&segment.change, &direction, (solution, rate));
     piece.solve_roughly_into(&problem.offsets, &problem.wrench, (solution, base));
     let First { contact, exit, line } = first_exit(segment, base, (&direction, rate))?;
-    // The state is solved again at the onset, because a load factor extrapolated from the base carries the rounding of the forces at the base.
+    // The state is solved again at the onset, because a load factor extrapolated from the base load has the rounding errors of the forces there.
     let mut factor = exit.step;
     let load = segment.course.at(factor);
     segment.offsets_into(factor, offsets);
@@ -54,7 +54,7 @@ pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) ->
     Some(FirstToLeave { factor, contact, exit, there: core::mem::take(there) })
 }
 
-/// The first contact that stops sticking under a load that turns.
+/// The answer for a load that turns: the first contact that stops sticking, if one does.
 pub(super) enum WhileTurning {
     /// One contact stops sticking before all others.
     First(FirstToLeave),
@@ -87,7 +87,8 @@ pub(super) fn first_to_leave_on_turn(
         return None;
     }
     let mut turned = segment.harmonics(inside, 1.0, &parts);
-    // These solutions are not refined and carry the rounding of the largest force everywhere; the sticking path decides cases that this could change.
+    // These solutions are not refined, so each force has the rounding error of the largest force. Cases that this error could change are left to
+    // `sticking_path`.
     let roughly = parts.map(|part| problem.largest_force(&part.forces, &part.twist));
     let roughly = roughly.parts().into_iter().sum::<f64>();
     for [force, _] in &mut turned.waves {
@@ -119,7 +120,7 @@ pub(super) fn first_to_leave_on_turn(
 }
 
 impl FirstToLeave {
-    /// The onset on this segment, under the load there.
+    /// The onset as an answer, on this segment and under the given load.
     pub(super) fn onset(
         self,
         mut segment: Segment<'_>,
@@ -157,20 +158,20 @@ impl FirstToLeave {
 /// Whether a contact meets all conditions of sticking (or of being absent) by more than rounding.
 fn clearly_sticks(local: &LocalLaw<'_>, at: &SpringState<'_>) -> bool {
     let mut clear = true;
-    // Least relative margin of conditions at the base. A smaller margin may be rounding, or that of a contact on the edge of its cone, which
-    // `StickingPath` decides.
+    // The least margin of a condition, relative to its size. If a margin is smaller, the contact may be on the edge of its cone, and `StickingPath`
+    // decides.
     local.for_each_condition(&local.unjumped(), at, |value, size| clear &= value > NEGLIGIBLE * size);
     clear
 }
 
-/// The contact that reaches the edge of its cone before all others, with its exit and the line of its force.
+/// The contact that reaches the edge of its cone before all others, with its exit and the affine course of its force.
 struct First {
     contact: usize,
     exit: Exit,
     line: Line,
 }
 
-/// The first exit, if everything clearly sticks at the base and no other exit is near.
+/// The first contact to leave its cone, if everything clearly sticks at the base load and no other contact leaves at nearly the same load factor.
 fn first_exit(
     segment: &Segment<'_>,
     base: &PieceState,
@@ -204,10 +205,10 @@ fn first_exit(
         }
     }
     first.filter(|First { exit, .. }| {
-        // The next contact must reach the edge of its cone later than the first, by more than this part of the step to the first.
+        // The next contact must reach the edge of its cone later than the first, by more than this fraction of the step to the first.
         let alone =
             next - exit.step > NEGLIGIBLE * exit.step && exit.uncertainty <= LARGEST_CORRECTION * exit.step;
-        // Forces may grow by at most this factor from the base to the onset: beyond it, the rates may be rounding.
+        // Forces may grow by at most this factor up to the onset: if they would grow more, their rates may be rounding.
         alone && exit.step * fastest <= 1e6 * largest
     })
 }

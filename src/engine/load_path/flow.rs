@@ -24,14 +24,14 @@ use crate::numerics::{Each, IntoList, Size, Stepped, Vector, explicit_step, impl
 use crate::object::{PieceState, largest_force};
 use crate::prelude::*;
 
-/// The integration rule of a step.
+/// The rule by which the differential equation is integrated in a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Rule {
     /// A straight step along the tangent, for steps so short that no direction of friction turns.
     Straight,
-    /// Explicit, of order 8, for directions that turn about as fast as the object moves.
+    /// An explicit rule of order 8, for directions of friction that turn about as fast as the object moves.
     Explicit,
-    /// Implicit, with this error, for directions that turn much faster than the object moves.
+    /// An implicit rule with this allowed error, for directions of friction that turn much faster than the object moves.
     Implicit { tolerance: f64 },
 }
 
@@ -46,19 +46,19 @@ impl Rule {
     }
 }
 
-/// The load factor at which a step is to end.
+/// The load factor at which a step should end, and how near to it a step counts as arrived.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StepGoal {
     factor: f64,
-    /// Distance to the goal, as a part of the leg, from which a step is extended along the tangent.
+    /// A step that ends within this fraction of the leg of the goal is extended to it along the tangent.
     near: f64,
 }
 
 impl StepGoal {
-    /// The goal of a step after this number of trials that missed it. Steps of implicit rules come near a goal only to within their rounding.
+    /// The goal of a step after this number of trials that missed it. Implicit steps have large rounding errors and may miss a goal again and again.
     pub(super) fn after(factor: f64, trials: usize) -> Self {
-        // A step that ends within this part of the leg of its goal is extended to the goal along the tangent. The part is wider after sixteen trials
-        // and after twice as many; the last is as small as the error of steps.
+        // The distance that is covered along the tangent grows after sixteen and after thirty-two trials; the last one is as small as the error of
+        // steps.
         let near = match trials / 16 {
             0 => 2e-13,
             1 => 1e-11,
@@ -76,7 +76,7 @@ pub(super) struct Flow<'s, 'g> {
     point: &'s PathPoint,
     /// Friction forces of the sliding contacts at the start.
     begin: Vec<SVector<f64, 3>>,
-    /// Whether each of them is losing its normal force, so that its direction of slip is not known any more.
+    /// For each sliding contact, whether it is losing its normal force, so that its direction of friction is no longer known accurately.
     vanishing: Vec<bool>,
     /// The largest force, N, and the largest displacement, m, at the start.
     sizes: [f64; 2],
@@ -89,7 +89,8 @@ pub(super) struct FlowStep {
     /// The state at the end of the step, with rates per unit of arclength.
     pub(super) point: PathPoint,
     pub(super) energy: LegEnergy,
-    /// Estimated relative error: of forces over the largest of them, of the twist over the largest displacement; the larger of both.
+    /// Estimated relative error: that of forces, divided by the largest force, or that of the twist, divided by the largest displacement, whichever
+    /// is larger.
     pub(super) error: f64,
     /// Whether some contact slipped against its friction force, or the load factor decreased.
     pub(super) backwards: bool,
@@ -102,7 +103,7 @@ impl FlowStep {
 }
 
 impl<'s, 'g> Flow<'s, 'g> {
-    /// The differential equation from a state with rates for one unit of the arclength of (q/unit, λ).
+    /// The differential equation that starts at a state with its rates. Arclength is that of the curve (q/unit, λ).
     pub(super) fn new(
         segment: &'s Segment<'g>,
         states: &'s [State],
@@ -121,14 +122,14 @@ impl<'s, 'g> Flow<'s, 'g> {
             span = span.max(site.span(a, &point.twist));
         }
         let sizes = [force, span];
-        // Motions that no force drives continue at their present rate.
+        // Motions that nothing resists continue at their present velocity, since no force changes it.
         let pushed = |v: &Vector| {
             let rate = v.dot(&point.twist_rate);
-            // A free motion slower than this part of the twist rate is rounding.
+            // A free motion slower than this fraction of the twist rate is rounding.
             if rate.abs() > NEGLIGIBLE * point.twist_rate.norm() { rate / point.factor_rate } else { 0.0 }
         };
         let arc = Arc::new(segment, states, point.free_motions.iter().map(|v| (v, pushed(v))), unit);
-        // A contact that has just closed has a friction force of rounding size: its state gives the direction.
+        // The friction force of a contact that has just closed is mere rounding, so its direction is taken from the contact state.
         let friction = |&i: &usize| {
             let size = tangential_norm(&point.lines[i].force);
             states[i].slide().map_or_else(SVector::zeros, |slide| slide.direction * size)
@@ -148,7 +149,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         self.relaxations().map(|(_, rate)| rate).fold(0.0, f64::max)
     }
 
-    /// The sliding contacts, and the rate at which each friction force turns towards its slip at the start, per unit of arclength: `κ γ / |F_t|`.
+    /// The sliding contacts, and the rate at which each friction force turns towards the direction of its slip at the start, per unit of arclength:
+    /// `κ γ / |F_t|`.
     pub(super) fn relaxations(&self) -> impl Iterator<Item = (usize, f64)> {
         let rate = |(&i, friction): (&usize, &SVector<f64, 3>)| {
             let tangent = self.arc.tangent(i, friction);
@@ -166,7 +168,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         let mut backwards = false;
         let mut rate = |y: &[f64], out: &mut [f64]| self.rate(y, out).map(|back| backwards |= back);
         let [load, works] = self.places();
-        // Works and their turnover are integrated together with the state.
+        // The works of load, fingers and friction, and the sum of their absolute values, are integrated together with the state.
         let mut first = vec![0.0; works + 4];
         rate(&first.clone(), &mut first)?;
         let size = |error: &[f64]| self.error_size(error, length);
@@ -189,7 +191,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         let tangents = self.arc.tangents(frictions.iter().copied());
         let way = self.arc.direction(&tangents, factor, &self.initial_direction())?;
         let stays = |factor: f64| (factor - goal.factor).abs() <= goal.near;
-        // The correction onto the cones may also bring the step to its goal.
+        // A step that has not arrived may still arrive by the correction onto the cones.
         let arrived = if stays(factor) {
             None
         } else {
@@ -221,7 +223,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         Some(FlowStep { to, point, energy, error, backwards })
     }
 
-    /// Indices of the load factor and of the works among the variables; friction forces and twist come before.
+    /// Indices of the load factor and of the first of the works in the list of variables; friction forces and twist come before.
     fn places(&self) -> [usize; 2] {
         let load = self.begin.len() * (2) + self.size().count();
         [load, load + 1]
@@ -231,13 +233,13 @@ impl<'s, 'g> Flow<'s, 'g> {
         self.arc.segment.grasp.size()
     }
 
-    /// Picks the change of the twist from the variables.
+    /// The change of the twist since the start, from the list of variables.
     fn twist_change(&self, y: &[f64]) -> Vector {
         let first = self.begin.len() * (2);
         Vector::from_fn(self.size(), |k| y[first + k])
     }
 
-    /// Rates of the variables, which count from the start. Returns whether a contact slips against its friction force or the load factor decreases.
+    /// Rates of the variables, which are changes since the start. Returns whether a contact slips against its friction force or the load factor decreases.
     fn rate(&self, y: &[f64], out: &mut [f64]) -> Option<bool> {
         let [load, works] = self.places();
         let segment = self.arc.segment;
@@ -253,7 +255,7 @@ impl<'s, 'g> Flow<'s, 'g> {
             out.copy_from_slice(&force.as_slice()[1..]);
             let site = &self.arc.sites()[i];
             let dissipated = friction.dot(&site.springs.slip(&stretch, &force));
-            // A slip against the friction force by this part of the displacements of the contact is rounding.
+            // A slip rate against the friction force is rounding up to this fraction of the displacement rate of the contact.
             let rounding = 1e-13 * friction.norm() * site.span(&(segment.change[i] * way.factor), &way.twist);
             if !vanishes {
                 backwards = backwards.max(-dissipated - rounding);
@@ -266,12 +268,12 @@ impl<'s, 'g> Flow<'s, 'g> {
         turnover += fingers.abs() + worked.map(f64::abs).sum();
         out[works..].copy_from_slice(&[fingers, heat, worked.sum(), turnover]);
         let is_straight = matches!(segment.course, Trajectory::Straight { .. });
-        // A decrease of the load factor by less than this part of the arclength counts as none. At a maximum the load factor is known up to the
-        // square of this.
+        // A decrease of the load factor by less than this fraction of the arclength counts as none. Near a maximum the load factor itself then
+        // changes by less than the square of this fraction.
         Some(backwards > 0.0 || is_straight && way.factor < -1e-8)
     }
 
-    /// Friction forces of the sliding contacts, in order, after these changes of the variables.
+    /// Friction forces of the sliding contacts, in order, after the changes `y` of the variables.
     fn frictions(&self, y: &[f64]) -> impl Iterator<Item = SVector<f64, 3>> {
         self.begin.iter().zip(y.chunks_exact(2)).map(|(begin, change)| {
             let mut force = *begin;
@@ -280,7 +282,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         })
     }
 
-    /// Power of the fingers, `Σ F·a'` per unit of the load factor, after these changes of the variables.
+    /// Power of the fingers, `Σ F·a'` per unit of the load factor, after the changes `y` of the variables.
     fn power_of_fingers(&self, y: &[f64]) -> f64 {
         let [load, _] = self.places();
         let (moved, further) = (self.twist_change(y), y[load]);
@@ -302,7 +304,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         sum
     }
 
-    /// Relative error of the variables: of forces over the largest, of the twist over the largest displacement.
+    /// Relative size of an error of the variables. Forces are compared with the largest force, the twist with the largest displacement.
     fn error_size(&self, error: &[f64], length: f64) -> f64 {
         let count = self.size().count();
         let size = |k: usize| self.sizes[k] + length * self.point.rate_sizes[k];
@@ -312,8 +314,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         let of_forces = of_frictions.chunks_exact(2).map(norm).fold(0.0, f64::max);
         let with_sizes = of_frictions.chunks_exact(2).zip(&self.begin).zip(&self.vanishing);
         let vanishing = with_sizes.filter(|(_, vanishes)| **vanishes).map(|(of_one, _)| of_one);
-        // Weight of the relative error of a vanishing friction force. Other friction forces have their error relative to the largest force. The
-        // weight keeps the direction of a vanishing force accurate.
+        // The error of a friction force counts relative to the largest force. That of a vanishing one also counts relative to the force itself, with
+        // this weight, so that its direction stays accurate.
         let of_itself = |(error, friction): (&[f64], &SVector<f64, 3>)| 1e-6 * norm(error) / friction.norm();
         let of_themselves = vanishing.map(of_itself).fold(0.0, f64::max);
         let of_load = others[count].abs() * self.arc.load_rate(self.from);
@@ -328,9 +330,9 @@ impl<'s, 'g> Flow<'s, 'g> {
             if !(length > low && length < high) {
                 length = 0.5 * (low + high);
             }
-            // The rule of the whole step also serves for a part of it, though rounding may prevent an error that small.
+            // A shorter step uses the rule of the whole step.
             let goal_here = StepGoal::after(goal, trial);
-            // Factors on the error allowed to a part of a step, tried in turn: rounding may refuse the smaller ones.
+            // The allowed error of an implicit rule is multiplied by these factors, tried in turn: rounding may prevent smaller errors.
             let mut rules = [1.0, 10.0, 100.0, 1000.0].into_iter().map(|times| rule.looser(times));
             let reached = rules.find_map(|rule| self.step(length, goal_here, rule))?;
             if reached.to == goal {

@@ -1,4 +1,4 @@
-//! The interface of every method of following a load program.
+//! The interface of the methods that follow a load program.
 
 use core::fmt::Debug;
 
@@ -16,7 +16,7 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// Result of one advance of a follower.
+/// Result of one call of [`Follower::advance`].
 #[derive(Debug)]
 pub(crate) enum Advance<T> {
     /// The follower has reached an event or a step to report.
@@ -27,7 +27,7 @@ pub(crate) enum Advance<T> {
     EndOfLeg,
 }
 
-/// The state at the present place, and the problem in rates for the contacts on the edge of their cones.
+/// The state at the present place, and the problem in rates that decides about the contacts on the edge of their cones.
 #[derive(Debug)]
 pub(crate) struct StateAtEdge<'g> {
     pub(super) segment: Segment<'g>,
@@ -36,9 +36,9 @@ pub(crate) struct StateAtEdge<'g> {
 }
 
 /// A method of following a program: piece by piece for a few contacts, or in steps for thousands. The follower stores its place on the present leg
-/// and the slip so far; the path stores the legs.
+/// and the slips so far; the [`Journey`] stores the legs.
 pub(crate) trait Follower<'g>: Debug {
-    /// The type of the reports, events or steps.
+    /// The type of what is reported: events, or steps.
     type Report;
 
     /// Starts the present leg of the program.
@@ -47,7 +47,7 @@ pub(crate) trait Follower<'g>: Debug {
     /// How the path ends if it cannot start.
     fn start_leg(&mut self, journey: &Journey<'g>) -> Result<(), PathEnd<3>>;
 
-    /// Advances to the next place that needs a decision.
+    /// Advances to the next place of an event, or by a step, or decides how the path continues at the present place.
     ///
     /// # Errors
     /// How the path ends here.
@@ -56,7 +56,7 @@ pub(crate) trait Follower<'g>: Debug {
     /// The fraction of the leg already followed.
     fn fraction(&self) -> f64;
 
-    /// The equilibrium at the present place; `None` if rounding prevents its computation.
+    /// The equilibrium at the present place; `None` if it cannot be computed because of rounding.
     fn state(&self, journey: &Journey<'g>) -> Option<Equilibrium<3>>;
 
     /// Contact forces at the present place, N, in the contact frames.
@@ -65,7 +65,7 @@ pub(crate) trait Follower<'g>: Debug {
     /// The contacts on the edge of their cones at the present place, with their problem in rates.
     fn edge(&self, journey: &Journey<'g>) -> StateAtEdge<'g>;
 
-    /// The situation beyond a jump that found no equilibrium, from a follower with kinetic friction; `None` if the path did not end in one.
+    /// The situation beyond a jump that found no equilibrium, from a follower that knows kinetic friction; `None` if the path did not end in such a jump.
     fn beyond_a_jump(&self, _settings: &Settings) -> Option<Beyond<3>> {
         None
     }
@@ -75,37 +75,37 @@ pub(crate) trait Follower<'g>: Debug {
         0.0
     }
 
-    /// Energies of the legs so far, from a follower that counts them.
+    /// Energies of the legs so far; empty from a follower that does not add them up.
     fn energies(&self) -> &[LegEnergy] {
         &[]
     }
 
-    /// Whether a fraction of a leg has been passed, for a follower that keeps its past.
+    /// Whether this fraction of a leg has been passed; false from a follower that does not store its past.
     fn is_behind(&self, _leg: usize, _fraction: f64) -> bool {
         false
     }
 
-    /// The equilibrium at a fraction of a leg already passed; `None` if rounding prevents its computation.
+    /// The equilibrium at a fraction of a leg already passed; `None` if it cannot be computed because of rounding.
     fn state_behind(&self, _leg: usize, _fraction: f64) -> Option<Equilibrium<3>> {
         None
     }
 
-    /// Suction cups whose lips are open all around from here on, for a follower that checks them.
+    /// Suction cups whose lips are open all around from here on; empty from a follower that does not check them.
     fn cups_open(&self, _journey: &Journey<'g>) -> Vec<WholeContact> {
         Vec::new()
     }
 
-    /// The place where motions cease to be small, for a follower that checks them.
+    /// The place where motions cease to be small; `None` from a follower that does not check them.
     fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions> {
         None
     }
 
-    /// The largest ratio of a motion to its limit so far, for a follower that checks them.
+    /// The largest ratio so far of a rotation, slip or opening to its limit of small motions; zero from a follower that does not check them.
     fn farthest(&self) -> f64 {
         0.0
     }
 
-    /// The leg and fraction from which every contact with friction and a normal force slides up to `until`, for a follower that keeps its past.
+    /// The leg and fraction from which every contact with friction and a normal force slides up to `until`, from a follower that stores its past.
     fn all_slide_from(&self, _until: (usize, f64)) -> Option<(usize, f64)> {
         None
     }

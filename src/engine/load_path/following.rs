@@ -28,7 +28,7 @@ pub(crate) struct Following<'g, F> {
 }
 
 impl<'g, F: Follower<'g>> Following<'g, F> {
-    /// A path from rest under a load. The follower begins at the equilibrium, if there is one, before the first leg.
+    /// A path from rest under a load. The follower begins at the equilibrium under that load, if there is one.
     pub(super) fn start(
         grasp: &'g Engine,
         (start, legs): (&Wrench<3>, &[Leg<3>]),
@@ -75,7 +75,7 @@ impl<'g, F: Follower<'g>> Following<'g, F> {
         }
     }
 
-    /// Advances the follower by `advance` and returns its report; `None` if the path has ended or there is nothing to report yet.
+    /// Calls `advance` on the follower and returns its report; `None` if the path has ended or there is nothing to report yet.
     pub(super) fn advance_with(
         &mut self,
         advance: impl FnOnce(&mut F, &Journey<'g>) -> Result<Advance<F::Report>, PathEnd<3>>,

@@ -94,7 +94,7 @@ impl HeldTorques {
         self.0 = Some(Arc::new(both));
     }
 
-    /// The load of these torques less those of the hand, in the engine's coordinates, at the beginning and at the end of the leg.
+    /// These torques minus those that the hand itself has, as loads in the engine's coordinates, at the beginning and at the end of the leg.
     pub(super) fn inside(&self, grasp: &Engine) -> Option<[Vector; 2]> {
         let (torques, linkage) = self.0.as_ref().zip(grasp.linkage())?;
         Some([0, 1].each(|end| {
@@ -112,7 +112,7 @@ impl HeldTorques {
         self.0.as_ref().map_or(&[], |torques| &torques[end])
     }
 
-    /// The grasp with the torques that hold its joints at a fraction of the leg.
+    /// The grasp whose joints are held by the torques at a fraction of the leg.
     pub(super) fn apply<'g>(&self, grasp: Cow<'g, Engine>, fraction: f64) -> Cow<'g, Engine> {
         let Some(torques) = &self.0 else { return grasp };
         let [from, to] = &**torques;

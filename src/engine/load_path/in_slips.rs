@@ -7,9 +7,9 @@
 //! F_i = F_i⁰ + λ F_i¹ + Σ_j R_ij s_j,     s_j' = γ_j p_j,     p_j = F_t,j / |F_t,j|
 //! ```
 //!
-//! and (γ, λ') is the null vector of the rates of all margins `μ F_n - |F_t|` of sliding contacts: one equation a sliding contact, where an
-//! [arc](super::arc) has one a coordinate. The following are left to a path, and give no answer here: an onset that does not begin from
-//! clear sticking, a slip that ends, a contact that opens, events that coincide, and several continuations.
+//! and (γ, λ') is such that the margins `μ F_n - |F_t|` of all sliding contacts stay zero: one equation for each sliding contact, where an
+//! [arc](super::arc) has one for each coordinate. Some cases give no answer here and are left to a load path: an onset that does not begin from clear
+//! sticking, a slip that ends, a contact that opens, events that coincide, and several continuations.
 
 use nalgebra::SVector;
 
@@ -29,22 +29,22 @@ use crate::numerics::{Equation, MOST_UNKNOWNS, Vector, cleared_for, largest, sol
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// The path of a load up to its end: which contacts slide, and from which load factor.
+/// The result of following a growing load: which contacts slide, from which load factor, and how the path ends.
 pub(crate) struct InSlips {
     /// Contacts that have slid, in order, and the load factors from which they slide.
     pub(crate) slid: Vec<(usize, f64)>,
-    /// The load factor from which all contacts slide.
+    /// The load factor from which all contacts slide, if they do.
     pub(crate) all_slide: Option<f64>,
     /// The load factor at the end.
     pub(crate) factor: f64,
     pub(crate) end: SlipEnd,
-    /// The largest ratio of a motion to its limit, at the ends of steps.
+    /// The largest ratio of a rotation, slip or opening to its limit of small motions, at the ends of steps.
     pub(crate) farthest: f64,
 }
 
-/// How the path of a load ends.
+/// The way in which the path of a load ends.
 pub(crate) enum SlipEnd {
-    /// The largest load asked about is on.
+    /// The grasp holds up to the largest load factor asked about.
     Held,
     /// This motion is no longer small.
     TooFar(CountedMotion),
@@ -52,7 +52,7 @@ pub(crate) enum SlipEnd {
 }
 
 impl Engine {
-    /// The path of a load up to this load factor; `None` where only a `LoadPath` can follow it.
+    /// Follows a load that grows along `ramp` up to the load factor `most`; `None` where only a `LoadPath` can follow it.
     pub(crate) fn in_slips(&self, ramp: &Ramp<3>, most: f64, settings: &Settings) -> Option<InSlips> {
         let plain = |site: &Site| {
             let closed = site.hold == Hold::Unilateral && site.springs.resists_tangentially();
@@ -101,7 +101,7 @@ impl Engine {
 const MOST_STEPS: usize = 64;
 
 impl Slips<'_> {
-    /// Applies the load from the place where this contact leaves on. `None` where only a `LoadPath` can follow.
+    /// Follows the load from the place at which the first contact begins to slide. `None` where only a `LoadPath` can follow it.
     fn run(
         &mut self,
         (mut at, first): (Vec<f64>, usize),
@@ -157,8 +157,8 @@ impl Slips<'_> {
         }
     }
 
-    /// Adds a contact that has reached the edge of its cone to those that slide, and sets their rates. `Held` if the path continues with these rates,
-    /// `Lost` if no rates continue it, `None` if that is not clear.
+    /// Adds a contact that has reached the edge of its cone to those that slide, and sets their rates. Returns `Held` if the path continues with
+    /// these rates, `Lost` if forces and motion have no rates, and `None` if neither is clear.
     fn begins_to_slide(
         &mut self,
         contact: usize,
@@ -195,14 +195,15 @@ impl Slips<'_> {
         let along = |(slip, p): (&f64, &SVector<f64, 3>)| [p[1] * slip, p[2] * slip];
         rates.extend(slips.iter().zip(directions).flat_map(along));
         if slips.iter().all(|slip| *slip > 0.0) {
-            // Arclength weighs motion and load equally at the beginning.
+            // The unit of slip is chosen so that slips and load count equally in arclength at the beginning.
             self.unit = summed(slips, &|slip| slip * slip).sqrt();
             for rate in rates.iter_mut() {
                 *rate *= core::f64::consts::FRAC_1_SQRT_2;
             }
             return Some(SlipEnd::Held);
         }
-        // The rates of margins are at least zero, and zero where a contact slips: any other combination would be another continuation.
+        // A combination of sliding contacts is a continuation if no slip rate is negative and no margin becomes negative. If any other than that of
+        // all contacts is one, a load path decides.
         let holds = |combination: usize| {
             let slips = slid(margins, &|i| combination >> i & 1 == 1)?;
             let mut holds = slips.iter().all(|slip| *slip >= -clear);
@@ -221,7 +222,8 @@ impl Slips<'_> {
         if along.abs() <= NEGLIGIBLE * summed(slips, &|slip| slip.abs()) {
             return None;
         }
-        // The rates balance the load, but slip against friction: the reversed motion slips along it.
+        // With these rates forces balance the load, but contacts slip against friction. The object leaves with the reversed motion, along which they
+        // slip with friction.
         let twist = self.twist(rates);
         let motion = &twist * (1.0_f64.copysign(along) / twist.norm());
         self.lost_by(LossKind::Corner, at, &motion, ramp)
@@ -271,11 +273,11 @@ impl Slips<'_> {
     }
 }
 
-/// The slips of the chosen contacts that keep their margins at zero while the load factor grows by one; those of the others are zero.
+/// The slips of the chosen contacts with which their margins stay zero while the load factor grows by one. The slips of all other contacts are zero.
 fn slid(margins: &[Equation], is_chosen: &dyn Fn(usize) -> bool) -> Option<[f64; MOST_UNKNOWNS]> {
     let mut equations = [[0.0; MOST_UNKNOWNS + 1]; MOST_UNKNOWNS];
     for (i, (equation, rates)) in equations.iter_mut().zip(margins).enumerate() {
-        // The own rate of any other contact makes its slip zero.
+        // For a contact that is not chosen, the equation only makes its own slip zero.
         equation[i] = rates[i + 1];
         if is_chosen(i) {
             (0..margins.len()).filter(|j| is_chosen(*j)).for_each(|j| equation[j] = rates[j + 1]);

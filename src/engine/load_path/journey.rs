@@ -17,7 +17,7 @@ use crate::object::{Load, Problem};
 use crate::prelude::*;
 use crate::search::{Doubt, Effort, Found, FoundBy, Settings, Settled, settle_at_rest};
 
-/// The result of the search for the equilibrium to start from, and its effort.
+/// The result of the search for the equilibrium from which a path starts, and its effort.
 pub(crate) type Rest = (Settled, Effort);
 
 /// A load program in progress, with its grasp and settings.
@@ -51,7 +51,7 @@ impl<'g> Journey<'g> {
         self.problem(self.grasp.offsets(), &self.program.inside_course(self.grasp).at(0.0))
     }
 
-    /// The equilibrium to start from. The error says why the path ends before it begins.
+    /// The equilibrium to start from. If there is none, the error is the end of the path before its first leg.
     pub(super) fn start(&self, problem: &Problem<'g>) -> Result<Found, PathEnd<3>> {
         match self.rest.clone().unwrap_or_else(|| settle_at_rest(problem, &self.settings)) {
             (Settled::Found(found, _), _) => Ok(found),
@@ -63,7 +63,7 @@ impl<'g> Journey<'g> {
         }
     }
 
-    /// The present leg, with the slips up to its beginning. Its loads and commands follow from the goals of the legs, so that rounding does not add
+    /// The present leg, with the slips up to its beginning. Loads and commands are computed from the goals of the legs, so that rounding does not add
     /// up over many legs.
     pub(super) fn segment(&self, slips: Vec<SVector<f64, 3>>) -> Segment<'g> {
         let course = self.program.inside_course(self.grasp);
@@ -73,7 +73,7 @@ impl<'g> Journey<'g> {
         Segment { grasp: self.grasp, answer_for: self.answer_for(), problem, change, course, largest: 0.0 }
     }
 
-    /// The cone and the limits of small motions that answers refer to.
+    /// The friction cone and the limits of small motions to which answers refer.
     pub(super) fn answer_for(&self) -> AnswerFor {
         AnswerFor::of(self.grasp.space(), &self.settings)
     }

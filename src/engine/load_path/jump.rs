@@ -45,8 +45,8 @@ pub struct Jump<const C: usize> {
     /// The motion of the object, or of each of several bodies, in the jump.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub moved: Vec<BodyMotion<C>>,
-    /// Energy lost in the jump, J: the work of the load less the energy that springs take up. Friction turns most of it into heat, and the damping of
-    /// the object the rest.
+    /// Energy lost in the jump, J: the work of the load minus the energy that springs take up. Most of it becomes heat by friction, and the rest by
+    /// the damping of the object.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub energy_lost: f64,
     /// The equilibrium after the jump.
@@ -67,7 +67,7 @@ pub struct JumpSlip<const C: usize> {
     pub slip: SVector<f64, C>,
 }
 
-/// "caught after left slips 0.4 mm", the point of a soft fingertip that slips farthest; "the object moves 0.4 mm along +x to stop".
+/// For example "caught after left slips 0.4 mm", for a soft fingertip with the point that slips farthest, or "the object moves 0.4 mm along +x to stop".
 impl<const C: usize> fmt::Display for Jump<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
@@ -76,7 +76,7 @@ impl<const C: usize> fmt::Display for Jump<C> {
             reached.dedup();
             let (moved, words) = (all_inside(&self.moved), words.in_space(words.space::<C>()));
             let farthest = largest(&moved, &BodyMotion::speed);
-            // A body that moves by less than this part of the largest motion is not named in the sentence.
+            // A body that moves by less than this fraction of the largest motion is not named in the sentence.
             let moved =
                 picked(&moved, &|body| (body.speed() > 1e-6 * farthest).then(|| words.body_motion(body)));
             return write!(f, "{} to {}", listed(&moved), listed(&reached));

@@ -32,9 +32,9 @@ use crate::search::{Doubt, Found, Settings, Settled, settle};
 
 /// A jump in progress.
 pub(super) struct JumpInProgress<'g> {
-    /// The leg along which the external force that replaces lost friction is removed.
+    /// The leg along which the external force that stands in for the lost friction is removed.
     pub(super) leg: Pieces<'g>,
-    /// Slips before the jump, and all states so far of all contacts and drives in it.
+    /// Slips before the jump, and the states of all contacts and drives in it so far.
     record: JumpRecord,
     pub(super) changes: Vec<(usize, Change<3>)>,
     /// Contacts whose gaps have closed at the end of a free motion.
@@ -42,7 +42,7 @@ pub(super) struct JumpInProgress<'g> {
 }
 
 impl<'g> JumpInProgress<'g> {
-    /// A jump at the beginning of its leg, after which contacts have slipped more than before, in `slips`.
+    /// A jump at the beginning of its leg. `slips` are those before the jump: contacts whose slips on the leg differ have slid already.
     pub(super) fn after(leg: Pieces<'g>, slips: &[SVector<f64, 3>]) -> Self {
         let mut slid = vec![false; slips.len()];
         for (i, slip) in slips.iter().enumerate() {
@@ -52,10 +52,10 @@ impl<'g> JumpInProgress<'g> {
         Self { leg, record, changes: Vec::new(), reaches: Vec::new() }
     }
 
-    /// Follows the leg to its end; the forces that further contacts lose are removed as well.
+    /// Follows the leg of the jump to its end. Forces that further contacts lose on the way are removed as well.
     pub(super) fn run(&mut self, goal: &Vector, journey: &Journey<'g>) -> Result<(), PathEnd<3>> {
-        // Limit on how often a force is removed anew, sixteen times for each contact or drive. Each repetition loses energy: only through rounding
-        // can contacts stick and slide again more often.
+        // A lost force is removed at most sixteen times for each contact or drive. Each time energy is lost, so only rounding could make contacts
+        // stick and slide again more often.
         let mut left = 16 * self.record.slid.len();
         loop {
             let begin = match self.advance_to_node(journey) {
@@ -77,8 +77,8 @@ impl<'g> JumpInProgress<'g> {
         }
     }
 
-    /// Advances along the leg, or decides its continuation. Returns the contacts that begin to slide with kinetic friction below their static
-    /// friction; `None` at the end of the leg.
+    /// Advances along the leg to the next place of an event, or decides there how the leg continues. Returns the contacts that begin to slide with
+    /// kinetic friction below their static friction; `None` at the end of the leg.
     fn advance_to_node(&mut self, journey: &Journey<'g>) -> Result<Option<Vec<usize>>, PathEnd<3>> {
         let leg = &mut self.leg;
         if !core::mem::take(&mut leg.at_node) {
@@ -112,7 +112,7 @@ impl<'g> JumpInProgress<'g> {
 
 impl<'g> Pieces<'g> {
     /// The leg along which an external force is removed after the contacts `begin` have begun to slide; at its end the load is `goal`. `None` if they
-    /// start from an apex, with no force to lose: the continuation is then decided once more, with kinetic friction.
+    /// start from the apex of their cone, with no force to lose: the caller then decides once more how the path continues, with kinetic friction.
     pub(super) fn leg_of_release(
         &mut self,
         goal: &Vector,
@@ -173,7 +173,8 @@ impl<'g> Pieces<'g> {
         if begin.is_empty() {
             return Ok(None);
         }
-        // When contacts alternate between sticking and sliding, jumps are the more frequent the less friction falls.
+        // Contacts may alternate between sticking and sliding, with a jump each time: the smaller the fall of friction, the more jumps. Their number
+        // is limited.
         if self.pace.steps >= journey.settings.most_steps {
             return Err(journey.undecided(self.factor, Doubt::OutOfSteps));
         }
@@ -218,7 +219,8 @@ impl<'g> Pieces<'g> {
         let inaccurate = || journey.undecided(self.factor, Doubt::Inaccurate);
         let mut place = after_jump.present_stretch(journey).ok_or_else(inaccurate)?;
         if after_jump.node.turns() {
-            // Close to an asymptote the contact states hardly determine the twist: the twist at the end of the leg is kept, as along an arc.
+            // If hardly anything resists a motion, the contact states alone hardly determine the twist. The twist at the end of the leg is therefore
+            // kept, as along an arc.
             place.there = after_jump.node.at.clone();
             place.arc_step = Some(ArcStep { unit: 1.0, length: 0.0, rule: Rule::Explicit });
         }
@@ -242,7 +244,7 @@ impl<'g> Pieces<'g> {
         Ok(Jump { changes, slips, reaches, snaps: false, moved, energy_lost: energy.dissipated, state })
     }
 
-    /// Energies of a jump from these forces and this twist. The work of the load less the energy that springs take up is lost.
+    /// Energies of a jump that began with these forces and this twist. What springs do not take up of the work of the load is dissipated.
     fn energy_of(&self, load: &Vector, forces: &[SVector<f64, 3>], twist: &Vector) -> LegEnergy {
         let works = load.component_mul(&(&self.node.at.twist - twist));
         let mut energy =
@@ -253,7 +255,7 @@ impl<'g> Pieces<'g> {
     }
 }
 
-/// Whether any equilibrium exists at the load at which a jump found none, with the friction that remains.
+/// Whether any equilibrium exists at the load at which a jump found none, with the kinetic friction of contacts that slide.
 pub(super) fn beyond_a_jump(problem: &Problem<'_>, settings: &Settings) -> Beyond<3> {
     match settle(problem, settings).0 {
         Settled::Found(..) => Beyond::Snap,

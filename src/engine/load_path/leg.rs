@@ -28,7 +28,7 @@ use crate::prelude::*;
 /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
 /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
 ///
-/// // Squeeze by 5 mm more, hang 12 N on, let go of half the squeeze while the load goes back to nothing.
+/// // Squeeze by 5 mm more, hang 12 N on, then release half the squeeze while the load returns to zero.
 /// let press = |by: f64| [[by, 0.0]; 2];
 /// let legs = [
 ///     Leg::commands_by(press(0.005)),
@@ -193,7 +193,7 @@ impl<const C: usize> Leg<C> {
         matches!(self.load, LegLoad::Turn(_))
     }
 
-    /// The change of a ramp for one unit of its load factor, as a leg.
+    /// A leg along which load and commands change as along a ramp while its load factor grows by one.
     #[must_use]
     pub fn along(ramp: &Ramp<C>) -> Self {
         let by = |change: &Vec<_>| LegGoal::By(change.clone());
@@ -221,7 +221,8 @@ impl<const C: usize> Leg<C> {
 }
 
 impl Leg<3> {
-    /// This leg with commands for each point of a grasp; links keep their pretension.
+    /// This leg with one command for each point: those of soft fingertips are repeated for all of their points. Links between bodies keep their
+    /// pretension.
     pub(super) fn of_points(&self, grasp: &Engine) -> Result<Self, Error> {
         let (what, none) = ("commands of a leg", SVector::zeros());
         let of_points = |rows: &Vec<_>, at_links: &dyn Fn(usize) -> SVector<f64, 3>| {
@@ -256,7 +257,7 @@ impl Leg<3> {
     }
 }
 
-/// How the load changes along a leg: in a straight line, or along a turn.
+/// The change of the load along a leg: in a straight line, or along a turn.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum LegLoad<const C: usize> {
     Straight(LegGoal<Wrench<C>>),
@@ -281,7 +282,7 @@ impl<const C: usize> LegLoad<C> {
 }
 
 impl<T: Copy + Add<Output = T>> LegGoal<Vec<T>> {
-    /// Replaces the commands at both ends of the previous leg by those at both ends of this leg; the beginning comes first.
+    /// Replaces the commands at the beginning and the end of the previous leg by those of this leg.
     pub(super) fn append(&self, commands: &mut [Vec<T>; 2]) {
         commands.swap(0, 1);
         let [from, to] = commands;

@@ -15,18 +15,18 @@
 //! W(θ) = W₀ + W_c cos θ + W_s sin θ        F(θ) = F₀ + F_c cos θ + F_s sin θ
 //! ```
 //!
-//! **Beyond.** At an event the contacts on an edge pose a complementarity problem in rates: a gap or a slip grows only where the normal force or the
-//! friction reserve stays zero. A contact inside its cone counts as bonded, an open one as absent. A solution says how the equilibrium continues
-//! ([`Continuation`]); without one the equilibrium ends ([`Loss`]). Whether another equilibrium exists just beyond ([`Beyond`]) is a separate
-//! question: if there is none, the end is a limit load, else a snap. A load path then moves as viscous contacts would, and goes on where they come to
-//! rest.
+//! **Beyond.** At an event the rates of forces and motion solve a complementarity problem for the contacts on the edge of their cones: a gap or a
+//! slip grows only where the normal force or the friction reserve stays zero. In this problem a contact inside its cone is bonded, and an open one
+//! absent. A solution says how the equilibrium continues ([`Continuation`]); without one the equilibrium ends ([`Loss`]). Whether another equilibrium
+//! exists just beyond ([`Beyond`]) is a separate question: if there is none, the end is a limit load, else a snap. A load path then lets the object
+//! move as viscous contacts would, and continues where it comes to rest.
 //!
 //! **Load programs** ([`Grasp::follow`](crate::ask::Grasp::follow)). The path leads from event to event and remembers slip:
 //! `F_t = K_t (a_t - t·u_c - s)` with the earlier slip s. On polygons and in the plane every piece is straight, or turns with the load. On the round
 //! cone the direction of sliding turns along the way, `ds = γ F_t` with `|F_t| = μ F_n` at all times; slips are integrated with an estimate of the
 //! error.
 //!
-//! A [`Path`] keeps the program, its place in it, and how it ended; the type of its reports is a parameter.
+//! A [`Path`] stores the load program, the present place in it, and the end; the type of its reports is a parameter.
 //!
 //! | path | advances by | reports | affordable |
 //! |---|---|---|---|

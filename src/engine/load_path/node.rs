@@ -1,4 +1,5 @@
-//! A node of the load path, the place of an event: the active sets of contacts, and the decision how the path continues.
+//! A node of the load path, the place of an event: for each contact the edges of its cone that it is on (its active set), and the decision how the
+//! path continues.
 
 use nalgebra::{Matrix, SVector};
 
@@ -21,35 +22,35 @@ use crate::search::{
     solution_near, try_states,
 };
 
-/// The result of the problem in rates at a node.
+/// The problem in rates at a node (the place of an event), and its result.
 struct Decided<'g> {
-    /// The load factor at which the rates were evaluated.
+    /// The load factor at which the rates were evaluated: that of the node, or one slightly ahead.
     ahead: f64,
     rates: Problem<'g>,
     settled: Settled,
     effort: Effort,
 }
 
-/// The state of the path at a node, contact by contact.
+/// The state of the path at a node (the place of an event), contact by contact.
 #[derive(Debug, Clone)]
 pub(super) struct Node {
-    /// States; contacts that slide on the round cone have the direction of their friction force.
+    /// Contact states. A slide on the round cone is stored with the direction of the friction force.
     pub(super) states: Vec<State>,
     /// Unit directions in which contacts slide, along the coordinate axes.
     pub(super) directions: Vec<Option<SVector<f64, 3>>>,
     pub(super) active_sets: Vec<ActiveSet>,
-    /// Whether a contact with infinite friction carries a tangential force: this force is lost at once when the normal force vanishes.
+    /// For each contact, whether it has infinite friction and carries a tangential force. Such a force is lost at once when the normal force vanishes.
     pub(super) holds: Vec<bool>,
     /// Whether a contact starts to slide from the apex of its cone: it has a direction, but no friction force yet.
     pub(super) starts_at_apex: bool,
     /// Contacts whose slip has ended at this node.
     pub(super) stopped: Vec<usize>,
     pub(super) at: PieceState,
-    /// The load factor whose rates decide: the present one, or a little ahead while the load turns.
+    /// The load factor whose rates decide how the path continues: the present one, or one a little ahead while the load turns.
     pub(super) ahead: f64,
 }
 
-/// The continuation of the path from a node.
+/// The continuation of the path from a node, the place of an event.
 pub(super) struct NextPiece {
     pub(super) point: PathPoint,
     pub(super) changes: Vec<(usize, Change<3>)>,
@@ -57,7 +58,7 @@ pub(super) struct NextPiece {
 }
 
 impl Node {
-    /// Decides the states of all contacts on the edge of their cones, by solving the problem in rates.
+    /// Decides the states of all contacts on the edge of their cones, by solving the problem in rates, and so how the path continues.
     pub(super) fn continue_path(
         &mut self,
         segment: &mut Segment<'_>,
@@ -81,8 +82,8 @@ impl Node {
         if segment.problem.round {
             slide_where_they_graze(&rates, &mut found);
         }
-        // In a state without forces a contact that slides at zero rate may slip as well. The path takes the middle of all admissible motions, not one
-        // end.
+        // Without any force the motion is not unique: contacts found sticking may slide as well. The path takes the shortest of all admissible
+        // motions, not an end of their range.
         if self.at.forces.iter().all(|force| force.norm() == 0.0) {
             found = on_the_solution_interval(&rates, found);
         }
@@ -114,9 +115,9 @@ impl Node {
 
     /// Solves the problem in rates at the node.
     ///
-    /// While the load turns, a slip may stop and a force may touch its edge. Rates at the node do not show in which direction these continue; rates
-    /// slightly ahead do. The load rates for which given states hold form a convex cone, and the load rates in between lie between those at both
-    /// ends. So states that hold at both ends hold all the way.
+    /// While the load turns, a slip may stop, or a force may touch the edge of its cone, exactly at the node. The rates at the node then do not show
+    /// whether the slip reverses or the force leaves the cone; rates slightly ahead do. The load rates for which given states hold form a convex
+    /// cone. So states that hold for the rates at the node and for those ahead also hold in between.
     fn decided<'g>(&self, segment: &Segment<'g>, factor: f64, settings: &Settings) -> Decided<'g> {
         let laws = segment.laws_of_rates(&self.active_sets, &self.states);
         let at = |ahead: f64| {
@@ -129,16 +130,16 @@ impl Node {
         };
         let Trajectory::Turn { angle, .. } = segment.course else { return at(factor) };
         let mut last = None;
-        // While the load turns, the rates at this angle (rad) beyond the node decide; smaller angles follow, for the case that another event comes
-        // first.
+        // The rates at this angle (rad) beyond the node decide. Smaller angles are tried next, in case another event comes first.
         for little in [1e-3, 1e-5, 1e-7, 1e-9] {
             let decided = at(factor + little / angle);
             let Settled::Found(found, _) = &decided.settled else {
                 last = Some(decided);
                 continue;
             };
-            // At the apex of a round cone the direction of sliding turns with the load. Elsewhere the states must also hold just behind the node.
-            // This distance, rad, is the accuracy of an event's angle: nearer, the rate of a load that turns back may have either sign.
+            // At the apex of a round cone the direction of sliding turns with the load. Elsewhere the states must also hold just behind the node. The
+            // distance of 1e-12 rad is the accuracy of an event's angle. Closer to the node, the rate of a load that turns back might have the wrong
+            // sign.
             let rates_behind = segment.rates(factor + 1e-12 / angle, laws.clone());
             if decided.rates.round
                 || matches!(try_states(&rates_behind, found.states.clone()), Judged::Holds(_))
@@ -149,22 +150,22 @@ impl Node {
         }
         match last {
             Some(last) if !segment.problem.round => last,
-            // The end of an arc is known up to the error of its steps: rates at the node are as good as those ahead.
+            // The place of a node at the end of an arc has the error of the arc's steps, so rates at the node are as good as those ahead.
             _ => at(factor),
         }
     }
 
     /// Tries the two usual continuations: nothing changes, or contacts on the edge of their cones slide.
     fn guess(&self, segment: &Segment<'_>, factor: f64, rates: &Problem) -> Judged {
-        // Within a leg some contact has just reached the edge of its cone, and must change.
+        // Only at the start of a leg may nothing change: within a leg some contact has just reached the end of its state.
         let as_before =
             (factor == 0.0).then(|| nothing_changes(&segment.problem, rates, &self.states)).flatten();
         if let Some(holds @ Judged::Holds(_)) = as_before.map(|states| try_states(rates, states)) {
             return holds;
         }
         let sliding = rates.yielding();
-        // At the apex no state is more likely than another. On the round cone the contact either opens, or Newton's method starts from sticking and
-        // from sliding.
+        // For a contact at the apex of its cone no state is more likely than another. On the round cone it is tried open; then Newton's method starts
+        // from sticking and from sliding.
         let at_the_apex = |i: usize| matches!(rates.laws[i], Law::Cone { .. });
         if (0..rates.len()).any(at_the_apex) {
             if !rates.round {
@@ -182,12 +183,11 @@ impl Node {
         try_states(rates, sliding)
     }
 
-    /// Opens contacts that touch without force and gain none, so that they do not drag the object along. A contact opens if it may as well separate
-    /// and the object then moves less; forces are the same. If nothing presses at all, and a contact would slide on the round cone, all contacts that
-    /// touch open.
+    /// Opens contacts that touch without force and gain none, so that they do not drag the object along. They open if forces are the same without
+    /// them and the object then moves less. If no contact presses at all, and one would slide on the round cone, all contacts that touch open.
     fn without_dragging(&self, rates: &Problem, found: Found) -> Found {
         let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
-        // A zero friction force has no direction of sliding.
+        // On the round cone the direction of sliding is that of the friction force, which a zero force does not have.
         let slides = rates.round && found.twist.norm() > 0.0 && found.states.iter().any(State::slides);
         let nothing = slides && forces_are_rounding(rates, &found.forces, &found.twist);
         let state = |i: usize| {
@@ -208,7 +208,7 @@ impl Node {
             return Found { forces: vec![SVector::zeros(); states.len()], states, ..found };
         }
         match try_states(rates, states) {
-            // Motions whose lengths differ by less than this part are equal up to rounding.
+            // Motions whose lengths differ by less than this fraction are equal up to rounding.
             Judged::Holds(parted) if parted.twist.norm() < found.twist.norm() * (1.0 - NEGLIGIBLE) => parted,
             _ => found,
         }

@@ -31,7 +31,7 @@ pub enum Onset<const C: usize> {
     GivesWay {
         /// The load factor up to which the grasp holds.
         factor: f64,
-        /// The reason for the loss beyond; its work is that of the load's rate, J for one unit of the load factor (J/rad of a turn).
+        /// The reason for the loss beyond; the work in it is that of the rate of the load, J per unit of the load factor (J/rad for a turn).
         reason: NoEquilibrium<C>,
     },
     /// The equilibrium at load factor 0 could not be decided.
@@ -48,7 +48,7 @@ impl<const C: usize> Onset<C> {
         }
     }
 
-    /// The load factor up to which everything that touches sticks: the factor of the event, or the one from which on nothing resists the load;
+    /// The load factor up to which everything that touches sticks: that of the event, or that from which nothing resists the load;
     /// infinite for [`Self::Never`]. `None` without a sticking equilibrium to start from, or if the answer is undecided.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
@@ -70,7 +70,7 @@ pub struct OnsetEvent<const C: usize> {
     pub factor: f64,
     /// The load at the onset.
     pub load: Wrench<C>,
-    /// The contacts that stop sticking, all at this load factor. Contacts that have closed before are not among them.
+    /// The contacts that stop sticking, all at this load factor. Contacts that have closed on the way are not among them.
     pub leaving: Vec<Leaving<C>>,
     /// Drives of a hand that yield at the onset: joints and tendons at their limit, tendons that slacken.
     pub drives: Vec<PartChange>,
@@ -80,8 +80,8 @@ pub struct OnsetEvent<const C: usize> {
     pub(super) local: StickingState,
 }
 
-/// The sticking state at an onset, with some contacts on the edge of their cone, and the rates of the ramp there. Loads are in the engine's
-/// coordinates.
+/// The state at an onset, in which everything sticks and some contacts are on the edge of their cone, with the rates of load and commands. Loads are
+/// in the engine's coordinates.
 #[derive(Debug, Clone)]
 pub(super) struct StickingState {
     pub(super) found: Kept,
@@ -99,7 +99,8 @@ pub(super) struct StickingState {
 }
 
 impl OnsetEvent<3> {
-    /// The event at a load factor, with the load, the sticking state and the active sets of contacts there, in lists supplied by the caller.
+    /// The onset as an event at a load factor, from the load, the sticking state and the active sets of contacts there. The lists come from the
+    /// caller, so that no memory is allocated.
     pub(super) fn new(
         segment: Segment<'_>,
         (factor, load): (f64, Wrench<3>),
@@ -130,12 +131,12 @@ impl OnsetEvent<3> {
 }
 
 impl Leaving<3> {
-    /// The departure of a contact or drive, whose label is filled in later.
+    /// A contact or drive with the way in which it stops sticking; its label is filled in later.
     pub(super) fn new(site: usize, how: Departure<3>) -> Self {
         Self { contact: ContactLabel { index: site, point: None, name: None, link: None }, how }
     }
 
-    /// The departure of a contact that the load drives out of its cone, if no continuation determines its direction.
+    /// The way in which the load drives a contact out of its cone, if no continuation of the equilibrium determines the direction of its slip.
     pub(super) fn driven_out(
         site: usize,
         active: &ActiveSet,
@@ -163,12 +164,12 @@ pub struct Leaving<const C: usize> {
     /// The contact that stops sticking.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: ContactLabel,
-    /// How the contact stops sticking.
+    /// The way in which the contact stops sticking.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub how: Departure<C>,
 }
 
-/// How a contact stops sticking.
+/// The way in which a contact stops sticking.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",

@@ -48,7 +48,7 @@ struct Margin {
 }
 
 impl<'g> OnsetMargins<'g> {
-    /// The margins at an onset. `None` if it was reached as or after an open contact closed, or if the event has another number of contacts.
+    /// The margins at an onset. `None` if a contact has closed at the onset or before it, or if the event has another number of contacts.
     pub(crate) fn new(grasp: &'g Engine, event: &OnsetEvent<3>) -> Option<Self> {
         let StickingState { found, slips, offset_rates, wrench_rate, leaving, .. } = &event.local;
         let found = found.found();
@@ -56,7 +56,7 @@ impl<'g> OnsetMargins<'g> {
         let has_slipped = |i: usize| {
             found.states[i].is_sticking() && !response.law(i).is_frictionless() && slips[i].norm() != 0.0
         };
-        // A contact that slides as soon as it touches has no margin that vanishes at the onset: its gap closes there.
+        // If a contact slides as soon as it touches, no margin vanishes at the onset; a gap closes there.
         let opens = |site: &usize| found.states[*site].is_open();
         if (0..grasp.len()).any(has_slipped) || leaving.iter().any(opens) {
             return None;
@@ -72,8 +72,8 @@ impl<'g> OnsetMargins<'g> {
         Some(Self { response, state, margins })
     }
 
-    /// The contacts and drives that stop sticking, in the order of the derivatives. The onset is the least of their factors. Its one-sided derivative
-    /// along a change of the data is the least of theirs.
+    /// The contacts and drives that stop sticking, in the order of the derivatives. Each has a load factor at which its margin vanishes; the onset is
+    /// the least of them. So the one-sided derivative of the onset along a change of the data is the least of their derivatives.
     #[must_use]
     pub fn leavers(&self) -> Vec<Leaver> {
         mapped(&self.margins, &|margin| margin.leaver)
@@ -103,7 +103,7 @@ impl<'g> OnsetMargins<'g> {
 }
 
 impl Margin {
-    /// The change of the load factor due to that of the forces, and to the change `direct` of the margin's coefficients.
+    /// The change of the load factor due to a change of the contact forces, and to the change `direct` of the margin itself at constant forces.
     fn factor_change(&self, forces: &[SVector<f64, 3>], direct: f64) -> f64 {
         -(self.row.dot(&forces[self.site]) + direct) / self.slope
     }

@@ -28,12 +28,12 @@ use crate::prelude::*;
 use crate::search::{Effort, Found, FoundBy, Settings, Settled, settle, settle_at_rest};
 
 impl Engine {
-    /// [`Grasp::onset`](crate::ask::Grasp::onset).
+    /// Implements [`Grasp::onset`](crate::ask::Grasp::onset).
     pub(crate) fn onset(&self, ramp: &Ramp<3>, settings: &Settings) -> Result<Onset<3>, Error> {
         self.onset_in_memory(ramp, settings, &mut OnsetMemory::default())
     }
 
-    /// [`OnsetWorkspace::onset`](crate::ask::OnsetWorkspace::onset): reuses the memory of the last question and of its answer `returned`.
+    /// Implements [`OnsetWorkspace::onset`](crate::ask::OnsetWorkspace::onset), which reuses the memory of the last question and of its answer `returned`.
     pub(crate) fn onset_in(
         &self,
         ramp: &Ramp<3>,
@@ -48,7 +48,7 @@ impl Engine {
         self.onset_in_memory(ramp, settings, memory)
     }
 
-    /// [`Self::onset`], with the equilibrium at the base if it had to be searched for: a path can start from it.
+    /// [`Self::onset`], with the equilibrium under the base load if it had to be searched for: a path can start from it.
     pub(crate) fn onset_from_rest(
         &self,
         ramp: &Ramp<3>,
@@ -81,8 +81,8 @@ impl Engine {
         Ok(onset)
     }
 
-    /// The onset along a trajectory of the load up to the load factor `end`, including contacts that close before. It starts from the equilibrium
-    /// `rest` at the base.
+    /// The onset along a trajectory of the load up to the load factor `end`, if contacts may close before it. It starts from the equilibrium `rest`
+    /// under the base load.
     pub(super) fn onset_with_closing<'a>(
         &'a self,
         segment: Segment<'a>,
@@ -101,7 +101,7 @@ impl Engine {
         TurnOnset { onset, touches: walk.touches.into_iter().filter_map(touch).list() }
     }
 
-    /// [`Grasp::state_at_onset`](crate::ask::Grasp::state_at_onset).
+    /// Implements [`Grasp::state_at_onset`](crate::ask::Grasp::state_at_onset).
     pub(crate) fn state_at_onset(
         &self,
         event: &OnsetEvent<3>,
@@ -113,7 +113,7 @@ impl Engine {
         Some(self.equilibrium(&problem, &event.load, found, rule, &Effort::default(), answer_for))
     }
 
-    /// [`Grasp::beyond`](crate::ask::Grasp::beyond).
+    /// Implements [`Grasp::beyond`](crate::ask::Grasp::beyond).
     pub(crate) fn beyond(&self, event: &OnsetEvent<3>, settings: &Settings) -> Option<Beyond<3>> {
         let problem = self.problem_at_onset(event)?;
         let local = &event.local;
@@ -132,7 +132,7 @@ impl Engine {
         Some(beyond_end(&segment, &rates, (settled, &effort), &end, settings))
     }
 
-    /// The local problem at an onset.
+    /// The problem of the equilibrium at an onset.
     pub(super) fn problem_at_onset(&self, event: &OnsetEvent<3>) -> Option<Problem<'_>> {
         let local = &event.local;
         if local.found.states.len() != self.sites().len() {

@@ -16,14 +16,14 @@ use crate::object::{Lists, Load, PieceState, SolutionMemory};
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// The lists that the computation of an onset needs.
+/// The lists that the computation of an onset needs, which the next computation reuses.
 #[derive(Debug, Clone, Default)]
 pub(super) struct OnsetMemory {
     pub(super) lists: Lists,
     pub(super) change: Vec<SVector<f64, 3>>,
     polygon: Option<((Space, PolygonCone), Arc<Polygon>)>,
     pub(super) solution: SolutionMemory,
-    /// State at the base, its rate, and the state at the onset with the offsets there.
+    /// The state under the base load. The next fields have its rate, and the state and the offsets at the onset.
     pub(super) base: PieceState,
     pub(super) rate: PieceState,
     pub(super) there: PieceState,
@@ -33,15 +33,15 @@ pub(super) struct OnsetMemory {
     pub(super) leaving: Vec<Leaving<3>>,
     /// Indices of the contacts and drives that stop sticking.
     pub(super) sites: Vec<usize>,
-    /// Lists for coordinates of joints, reused.
+    /// Reused lists for the coordinates of joints.
     pub(super) coordinates: [Vec<f64>; 3],
     place: Option<Box<OnsetEvent<3>>>,
-    /// The equilibrium at the base, if the last question had to search for it.
+    /// The equilibrium under the base load, if the last question had to search for it.
     pub(super) rest: Option<Rest>,
 }
 
 impl OnsetMemory {
-    /// The segment from a base load, with the rates of offsets in `change`, and no contact slipped yet.
+    /// The ramp or turn as a [`Segment`], with the rates of offsets in `change`. No contact has slipped yet.
     pub(super) fn segment<'g>(
         &mut self,
         grasp: &'g Engine,
@@ -71,7 +71,7 @@ impl OnsetMemory {
         }
     }
 
-    /// Puts an event into the box of the last event.
+    /// Puts an event into the allocation of the last event.
     pub(super) fn put(&mut self, event: OnsetEvent<3>) -> Box<OnsetEvent<3>> {
         match self.place.take() {
             Some(mut place) => {

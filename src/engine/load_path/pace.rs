@@ -5,10 +5,10 @@ use crate::prelude::*;
 
 /// Order of the error of a step in its length.
 const ERROR_ORDER: f64 = 8.0;
-/// Factor on the step length that the error estimate allows. It reduces the error to a sixth, so that few steps are refused, and leaves a reserve for
-/// errors that add up.
+/// The next step has this fraction of the length that the error estimate allows. Its error is then a sixth of the allowed one: few steps are refused,
+/// and errors that add up have a reserve.
 const CAUTION: f64 = 0.8;
-/// Least ratio of successive step lengths, since the estimate holds for small changes.
+/// Least ratio of successive step lengths, since the error estimate is only valid for small changes of the length.
 const LEAST_RATIO: f64 = 0.2;
 
 /// State of the step control along an arc.
@@ -16,13 +16,13 @@ const LEAST_RATIO: f64 = 0.2;
 pub(super) struct Pace {
     /// Length of the next step, in arclength.
     pub(super) length: Option<f64>,
-    /// The displacement that contributes as much to arclength as the whole leg, m; `None` before the first step from a node.
+    /// The displacement that counts in arclength as much as the whole leg of the load program, m; `None` before the first step from a node.
     pub(super) unit: Option<f64>,
     /// Number of successive steps that were refused.
     refused: u8,
-    /// Whether steps are implicit, because directions turn much faster than the object moves.
+    /// Whether steps are implicit, because directions of friction turn much faster than the object moves.
     pub(super) stiff: bool,
-    /// Number of steps before stiffness is checked again.
+    /// Number of explicit steps still to be made before implicit ones are considered.
     patience: u8,
     pub(super) steps: usize,
     loosened: u8,
@@ -37,7 +37,7 @@ impl Pace {
             unit: None,
             refused: 0,
             stiff: false,
-            // Number of explicit steps after an event before implicit ones are tried.
+            // After an event the first eight steps are explicit.
             patience: 8,
             steps: 0,
             loosened: 0,
@@ -45,16 +45,16 @@ impl Pace {
         }
     }
 
-    /// The control after an event, with a new choice of step length.
+    /// The step control after an event: only the number of steps is kept, and the step length is chosen anew.
     pub(super) fn at_node(self) -> Self {
         Self { steps: self.steps, ..Self::new() }
     }
 
-    /// Allows a larger error if steps become too short to advance. Returns whether this was possible.
+    /// Called when steps have become too short to advance: allows a larger error. Returns whether this was possible.
     pub(super) fn loosen(&mut self, rest: f64) -> bool {
         let may = self.loosened < 2;
         if may {
-            // The allowed error grows by this factor, at most twice, since rounding may be the reason for refusals. The path reports the error
+            // Rounding may be the reason why steps are refused, so the allowed error grows by this factor, at most twice. The path reports the error
             // actually made.
             (self.loosened, self.looser) = (self.loosened + 1, self.looser * 30.0);
             // First step after the allowed error has been raised, as a fraction of the rest of the leg.
@@ -63,9 +63,10 @@ impl Pace {
         may
     }
 
-    /// Records a step, given its error as a part of the allowed one. A step that was shortened to end at an event does not reduce the next length.
+    /// Records a step, given its error as a fraction `part` of the allowed one. A step that was shortened to end at an event does not reduce the next
+    /// length.
     pub(super) fn accept(&mut self, length: f64, part: f64, cut: bool) {
-        // Largest ratio of successive step lengths, since the error estimate holds for small changes.
+        // Largest ratio of successive step lengths, since the error estimate is only valid for small changes of the length.
         let longest = if self.refused > 0 { 1.0 } else { 5.0 };
         let next = length * (CAUTION * part.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, longest);
         self.length = Some(if cut { next.max(self.length.unwrap_or(0.0)) } else { next });
@@ -74,9 +75,9 @@ impl Pace {
         self.steps += 1;
     }
 
-    /// Whether steps have been explicit for a while, and are so short that more than fifty of them remain.
+    /// Whether steps have been explicit for a while and stability keeps them so short that more than fifty of them remain.
     pub(super) fn is_cramped(&self, stable: f64, rest: f64) -> bool {
-        // An implicit step costs as much as a few explicit ones, and is as long as hundreds.
+        // An implicit step costs as much as a few explicit ones, and may be as long as hundreds of them.
         self.patience == 0 && stable * 50.0 < rest
     }
 
@@ -84,7 +85,7 @@ impl Pace {
     pub(super) fn refuse(&mut self, length: f64, times: f64) {
         self.length = Some(length * (CAUTION * times.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, CAUTION));
         self.refused += 1;
-        // After this many refusals in a row of implicit steps, explicit ones are tried for a while.
+        // If this many implicit steps in a row are refused, explicit ones are tried for a while.
         if self.stiff && self.refused >= 4 {
             (self.stiff, self.patience) = (false, 64);
         }

@@ -32,7 +32,7 @@ pub struct Path<'g, const C: usize, T>(Box<dyn AnyPath<C, T> + 'g>);
 /// ```
 /// use grasp_lcp::planar::{Change, Contact, Grasp, Leg, PathEnd, Wrench};
 ///
-/// // A block of two springs in parallel, the second slides first: pulled, the stiffness halves on the way.
+/// // A block on two feet that act as parallel springs. The second foot slides first, which halves the stiffness against the pull.
 /// let foot = |x: f64, mu: f64| {
 ///     Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(10.0, 10.0).friction(mu).command([0.1, 0.0])
 /// };
@@ -46,7 +46,7 @@ pub struct Path<'g, const C: usize, T>(Box<dyn AnyPath<C, T> + 'g>);
 /// assert!((events[0].load.resultant()[0] - slides_at).abs() < 1e-14);
 /// assert!(matches!(path.end(), Some(PathEnd::Completed)));
 ///
-/// // Let go, the second foot sticks at once and keeps what it has slipped: backwards, against the pull.
+/// // As the pull is released, the second foot sticks at once and keeps its slip, which is directed against the pull.
 /// path.continue_with(&[Leg::load_to(Wrench::ZERO)])?;
 /// assert!(path.run()[0].changes[0].what == Change::Sticks);
 /// let end = path.state_at(1, 1.0).expect("has passed");
@@ -67,7 +67,7 @@ pub type SteppedPath<'g, const C: usize> = Path<'g, C, Step<C>>;
 struct AtTheDoor<'g, const C: usize, T: Face> {
     inside: Box<dyn AnyPath<3, T::Inside> + 'g>,
     end: Option<PathEnd<C>>,
-    /// Memory for legs that are added.
+    /// Memory in which added legs are converted.
     legs: Vec<Leg<3>>,
 }
 
@@ -178,7 +178,7 @@ impl<'g, const C: usize, T> Path<'g, C, T> {
     }
 
     /// The equilibrium at the present place, with residuals recomputed from the grasp, the load and the slip so far. `None` if the path had no
-    /// equilibrium to start from, or where rounding keeps the state from being computed. The state is returned whatever its residuals are: check
+    /// equilibrium to start from, or if the state cannot be computed because of rounding. The state is returned whatever its residuals are: check
     /// them. Where an event lies exactly here, the contact states may be those before or after it.
     #[must_use]
     pub fn state(&self) -> Option<Equilibrium<C>> {
@@ -239,19 +239,19 @@ impl<const C: usize> LoadPath<'_, C> {
         self.0.step_error()
     }
 
-    /// The place where motions cease to be small by [`Settings::small_motions`], on the part of the path followed so far. Beyond it the answers hold
-    /// for the undeformed geometry and say little. `None` if all motions are small.
+    /// The place where motions cease to be small by [`Settings::small_motions`], on the part of the path followed so far. Beyond it the answers are
+    /// those for the undeformed geometry and say little about the object. `None` if all motions are small.
     #[must_use]
     pub fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions> {
         self.0.end_of_small_motions()
     }
 
-    /// The largest ratio of a motion to its limit of small motions so far, at the ends of the pieces of the path.
+    /// The largest ratio so far of a rotation, slip or opening to its limit of small motions, at the ends of the pieces of the path.
     pub(crate) fn farthest(&self) -> f64 {
         self.0.farthest()
     }
 
-    /// [`Self::run`] as far as motions are small: up to the first piece on which they cease to be.
+    /// [`Self::run`] as long as motions are small: it stops after the first piece on which they cease to be small.
     pub fn run_while_small(&mut self) -> Vec<Event<C>> {
         core::iter::from_fn(|| self.0.next_small()).list()
     }
@@ -270,7 +270,8 @@ impl<const C: usize> LoadPath<'_, C> {
     }
 
     /// The equilibrium at a fraction (0 to 1) of a leg (from 0) that the path has passed or has reached; `None` beyond. Where an event lies exactly
-    /// there, the state before it. On a sliding arc the step is repeated up to there with the same error bound; `None` where rounding prevents that.
+    /// there, the state is the one before it. On a sliding arc the step is repeated up to this fraction with the same error bound; `None` if that
+    /// fails because of rounding.
     #[must_use]
     pub fn state_at(&self, leg: usize, fraction: f64) -> Option<Equilibrium<C>> {
         self.0.state_at(leg, fraction)
@@ -278,9 +279,9 @@ impl<const C: usize> LoadPath<'_, C> {
 }
 
 impl<const C: usize> SteppedPath<'_, C> {
-    /// Estimated error of the forces, relative to the largest force, everywhere on the path so far. It is the distance to a second path that makes
-    /// each step as a whole instead of in two halves. An estimate of errors that both paths share is added, for contacts that stop, open or close.
-    /// The error is usually a third of the estimate.
+    /// Estimated error of the forces, relative to the largest force, everywhere on the path so far. It is the distance to a second path, which makes
+    /// each step as a whole where the first one makes two halves. An estimate of the errors that both paths have in common is added, for contacts
+    /// that stop, open or close. The error is usually a third of the estimate.
     #[must_use]
     pub fn step_error(&self) -> f64 {
         self.0.step_error()

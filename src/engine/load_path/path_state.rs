@@ -1,4 +1,4 @@
-//! Active sets and slip memory of the contacts at a node of the path, which is the place of an event or the start.
+//! Active sets (the edges of its cone that a contact is on) and slip memory of the contacts at a node of the path, the place of an event or the start.
 
 use crate::numerics::IntoList;
 use nalgebra::{Matrix, SVector};
@@ -18,17 +18,17 @@ use crate::prelude::*;
 use crate::search::Found;
 
 /// Whether all forces are as small as the rounding of displacements in the softest spring. Rounding alone would then decide which contacts press, so
-/// that none counts as pressing. The test applies to rates of forces and displacements, too.
+/// none counts as pressing. The test applies to rates of forces and displacements, too.
 pub(super) fn forces_are_rounding(problem: &Problem<'_>, forces: &[SVector<f64, 3>], twist: &Vector) -> bool {
     let largest = forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
     let spans = (0..problem.len()).map(|contact| problem.span(contact, twist));
-    // Forces are rounding below this part of the force that the displacements make in the softest spring: rounding of 16 units may add up.
+    // Forces are rounding below this fraction of the force that the displacements make in the softest spring: sixteen units of rounding may add up.
     largest <= ROUNDED_SUM * least_spring_force(problem.sites, spans)
 }
 
 impl Node {
-    /// The node at the start of the path. Active sets follow from forces and gaps, since the search for an equilibrium does not report them. Slip
-    /// from rest to the start becomes memory.
+    /// The node at the start of the path. Active sets (the edges of its cone that a contact is on) are derived from forces and gaps, since the search
+    /// for an equilibrium does not report them. Slip from rest to the start becomes slip memory.
     pub(super) fn at_start(segment: &mut Segment<'_>, found: Found) -> Self {
         let n = segment.problem.len();
         let mut node = Self {
@@ -47,7 +47,7 @@ impl Node {
         if segment.problem.round {
             node.slip_until_now(segment, 0.0);
         }
-        // The load is kept constant here: active sets follow from forces and gaps alone, which rates of free motions do not change.
+        // Load and commands are held constant here, because active sets depend on forces and gaps alone, not on rates.
         if let Ok(point) = node.point_at(&segment.at_rest(0.0), 0.0, None) {
             node.set_active_sets(segment, &point);
         }
@@ -59,7 +59,7 @@ impl Node {
         self.states.iter().any(|state| state.slide().is_some())
     }
 
-    /// Forces and their rates in the present states. If these states leave motions free, the object moves along them at the rates `pushed`.
+    /// Forces and their rates in the present states. Along motions that nothing resists the object moves at the rates `pushed`.
     pub(super) fn point_at(
         &self,
         segment: &Segment<'_>,
@@ -73,7 +73,7 @@ impl Node {
         }
     }
 
-    /// Adds the slip of sliding contacts to memory; on the round cone they continue to slide along their friction force.
+    /// Adds the slip of sliding contacts to their slip memory; on the round cone they continue to slide along their friction force.
     fn slip_until_now(&mut self, segment: &mut Segment<'_>, factor: f64) {
         for i in 0..self.states.len() {
             if self.states[i].slides() {
@@ -101,14 +101,14 @@ impl Node {
         }
     }
 
-    /// Adds the edges of their cones that contacts have reached to their active sets.
+    /// Adds the edges that contacts have reached to their active sets.
     pub(super) fn add_exits(&mut self, axes: usize, reached: &ExitsReached) {
         for (i, exits) in reached {
             self.active_sets[*i].add_exits(axes, &self.states[*i], exits);
         }
     }
 
-    /// Moves the node to the end of a piece: the slip on it becomes memory.
+    /// Moves the node to the end of a piece of the path; the slip on the piece becomes slip memory.
     pub(super) fn move_to_end(
         &mut self,
         segment: &mut Segment<'_>,
@@ -123,7 +123,8 @@ impl Node {
         segment.largest = segment.largest.max(point.sizes[0]);
         for (i, (line, force)) in point.lines.iter().zip(&end.forces).enumerate() {
             let closed = !self.states[i].is_open();
-            // A contact that started to slide from the apex, and still has no force, has not left the apex.
+            // A sticking contact that began the piece without force has not come to the apex on this piece. One that slides from the apex, still
+            // without force, is there.
             let comes_there = line.force.norm() > 0.0 || self.states[i].slides();
             if closed && comes_there && ActiveSet::is_weightless(force, line.force_size) {
                 self.active_sets[i].apex = true;
@@ -134,8 +135,8 @@ impl Node {
         self.slip_until_now(segment, factor);
     }
 
-    /// While the load turns, removes edges from active sets that contacts have moved away from since the last event: the rates at the event did not
-    /// show this.
+    /// While the load turns, removes from active sets the edges from which contacts have moved away since the last event. The rates at that event did
+    /// not show this.
     fn drop_by_force(&mut self, segment: &Segment<'_>, point: &PathPoint, factor: f64) {
         let offsets = segment.offsets(factor);
         for (i, (active, state)) in self.active_sets.iter_mut().zip(&self.states).enumerate() {
@@ -162,14 +163,14 @@ impl Node {
         any
     }
 
-    /// Records that a contact has stopped sliding: from here on it counts as inside its cone.
+    /// Records that a contact has stopped sliding: from here on it is treated as inside its cone.
     pub(super) fn stick(&mut self, contact: usize) {
         self.active_sets[contact] = ActiveSet::EMPTY;
         self.stopped.push(contact);
     }
 
-    /// Returns a contact that has stopped here and that, if it sticks, leaves its cone along a tangent. On a straight piece such a contact can
-    /// neither slide nor stick: sliding on, it would slip against friction.
+    /// Returns a contact that has stopped sliding here and, if it sticks, leaves its cone along a tangent. On a straight piece such a contact can
+    /// neither stick nor slide on, since it would slip against friction.
     pub(super) fn neither_slides_nor_sticks(
         &self,
         segment: &Segment<'_>,
@@ -183,9 +184,9 @@ impl Node {
         self.stopped.iter().find(leaves).copied().filter(|_| straight)
     }
 
-    /// Counts contacts near the edge of their cones as on it, if steps become too short to advance. All events within the error of steps then happen
-    /// at one place. Returns the largest distance from the edge relative to the size of the force or gap; `None` if there is nothing to decide. While
-    /// the load turns, contacts that merely slide need no decision, since the rates ahead have decided about them.
+    /// Called when steps have become too short to advance: treats contacts near the edge of their cones as on it. All events within the error of
+    /// steps then happen at one place. Returns the largest distance of such a contact from the edge, relative to the size of its force or gap. `None`
+    /// if there is no such contact, and on a straight leg no contact that slides on the round cone.
     pub(super) fn gather(&mut self, segment: &Segment<'_>, point: &PathPoint) -> Option<f64> {
         let mut apart: Option<f64> = None;
         for (i, (line, gap)) in point.lines.iter().zip(&point.gaps).enumerate() {

@@ -1,4 +1,5 @@
-//! Tangent stiffness T at a point of a path, and factors of the bordered matrix: full, or for many coordinates as a band.
+//! Tangent stiffness T at a point of a path, and LU factors of T bordered by one row and one column. Matrices are full, or bands if there are many
+//! coordinates.
 
 use crate::numerics::Each;
 use alloc::sync::Arc;
@@ -20,7 +21,7 @@ pub(super) struct NarrowOrder {
 }
 
 impl NarrowOrder {
-    /// `None` for few coordinates, where a band is not worthwhile.
+    /// The narrow order for these contacts; `None` for few coordinates, where a band is not worthwhile.
     pub(super) fn of(size: Size, sites: &[Site]) -> Option<Arc<Self>> {
         if !uses_band(size) {
             return None;
@@ -57,7 +58,7 @@ impl PathStiffness {
         }
     }
 
-    /// Adds a contact's entries, among the coordinates that it couples.
+    /// Adds the entries of a contact, which couple the coordinates in `ranges`.
     #[inline(always)]
     pub(super) fn add(&mut self, ranges: &[Range<usize>; 2], entry: impl Fn(usize, usize) -> f64) {
         match self {
@@ -101,8 +102,8 @@ impl PathStiffness {
         }
     }
 
-    /// Solves the bordered system with a right side of zeros and `last` in the row of the border. `None` if the path may continue in more than one
-    /// direction.
+    /// Solves the bordered system once. Its right-hand side is zero, except for `last` in the row of the border. `None` if the path may continue in
+    /// more than one direction.
     pub(super) fn solved_once(
         self,
         size: Size,
@@ -139,7 +140,7 @@ impl PathStiffness {
                 if let Some(bordered) = BorderedBand::new(band.clone(), column, row, corner) {
                     return Some(PathFactors::Narrow { order, bordered: Box::new(bordered) });
                 }
-                // At a maximum of the load T is singular while the bordered matrix is regular.
+                // The whole bordered matrix is factorised, since T itself is singular at a maximum of the load.
                 let mut square = Square::zeros(size);
                 let entry = |(i, j): (usize, usize)| band.entry(order.numbers[i], order.numbers[j]);
                 let places = (0..size.count()).flat_map(|j| (0..size.count()).map(move |i| (i, j)));
@@ -148,7 +149,7 @@ impl PathStiffness {
             }
         };
         let bordered = Bordered::new(&square, cover, gradient, corner)?;
-        // A pivot below this part of the largest means that the path may continue in more than one direction.
+        // A pivot below this fraction of the largest means that the path may continue in more than one direction.
         (bordered.least_pivot() > LINEARLY_DEPENDENT).then_some(PathFactors::Whole(bordered))
     }
 }

@@ -32,26 +32,26 @@ use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{Doubt, Settings};
 
-/// The method of following behind [`LoadPath`]; it stores all pieces passed.
+/// The method of following behind [`LoadPath`]; it stores all pieces that the path has passed.
 #[derive(Debug)]
 pub(crate) struct Pieces<'g> {
     pub(super) factor: f64,
     pub(super) segment: Segment<'g>,
     pub(super) node: Node,
-    /// Whether the path is at a node whose continuation is not yet decided.
+    /// Whether the path is at a node, the place of an event, at which its continuation is still to be decided.
     pub(super) at_node: bool,
     pub(super) point: Option<PathPoint>,
     /// The pieces that the path has passed.
     pub(super) behind: Vec<Stretch<'g>>,
     pub(super) energy: Vec<LegEnergy>,
-    /// Number of successive steps within their own uncertainty, see `straight`.
+    /// Number of successive steps that are no longer than their own rounding error, see `straight`.
     pub(super) stalls: usize,
     pub(super) pace: Pace,
-    /// The load factor at which events that accumulate towards a point were last moved to one place; NaN before that.
+    /// The load factor at which events that follow each other ever more closely were last moved to one place; NaN before that.
     pub(super) gathered: f64,
     /// The load factor at which slips last ended on an arc, and the contacts whose slips these were.
     pub(super) stopped: (f64, Vec<usize>),
-    /// How often the object has snapped over on this leg.
+    /// Number of times that the object has snapped over to another equilibrium on this leg.
     pub(super) snaps: usize,
     /// Sum of the estimated errors of the steps along sliding arcs.
     pub(super) step_error: f64,
@@ -61,12 +61,12 @@ pub(crate) struct Pieces<'g> {
     pub(super) failed_jump: Option<Problem<'g>>,
     /// The place where motions cease to be small, if they do.
     pub(super) end_of_small_motions: Option<EndOfSmallMotions>,
-    /// The largest ratio of a motion to its limit, at the ends of pieces.
+    /// The largest ratio of a rotation, slip or opening to its limit of small motions, at the ends of pieces.
     pub(super) farthest: f64,
 }
 
 impl Engine {
-    /// [`Grasp::follow`](crate::ask::Grasp::follow).
+    /// Implements [`Grasp::follow`](crate::ask::Grasp::follow).
     pub(crate) fn follow(
         &self,
         start: &Wrench<3>,
@@ -76,7 +76,7 @@ impl Engine {
         Ok(Path::new(Box::new(Following::start(self, (start, legs), settings, Pieces::at_start)?)))
     }
 
-    /// [`Self::follow`] from the equilibrium under the base load that an onset with these settings has found.
+    /// [`Self::follow`] that starts from an equilibrium under the base load which the computation of an onset with these settings has found.
     pub(crate) fn follow_from_rest(
         &self,
         (start, rest): (&Wrench<3>, Option<Rest>),
@@ -178,7 +178,7 @@ impl<'g> Pieces<'g> {
     /// Starts at the equilibrium of the problem, if there is one.
     pub(super) fn at_start(journey: &Journey<'g>, problem: &Problem<'g>) -> Result<Self, PathEnd<3>> {
         let found = journey.start(problem)?;
-        // The path has not begun to move: load and commands do not change.
+        // The path has not begun: load and commands have no rates yet.
         let change = journey.grasp.offset_changes(None, None);
         let course = Trajectory::Straight { from: problem.wrench.clone(), rate: Vector::zeros() };
         let (grasp, answer_for, problem) = (journey.grasp, journey.answer_for(), problem.clone());
@@ -189,7 +189,7 @@ impl<'g> Pieces<'g> {
         Ok(path)
     }
 
-    /// A path at the beginning of a segment.
+    /// A path at the beginning of a segment (a leg or a part of it), at a node whose continuation is not decided yet.
     pub(super) fn at_segment_start(segment: Segment<'g>, node: Node) -> Self {
         Self {
             factor: 0.0,
@@ -258,7 +258,7 @@ impl<'g> Pieces<'g> {
             return Ok(None);
         }
         let Some(state) = before.or_else(|| self.present_state(journey)) else { return Ok(None) };
-        // If all forces vanish together, the remaining ones are rounding, and residuals relative to them mean nothing.
+        // If all forces vanish together, what remains of them is rounding, and residuals relative to it mean nothing.
         let largest = largest(&state.contacts, &|contact| contact.force.norm());
         let carries = largest > WEIGHTLESS * self.segment.largest
             && self.node.at.forces.iter().any(|force| force.norm() > 0.0);
@@ -283,12 +283,12 @@ impl<'g> Pieces<'g> {
         self.state_on(&self.present_stretch(journey)?, self.factor)
     }
 
-    /// The present place as a piece of zero length.
+    /// The present place as a piece of the path with zero length.
     pub(super) fn present_stretch(&self, journey: &Journey<'g>) -> Option<Stretch<'g>> {
         let point =
             match &self.point {
                 Some(point) => point.clone(),
-                // If no rates lead further, the piece has the state with fixed load and commands.
+                // If the path does not continue, there are no rates along the leg: load and commands are held constant.
                 None => self.node.point_at(&self.segment, self.factor, None).ok().or_else(|| {
                     self.node.point_at(&self.segment.at_rest(self.factor), self.factor, None).ok()
                 })?,

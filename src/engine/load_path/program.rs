@@ -17,9 +17,9 @@ use crate::prelude::*;
 /// A load program in progress.
 #[derive(Debug, Clone)]
 pub(super) struct Program {
-    /// The legs; those that were done when legs were last added are removed.
+    /// The legs, without those that were already complete when legs were last added.
     legs: Vec<Leg<3>>,
-    /// Number of legs that were removed.
+    /// Number of complete legs that were removed from `legs`.
     done: usize,
     /// The index of the present leg; the number of all legs when all are done.
     pub(super) leg: usize,
@@ -31,10 +31,10 @@ pub(super) struct Program {
     pub(super) commands: [Vec<SVector<f64, 3>>; 2],
     /// Joint commands at the beginning and at the end of the present leg.
     joints: [Vec<f64>; 2],
-    /// Names of the bodies, if there are several, and their loads along the present leg.
+    /// Names of the bodies, if there are several. The next field has their loads along the present leg.
     names: Vec<Arc<str>>,
     pub(super) bodies: BodyLoads,
-    /// The torques that hold the joints of the hand at rest, and their values along the present leg.
+    /// The torques that hold the joints of the hand before the program. The next field has their values along the present leg.
     held: Vec<f64>,
     pub(super) torques: HeldTorques,
 }
@@ -61,12 +61,12 @@ impl Program {
 
     /// Appends legs; none is appended if one is invalid.
     pub(super) fn extend(&mut self, grasp: &Engine, legs: &[Leg<3>]) -> Result<(), Error> {
-        // All legs are checked before one is appended.
+        // All legs are checked first, so that either all or none are appended.
         for leg in legs {
             leg.check(grasp)?;
             leg.of_points(grasp)?;
         }
-        // Legs that are done are removed, so that endless programs need no more memory.
+        // Complete legs are removed, so that endless programs need no more memory.
         self.legs.drain(..(self.leg - self.done).min(self.legs.len()));
         self.done = self.leg;
         for leg in legs {
@@ -86,8 +86,8 @@ impl Program {
         true
     }
 
-    /// Checks that the program closes: load and commands at the end differ from those at the beginning by at most `part` of the largest along the
-    /// program.
+    /// Checks that the program closes: load and commands at the end differ from those at the beginning by at most the fraction `part` of the largest
+    /// along the program.
     ///
     /// # Errors
     /// [`Error::NotClosed`] naming the quantity that differs at the end.
@@ -118,7 +118,7 @@ impl Program {
             size(&(after.goal - load)),
             largest_of(&paired(&after.commands[1], &commands, &|(end, start)| (end - start).amax())),
             largest_of(&paired(&after.joints[1], &joints, &|(end, start)| end - start)),
-            // A cycle begins without loads on single bodies.
+            // A program begins without loads on single bodies, so they must be zero at the end.
             on_bodies(&after.bodies, 1),
             largest_of(&paired(after.torques.at_end(1), &self.held, &|(end, start)| end - start)),
         ];
@@ -130,7 +130,7 @@ impl Program {
         }
     }
 
-    /// After all legs, sets load and commands exactly to those of the beginning: removes the rounding of a closed program.
+    /// Called after the last leg of a closed program: sets load and commands exactly to those of its beginning, which removes rounding.
     pub(super) fn return_to(&mut self, grasp: &Engine, load: &Wrench<3>) {
         self.goal = *load;
         self.commands[1] = mapped(grasp.contacts(), &|contact| contact.command);
@@ -150,7 +150,7 @@ impl Program {
         self.begin_leg()
     }
 
-    /// Offsets (commands less clearances) at the beginning of the present leg, and their change along it.
+    /// Offsets (commands minus clearances) at the beginning of the present leg, and their change along it.
     pub(super) fn offsets(&self, grasp: &Engine) -> [Vec<SVector<f64, 3>>; 2] {
         let mut offsets = [Vec::new(), Vec::new()];
         self.offsets_into(grasp, &mut offsets);
@@ -186,7 +186,7 @@ impl Program {
         }
     }
 
-    /// Loads beside that of the question, on single bodies and by torques of joints, at the beginning and at the end of the leg.
+    /// Loads beside that of the question: on single bodies, and by torques that hold joints. Each at the beginning and at the end of the leg.
     fn other_loads(&self, grasp: &Engine) -> [Option<[Vector; 2]>; 2] {
         [self.bodies.inside(grasp), self.torques.inside(grasp)]
     }

@@ -1,5 +1,5 @@
-//! Motions that nothing resists: no force drives the object along them. The twist stays as near as possible to the previous one, and changes only as
-//! contacts without force push the object.
+//! The twist along motions that nothing resists. No force determines it, so it stays as near as possible to the previous one, and changes only where
+//! contacts that touch without force push the object.
 
 use super::segment::Segment;
 use crate::numerics::Vector;
@@ -7,7 +7,7 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::object::{Piece, PieceState};
 
 impl Segment<'_> {
-    /// Rates of a piece, with velocities along its free motions as in `pushed`.
+    /// The rates with velocities along free motions (which nothing resists) as in `pushed`.
     pub(super) fn pushed_along(
         &self,
         piece: &Piece,
@@ -16,14 +16,14 @@ impl Segment<'_> {
     ) -> PieceState {
         let Some(pushed) = pushed else { return rate };
         let apart = pushed - &rate.twist;
-        // A velocity along a free motion below this part of the pushing velocity is rounding.
+        // A velocity along a free motion below this fraction of the pushing velocity is rounding.
         let is_driven = |v: &Vector| v.dot(&apart).abs() > SOLVED_ROUNDING * pushed.norm();
         let moves =
             piece.free_motions().iter().any(is_driven) || piece.neutral_motions().iter().any(is_driven);
         if moves { self.nearest(piece, rate, pushed) } else { rate }
     }
 
-    /// The state or rate of a piece, shifted along its free motions until the twist is nearest to `near`.
+    /// A state or a rate, shifted along motions that nothing resists until its twist is nearest to `near`.
     pub(super) fn nearest(
         &self,
         piece: &Piece,

@@ -86,7 +86,7 @@ impl<const C: usize> Ramp<C> {
         }
     }
 
-    /// Refuses changes whose number is not that of contacts or of drives (joints, then tendons), and a ramp along which nothing changes.
+    /// Refuses lists of changes whose length is not the number of contacts or of drives (joints, then tendons), and a ramp along which nothing changes.
     #[cfg(feature = "serde")]
     pub(crate) fn check_changes(&self, [contacts, drives, _]: [usize; 3]) -> Result<(), Error> {
         if let Some(change) = &self.command_change {

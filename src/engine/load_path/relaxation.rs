@@ -24,7 +24,7 @@ use crate::contact::{Tangent, tangential_norm};
 use crate::numerics::{Each, IntoList, Vector};
 use crate::prelude::*;
 
-/// A sliding contact at the start of a step.
+/// A sliding contact at the start of a step, whose friction force may turn.
 struct Turning {
     contact: usize,
     tangent: Tangent,
@@ -34,31 +34,31 @@ struct Turning {
     across: SVector<f64, 3>,
     /// The change v of the force's rate as the force turns, N for one radian and one unit of arclength.
     change: SVector<f64, 3>,
-    /// The wrench G v.
+    /// The wrench G v of the change `change`.
     push: Vector,
-    /// The row c = Cᵀ d, N/m.
+    /// The row c = Cᵀ d: the force along `across` per unit of stretch, N/m.
     gradient: SVector<f64, 3>,
-    /// The wrench G c.
+    /// The wrench G c of the row `gradient`.
     pull: Vector,
 }
 
-/// The derivative J at the start of a step.
+/// The derivative J of the rates by the friction forces, at the start of a step.
 pub(super) struct Relaxation<'f, 's, 'g> {
     arc: &'f Arc<'s, 'g>,
     contacts: Vec<Turning>,
     /// The tangent stiffness T.
     stiffness: PathStiffness,
-    /// The right side b.
+    /// The right-hand side b of `T q' = b λ'`.
     load: Vector,
     way: Direction,
 }
 
-/// The factors of the matrix 1 - hJ.
+/// The factors of the matrix 1 - hJ of an implicit step of length h.
 pub(super) struct Damped {
     length: f64,
     /// The factors of `[T' | -b']` with the transverse row below.
     bordered: PathFactors,
-    /// The numbers e of the contacts, N.
+    /// The number e_i of each contact, N.
     sizes: Vec<f64>,
 }
 
@@ -79,7 +79,8 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
                 _ => SVector::zeros(),
             };
             let turned = |angle: f64| arc.tangent(contact, &(friction + across * (size * angle)));
-            // Angle by which a direction is turned to both sides for the derivative of a tangent, rad: two thirds of the digits remain.
+            // Angle of the central difference by which the derivative of a contact's tangent stiffness is computed, rad. The derivative has two
+            // thirds of all digits.
             let small = 6e-6;
             let [[_, less], [_, more]] =
                 [-small, small].each(|angle| arc.rates(contact, &turned(angle), &way));
@@ -119,7 +120,8 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
         Some(Damped { length, bordered, sizes })
     }
 
-    /// Solves `(1 - hJ) Δ = g` in place: friction forces, then twist and load factor. Works stay unchanged, since no rate depends on them.
+    /// Solves `(1 - hJ) Δ = g` in place: friction forces, then twist and load factor. Works, which follow in the list, stay unchanged, since no rate
+    /// depends on them.
     pub(super) fn solve(&self, damped: &Damped, side: &mut [f64]) {
         let length = damped.length;
         let mut left = Vector::zeros();

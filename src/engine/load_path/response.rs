@@ -22,7 +22,7 @@ pub struct Response {
 }
 
 impl Engine {
-    /// [`Sensitivity::response`](crate::ask::Sensitivity::response).
+    /// Implements [`Sensitivity::response`](crate::ask::Sensitivity::response).
     pub(crate) fn response(&self, equilibrium: &Equilibrium<3>) -> Option<Response> {
         let axes = self.space().axes();
         let commands =
@@ -30,7 +30,7 @@ impl Engine {
         self.response_to(equilibrium, commands)
     }
 
-    /// [`Sensitivity::joint_response`](crate::ask::Sensitivity::joint_response).
+    /// Implements [`Sensitivity::joint_response`](crate::ask::Sensitivity::joint_response).
     pub(crate) fn joint_response(&self, equilibrium: &Equilibrium<3>) -> Option<Response> {
         let commands = (0..self.joint_commands().len()).map(|joint| Parameter::JointCommand { joint });
         self.response_to(equilibrium, commands)
@@ -76,7 +76,7 @@ impl Response {
         let command = DVector::from_vec(self.least_combination(Size::of(wanted.len()), wanted));
         let wanted = DVectorView::from_slice(wanted, wanted.len());
         let missed = (&self.twist * &command - wanted).norm();
-        // Commands produce a twist if they miss it by no more than this part of it.
+        // The fingers can produce a twist if commands miss it by at most this fraction of it.
         (missed <= NEGLIGIBLE * wanted.norm()).then_some(command)
     }
 

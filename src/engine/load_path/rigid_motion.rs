@@ -18,10 +18,10 @@ use crate::numerics::{Vector, chosen, matrix_of, orthogonal_part, vector_of};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Largest number of coordinates and of contacts for which the motion is computed: beyond, it takes too long.
+/// Largest number of coordinates, and of contacts, for which the motion is computed. With more it would take too long.
 const MOST_RIGID: usize = 64;
 
-/// The unit motion with which the object leaves under load rates that nothing balances, if no contact presses yet; `None` if one does.
+/// The unit motion with which the object leaves if no contact presses yet and nothing balances the rate of the load; `None` if a contact presses.
 pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     if rates.wrench.as_slice().len() > MOST_RIGID || rates.offsets.iter().any(|offset| offset.norm() > 0.0) {
         return None;
@@ -65,12 +65,12 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     if motion.norm() > NO_RIGID_MOTION * load.norm() {
         return Some(motion.normalize());
     }
-    // Near the limit, forces almost balance the load. Contacts that slide there may slide on, sticking ones stay, and no pressing contact comes
-    // nearer.
+    // Near a limit load, contact forces almost balance the load, and the motion above is only rounding. The motion is then the one along the load in
+    // which contacts at their friction limit slide, other pressing ones stick, and none comes nearer.
     let largest = pushes.r.amax();
     for (k, &i) in touching.iter().enumerate() {
         let push = pushes.r.rows(axes * k, axes);
-        // Friction within this part of its limit counts as exhausted.
+        // Friction within this fraction of its limit counts as exhausted.
         let near = 1e-6;
         if push[0] <= near * largest {
             continue;
@@ -88,7 +88,7 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
 /// Adds a motion to the basis of resisted ones, unless it depends on them.
 fn resist(basis: &mut Vec<Vector>, motion: &Vector) {
     let rest = orthogonal_part(motion.clone(), basis);
-    // A direction depends on the others if less than this part of it remains after their components are removed.
+    // A direction depends on the others if less than this fraction of it remains after their components are removed.
     if rest.norm() > 1e-9 * motion.norm() {
         basis.push(rest.normalize());
     }

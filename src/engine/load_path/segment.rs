@@ -1,5 +1,5 @@
-//! One leg of a load program, or a part of it: the load changes linearly or turns, and commands change linearly. All other quantities do the same
-//! while contacts keep their states.
+//! One leg of a load program, or a part of it: the load changes linearly or turns, and commands change linearly. While contacts keep their states,
+//! forces and motions change in the same way.
 
 use nalgebra::{Matrix, SVector};
 
@@ -13,22 +13,22 @@ use crate::numerics::{Each, IntoList, Vector, cleared_for, mapped, paired};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
-/// Load and offsets at load factor 0 and their rates, with the accumulated slips of the contacts.
+/// A leg or a part of it: load and offsets at load factor 0 and their rates, with the accumulated slips of the contacts.
 #[derive(Debug, Clone)]
 pub(super) struct Segment<'g> {
     pub(super) grasp: &'g Engine,
     pub(super) answer_for: AnswerFor,
-    /// The problem at load factor 0; its offsets count from the accumulated slips.
+    /// The problem at load factor 0; its offsets have the accumulated slips subtracted.
     pub(super) problem: Problem<'g>,
     /// Rates of the offsets; zero while the load turns.
     pub(super) change: Vec<SVector<f64, 3>>,
     /// Trajectory of the load.
     pub(super) course: Trajectory<Vector>,
-    /// The largest force on the path so far, N: the scale of rounding where all forces vanish together.
+    /// The largest force on the path so far, N, which scales rounding where all forces vanish together.
     pub(super) largest: f64,
 }
 
-/// The state at a load factor, with its rates: per unit of the load factor on a straight piece, per unit of arclength along an arc.
+/// The state of the grasp at a load factor, with its rates: per unit of the load factor on a straight piece, per unit of arclength along an arc.
 #[derive(Debug, Clone)]
 pub(super) struct PathPoint {
     pub(super) lines: Vec<Line>,
@@ -39,13 +39,13 @@ pub(super) struct PathPoint {
     /// Motions that stretch no spring in these states.
     pub(super) free_motions: Vec<Vector>,
     pub(super) neutral_motions: Vec<Vector>,
-    /// The linear problem of these states.
+    /// The linear problem in which contacts keep these states.
     pub(super) piece: alloc::sync::Arc<Piece>,
     pub(super) gaps: Vec<GapLine>,
-    /// Largest force (N) and displacement (m) among the terms that add up to the state and to its rates.
+    /// Largest force (N) and displacement (m) among the terms that add up to the state; the next field has those of the rates. They scale rounding.
     pub(super) sizes: [f64; 2],
     pub(super) rate_sizes: [f64; 2],
-    /// The state as harmonics of the angle while the load turns; `None` if rates are constant, or if only the present rates are known.
+    /// While the load turns, the state as harmonic functions of its angle. `None` if rates are constant, or if only the present rates are known.
     pub(super) turned: Option<alloc::sync::Arc<TurningState>>,
 }
 
@@ -77,8 +77,8 @@ impl PathPoint {
 }
 
 impl<'g> Segment<'g> {
-    /// Forces, gaps and their rates at a load factor. If the states leave motions free, the twist is the one nearest to `near`, and its rate the one
-    /// nearest to `pushed`. No force drives the object along free motions, but a contact that touches without force may push it.
+    /// Forces, gaps and their rates at a load factor. If nothing resists some motion in these states, the twist is the one nearest to `near`, and its
+    /// rate the one nearest to `pushed`. No force drives the object along free motions, but a contact that touches without force may push it.
     pub(super) fn point_at(
         &self,
         states: &[State],
@@ -107,7 +107,7 @@ impl<'g> Segment<'g> {
         Ok(self.point_with_rates(piece, factor, at, (&rate, 1.0), (0.0, &base)))
     }
 
-    /// A state on an arc with rates for one unit of arclength, in which the load factor changes by `factor_rate`.
+    /// A state on an arc, with rates per unit of arclength. Along one unit the load factor changes by `factor_rate`.
     pub(super) fn point_on_arc(
         &self,
         piece: &alloc::sync::Arc<Piece>,
@@ -119,7 +119,7 @@ impl<'g> Segment<'g> {
         self.point_with_rates(piece.clone(), factor, at.clone(), (rate, factor_rate), (factor, at))
     }
 
-    /// The reason for a loss from a load factor on: nothing resists the motion `motion`.
+    /// A loss beyond a load factor because nothing resists the motion `motion`, as the reason that an answer reports.
     pub(super) fn unbalanced(&self, factor: f64, motion: Option<Vector>) -> NoEquilibrium<3> {
         let v = motion.unwrap_or_else(Vector::zeros);
         let work = v.dot(&self.course.rate_at(factor));
@@ -127,8 +127,8 @@ impl<'g> Segment<'g> {
         NoEquilibrium { proof }
     }
 
-    /// A state at a load factor with its rates. The rounding of a quantity that vanishes here is scaled by its terms: the state `base` at the load
-    /// factor `since`, and the change from there.
+    /// A state at a load factor with its rates. The sizes that scale rounding are those of two terms, so that they do not vanish with their sum: the
+    /// state `base` at the load factor `since`, and the change from there.
     pub(super) fn point_with_rates(
         &self,
         piece: alloc::sync::Arc<Piece>,
@@ -160,7 +160,7 @@ impl<'g> Segment<'g> {
             let (stretch, stretching) =
                 (site.stretch(&offsets[i], &twist), site.stretch(&change[i], &rate.twist));
             let span_rate = site.span_moved(&change[i], norm_of_rate);
-            // Offsets count from the accumulated slips, and carry their rounding if both cancel.
+            // Offsets have the accumulated slips subtracted. If both cancel, the rounding of the slips remains.
             let memory = self.problem.slips[i].norm();
             let span_here = site.span_moved(&offsets[i], norm);
             let span =
@@ -189,15 +189,15 @@ impl<'g> Segment<'g> {
         }
     }
 
-    /// Forces and twist at a load factor, solved there: extrapolation from another load factor would add the rounding of larger terms. If the states
-    /// leave motions free, the twist is the one nearest to `near`.
+    /// Forces and twist at a load factor, solved there: extrapolation from another load factor would add the rounding of larger terms. If nothing
+    /// resists some motion in these states, the twist is the one nearest to `near`.
     pub(super) fn state(&self, piece: &Piece, factor: f64, near: Option<&Vector>) -> Option<PieceState> {
         let wrench = self.course.at(factor);
         let at = piece.solve(self.problem.sites, &self.offsets(factor), &wrench).ok()?;
         Some(if let Some(near) = near { self.nearest(piece, at, near) } else { at })
     }
 
-    /// The step along a straight piece from the state `at` to the exit of a contact.
+    /// The step along a straight piece, from the state `at` to the place at which a contact reaches the end of its state.
     pub(super) fn step_to_exit(
         &self,
         contact: usize,
@@ -228,14 +228,14 @@ impl<'g> Segment<'g> {
         offsets.extend(self.problem.offsets.iter().zip(&self.change).map(|(a, da)| a + da * factor));
     }
 
-    /// This segment with commands and load fixed at a load factor.
+    /// This segment with commands and load held constant at their values at a load factor.
     pub(super) fn at_rest(&self, factor: f64) -> Self {
         let change = vec![SVector::zeros(); self.change.len()];
         let course = Trajectory::Straight { from: self.course.at(factor), rate: Vector::zeros() };
         Segment { problem: self.problem_at(factor), change, course, ..self.clone() }
     }
 
-    /// The local problem at a load factor.
+    /// The problem of the equilibrium at a load factor.
     pub(super) fn problem_at(&self, factor: f64) -> Problem<'g> {
         let wrench = self.course.at(factor);
         Problem {
@@ -246,7 +246,7 @@ impl<'g> Segment<'g> {
         }
     }
 
-    /// Adds the present slip of a contact to its memory: from now on its offset counts from the slipped position.
+    /// Adds the present slip of a contact to its slip memory: from now on its offset has this slip subtracted.
     pub(super) fn remember_slip(
         &mut self,
         contact: usize,
@@ -264,19 +264,19 @@ impl<'g> Segment<'g> {
         self.problem.offsets[contact] -= slip;
     }
 
-    /// The exits through which a contact may leave its state, with their distances.
+    /// The ways in which a contact may reach the end of its state (edges of its cone, apex, closed gap), with the step to each.
     pub(super) fn ways_out(&self, contact: usize, state: &State, point: &PathPoint) -> Vec<Exit> {
         self.problem.local(contact).ways_out(state, &point.lines[contact], &point.gaps[contact])
     }
 
-    /// The law of the rates of every contact, from its active set and state.
+    /// The contact law that the rates obey, for every contact, from its active set (the edges that it is on) and its state.
     pub(super) fn laws_of_rates(&self, active_sets: &[ActiveSet], states: &[State]) -> Vec<Law> {
         let locals = self.problem.locals().zip(active_sets).zip(states);
         locals.map(|((local, active), state)| local.law_of_rates(active, state)).list()
     }
 
-    /// The smallest step after which a contact reaches an edge of its cone, the apex, a closed gap or a reversal of slip, with all contacts that do
-    /// so at that step. For a load that turns, steps up to `rest` are searched.
+    /// The smallest step after which a contact reaches the end of its state (an edge of its cone, the apex, a closed gap or a reversal of slip), with
+    /// all contacts that do so at that step. For a load that turns, steps up to `rest` are searched.
     pub(super) fn first_exits(&self, states: &[State], point: &PathPoint, rest: f64) -> FirstExits {
         if let Some(turned) = &point.turned {
             return turned.first_exits(&self.problem, states, rest);

@@ -12,7 +12,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Derivative<const C: usize> {
-    /// Derivative of the twist, m and rad per unit of the parameter; of least norm if motions are free.
+    /// Derivative of the twist, m and rad per unit of the parameter; of least norm if nothing resists some motions.
     pub twist: Twist<C>,
     /// Derivatives of the displacements of the joints of a hand, finger by finger, rad or m per unit of the parameter; empty without a hand.
     pub joints: Vec<f64>,
@@ -21,7 +21,7 @@ pub struct Derivative<const C: usize> {
 }
 
 impl Engine {
-    /// [`Sensitivity::of`](crate::ask::Sensitivity::of).
+    /// Implements [`Sensitivity::of`](crate::ask::Sensitivity::of).
     pub(crate) fn sensitivity(&self, equilibrium: &Equilibrium<3>, by: Parameter) -> Option<Derivative<3>> {
         let (response, state) = self.response_of(equilibrium)?;
         let PieceState { twist, mut forces } = response.derivative(&state, by)?;
@@ -30,7 +30,8 @@ impl Engine {
         Some(Derivative { twist, joints, forces })
     }
 
-    /// The response of an equilibrium in its present states, with its forces and motion; `None` if it has another number of contacts.
+    /// The linear response of the grasp in the contact states of an equilibrium, with the forces and the motion of that equilibrium. `None` if it has
+    /// another number of contacts than the grasp.
     pub(super) fn response_of(
         &self,
         equilibrium: &Equilibrium<3>,

@@ -10,28 +10,30 @@ use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::search::SmallMotions;
 
-/// Most sliding contacts: with more, a stage of an arc takes less time, which solves one equation a coordinate.
+/// The largest number of sliding contacts. With more, an [arc](super::arc) takes less time: each of its stages solves one equation for each
+/// coordinate, not one for each sliding contact.
 pub(super) const MOST_SLIDING: usize = MOST_UNKNOWNS - 1;
 
-/// A vector for each sliding contact, and zeros.
+/// A vector for each sliding contact, followed by zero vectors.
 pub(super) type OfSliding = [SVector<f64, 3>; MOST_SLIDING];
 
-/// Sliding contacts with the responses to their slips. A state is a list of weights of the parts: 1, λ, and the slips.
+/// Sliding contacts with the responses to their slips. The state of the grasp is a sum of parts, and is stored as the list of their weights: 1, λ,
+/// and the slips.
 pub(super) struct Slips<'g> {
     pub(super) grasp: &'g Engine,
     pub(super) problem: Problem<'g>,
     pub(super) piece: alloc::sync::Arc<Piece>,
-    /// Forces of the parts, one part after the other: state at load factor 0, its rate, and the responses to a unit slip of each sliding contact along both
-    /// tangents.
+    /// Contact forces of the parts, one part after the other: the state at load factor 0, its rate with the load factor, and the responses to a unit
+    /// slip of each sliding contact along both tangents.
     pub(super) forces: Vec<SVector<f64, 3>>,
-    /// Motions of the parts.
+    /// Motions of the object in the parts, in the same order.
     pub(super) twists: Vec<Vector>,
     pub(super) sliding: Vec<usize>,
     /// The largest force at the first slip, N.
     pub(super) largest: f64,
     /// The largest load factor asked about.
     pub(super) most: f64,
-    /// The slip that counts in arclength as much as a change of the load factor by one, m.
+    /// The unit of slip: it counts in arclength as much as a change of the load factor by one, m.
     pub(super) unit: f64,
     pub(super) small: SmallMotions,
     /// The largest slip that is a small motion, m.
@@ -39,7 +41,7 @@ pub(super) struct Slips<'g> {
 }
 
 impl Slips<'_> {
-    /// Adds a part.
+    /// Adds a part of the state: the response of the grasp to one source.
     pub(super) fn push(&mut self, PieceState { forces, twist }: &PieceState) {
         self.forces.extend_from_slice(forces);
         self.twists.push(twist.clone());
@@ -55,7 +57,7 @@ impl Slips<'_> {
         (0..self.contacts()).filter(|i| !self.sliding.contains(i))
     }
 
-    /// The rates of a state for one unit of arclength, oriented along given ones.
+    /// Writes the rates of a state per unit of arclength; their component along the rates `along` is positive.
     pub(super) fn flow(&self, at: &[f64], along: &[f64], rates: &mut [f64]) -> Option<()> {
         let (directions, count) = (self.directions(at), self.sliding.len());
         let (mut equations, mut scale) = (self.margin_rates(&directions), 0.0_f64);
@@ -86,7 +88,7 @@ impl Slips<'_> {
     }
 
     /// The rates of the margin of each sliding contact: with the load factor, and with the slip of each sliding contact in units of `unit`. They are
-    /// coefficients of equations whose right-hand sides are zero.
+    /// coefficients of equations with right-hand sides zero: margins of sliding contacts stay zero.
     pub(super) fn margin_rates(&self, directions: &OfSliding) -> [Equation; MOST_UNKNOWNS] {
         let mut rates = [[0.0; MOST_UNKNOWNS + 1]; MOST_UNKNOWNS];
         for ((row, i), p) in rates.iter_mut().zip(&self.sliding).zip(directions) {
@@ -100,7 +102,7 @@ impl Slips<'_> {
         rates
     }
 
-    /// The force of a contact in a state, or its rate.
+    /// The force of a contact in the state `at`; with rates of a state instead, the rate of the force.
     pub(super) fn force(&self, contact: usize, at: &[f64]) -> SVector<f64, 3> {
         let mut force = SVector::zeros();
         for (part, weight) in self.forces.chunks_exact(self.contacts()).zip(at) {
@@ -109,7 +111,7 @@ impl Slips<'_> {
         force
     }
 
-    /// The motion of the object in a state, or its rate.
+    /// The motion of the object in the state `at`; with rates of a state instead, the rate of the motion.
     pub(super) fn twist(&self, at: &[f64]) -> Vector {
         let mut twist = Vector::zeros();
         self.twists.iter().zip(at).for_each(|(part, weight)| twist.add_times(part, *weight));
@@ -124,13 +126,14 @@ impl Slips<'_> {
         for (i, slip) in self.sliding.iter().zip(at[2..].chunks_exact(2)) {
             (slips[*i][1], slips[*i][2]) = (slip[0], slip[1]);
         }
-        // The slips are known, so that every contact counts as sticking: no further slip is computed from its springs.
+        // The slips are known already. With every contact as sticking, no further slip is derived from its springs.
         let states: Vec<State> = vec![Mode::Sticking; slips.len()];
         let standing = Standing { offsets, slips: &slips, states: &states, forces, twist };
         self.grasp.counted_motions(&self.small, &standing)
     }
 
-    /// The largest ratio of a motion to its limit, as of [`Self::motions`]: the object is alone, and turns by the last coordinates of its twist.
+    /// The largest ratio among [`Self::motions`] of a motion to its limit. The rotation is given by the last coordinates of the twist, since the
+    /// object is alone.
     pub(super) fn far(&self, at: &[f64]) -> f64 {
         let space = self.grasp.space();
         let mut turned = 0.0;

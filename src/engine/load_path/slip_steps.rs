@@ -1,4 +1,4 @@
-//! A step in the coordinates of slips, and the first event within it.
+//! A step of a load path that is followed in the slips of sliding contacts (`in_slips`), and the first event within it.
 
 use super::slip_rates::Slips;
 use super::tolerances::LITTLE_NORMAL_FORCE;
@@ -8,17 +8,17 @@ use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{Stepped, explicit_step, largest, numbered, paired, regula_falsi};
 use crate::prelude::*;
 
-/// The end of a step.
+/// The end of a step along which contacts slide or stick.
 pub(super) struct SlipStep {
     pub(super) length: f64,
     pub(super) at: Vec<f64>,
     pub(super) rates: Vec<f64>,
     pub(super) error: f64,
-    /// The conditions that must stay positive.
+    /// The values of the conditions that must stay positive.
     pub(super) values: Vec<f64>,
 }
-/// Places among the conditions: the load factor grows, it is below the largest one, motions are small. Then, for each sliding contact, γ and the
-/// normal force, and the margins of all others.
+/// Indices of the conditions: the load factor grows, it is below the largest one asked about, motions are small. After these come the slip rates γ of
+/// the sliding contacts, their normal forces, and the margins of the sticking contacts.
 pub(super) const GROWS: usize = 0;
 pub(super) const GOES_ON: usize = 1;
 pub(super) const SMALL: usize = 2;
@@ -47,7 +47,8 @@ impl Slips<'_> {
         Some(SlipStep { length, at, rates: there, error, values })
     }
 
-    /// The step, shortened to the first condition that is met within it; `None` where several are.
+    /// The step, shortened to the place where the first condition becomes zero within it, and the index of that condition. `None` if several become
+    /// zero together.
     pub(super) fn up_to_an_event(
         &self,
         from: (&[f64], &[f64]),
@@ -58,7 +59,7 @@ impl Slips<'_> {
         if start.iter().any(|value| *value <= 0.0) {
             return None;
         }
-        // Largest number of times that a step is shortened because a condition may be violated within it.
+        // A step is shortened at most twenty times because a condition may be violated within it.
         for _ in 0..20 {
             let mut event = None;
             if let Some(k) = first_crossing(&start, &end.values) {
@@ -74,8 +75,8 @@ impl Slips<'_> {
         None
     }
 
-    /// The step that ends where condition `k` or an earlier one ceases to hold, and that condition. Each trial is the root of the cubic through the values
-    /// and slopes at both ends of a bracket; the first is near enough in most cases.
+    /// The step that ends where condition `k` becomes zero, or another one that does so before, with the index of that condition. Each trial ends at
+    /// the root of the cubic through values and slopes at both ends of a bracket; mostly the first trial is close enough.
     fn located(
         &self,
         from: (&[f64], &[f64]),
@@ -87,7 +88,7 @@ impl Slips<'_> {
         let mut high = (end.length, end.values[k], self.slope(k, (&end.at, &end.rates), end.length)?);
         let mut there = high;
         for _ in 0..30 {
-            // Over a part of the step below this one the error of Heun's method, of third order, is smaller than that of the step.
+            // Over less than this fraction of the step, Heun's method, with an error of third order in the length, is more accurate than the step.
             let rest = -there.1 / there.2;
             if rest.abs() <= 1e-4 * end.length {
                 return self.moved_to(k, end, rest).zip(Some(k));
@@ -107,10 +108,10 @@ impl Slips<'_> {
         None
     }
 
-    /// The end of a step, moved by about this short length to where condition `k` ceases to hold, with Heun's method.
+    /// The end of a step, moved by Heun's method to the place where condition `k` becomes zero, about the short length `rest` away.
     fn moved_to(&self, k: usize, mut end: SlipStep, mut rest: f64) -> Option<SlipStep> {
         let length = end.length;
-        // Newton's method: the second length is as short as the square of the first.
+        // Newton's method converges quadratically: three iterations reach rounding.
         for _ in 0..3 {
             let (from, mut ahead) = (end.at.clone(), end.rates.clone());
             let moved = |rate: &[f64]| -> Vec<f64> { paired(&from, rate, &|(at, rate)| at + rest * rate) };
@@ -125,13 +126,13 @@ impl Slips<'_> {
             }
         }
         end.values = self.conditions(&end.at, &end.rates);
-        // The place is as accurate as the step. A maximum of the factor is known to the square of this part.
+        // The remaining distance `rest` is then below the error of the step. At a maximum of the load factor it changes the factor only by its square.
         (rest.abs() <= NEGLIGIBLE * length).then_some(end)
     }
 
-    /// The rate of a condition with arclength, from a difference over a small part of a step of this length.
+    /// The derivative of a condition's value by arclength, from a difference over a small fraction of `length`.
     fn slope(&self, k: usize, (at, rates): (&[f64], &[f64]), length: f64) -> Option<f64> {
-        // A trial is as many digits nearer to its place than the last one as this number has.
+        // The length of the difference. With a slope this accurate each Newton iteration gains six digits.
         let little = 1e-6 * length;
         let ahead: Vec<f64> = paired(at, rates, &|(at, rate)| at + little * rate);
         let mut rates_ahead = vec![0.0; at.len()];
@@ -139,7 +140,8 @@ impl Slips<'_> {
         Some((self.condition(k, &ahead, &rates_ahead) - self.condition(k, at, rates)) / little)
     }
 
-    /// The part of a step at which a sticking contact reaches its edge, though it sticks again at the end, or half the step where that is undecided.
+    /// The fraction of a step at which a sticking contact leaves its cone, although it may be inside again at the end. One half if that is undecided;
+    /// `None` if no contact leaves.
     fn first_dip(&self, (at, rates): (&[f64], &[f64]), end: &SlipStep, tolerance: f64) -> Option<f64> {
         let mut first: Option<f64> = None;
         for i in self.sticking() {
@@ -177,7 +179,8 @@ impl Slips<'_> {
         }
     }
 
-    /// The length along which the fastest direction turns by 0.3 rad and no normal force is halved, at most the rest of the load.
+    /// Length of the first step: no direction of friction turns by more than 0.3 rad, no normal force falls to less than half, and the load factor
+    /// stays within its largest value.
     pub(super) fn first_length(&self, at: &[f64], rates: &[f64]) -> f64 {
         let mut length = (self.most - at[1]) / rates[1];
         for i in &self.sliding {
@@ -189,7 +192,7 @@ impl Slips<'_> {
     }
 }
 
-/// The cubic through a value and a slope at two places, at a third.
+/// The value at a place `to` of the cubic through given values and slopes at two places.
 fn between(low: (f64, f64, f64), high: (f64, f64, f64), to: f64) -> f64 {
     let length = high.0 - low.0;
     let (part, rise) = ((to - low.0) / length, high.1 - low.1);
@@ -197,7 +200,7 @@ fn between(low: (f64, f64, f64), high: (f64, f64, f64), to: f64) -> f64 {
     low.1 + part * (rise + (1.0 - part) * ((1.0 - part) * before + part * behind))
 }
 
-/// The violated condition that linear interpolation between both ends would reach first.
+/// Of the conditions that are violated at the end of a step, the one that vanishes first by linear interpolation between both ends.
 fn first_crossing(start: &[f64], end: &[f64]) -> Option<usize> {
     let part = |k: usize| start[k] / (start[k] - end[k]);
     (0..start.len()).filter(|k| end[*k] < 0.0).min_by(|a, b| part(*a).total_cmp(&part(*b)))

@@ -18,8 +18,8 @@ use crate::search::SmallMotions;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// The place where the motions of a path cease to be [small](crate::Settings::small_motions): beyond it, answers hold for the undeformed geometry and
-/// say little.
+/// The place where the motions of a path cease to be [small](crate::Settings::small_motions): beyond it, answers are those for the undeformed
+/// geometry and say little about the object.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -38,7 +38,7 @@ pub struct EndOfSmallMotions {
 type Place = (f64, CountedMotion);
 
 impl<'g> Pieces<'g> {
-    /// Records the motion that is farthest beyond its limit, and the place where motions cease to be small. It is called at the start and after each
+    /// Updates the largest ratio of a motion to its limit, and records the place where motions cease to be small. It is called at the start and after each
     /// piece.
     pub(super) fn note_how_far(&mut self, journey: &Journey<'g>) {
         let (grasp, answer_for) = (self.segment.grasp, self.segment.answer_for);
@@ -87,9 +87,9 @@ impl<'g> Pieces<'g> {
 }
 
 impl<'g> Stretch<'g> {
-    /// The first place on a piece where a motion is too large, given a motion that is too large at the end of the piece.
+    /// The first place on a piece of the path where a rotation, slip or opening is too large, given a motion that is too large at the end of the piece.
     fn first_too_far(&self, grasp: &'g Engine, answer_for: AnswerFor, at_the_end: CountedMotion) -> Place {
-        // If rounding prevents a part of a step, the motion at the end of the step is taken.
+        // If the state within a step cannot be computed because of rounding, the motion at the end of the step is taken.
         let farthest_at = |fraction: f64| {
             let Some((problem, found)) = self.found_at(grasp, answer_for, fraction) else {
                 return at_the_end;
@@ -104,7 +104,7 @@ impl<'g> Stretch<'g> {
         }
         let bracket = [(self.from, -excess(&start)), (self.to, -excess(&at_the_end))];
         let mut which = at_the_end;
-        // On an arc each trial repeats the step. The place lies beyond the limit by about one rounding.
+        // On an arc each evaluation repeats the step up to the trial place. At the place found the motion exceeds its limit only by rounding.
         let place = regula_falsi(bracket, ROUNDED_SUM, &mut |trial| {
             let motion = farthest_at(trial);
             if excess(&motion) >= 0.0 {
@@ -115,8 +115,8 @@ impl<'g> Stretch<'g> {
         (place.unwrap_or(self.to), which)
     }
 
-    /// The first place where a motion that turns with the load is too large. Each motion is a first harmonic of the angle, which its values at three
-    /// angles determine.
+    /// The first place where a motion that turns with the load is too large. Each motion is a harmonic function of the angle, which its values at
+    /// three angles determine.
     fn turns_too_far(&self, grasp: &'g Engine, small: &SmallMotions) -> Option<Place> {
         let turned = self.here.turned.as_ref()?;
         let at = |angle: f64| {

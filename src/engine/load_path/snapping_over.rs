@@ -7,10 +7,10 @@
 //! Σ G_i K_i G_iᵀ dq/dt = R(q),      R(q) = Σ G_i F_i(a_i - s_i - G_iᵀq) + W
 //! ```
 //!
-//! A step of length h solves `(T + D/h) Δq = R`, where D is the matrix on the left and T the tangent stiffness; then every contact remembers what it has
-//! slipped. Steps grow while the imbalance after them is the one expected, D Δq/h. Once forces balance, what is left of R is removed along a leg of its
-//! own, as in [`super::jump_leg`], and the path continues from there. A motion that is not small is not made: there the load
-//! is lost.
+//! A step of length h solves `(T + D/h) Δq = R`, where D is the matrix on the left and T the tangent stiffness; then every contact remembers what it
+//! has slipped. Steps grow as long as the imbalance after them is nearly the expected one, D Δq/h. Once forces nearly balance, the rest of R is
+//! removed along a leg of its own, as in [`super::jump_leg`], and the path continues from there. If the motion would not be small it is not made, and
+//! the load counts as lost.
 
 use nalgebra::SVector;
 
@@ -34,30 +34,31 @@ use crate::object::{Problem, tangent_stiffness, uses_band};
 use crate::prelude::*;
 use crate::search::{Found, SmallMotions};
 
-/// A place on the way: the twist, the contacts there, and the sum of their forces and the load.
-struct Place {
+/// A state of the moving object: its twist, the responses of the contacts, and the imbalance of forces and load.
+struct MovingObject {
     twist: Vector,
     contacts: Vec<ContactResponse>,
     left: Vector,
 }
 
-/// The forces and the twist at which the object rests again.
+/// The state in which the object rests again after it has snapped over.
 pub(super) struct RestsAgain<'g> {
-    /// The problem with the slips of the motion, and the load that these forces balance.
+    /// The problem with the slips after the motion. Its load is the one that the forces balance exactly.
     problem: Problem<'g>,
     contacts: Vec<ContactResponse>,
     twist: Vector,
 }
 
 impl<'g> RestsAgain<'g> {
-    /// Moves the object from a twist at which forces do not balance, contact by contact, until they do. `None` if the motion is not small.
+    /// Moves the object, as viscous contacts would let it, from a twist at which forces do not balance until they do. `None` if the motion is not
+    /// small, or does not end.
     pub(super) fn near(
         grasp: &Engine,
         small: &SmallMotions,
         mut problem: Problem<'g>,
         start: &Vector,
     ) -> Option<Self> {
-        // Factors of the stiffness of many bodies take longer than the rest of a path.
+        // With very many coordinates each step would take longer than the rest of a path.
         if uses_band(problem.size()) {
             return None;
         }
@@ -67,8 +68,10 @@ impl<'g> RestsAgain<'g> {
         };
         let damping = tangent_stiffness(problem.sites, |i| damper(&problem, i));
         let none = vec![ContactResponse::open(); problem.len()];
-        // Rounding decides whether a contact on an edge sticks at the start: the first step has dampers alone.
-        let mut here = Place { contacts: none.clone(), ..Place::at(start.clone(), none, &mut problem) };
+        // At the start rounding decides whether a contact on the edge of its cone sticks. So all contacts count as open in the matrix of the first
+        // step, which has the dampers alone.
+        let mut here =
+            MovingObject { contacts: none.clone(), ..MovingObject::at(start.clone(), none, &mut problem) };
         let (at_first, mut length) = (here.left.norm(), 1.0);
         for _ in 0..MOST_SNAPPING_STEPS {
             if here.left.norm() <= AT_REST_AGAIN * at_first {
@@ -79,7 +82,7 @@ impl<'g> RestsAgain<'g> {
                 problem.local(i).tangent(&here.contacts[i].state).matrix() + damper(&problem, i) / length
             };
             let factors = PartialPivoting::new(&tangent_stiffness(problem.sites, both));
-            // Beyond the length at which the determinant vanishes a step would go back to an equilibrium that is not stable.
+            // For a step so long that the determinant is not positive, an implicit step would go back to an equilibrium that is not stable.
             let Some(factors) = factors.filter(PartialPivoting::is_positive) else {
                 length *= SHORTER;
                 if length < SHORTEST_SNAPPING_STEP {
@@ -90,7 +93,7 @@ impl<'g> RestsAgain<'g> {
             let step = factors.solve(&here.left);
             let expected = &damping * &step * (1.0 / length);
             let before = (problem.slips.clone(), problem.offsets.clone(), problem.cones.clone());
-            let next = Place::at(&here.twist + &step, here.contacts.clone(), &mut problem);
+            let next = MovingObject::at(&here.twist + &step, here.contacts.clone(), &mut problem);
             let is_as_expected = (&next.left - &expected).norm() <= AS_EXPECTED * here.left.norm();
             let grows = next.left.norm() > FASTEST_GROWTH * here.left.norm() || step.dot(&here.left) <= 0.0;
             if length > SHORTEST_SNAPPING_STEP && (grows || !is_as_expected) {
@@ -108,7 +111,8 @@ impl<'g> RestsAgain<'g> {
     }
 }
 
-/// The change of the load factor that puts forces out of balance by a small part of the largest one, from the rates of offsets and of the load.
+/// The change of the load factor that puts forces out of balance by a small fraction of the largest force. `change` are the rates of the offsets and
+/// `rate` is that of the load.
 pub(super) fn a_little(sites: &[Site], change: &[SVector<f64, 3>], mut rate: Vector, largest: f64) -> f64 {
     for (site, change) in sites.iter().zip(change) {
         site.map.push(&site.springs.force(change), &mut rate);
@@ -116,7 +120,7 @@ pub(super) fn a_little(sites: &[Site], change: &[SVector<f64, 3>], mut rate: Vec
     LITTLE_BEYOND * largest / rate.norm()
 }
 
-/// Whether no body turns and no contact moves farther than small motions go.
+/// Whether no body turns, and no contact moves, beyond the limits of small motions.
 fn is_small(grasp: &Engine, small: &SmallMotions, moved: &Vector) -> bool {
     let turns_little =
         grasp.each_moves(moved).iter().all(|body| body.twist.parts().1.size() <= small.rotation);
@@ -124,12 +128,12 @@ fn is_small(grasp: &Engine, small: &SmallMotions, moved: &Vector) -> bool {
     turns_little && grasp.sites()[..grasp.len()].iter().all(|site| site.map.tr_mul(moved).norm() <= most)
 }
 
-/// Factors on the length of a step: after one that was taken, and after one that was not.
+/// Factor on the step length after an accepted step; the next constant is that after a refused one.
 const LONGER: f64 = 2.0;
 const SHORTER: f64 = 0.25;
 
-impl Place {
-    /// The place at a twist, which the contacts of the problem remember. They respond from their last responses.
+impl MovingObject {
+    /// The state at a twist. The contacts respond to it, starting from their last responses, and `problem` remembers their slips.
     fn at(twist: Vector, mut contacts: Vec<ContactResponse>, problem: &mut Problem) -> Self {
         let left = problem.yield_to(&twist, &mut contacts);
         Self { twist, contacts, left }
@@ -137,11 +141,11 @@ impl Place {
 }
 
 impl<'g> Pieces<'g> {
-    /// The event at which the object snaps over to another equilibrium under the load of a loss; the path continues from there. `None` if the object
-    /// comes to rest nowhere near.
+    /// The event at which the object snaps over to another equilibrium under the load at which the equilibrium was lost; the path continues from
+    /// there. `None` if the object comes to rest nowhere near.
     pub(super) fn snaps_over(&mut self, journey: &Journey<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         let ends_in_balance = matches!(loss.kind, LossKind::Fold | LossKind::Corner);
-        // The force of a vacuum does not know that it is gone once its cup has opened.
+        // The model keeps the pull of a vacuum even if its cup opens during the motion, so grasps with cups are excluded.
         let has_cups = self.segment.grasp.vacuum().is_some();
         if !ends_in_balance
             || has_cups
@@ -154,7 +158,7 @@ impl<'g> Pieces<'g> {
         let state = self.state_before_event().or_else(|| self.present_state(journey))?;
         let Segment { grasp, change, course, .. } = &self.segment;
         let (load, rate) = (course.at(self.factor), course.rate_at(self.factor));
-        // Where cups let go contacts carry nothing, and the load alone is a measure of forces.
+        // The load is included, since contacts may carry no force at all.
         let most = largest(&self.node.at.forces, &SVector::norm).max(load.norm());
         let little = a_little(grasp.sites(), change, rate, most);
         let beyond = (self.factor + little).min(1.0);
@@ -164,7 +168,7 @@ impl<'g> Pieces<'g> {
         let mut jump = JumpInProgress::after(leg, &self.segment.problem.slips);
         jump.leg.pace.steps = self.pace.steps + 1;
         jump.note(&changes);
-        // The event has these changes, and the jump those that follow.
+        // These first changes belong to the event; the jump lists only those that follow.
         jump.changes.clear();
         jump.run(&goal, journey).ok()?;
         let event = self.caught(journey, changes, state);
@@ -178,13 +182,13 @@ impl<'g> Pieces<'g> {
         Some(Event { jump: Some(Box::new(Jump { snaps: true, ..jump })), ..event })
     }
 
-    /// Where the object rests again under the load at a factor slightly beyond this end of the path.
+    /// The state in which the object rests again under the load at the factor `beyond`, slightly past this end of the path.
     fn rests_again(&self, beyond: f64) -> Option<RestsAgain<'g>> {
         let Segment { grasp, answer_for, .. } = &self.segment;
         RestsAgain::near(grasp, &answer_for.small, self.segment.problem_at(beyond), &self.node.at.twist)
     }
 
-    /// The leg along which what is left of the imbalance is removed at a factor, and the changes of states before it.
+    /// The leg at a constant load factor along which the remaining imbalance is removed, and the changes of contact states up to its beginning.
     fn back_to_balance(&self, rests: RestsAgain<'g>, factor: f64) -> (Self, Vec<(usize, Change<3>)>) {
         let RestsAgain { problem, contacts, twist } = rests;
         let mut segment = self.segment.at_rest(factor);
@@ -206,7 +210,8 @@ impl<'g> Pieces<'g> {
 }
 
 impl Problem<'_> {
-    /// The responses of the contacts to a twist, after which each remembers its slip. Returns the sum of the forces and the load.
+    /// Computes the responses of the contacts to a twist, and adds the slip of each to the slips in this problem. Returns the imbalance of forces and
+    /// load.
     fn yield_to(&mut self, twist: &Vector, contacts: &mut [ContactResponse]) -> Vector {
         let mut left = self.wrench.clone();
         for i in 0..contacts.len() {

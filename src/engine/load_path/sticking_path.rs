@@ -25,14 +25,14 @@ pub(super) struct StickingPath<'a> {
     pub(super) settings: &'a Settings,
     pub(super) rule: FoundBy,
     pub(super) factor: f64,
-    /// Contacts and drives whose force touched the edge of its cone without crossing it, with the angle, rad.
+    /// Contacts and drives whose force touched the edge of its cone without crossing it while the load turned, each with the angle, rad.
     pub(super) touches: Vec<(usize, f64)>,
 }
 
 impl StickingPath<'_> {
     pub(super) fn run(&mut self, mut states: Vec<State>) -> Onset<3> {
         let mut reached: Option<ExitsReached> = None;
-        // Every iteration closes a contact for good or ends the path; the bound only guards against rounding.
+        // Every iteration closes a contact that stays closed, or ends the path. Without rounding there are fewer iterations than this.
         for _ in 0..2 * states.len() + 2 {
             let mut point = match self.segment.point_at(&states, self.factor, None, None) {
                 Ok(point) => point,
@@ -49,7 +49,7 @@ impl StickingPath<'_> {
                 let stays = |found: &Found| {
                     at_edge.iter().all(|&(i, _)| {
                         let state = &found.states[i];
-                        // A contact that carried no force at the base and opens at once never stuck.
+                        // A contact that carries no force under the base load and opens at once does not count as one that stops sticking.
                         state.is_sticking() || state.is_open() && (at_base || states[i].is_open())
                     })
                 };
@@ -81,8 +81,8 @@ impl StickingPath<'_> {
         Onset::Undecided(Undecided { doubt: Doubt::OnTheBoundary, work: WorkDone::default() })
     }
 
-    /// Contacts on the edge of their cones under the base load: those whose distance to an exit is zero within its uncertainty, and those that touch
-    /// without force. Only the rates decide about both.
+    /// Contacts on the edge of their cones under the base load: those whose distance to the end of their state is zero up to rounding, and those that
+    /// touch without force. For both, only the rates decide whether they leave.
     fn at_edge_at_base(&self, states: &[State], point: &PathPoint) -> ExitsReached {
         let mut at_edge = Vec::new();
         for (i, state) in states.iter().enumerate() {
@@ -152,7 +152,7 @@ impl StickingPath<'_> {
     }
 }
 
-/// The active sets after these exits. A contact without an exit touches without force.
+/// The active sets (the edges that contacts are on) after these exits. In the list, a contact without an exit touches without force.
 fn active_sets_after(
     axes: usize,
     states: &[State],

@@ -15,7 +15,7 @@ impl Pieces<'_> {
         [Mode::Sticking, slides].into_iter().all(|state| self.fails_at_once(contact, state, tolerance))
     }
 
-    /// Whether a contact in this state clearly breaks its condition after any accurate step, however short.
+    /// Whether a contact in this state clearly breaks its condition after every accurate trial step, however short.
     fn fails_at_once(&self, contact: usize, state: State, tolerance: f64) -> bool {
         let mut states = self.node.states.clone();
         states[contact] = state;
@@ -29,7 +29,7 @@ impl Pieces<'_> {
         let mut length = (1.0 - self.factor) / point.factor_rate;
         let mut failures = 0;
         for _ in 0..40 {
-            // Ratio of the lengths of successive trial steps, and of the first one to the rest of the leg.
+            // The first trial step is a quarter of the rest of the leg, and each further one a quarter of the one before.
             length *= 0.25;
             let reached = flow.step(length, StepGoal::after(1.0, 0), Rule::Explicit);
             let Some(reached) = reached.filter(|reached| reached.error <= tolerance) else { continue };
@@ -39,7 +39,7 @@ impl Pieces<'_> {
                 return false;
             }
             failures += 1;
-            // Number of accurate trial steps that must clearly break the condition.
+            // Three accurate trial steps must clearly break the condition.
             if failures == 3 {
                 return true;
             }

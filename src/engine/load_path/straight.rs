@@ -13,14 +13,16 @@ use crate::prelude::*;
 use crate::search::Doubt;
 
 impl<'g> Pieces<'g> {
-    /// Advances along the present piece to its end: the next edge, or the end of the leg. Returns whether the leg is complete.
+    /// Advances along the present piece to its end: where a contact reaches the end of its state, or the end of the leg. Returns whether the leg is
+    /// complete.
     pub(super) fn advance_straight(&mut self, journey: &Journey<'g>) -> Result<bool, PathEnd<3>> {
         let Some(point) = self.point.clone() else {
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
         };
         let rest = 1.0 - self.factor;
         let exits = self.segment.first_exits(&self.node.states, &point, rest).reached;
-        // Edges reached together with the end of the leg, up to rounding, are in the active sets when the next leg begins.
+        // If a contact reaches an edge of its cone together with the end of the leg, up to rounding, the step ends with the leg. The edge then counts
+        // when the next leg begins.
         let at_the_end = |reached: &ExitsReached| {
             reached.iter().any(|(_, exits)| exits.iter().any(|e| (e.step - rest).abs() <= e.uncertainty))
         };
@@ -38,14 +40,14 @@ impl<'g> Pieces<'g> {
             _ => (rest, Vec::new(), true),
         };
         let to = if leg_done { 1.0 } else { self.factor + step };
-        // A step within its own uncertainty may be zero: two continuations between which rounding chooses could alternate for ever.
+        // A step that is no longer than its own rounding error may be zero. If rounding chooses between two continuations, each of which leads back
+        // to the other, such steps would never end.
         let uncertain = reached.iter().any(|(_, exits)| exits.iter().any(|exit| step <= exit.uncertainty));
         self.stalls = if to > self.factor && (leg_done || !uncertain) { 0 } else { self.stalls + 1 };
-        // Maximum number of successive steps within their uncertainty that still count as events of one node: more mean that rounding makes the path
-        // cycle.
+        // Up to this many such steps in a row may be events at one place; more mean that rounding makes the path cycle.
         let piled_up = self.stalls > 64;
         if piled_up && !self.runs_out(&reached) {
-            // Rounding chooses between continuations, one of which leads back to the other.
+            // The path alternates between continuations, so its further course depends on rounding.
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
         }
         let end = self.state_after(&point, step);
@@ -70,8 +72,8 @@ impl<'g> Pieces<'g> {
         self.segment.state(&point.piece, self.factor + step, Some(&near.twist)).unwrap_or(near)
     }
 
-    /// The step to an edge of a cone, corrected from the state solved at that edge. The step extrapolated from the present state has the rounding of
-    /// the present state.
+    /// The step to an edge of a cone, corrected from the state solved at that edge. A step that is only extrapolated has the rounding error of the
+    /// present state.
     fn corrected(&self, point: &PathPoint, step: f64, reached: &ExitsReached) -> f64 {
         let mut clearest: Option<(usize, &Exit)> = None;
         for (i, exits) in reached {

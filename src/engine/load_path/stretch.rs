@@ -18,7 +18,7 @@ use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{Effort, Found, FoundBy, reported_at_rest};
 
-/// The data from which the state at any fraction of the piece is computed.
+/// One piece of the path: the data from which the state at any fraction of it is computed.
 #[derive(Debug)]
 pub(super) struct Stretch<'g> {
     pub(super) leg: usize,
@@ -45,7 +45,7 @@ pub(super) struct Stretch<'g> {
     pub(super) jump: Option<Box<JumpRecord>>,
 }
 
-/// A jump at constant load.
+/// Record of a jump from one equilibrium to another at constant load.
 #[derive(Debug)]
 pub(super) struct JumpRecord {
     /// Slips before the jump.
@@ -56,10 +56,10 @@ pub(super) struct JumpRecord {
     pub(super) states: Vec<Vec<State>>,
 }
 
-/// The integration step that made a curved piece.
+/// The integration step that made a piece of the path along which directions of sliding turn.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ArcStep {
-    /// The displacement that contributes as much to arclength as the whole leg, m.
+    /// The displacement that counts in arclength as much as the whole leg, m.
     pub(super) unit: f64,
     /// Length of the step, in arclength.
     pub(super) length: f64,
@@ -67,7 +67,7 @@ pub(super) struct ArcStep {
 }
 
 impl<'g> Stretch<'g> {
-    /// The equilibrium at a fraction of the leg, with all contacts open that carry no force. `None` if rounding prevents a step to this fraction.
+    /// The equilibrium at a fraction of the leg, with all contacts open that carry no force. `None` if a step to this fraction fails because of rounding.
     pub(super) fn state_at(
         &self,
         grasp: &'g Engine,
@@ -75,13 +75,13 @@ impl<'g> Stretch<'g> {
         fraction: f64,
     ) -> Option<Equilibrium<3>> {
         let (problem, found) = self.found_at(grasp, answer_for, fraction)?;
-        // In a state without any force nothing defines a small force, and contacts keep their states.
+        // Without any force there is no scale for a small force, and contacts keep their states.
         let nothing = forces_are_rounding(&problem, &found.forces, &found.twist);
         let found = if nothing { found } else { reported_at_rest(&problem, found) };
         Some(self.answer(grasp, answer_for, fraction, &problem, found))
     }
 
-    /// The equilibrium at the end of the piece, with the contact states of the piece; the event there lists their changes.
+    /// The equilibrium at the end of the piece of the path, with the contact states that it has on the piece; the event there lists their changes.
     pub(super) fn state_before_event(
         &self,
         grasp: &'g Engine,
@@ -104,7 +104,7 @@ impl<'g> Stretch<'g> {
         grasp.equilibrium(problem, &load, found, FoundBy::LoadPath, &Effort::default(), answer_for)
     }
 
-    /// Problem and solution at a fraction of the leg; `None` if rounding prevents a step to this fraction.
+    /// Problem and solution at a fraction of the leg; `None` if a step to this fraction fails because of rounding.
     pub(super) fn found_at(
         &self,
         grasp: &'g Engine,
@@ -129,7 +129,7 @@ impl<'g> Stretch<'g> {
                 &self.here.twist * (1.0 - part) + &self.there.twist * part,
             ),
         };
-        // Sizes of a turning state are already the largest over all angles.
+        // While the load turns, the sizes are already the largest over all angles, so no change is added.
         let step = if self.here.turned.is_some() { 0.0 } else { step };
         let found = Found {
             free_motions: self.here.free_motions.clone(),
@@ -175,12 +175,11 @@ impl<'g> Stretch<'g> {
         Some((problem, found))
     }
 
-    /// The state at a fraction of the leg, within the step. If rounding prevents a single step to this fraction, successively shorter steps lead to
-    /// it.
+    /// The state at a fraction of the leg, within the step. If a single step to this fraction fails because of rounding, several shorter steps lead to it.
     fn part_of_a_step(&self, arc_step: &ArcStep, segment: &Segment<'g>, fraction: f64) -> Option<PieceState> {
         let (mut from, mut point, mut states) = (self.from, self.here.clone(), self.states.clone());
         let mut length = arc_step.length;
-        // Maximum number of parts into which a step is divided if it cannot be repeated as a whole; each is half as long as the one before.
+        // A step that cannot be made as a whole is divided into at most sixty parts, each half as long as the one before.
         for _ in 0..60 {
             let flow = Flow::new(segment, &states, from, &point, arc_step.unit);
             if let Some(reached) = flow.step_to_factor(fraction, length, arc_step.rule) {
@@ -199,9 +198,10 @@ impl<'g> Stretch<'g> {
                 }
             }
         }
-        // If the object moves under a load that is constant up to rounding, every state of the step is valid.
+        // If the object moves under a load that is constant up to rounding, no fraction can be located within the step, and every state of the step
+        // is valid.
         let (to_the_start, to_the_end) = (fraction - self.from, self.to - fraction);
-        // Loads closer than this part of the leg are equal up to the rounding of balance.
+        // Loads closer to each other than this fraction of the leg are equal up to the rounding with which forces balance them.
         let near = to_the_start.min(to_the_end) <= 1e-15;
         near.then(|| if to_the_start < to_the_end { start_of(&self.here) } else { self.there.clone() })
     }

@@ -11,13 +11,13 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Found, combinations, search_among};
 
-/// The states in rates if no contact changes its state; `None` if the laws of the rates exclude that.
+/// The states of the problem in rates if no contact changes its state; `None` if the contact laws of the rates exclude that.
 pub(super) fn nothing_changes(problem: &Problem, rates: &Problem, states: &[State]) -> Option<Vec<State>> {
     let locals = problem.locals().zip(&rates.laws).zip(states);
     locals.map(|((local, law), state)| local.in_the_rates(law, *state)).collect()
 }
 
-/// The change of a contact from one state to the next, each with its direction if the contact slides.
+/// The change of a contact from one state to the next, if it is to be reported. Each state comes with the direction of slip if the contact slides.
 pub(super) fn change(
     (was, before): (State, Option<SVector<f64, 3>>),
     (is, direction): (State, Option<SVector<f64, 3>>),
@@ -36,10 +36,10 @@ pub(super) fn change(
     }
 }
 
-/// Number of other solutions of the rates, with other forces or with motions that differ by more than free ones. Zero if a P-matrix proves
-/// uniqueness; else all combinations of states are tried if they are few. `None` if they are many.
+/// Number of solutions of the problem in rates other than `found`: with other forces, or with motions that differ by more than motions nothing
+/// resists. Zero if a P-matrix proves uniqueness. Otherwise all combinations of states are tried; `None` if they are too many.
 pub(super) fn other_solutions(rates: &Problem, found: &Found) -> Option<usize> {
-    // For a round cone, polygons do not decide what happens at its apex.
+    // At the apex of a round cone the number of solutions is not that on polygons, so it is not known.
     if rates.round {
         return None;
     }
@@ -48,13 +48,13 @@ pub(super) fn other_solutions(rates: &Problem, found: &Found) -> Option<usize> {
     if rows == 0 || few.as_ref().is_some_and(|few| few.form.lcp.has_p_matrix() == Some(true)) {
         return Some(0);
     }
-    // Up to this many combinations of states among the contacts on the edge of their cones, all are tried to find every continuation of the path.
+    // With at most this many combinations of states of the contacts on the edge of their cones, all of them are tried.
     if combinations(rates) > 256.0 {
         return None;
     }
     let size = found.forces.iter().map(nalgebra::Matrix::norm).fold(rates.wrench.norm(), f64::max);
     let mut distinct: Vec<Found> = vec![found.clone()];
-    // With many coordinates a solution takes long: the signs in the few rows of the form exclude most states first.
+    // With many coordinates solving for one combination of states takes long. A test on the few rows of the form excludes most combinations first.
     let is_planar = rates.space() == Space::Planar;
     let ruled_out = |states: &[State]| {
         few.as_ref().is_some_and(|few| few.many && clearly_breaks(&few.form, is_planar, states, few.largest))
@@ -66,7 +66,7 @@ pub(super) fn other_solutions(rates: &Problem, found: &Found) -> Option<usize> {
                 apart -= v * v.dot(&apart);
             }
             let travel = known.twist.norm().max(other.twist.norm());
-            // Solutions are equal if forces and motions differ by no more than this part of their size.
+            // Solutions are equal if forces and motions differ by no more than this fraction of their size.
             apart.norm() <= NEGLIGIBLE * travel
                 && known.forces.iter().zip(&other.forces).all(|(x, y)| (x - y).norm() <= NEGLIGIBLE * size)
         };
@@ -77,7 +77,7 @@ pub(super) fn other_solutions(rates: &Problem, found: &Found) -> Option<usize> {
     Some(distinct.len() - 1)
 }
 
-/// The kinematic form of the rates, with few rows.
+/// The kinematic form (a complementarity problem) of the rates, with few rows.
 struct FewRows {
     form: Form,
     /// The largest force of the elastic trial state, in units of the rows.
@@ -86,9 +86,9 @@ struct FewRows {
     many: bool,
 }
 
-/// The kinematic form, if it has at least one row and not too many.
+/// The kinematic form (a complementarity problem) of the rates, if it has at least one row and not too many.
 fn few_rows(rates: &Problem, rows: usize) -> Option<FewRows> {
-    // With more rows than this, classifying their matrix costs more than the event.
+    // With more rows than this, testing for a P-matrix costs more than all other work at the event.
     if rows == 0 || rows > 64 {
         return None;
     }

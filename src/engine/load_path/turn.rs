@@ -34,8 +34,8 @@ pub struct Turn<const C: usize> {
     pub(super) load: Harmonic<Wrench<C>>,
     /// Angle of the turn, rad.
     pub(super) angle: f64,
-    /// The axis about which the bodies of a scene are tilted under their own weight, which then takes the place of `load`; only the scene knows that
-    /// weight.
+    /// The axis about which the bodies of a scene are tilted under their own weight, which then takes the place of `load`; the weight is known only
+    /// to the scene that asks.
     pub(crate) tilts_bodies_about: Option<SVector<f64, 3>>,
 }
 
@@ -110,7 +110,7 @@ impl<const C: usize> Turn<C> {
 }
 
 impl Turn<3> {
-    /// The load in the engine's coordinates, once checked; constant torques on joints belong to the constant part.
+    /// The load in the engine's coordinates, after it has been checked; constant torques on joints belong to the constant part.
     pub(crate) fn inside(&self, grasp: &Engine) -> Harmonic<Vector> {
         inside(grasp, &self.load)
     }
@@ -139,7 +139,7 @@ impl<const C: usize> Turn<C> {
         self.load.cosine.check_in(space, "cosine of the load")?;
         self.load.sine.check_in(space, "sine of the load")?;
         if self.tilts_bodies_about.is_some() {
-            // Fault reported where the bodies have no weight that could turn.
+            // The text of the error if the bodies have no weight that could turn.
             let no_weight: &str = "is missing: give weight, or force, or cosine and sine; without them gravity turns, where a scene's bodies have masses under `gravity`, by onset_of_turn and need";
             return Err(Error::Question { question: "turn", field: "weight", fault: no_weight });
         }
@@ -148,7 +148,7 @@ impl<const C: usize> Turn<C> {
 
     /// Refuses an angle that is not positive, or absurdly large.
     pub(crate) fn check_angle(&self) -> Result<(), Error> {
-        // At larger angles rounding leaves no accurate place within the turn.
+        // At larger angles rounding would leave no accurate place within a turn.
         if !(self.angle > 0.0 && self.angle <= 1e6) {
             let allowed = "more than 0 and at most 1e6 rad";
             return Err(Error::Argument { what: "angle of the turn", value: self.angle, allowed });
@@ -232,7 +232,7 @@ impl Turn<3> {
     }
 }
 
-/// A load that turns in the engine's coordinates, once checked.
+/// Converts a load that turns, after it has been checked, to the engine's coordinates.
 pub(super) fn inside(grasp: &Engine, load: &Harmonic<Wrench<3>>) -> Harmonic<Vector> {
     Harmonic {
         constant: grasp.load_unchecked(&load.constant),

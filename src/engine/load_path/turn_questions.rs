@@ -25,7 +25,7 @@ pub struct TurnOnset<const C: usize> {
 }
 
 impl Engine {
-    /// [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn).
+    /// Implements [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn).
     pub(crate) fn onset_of_turn(&self, turn: &Turn<3>, settings: &Settings) -> Result<TurnOnset<3>, Error> {
         turn.check_in(self.space())?;
         let inside = turn.inside(self);

@@ -36,7 +36,7 @@ impl<'g> Pieces<'g> {
         let Some(point) = self.point.take() else {
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
         };
-        // At a node the unit of arclength is chosen so that motion and load contribute equally.
+        // After an event the unit of displacement is chosen so that motion and load count equally in arclength.
         let point = if self.pace.unit.is_some() {
             point
         } else {
@@ -61,7 +61,7 @@ impl<'g> Pieces<'g> {
         let length = length.min(self.way_to_apex(&point)).min(self.part_of_a_turn(&point));
         let tolerance = journey.settings.step_error * self.pace.looser;
         let (length, rule) = self.stable(&point, length, tolerance);
-        // Steps shorter than this part of the load factor do not advance: the arc cannot be followed further.
+        // Steps shorter than this fraction of the load factor do not advance: the arc cannot be followed further in these states.
         if length <= 1e-13 * self.factor.max(f64::EPSILON) {
             if self.node.release_vanishing(&point) {
                 self.at_node = true;
@@ -91,7 +91,7 @@ impl<'g> Pieces<'g> {
         self.finish_step(journey, &point, &end)
     }
 
-    /// The step, shortened to the first condition that it violates, at its end or within it.
+    /// The step, shortened to the place where the first condition is violated, which may be within the step.
     fn up_to_a_crossing(&self, point: &PathPoint, mut end: StepEnd, tolerance: f64) -> Option<StepEnd> {
         let start = watch(&self.segment, &self.node.states, (self.factor, point));
         let mut looks = 0;
@@ -100,12 +100,12 @@ impl<'g> Pieces<'g> {
                 end = self.locate(point, &start, end, condition)?;
             }
             let ends = [point, &end.reached.point];
-            // The bounds within a step assume a straight leg: while the load turns, they would shorten steps in vain.
+            // The bounds on margins within a step are valid for a straight leg only; while the load turns, they would shorten steps needlessly.
             let is_straight = matches!(self.segment.course, Trajectory::Straight { .. });
             let dip = is_straight
                 .then(|| first_dip(&self.segment, &self.node.states, ends, (end.length, tolerance)))
                 .flatten();
-            // Maximum number of times that a step is shortened because a condition may fail within it.
+            // A step is shortened at most twenty times because a condition may be violated within it.
             let Some(part) = dip.filter(|_| looks < 20) else { return Some(end) };
             looks += 1;
             end = self.step(point, (part * end.length, 0), end.rule)?;
@@ -115,31 +115,32 @@ impl<'g> Pieces<'g> {
     /// Whether a contact whose slip has ended at this place can neither stick nor slide.
     fn stops_for_good(&self, tolerance: f64) -> bool {
         let (at, contacts) = &self.stopped;
-        // Places closer than this part of the leg are the same.
+        // Places closer than this fraction of the leg are the same.
         let is_here = (self.factor - at).abs() <= NEGLIGIBLE;
         is_here && contacts.iter().any(|contact| self.neither_sticks_nor_slides(*contact, tolerance))
     }
 
-    /// Whether the path has advanced since events that accumulate were last moved to one place.
+    /// Whether the path has advanced since events that follow each other closely were last moved to one place.
     fn may_gather(&self) -> bool {
         self.gathered.is_nan() || (self.factor - self.gathered).abs() > NEGLIGIBLE
     }
 
-    /// The length of a step along which the load turns by a quarter of a radian. Along a longer step a condition could fail and hold again at the
-    /// end.
+    /// The length of a step along which the load turns by a quarter of a radian. Along a longer step a condition could be violated and yet hold again
+    /// at the end.
     fn part_of_a_turn(&self, point: &PathPoint) -> f64 {
         match self.segment.course {
-            // Largest turn of the load in a step, rad.
+            // In one step the load turns by at most this angle, rad.
             Trajectory::Turn { angle, .. } => 0.25 / (angle * point.factor_rate.abs()),
             Trajectory::Straight { .. } => f64::INFINITY,
         }
     }
 
-    /// Length and rule of a step for which the relaxation of friction directions is stable.
+    /// Length and integration rule of a step with which the integration of the relaxing friction directions is stable.
     fn stable(&mut self, point: &PathPoint, length: f64, tolerance: f64) -> (f64, Rule) {
         let unit = self.pace.unit.unwrap_or(1.0);
         let flow = Flow::new(&self.segment, &self.node.states, self.factor, point, unit);
-        // Longest explicit step, in units of the length over which a direction relaxes: from six units on, rounding would grow.
+        // The longest explicit step is four times the length over which the fastest direction of friction relaxes. From six times on the method is
+        // unstable.
         let stable = 4.0 / flow.fastest_relaxation();
         let rest = (1.0 - self.factor) / point.factor_rate;
         self.pace.stiff |= self.pace.is_cramped(stable, rest);
@@ -150,9 +151,9 @@ impl<'g> Pieces<'g> {
         }
     }
 
-    /// Whether the object moves on while all forces stay constant: the load factor then approaches a limit that it never reaches. Rounding turns a
-    /// friction force the more the faster it relaxes. So its tolerance grows with that rate, and sticking contacts, which balance all others, have
-    /// the largest.
+    /// Whether the object moves on while all forces stay constant: the load factor then approaches a limit that it never reaches. The faster a
+    /// friction force relaxes, the more rounding turns it, so its tolerance grows with that rate. Sticking contacts balance all others and have the
+    /// largest tolerance.
     fn slides_away(&self, point: &PathPoint) -> bool {
         if point.factor_rate.abs() > STANDS_STILL {
             return false;
@@ -165,13 +166,13 @@ impl<'g> Pieces<'g> {
         point.lines.iter().zip(still).all(|(line, still)| line.rate.norm() <= still)
     }
 
-    /// Length of a step along the tangent; `None` if no such step is to be made. It starts at an apex, where a friction force has no direction yet,
-    /// or ends where a normal force that is almost zero vanishes.
+    /// Length of a straight step along the tangent; `None` if no such step is to be made. It is made from the apex of a cone, where a friction force
+    /// has no direction yet, or to the place where a normal force that is almost zero vanishes.
     fn straight_length(&self, point: &PathPoint) -> Option<f64> {
         let rest = (1.0 - self.factor) / point.factor_rate;
         let all_but_gone = |(line, state): (&Line, &State)| {
             let falls = state.slides() && line.rate[0] < -ZERO_SLACK * line.rate_size;
-            // A falling normal force below this part of its size is followed to zero along the tangent.
+            // A falling normal force below this fraction of its size is followed to zero along the tangent.
             let little = falls && line.force[0] > 0.0 && line.force[0] <= 1e-10 * line.force_size;
             little.then(|| line.force[0] / -line.rate[0])
         };
@@ -180,10 +181,10 @@ impl<'g> Pieces<'g> {
             return Some(way);
         }
         let force_way = point.sizes[0] / point.rate_sizes[0];
-        // Forces that would double within this part of the rest of the leg are rounding of vanishing forces.
+        // Forces that would double within this fraction of the rest of the leg are rounding of vanishing forces.
         let way = if force_way > SOLVED_ROUNDING * rest { rest.min(force_way) } else { rest };
-        // First step from an apex, as a part of the length on which forces change by their own size. Friction directions turn by about the square of
-        // this part meanwhile.
+        // The first step from an apex is this fraction of the length along which forces change by their own size. Directions of friction meanwhile
+        // turn by about the square of it.
         self.node.starts_at_apex.then_some(1e-6 * way)
     }
 
@@ -191,11 +192,11 @@ impl<'g> Pieces<'g> {
         let mut length = (1.0 - self.factor) / point.factor_rate;
         for (line, state) in point.lines.iter().zip(&self.node.states) {
             let (f, df) = (&line.force, &line.rate);
-            // A contact that has just closed has no direction yet.
+            // A contact that has just closed has no direction of friction yet.
             let touches = ActiveSet::is_weightless(f, line.force_size);
             if state.slides() && !touches {
                 let turn = (f[1] * df[2] - f[2] * df[1]).abs() / (f[1] * f[1] + f[2] * f[2]);
-                // The first step turns the fastest contact by this angle, rad, judged by the rate at the start.
+                // Along the first step no direction of friction turns by more than this angle, rad, by its rate at the start.
                 let first_turn = 0.3;
                 if turn.is_finite() && turn * length > first_turn {
                     length = first_turn / turn;
@@ -220,7 +221,7 @@ impl<'g> Pieces<'g> {
         way
     }
 
-    /// Moves to the end of a step and adds the edges of cones reached there to the active sets. Returns whether the leg is complete.
+    /// Moves to the end of a step. Edges of cones that contacts reach there are added to their active sets. Returns whether the leg is complete.
     fn finish_step(
         &mut self,
         journey: &Journey<'g>,
@@ -231,7 +232,7 @@ impl<'g> Pieces<'g> {
         self.pace.accept(end.length, end.reached.error / tolerance, end.located.is_some());
         let to = end.reached.to;
         let leg_done = to >= 1.0;
-        // At a maximum of the load, contacts whose slip the load drives stop together with it.
+        // Whether the load factor has a maximum at the end of the step: its rate is zero there.
         let grows = |watch: &Watch| watch.what == WatchedCondition::Growth && watch.is_met();
         let tops = end.located.is_some() && end.watches.iter().any(grows);
         let next = end.reached.point.clone();
@@ -250,9 +251,9 @@ impl<'g> Pieces<'g> {
                     let facet = if rubs { tangential(&line.force).normalize() } else { SVector::zeros() };
                     at_edge.push((contact, vec![Exit { facet, ..apex() }]));
                 }
-                // At the end of a leg the rates of this leg no longer count.
+                // At the end of a leg a slip rate of this leg does not matter any more.
                 _ if leg_done => {}
-                // If the load itself turns back everything stops: the rates ahead decide which contacts slide on.
+                // Where the load itself turns back, all slips stop. The rates ahead then decide which contacts slide on.
                 _ if self.segment.load_turns_back(to) => stops = true,
                 _ => sticks.push(contact),
             }
@@ -268,7 +269,7 @@ impl<'g> Pieces<'g> {
         }
         self.take_step(journey, point, (end.length, end.rule), &end.reached);
         self.node.add_exits(self.segment.problem.space().axes(), &at_edge);
-        // If another event happens at the same place, it also decides about contacts that have not slipped during the step.
+        // If another event happens at the same place, contacts that have not slipped during the step are left to its decision.
         for contact in sticks.iter().filter(|contact| at_edge.is_empty() || !idle.contains(contact)) {
             self.node.stick(*contact);
         }
@@ -299,7 +300,7 @@ impl<'g> Pieces<'g> {
     }
 }
 
-/// The exit at which a normal force or a gap vanishes.
+/// The end of a contact state at which a normal force or a gap vanishes.
 fn apex() -> Exit {
     Exit { step: 0.0, uncertainty: 0.0, facet: SVector::zeros() }
 }

@@ -1,4 +1,4 @@
-//! The state under a load that turns, and its harmonics from there on, by three linear solves.
+//! The state under a load that turns, and all quantities from there on as harmonic functions of the load's angle, by three linear solves.
 
 use alloc::sync::Arc;
 
@@ -17,11 +17,11 @@ impl Segment<'_> {
     /// Whether the load turns back at a load factor: its rate vanishes there.
     pub(super) fn load_turns_back(&self, factor: f64) -> bool {
         let Trajectory::Turn { load, angle } = &self.course else { return false };
-        // A rate below this part of the fastest counts as zero, since the angle is known to the rounding of a full turn.
+        // A rate below this fraction of the fastest counts as zero, since the angle is known to the rounding of a full turn.
         load.rate_at(angle * factor).norm() <= SOLVED_ROUNDING * (load.cosine.norm() + load.sine.norm())
     }
 
-    /// Forces, gaps and their rates at a load factor, and their harmonics from there on.
+    /// Forces, gaps and their rates at a load factor, and their harmonic functions of the load's angle from there on.
     pub(super) fn point_on_turn(
         &self,
         piece: &Arc<Piece>,
@@ -46,7 +46,7 @@ impl Segment<'_> {
         let at = self.state(piece, factor, near).unwrap_or_else(|| at_start(&parts));
         let mut point = self.point_with_rates(piece.clone(), factor, at.clone(), (&rate, 1.0), (factor, &at));
         let turned = self.harmonics(&turned_load, angle, &parts);
-        // A quantity that vanishes at some angle still carries the rounding of its size at other angles.
+        // A quantity that vanishes at some angle still has a rounding error in proportion to its size at other angles.
         for ((line, gap), [force, stretch]) in point.lines.iter_mut().zip(&mut point.gaps).zip(&turned.waves)
         {
             line.force_size = line.force_size.max(force.size);
@@ -67,7 +67,8 @@ impl Segment<'_> {
         Ok(point)
     }
 
-    /// All quantities as harmonics of the load's angle. `parts` are the solutions under the parts of the load; offsets belong to the constant part.
+    /// All quantities as harmonic functions of the load's angle. `parts` are the solutions under the three parts of the load: the constant one, with
+    /// the offsets, and those of cosine and sine.
     pub(super) fn harmonics(
         &self,
         load: &Harmonic<Vector>,
@@ -92,7 +93,7 @@ impl Segment<'_> {
             let of = states.map(|(offsets, _, part)| sites[i].stretch(&offsets[i], &part.twist));
             let spans = states.map(|(offsets, _, part)| sites[i].span(&offsets[i], &part.twist));
             let turning_size = spans.cosine + spans.sine;
-            // Offsets count from the accumulated slips, and carry their rounding if both cancel.
+            // Offsets have the accumulated slips subtracted. If both cancel, the rounding of the slips remains.
             let size = problem.slips[i].norm() + spans.constant + turning_size;
             [force, Wave { of, size, turning_size }]
         };
@@ -101,7 +102,7 @@ impl Segment<'_> {
     }
 }
 
-/// The state at the beginning of a turn, from the solutions under the parts of its load.
+/// The state at the beginning of a turn, from the solutions under the three parts of its load.
 pub(super) fn at_start(parts: &Harmonic<PieceState>) -> PieceState {
     let Harmonic { constant, cosine, .. } = parts;
     let forces = paired(&constant.forces, &cosine.forces, &|(f, more)| f + more);

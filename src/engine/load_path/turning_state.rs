@@ -7,10 +7,10 @@ use crate::numerics::{Harmonic, Vector, mapped};
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 
-/// All quantities as harmonics of the load's angle, counted from a place on the path, while contacts keep their states.
+/// All quantities as harmonic functions of the load's angle, counted from a place on the path, while contacts keep their states.
 #[derive(Debug)]
 pub(super) struct TurningState {
-    /// Harmonics of force and stretch of every contact.
+    /// Force and stretch of every contact as harmonic functions of the angle.
     pub(super) waves: Vec<[Wave; 2]>,
     pub(super) twist: Harmonic<Vector>,
     pub(super) load: Harmonic<Vector>,
@@ -26,7 +26,7 @@ impl TurningState {
         PieceState { forces, twist: self.twist.at(angle) - self.twist.at(0.0) }
     }
 
-    /// The first exits of contacts in these states, within a step of the load factor.
+    /// The first places at which contacts reach the end of these states, within a step `rest` of the load factor.
     pub(super) fn first_exits(&self, problem: &Problem<'_>, states: &[State], rest: f64) -> FirstExits {
         let (mut ways, mut touches) = (Vec::new(), Vec::new());
         for (i, ((local, state), [force, stretch])) in

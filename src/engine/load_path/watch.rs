@@ -7,14 +7,14 @@ use crate::contact::{Line, Mode, State, tangential, tangential_norm};
 use crate::numerics::Each;
 use crate::prelude::*;
 
-/// The subject of a watched condition.
+/// The meaning of a condition that is watched along an arc.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum WatchedCondition {
-    /// The state of this contact holds.
+    /// The contact with this index satisfies the condition of its state.
     Contact(usize),
     /// The rate of the load factor is positive.
     Growth,
-    /// The rest of the leg is positive.
+    /// The end of the leg is not reached.
     Leg,
 }
 
@@ -41,7 +41,7 @@ impl Watch {
 
     /// Whether the value is negative by far more than rounding and the errors of steps explain.
     pub(super) fn is_broken(&self) -> bool {
-        // Multiple of the tolerance for zero beyond which a negative value is certain.
+        // A value below minus this multiple of the tolerance for zero is certainly negative.
         self.value < -1e3 * SLACK_ON_AN_ARC * self.size
     }
 
@@ -51,18 +51,19 @@ impl Watch {
         self.rate.is_none_or(|[rate, size]| rate < -SLACK_ON_AN_ARC * size)
     }
 
-    /// The length of the path until the value is zero, extrapolated linearly.
+    /// The length of the path after which the value vanishes by linear extrapolation.
     pub(super) fn way(&self) -> Option<f64> {
         self.rate.map(|[rate, _]| self.value / -rate).filter(|way| way.is_finite())
     }
 }
 
-/// Whether a sliding contact has all but lost its normal force.
+/// Whether the normal force of a sliding contact has almost vanished and still decreases.
 pub(super) fn is_vanishing(line: &Line) -> bool {
     line.rate[0] < 0.0 && line.force[0] <= VANISHING_NORMAL * line.force_size
 }
 
-/// Whether a sliding contact has just lost its normal force, because its direction was not accurate enough for a step to that event.
+/// Whether the normal force of a sliding contact is slightly negative: its direction of friction was not accurate enough to end the step where the
+/// force vanishes.
 pub(super) fn has_vanished(line: &Line) -> bool {
     line.force[0] < 0.0 && line.force[0] >= -VANISHING_NORMAL * line.force_size
 }
@@ -73,7 +74,8 @@ pub(super) fn watch(
     states: &[State],
     (factor, point): (f64, &PathPoint),
 ) -> Vec<Watch> {
-    // The rate of the load factor is at most 1. At a maximum of the load factor a rate of 1e-8 counts as zero: the factor is known to its square.
+    // The rate of the load factor, at most 1, counts as zero up to 1e-8. Near a maximum the load factor itself then changes by less than the square
+    // of that.
     let mut list = vec![
         Watch {
             what: WatchedCondition::Growth,
@@ -88,7 +90,8 @@ pub(super) fn watch(
             size: 1.0,
         },
     ];
-    // A value that changes by less than its rounding over the rest of a straight leg is constant. While the load turns, a rate of zero may grow.
+    // A value that changes by less than its rounding over the rest of a straight leg is constant. While the load turns, a rate that is zero here may
+    // grow, so the value is not constant.
     let straight = matches!(segment.course, Trajectory::Straight { .. });
     // The change of a value over the rest of the leg is compared with rounding; the rest counts as at least a hundredth of the leg.
     let per_length = point.factor_rate / (1.0 - factor).max(0.01);
@@ -119,7 +122,7 @@ pub(super) fn watch(
                 push(line.force[0], Some([line.rate[0], line.rate_size]), line.force_size);
             }
             Mode::Sticking => {}
-            // Near zero normal force only rounding decides whether the contact sticks, so that this condition counts as satisfied.
+            // With almost no normal force only rounding would decide whether the contact stops sliding, so its condition counts as satisfied.
             _ if is_vanishing(line) => push(f64::INFINITY, None, 1.0),
             _ => {
                 let p = tangential(&line.force) / tangential_norm(&line.force);

@@ -19,8 +19,8 @@ pub struct WholeChange<const C: usize> {
     pub what: PadChange<C>,
 }
 
-/// The behaviour of a contact from an event on. A point contact has its own change; a soft fingertip is described by its first and its last points to
-/// change.
+/// The behaviour of a contact from an event on. A point contact has its own change; a soft fingertip is described by the first and the last of its
+/// points that change.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum PadChange<const C: usize> {
@@ -66,7 +66,7 @@ impl<const C: usize> fmt::Display for PadChange<C> {
     }
 }
 
-/// "left begins to slide".
+/// For example "left begins to slide".
 impl<const C: usize> fmt::Display for WholeChange<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = self.contact.text();
@@ -85,7 +85,7 @@ impl<const C: usize> WholeChange<C> {
         self.verb_in(Words::default())
     }
 
-    /// [`Self::verb`] in the words of a space.
+    /// [`Self::verb`] in the words for the plane or for space.
     pub(crate) fn verb_in(&self, words: Words) -> String {
         let said = format!("{self:.*}", words.precision());
         match self.what {
@@ -106,7 +106,7 @@ impl<const C: usize> Event<C> {
     }
 }
 
-/// "leg 0 at 0.5, (0, -4) N: left begins to slide".
+/// For example "leg 0 at 0.5, (0, -4) N: left begins to slide".
 impl<const C: usize> fmt::Display for Event<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, digits) = (Words::of(f), Words::of(f).precision());
@@ -123,7 +123,8 @@ impl<const C: usize> fmt::Display for Event<C> {
     }
 }
 
-/// The changes relative to `state`, with the points of a soft fingertip taken together, in the order of the first change of each contact.
+/// The changes at an event as changes of whole contacts, given the equilibrium `state` before it. They are in the order of the first change of each
+/// contact.
 pub(crate) fn whole_changes<const C: usize>(
     state: &Equilibrium<C>,
     changes: &[ContactChange<C>],
@@ -214,7 +215,7 @@ impl PointState {
         }
     }
 
-    /// The states before and after a change. At the very start of a path `state` is the one after it.
+    /// The states before and after a change. `state` is the one before the change; at the very start of a path it is the one after it.
     fn change<const C: usize>(change: &Change<C>, state: Self) -> [Self; 2] {
         match change {
             Change::Slides { .. } => [Self::Sticks, Self::Slides],

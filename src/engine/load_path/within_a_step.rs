@@ -1,7 +1,7 @@
 //! Detects contacts that violate a condition within a step along an arc although it holds again at the end.
 //!
 //! Forces of sticking contacts, and gaps, are linear in twist and load factor. Within a step they follow the cubic through the values and rates at
-//! both ends, up to an error `s²(1 - s)² g` at the part s of the step. A margin `μ F_n - |F_t|` is concave. Hence on a piece of the cubic it is at
+//! both ends, up to an error `s²(1 - s)² g` at the fraction s of the step. A margin `μ F_n - |F_t|` is concave. Hence on a piece of the cubic it is at
 //! least its minimum over the four Bézier points P_i of the piece. As pieces are halved, these points converge to the curve.
 //!
 //! ```text
@@ -17,19 +17,19 @@ use crate::numerics::{Each, least};
 /// The four Bézier points of a piece of the cubic.
 type Points = [SVector<f64, 3>; 4];
 
-/// A margin or a gap that must stay positive, along a step.
+/// The course of a margin or a gap along a step, which must stay positive.
 pub(super) struct Bounded {
     points: Points,
-    /// The cone of a force; `None` where the first component counts.
+    /// The cone of a force, which defines the margin; `None` if the margin is the first component (a normal force or a gap).
     cone: Option<Coulomb>,
     /// g of the error `s²(1 - s)² g`, in the unit of the margin.
     bend: f64,
-    /// A margin above minus this number counts as satisfied.
+    /// The condition counts as satisfied if its margin is above minus this number.
     nothing: f64,
 }
 
-/// The part of a step after which a sticking or open contact violates its condition, although it may hold again at the end. One half if the step is
-/// too long for a decision; `None` if all conditions hold within the step. Rates at both ends are per unit of arclength.
+/// The fraction of a step at which a sticking or open contact violates its condition, although the condition may hold again at the end. One half if
+/// the step is too long for a decision; `None` if all conditions hold within the step. Rates at both ends are per unit of arclength.
 pub(super) fn first_dip(
     segment: &Segment<'_>,
     states: &[State],
@@ -66,22 +66,22 @@ fn along(value: f64) -> SVector<f64, 3> {
 }
 
 impl Bounded {
-    /// The cubic through these values and changes at both ends.
+    /// The cubic with the given values and slopes at both ends of a step.
     pub(super) fn new(
         ([a, b], [da, db]): ([SVector<f64, 3>; 2], [SVector<f64, 3>; 2]),
         cone: Option<Coulomb>,
         (size, step_error): (f64, f64),
     ) -> Self {
         let weight = cone.map_or(1.0, Coulomb::round_weight);
-        // A margin is violated where it is negative by more than this part of the error of a step.
+        // A margin counts as violated if it is negative by more than this fraction of the allowed error of a step.
         let within_the_error = 0.02;
-        // Rounding of margins, relative to their size: the least violation that counts.
+        // The rounding of margins, relative to their size: no smaller violation counts.
         let rounded = 2e-13;
         let nothing = (within_the_error * step_error).max(rounded) * size * weight;
         let third = (a - b) * 2.0 + da + db;
         let second = b - a - da - third;
-        // The interpolating cubic neglects the fourth-order term. The third-order term is an upper estimate of it, and so is 0.05 times the
-        // second-order term; the larger of both is taken. In accepted steps each order is at most 0.05 times the one before.
+        // The interpolating cubic neglects the term of fourth order. It is estimated from above by the larger of the term of third order and 0.05
+        // times that of second order: in accepted steps each term is at most 0.05 times the one of the order before.
         let bend = third.norm().max(0.05 * second.norm()) * weight;
         Self { points: [a, a + da / 3.0, b - db / 3.0, b], cone, bend, nothing }
     }
@@ -90,10 +90,10 @@ impl Bounded {
         self.cone.map_or(point[0], |cone| cone.round_margin(point))
     }
 
-    /// The part of the step at which the margin is violated; one half if that is undecided. `None` if the margin holds.
+    /// The fraction of the step at which the margin is violated; one half if that is undecided. `None` if the margin holds.
     pub(super) fn dip(&self) -> Option<f64> {
         let mut pieces = vec![(0.0_f64, 1.0_f64, self.points)];
-        // Maximum number of pieces that are examined before a step is refused as too long.
+        // At most two hundred pieces of the cubic are examined; then the step counts as too long.
         for _ in 0..200 {
             let (from, to, points) = pieces.pop()?;
             let least = least(&points, &|point| self.margin(point));
@@ -109,11 +109,11 @@ impl Bounded {
             pieces.push((middle, to, after));
             pieces.push((from, middle, before));
         }
-        // A step that is too long for a decision is repeated with half its length.
+        // The step is too long for a decision, and the caller repeats it with half its length.
         Some(0.5)
     }
 
-    /// Error bound of the margin on the cubic at a part of the step.
+    /// Bound on the error of the margin that the cubic gives at a fraction of the step.
     fn off(&self, part: f64) -> f64 {
         let square = part * (1.0 - part);
         self.bend * square * square

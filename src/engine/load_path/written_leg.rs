@@ -53,7 +53,7 @@ struct WrittenLeg<const C: usize> {
     /// The change of the loads of bodies along the leg, by name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     body_loads_by: BTreeMap<String, Wrench<C>>,
-    /// The loads of bodies at the end of the leg, by name. A body is in at most one of the two lists.
+    /// The loads of bodies at the end of the leg, by name. A body may not be in `body_loads_by` as well.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     body_loads_to: BTreeMap<String, Wrench<C>>,
     /// The turn of the load along the leg, instead of all other fields.
@@ -62,7 +62,7 @@ struct WrittenLeg<const C: usize> {
 }
 
 impl<T: Clone> LegGoal<T> {
-    /// The goal of the quantity `name` from its fields `…_by` and `…_to`; giving both is an error.
+    /// The goal of the quantity `name` from its fields `…_by` and `…_to`, of which at most one may be given.
     fn read(by: Option<T>, to: Option<T>, name: &str) -> Result<Self, String> {
         match (by, to) {
             (None, None) => Ok(Self::Stay),
@@ -72,7 +72,7 @@ impl<T: Clone> LegGoal<T> {
         }
     }
 
-    /// The fields `…_by` and `…_to` of the goal.
+    /// The values of the serialised fields `…_by` and `…_to` for this goal.
     fn written(&self) -> (Option<T>, Option<T>) {
         match self {
             Self::Stay => (None, None),
@@ -112,7 +112,7 @@ impl<const C: usize> WrittenLeg<C> {
 }
 
 impl<const C: usize> Leg<C> {
-    /// Refuses lists whose length is not the number of contacts, of drives (joints, then tendons) or of joints.
+    /// Refuses a list with another length than the number of contacts, of drives (joints, then tendons) or of joints, according to its quantity.
     pub(crate) fn check_lengths(&self, [contacts, drives, joints]: [usize; 3]) -> Result<(), Error> {
         if let LegGoal::By(rows) | LegGoal::To(rows) = &self.commands {
             check_rows(rows.len(), "commands of a leg", contacts)?;
@@ -150,7 +150,7 @@ pub(super) fn check_drives(given: usize, what: &'static str, expected: usize) ->
     if given == expected { Ok(()) } else { Err(Error::JointCommands { what, given, expected }) }
 }
 
-/// Fields `…_by` and `…_to` (feature `serde`), see [`crate::scene`].
+/// A leg is written with a field `…_by` or `…_to` for each quantity that changes (feature `serde`), see [`crate::scene`].
 impl<const C: usize> Serialize for Leg<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let ((load_by, load_to), turn) = match &self.load {
@@ -183,7 +183,8 @@ impl<const C: usize> Serialize for Leg<C> {
     }
 }
 
-/// Fields `…_by` and `…_to` (feature `serde`), see [`crate::scene`]; a quantity that is given twice is refused.
+/// A leg is read from a field `…_by` or `…_to` for each quantity that changes (feature `serde`), see [`crate::scene`]. A quantity with both fields is
+/// refused.
 impl<'de, const C: usize> Deserialize<'de> for Leg<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
         object::read(deserializer, "a leg", WrittenLeg::leg)

@@ -4,10 +4,10 @@
 //! T = BᵀA = Σ G_i C_i G_iᵀ,      T q = Bᵀx + W,      x - A q
 //! ```
 //!
-//! T has an entry where a contact couples two coordinates; a suitable order puts these near its diagonal. Its factors cost a few thousandths of
-//! orthogonal ones, but lose twice as many digits where stiffnesses differ widely. Iterative refinement in twice the working precision restores the
-//! digits, or shows that it cannot. T may be singular along motions that stretch no spring, if equally many motions are balanced by no spring. Every
-//! other nearly singular T is left to orthogonal factors.
+//! The rows of A and B are those of `piece`, x are spring forces. T has an entry where a contact couples two coordinates; a suitable order puts these
+//! near its diagonal. LU factors of T cost a few thousandths of orthogonal factors of A and B, but lose twice as many digits where stiffnesses differ
+//! widely. Iterative refinement in twice the working precision restores the digits, or shows that it cannot. T may be singular along motions that
+//! stretch no spring, if the springs also leave equally many loads unbalanced. Every other nearly singular T is left to orthogonal factors.
 
 use crate::numerics::{
     Band, BandFactors, Size, Vector, generic, mapped, moved, narrow_order, numbered, summed, widest,
@@ -21,22 +21,22 @@ use crate::contact::Spring;
 use crate::grasp::{Site, size_of};
 use crate::prelude::*;
 
-/// Whether factors in a band pay off for this number of coordinates.
+/// Whether factors of a band matrix cost less than orthogonal factors for this number of coordinates.
 pub(crate) fn uses_band(coordinates: Size) -> bool {
-    // With fewer coordinates orthogonal factors cost no more, and determine the rank. Measured with orthogonal factors in place of the band: four
-    // bodies in space take a third less time, nine bricks in the plane more than twice as much.
+    // With fewer coordinates orthogonal factors cost no more, and determine the rank. Measured: with orthogonal factors instead of a band, four
+    // bodies in space take a third less time, but nine bricks in the plane more than twice as much.
     coordinates.count() >= 36
 }
 
-/// The tangent stiffness T with its factors in a band.
+/// The tangent stiffness `T = BᵀA` as a band matrix, with its LU factors.
 #[derive(Debug, Clone)]
 pub(crate) struct BandPiece {
     /// Position of each coordinate in the order that makes the band narrow.
     pub(super) numbers: Vec<usize>,
     pub(super) springs: SpringLists,
-    /// The rows of A.
+    /// The matrix A of `T = BᵀA`: the stretch of each spring per unit of each coordinate.
     pub(super) right: Side,
-    /// The rows of B, if a contact slides; otherwise B = A.
+    /// The matrix B of `T = BᵀA`: the directions in which springs push, if a contact slides; otherwise B = A.
     pub(super) left: Option<Side>,
     pub(super) factors: BandFactors,
 }
@@ -54,10 +54,10 @@ pub(super) struct SpringLists {
     first_rows: Vec<usize>,
 }
 
-/// The rows of all springs: A or B.
+/// One factor of `T = BᵀA`, A or B, with a row for each spring.
 #[derive(Debug, Clone)]
 pub(super) struct Side {
-    /// Entries for the coordinates that stretch a spring, spring after spring.
+    /// The entries of each row, spring after spring: one for each coordinate that stretches the spring.
     rows: Vec<f64>,
     /// Factors that scale each column to length one; one for a zero column.
     units: Vec<f64>,
@@ -66,7 +66,7 @@ pub(super) struct Side {
 }
 
 impl BandPiece {
-    /// The band of these contacts and their springs; `first_springs` holds the first spring of each contact. `None` with few coordinates, or where T
+    /// The factors for these contacts and their springs; `first_springs` holds the first spring of each contact. `None` with few coordinates, or where T
     /// is nearly singular other than by free motions.
     pub(super) fn new(sites: &[Site], springs: &[Spring], first_springs: &[usize]) -> Option<Self> {
         let count = size_of(sites).count();
@@ -117,7 +117,7 @@ impl BandPiece {
         Some(Self { numbers, springs: lists, right, left, factors })
     }
 
-    /// Replaces x by `x - A T⁻¹ (Bᵀx + W)` and returns the twist `T⁻¹ (Bᵀx + W)`.
+    /// Lets the object give way until forces balance: replaces the spring forces x by `x - A T⁻¹ (Bᵀx + W)` and returns the twist `T⁻¹ (Bᵀx + W)`.
     pub(super) fn respond(&self, x: &mut [f64], wrench: &Vector) -> Vector {
         let mut q = vec![0.0; self.numbers.len()];
         wrench.iter().zip(&self.numbers).for_each(|(w, k)| q[*k] = *w);
@@ -132,7 +132,7 @@ impl BandPiece {
         self.factors.is_singular()
     }
 
-    /// Null vectors of T, as motions.
+    /// Null vectors of the tangent stiffness T, as motions of all coordinates.
     pub(super) fn loose_motions(&self) -> Vec<Vector> {
         let motion = |q: Vec<f64>| {
             let entry = |k: usize| q[self.numbers[k]] * self.right.units[self.numbers[k]];
@@ -192,11 +192,11 @@ impl BandPiece {
             self.factors.solve_transposed(&mut q);
             self.springs.stretch(left, &mut q, |spring, stretch| x[spring] = stretch / after);
         }
-        // The estimate may be too small by this factor.
+        // Twice the estimate, since the power method gives a lower bound.
         2.0 * growth
     }
 
-    /// The full rows of A and, where a contact slides, of B.
+    /// The rows of A and, if a contact slides, of B, with all zeros.
     pub(super) fn rows(&self) -> [Option<Vec<Vector>>; 2] {
         let whole = |side: &Side| {
             let mut list = Vec::new();
@@ -233,7 +233,7 @@ impl SpringLists {
         }
     }
 
-    /// The rows as one side of a band with `count` coordinates.
+    /// One factor of T, A or B, from these rows; `count` is the number of coordinates.
     fn side(&self, rows: Vec<f64>, count: usize) -> Side {
         let (mut squares, mut longest) = (vec![0.0; count], 0.0_f64);
         self.for_each(|_, coordinates, range| {
@@ -244,7 +244,7 @@ impl SpringLists {
         Side { rows, units: moved(squares, &unit), longest: longest.sqrt() }
     }
 
-    /// Adds the forces x of the springs to q and scales q by the units of the columns.
+    /// Adds the generalised forces of the spring forces x to q (Aᵀx or Bᵀx), and scales q by the units of the columns.
     pub(super) fn add(&self, side: &Side, x: &[f64], q: &mut [f64]) {
         self.for_each(|spring, coordinates, range| {
             coordinates.iter().zip(&side.rows[range]).for_each(|(k, b)| q[*k] += b * x[spring]);
@@ -252,7 +252,7 @@ impl SpringLists {
         q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
     }
 
-    /// Scales q by the units of the columns, and calls `visit(spring, stretch)` for every spring.
+    /// Scales the motion q by the units of the columns, and calls `visit(spring, stretch)` for every spring.
     pub(super) fn stretch(&self, side: &Side, q: &mut [f64], mut visit: impl FnMut(usize, f64)) {
         q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
         self.for_each(|spring, coordinates, range| {

@@ -19,19 +19,20 @@ use crate::contact::{LocalLaw, Mode, Spring, State};
 use crate::numerics::{DoubleDouble, Each, IntoList, Vector, by_axis, mapped, without};
 use crate::prelude::*;
 
-/// Exact solution less given forces and twist.
+/// The exact solution minus given forces and twist.
 #[derive(Debug, Clone)]
 pub(crate) struct Correction {
     pub(crate) forces: Vec<SVector<f64, 3>>,
-    /// The error of the twist, without free motions.
+    /// The error of the twist, without components along motions that nothing resists.
     pub(crate) twist: Vector,
     /// Uncertainty of the forces, N: the last correction if refinement did not converge, plus rounding of the stiffest springs in twice the working
-    /// precision. Large where the piece is singular at working precision.
+    /// precision. It is large where the linear problem is nearly singular.
     pub(crate) doubt: f64,
 }
 
 impl Piece {
-    /// The exact solution of this piece, made of `states`, less these forces and twist. `size` is the largest force of the scene, N.
+    /// The exact solution in the contact states `states`, from which this [`Piece`] was made, minus given forces and twist. `size` is the largest force
+    /// of the problem, N.
     pub(crate) fn correction(
         &self,
         problem: &Problem,
@@ -47,7 +48,7 @@ impl Piece {
             let left = self.residual_of(problem, states, &mut forces, &twist, &mut change);
             let push = |(spring, x): (&Spring, &f64)| spring.left.amax() * x.abs();
             let largest = |x: &[f64]| self.springs.iter().zip(x).map(push).fold(0.0, f64::max);
-            // Stiff springs amplify the rounding of the twist. Refinement continues until this noise is small beside the correction.
+            // Stiff springs turn the rounding of the twist into forces of this size.
             let noise = f64::EPSILON * largest(&change);
             twist.add(&self.respond(&mut change, &left));
             for (contact, springs, range) in self.of_each_contact() {
@@ -114,8 +115,8 @@ impl Piece {
     }
 }
 
-/// The component `c·w` perpendicular to the friction of a contact that slides on the round cone, `c = (-F_2, F_1) / |F_t|`. The force defines the
-/// direction, since w may be large before convergence.
+/// The component `c·w` of the residual w perpendicular to the friction of a contact that slides on the round cone, `c = (-F_2, F_1) / |F_t|`. The
+/// direction is taken from the force, since w may have any direction before convergence.
 struct Across {
     along: [DoubleDouble; 3],
     length: f64,
@@ -136,7 +137,7 @@ impl Across {
         self.sum.add_product_of_twice((along.high, along.low), w);
     }
 
-    /// `c·w` times the square root of the stiffness of the spring in that direction.
+    /// `c·w` times the square root of the stiffness of the spring along c.
     fn times(&self, spring: Option<&Spring>) -> DoubleDouble {
         let root = spring.map_or(0.0, |spring| spring.right.norm());
         let part = if self.length > 0.0 { root / self.length } else { 0.0 };
@@ -152,7 +153,7 @@ fn put_on_cone(local: &LocalLaw<'_>, state: &State, force: &mut [DoubleDouble; 3
     match state {
         Mode::Open | Mode::Sticking => {}
         Mode::Round(_) => {
-            // The error of |F_t| follows from the difference of squares, `limit² - |F_t|²`, without cancellation.
+            // The distance of |F_t| from its limit follows from `limit² - |F_t|²`, computed in twice the working precision, without cancellation.
             let length = force[1].high.hypot(force[2].high);
             let mut squares = DoubleDouble::default();
             squares.add_product_of_twice((limit.high, limit.low), limit);

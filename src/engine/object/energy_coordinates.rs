@@ -20,7 +20,7 @@ use crate::prelude::*;
 pub(crate) struct Facet {
     /// The row (κ, c), with c of length one.
     pub(crate) row: SVector<f64, 3>,
-    /// Length of `row`. An entry for the row scaled to length one, times this length, is the entry for `row` itself.
+    /// Length of `row`. Entries of covering or perturbation vectors for the row scaled to length one, times this length, are those for `row`.
     pub(crate) unit: f64,
 }
 
@@ -38,12 +38,12 @@ impl Facet {
     }
 }
 
-/// A contact in energy coordinates.
+/// A contact in energy coordinates, in which forces are divided by the square roots of stiffnesses.
 #[derive(Debug, Clone)]
 pub(crate) struct EnergyContact {
-    /// Q_i, scaled so that the mean of |Q_i|² over the contacts is one.
+    /// Q_i, the map from the motion y of the object to x of the contact, scaled so that the mean of |Q_i|² over the contacts is one.
     pub(crate) seen: ScaledMap,
-    /// Index of its first entry in the list of facets: `x_n >= 0` if it may open, then its facets.
+    /// Index in the common list of facets: `x_n >= 0` of a contact that may open, then its facets.
     first: u32,
     pub(crate) facet_count: u16,
     /// Whether the contact may open.
@@ -57,13 +57,13 @@ impl EnergyContact {
     }
 }
 
-/// Data that the contacts of a scene share in energy coordinates: their facets, and the scale of their maps.
+/// Data that all contacts of a problem share in energy coordinates: the list of facets, and the scale of the maps.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct EnergyCoordinates {
     facets: Vec<Facet>,
-    /// The factor that turns the scaled `QᵀQ` into the identity.
+    /// The factor by which the sum of `Q_iᵀQ_i` with the scaled maps must be multiplied to be the identity.
     pub(crate) weight: f64,
-    /// Rank of Q: components of y from this index on move nothing.
+    /// Rank of Q: components of y from this index on move no contact.
     pub(crate) rank: usize,
 }
 
@@ -79,7 +79,7 @@ impl EnergyCoordinates {
         self.weight = self.rank.max(1) as f64 / problem.len().max(1) as f64;
         let scale = 1.0 / self.weight.sqrt();
         self.facets.clear();
-        // Reserves room for the largest scene of this size, so that no later scene of this size has to allocate.
+        // Reserves room for the most facets that this number of contacts can have, so that later problems of this size need no allocation.
         self.facets.reserve(problem.len() * (problem.polygon.normals.len() + 1));
         let mut spring = 0;
         let mut before: Option<(LocalLaw<'_>, (u32, u16))> = None;
@@ -93,7 +93,7 @@ impl EnergyCoordinates {
                     spring += 1;
                 }
             }
-            // Contacts without polygons of their own share one polygon.
+            // A contact with the same conditions as the one before it shares its facets, unless polygons are turned contact by contact.
             let alike = before.filter(|(neighbour, _)| {
                 problem.turned.is_empty()
                     && law.may_open() == neighbour.may_open()
@@ -130,7 +130,7 @@ impl EnergyCoordinates {
     }
 }
 
-/// A closed contact that slips across some of its facets, at most one for each tangent.
+/// A closed contact that slips across none, one or two of its facets, at most one in the plane.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Slipping {
     rows: [SVector<f64, 3>; 2],
@@ -140,7 +140,7 @@ pub(crate) struct Slipping {
 }
 
 impl Slipping {
-    /// Slips across these facets, which are neighbours.
+    /// Slips across one facet or two neighbouring ones, or none.
     pub(crate) fn new(facets: [Option<&Facet>; 2]) -> Self {
         let zero = SVector::zeros();
         let rows = facets.each(|facet| facet.map_or(zero, |facet| facet.row));
@@ -160,14 +160,14 @@ impl Slipping {
         let pair = [facets.next(), facets.next()];
         match pair {
             _ if facets.next().is_some() => None,
-            // Facets whose normals enclose an angle with a sine below this leave no independent slips.
+            // The sine of the angle between nearly parallel facets; slips across both are not independent.
             [Some(a), Some(b)] if cross(&a.row, &b.row).abs() < 1e-6 => None,
             pair => Some(Self::new(pair)),
         }
     }
 
-    /// The vector z with `z_n = n` and `row_a·z = d_a` on the facets of this state. For d = 0, z is the point x on the edge of the cone with `x_n =
-    /// n`.
+    /// The vector z with `z_n = n` and `row_a·z = d_a` on the facets across which the contact slips. For d = 0, z is the point x on the edge of the
+    /// cone with `x_n = n`.
     pub(crate) fn reaching(&self, n: f64, d: [f64; 2]) -> SVector<f64, 3> {
         let mut z = SVector::zeros();
         for a in 0..self.count {
@@ -177,7 +177,7 @@ impl Slipping {
         z
     }
 
-    /// The row Z_a: the slip across facet a is `-Z_a·u`.
+    /// The row Z_a that gives the slip across facet a, `-Z_a·u`, from the stretch u.
     pub(crate) fn slip(&self, a: usize) -> SVector<f64, 3> {
         if self.count == 1 {
             return self.rows[0];
@@ -187,15 +187,15 @@ impl Slipping {
         z
     }
 
-    /// The projection P of this state.
+    /// The projection P of this state, with `x = P u`: it removes the stretch that slip takes up.
     pub(crate) fn hold(&self) -> SMatrix<f64, 3, 3> {
         if self.count + 1 == 3 {
-            // Every tangential direction slips, so the projection must remove u_t without rounding.
+            // With two slips the whole tangential part is free, so the projection must remove u_t without rounding.
             let mut hold = SMatrix::<f64, 3, 3>::zeros();
             hold.set_column(0, &self.reaching(1.0, [0.0; 2]));
             return hold;
         }
-        // At most one of two tangential directions slips.
+        // With one slip or none, the projection removes at most one direction.
         SMatrix::identity() - tangential(&self.rows[0]) * self.rows[0].transpose()
     }
 }

@@ -3,7 +3,8 @@
 use super::tolerances::NO_WORK;
 use crate::numerics::Vector;
 
-/// The unit motion in the span of the orthonormal `free` along which the load does the most work; `None` if that work is within rounding.
+/// The unit motion in the span of `free`, orthonormal motions that no spring resists, along which the load does the most work; `None` if that work is
+/// within rounding.
 pub(crate) fn motion_of_work(free: &[Vector], wrench: &Vector) -> Option<Vector> {
     let along = free.iter().fold(Vector::zeros(), |sum: Vector, v| sum + v * v.dot(wrench));
     let work = along.norm();

@@ -18,12 +18,12 @@ use crate::numerics::Vector;
 use crate::numerics::EventQueue;
 use crate::prelude::*;
 
-/// A point of a path, or its direction.
+/// A point of a path, or a direction of it.
 #[derive(Debug, Clone)]
 pub(crate) struct Point {
     /// Motion y of the object in energy coordinates.
     pub(crate) y: Vector,
-    /// The parameter that drives the path, scaled so that its unit weighs as much as a unit of y.
+    /// The parameter that drives the path, such as z₀ in Lemke's method, scaled so that its unit weighs as much as a unit of y.
     pub(crate) s: f64,
 }
 
@@ -64,7 +64,7 @@ pub(crate) struct LazyPricing {
     /// The reference direction e of the path.
     pub(crate) towards: Point,
     contacts: usize,
-    /// Length and number of steps of the path since all contacts were queued.
+    /// Length of the path since all contacts were queued; the next field counts its steps.
     length: f64,
     steps: usize,
     /// Contacts evaluated in the present step, and others that have to be queued again.
@@ -72,7 +72,8 @@ pub(crate) struct LazyPricing {
 }
 
 impl LazyPricing {
-    /// Queues all contacts for a path in this direction; `slack(contact, e)` returns the stamp and the waiting time of a contact.
+    /// Queues all contacts for a path in this direction; `slack(contact, e)` returns the waiting time of a contact on the clock, and a stamp by which
+    /// the caller recognises an outdated entry.
     pub(crate) fn line_up(
         &mut self,
         contacts: usize,
@@ -86,7 +87,7 @@ impl LazyPricing {
         (self.towards, self.contacts, self.length, self.steps) = (e, contacts, 0.0, 0);
     }
 
-    /// Clock time for a unit step along a direction of the path.
+    /// Time by which the clock advances in a step of length one along a direction of the path.
     pub(crate) fn speed(&self, along: &Point) -> f64 {
         let e = &self.towards;
         let forward = (along.y.dot(&e.y) + along.s * e.s).max(0.0);
@@ -102,15 +103,15 @@ impl LazyPricing {
 
     /// Whether the path has turned so far from e that the queue is worth rebuilding for its new direction.
     pub(crate) fn has_turned(&self) -> bool {
-        // If the clock advances by more than this multiple of the path's length, a new e is due.
+        // The clock runs faster than the path's length where the path deviates from e. Beyond this ratio a new e is due.
         let turned = 1.25;
-        // A rebuild evaluates every contact. It has to wait until steps times this number exceed the number of contacts.
+        // Queueing all contacts evaluates each of them. It pays only after a number of steps, a sixteenth of the number of contacts.
         let again = 16;
         self.line.clock > turned * self.length && self.steps * again > self.contacts
     }
 
-    /// Whether a contact has enough slack to keep waiting; otherwise it joins the contacts evaluated
-    /// in this step.
+    /// Queues a contact again if its slack exceeds the clock time `within` of this step; otherwise the step must evaluate it. Returns whether it is
+    /// queued.
     pub(crate) fn puts_off(&mut self, within: f64, contact: u32, stamp: u32, slack: f64) -> bool {
         let waits = self.line.schedule_if_later(within, contact, stamp, slack);
         if !waits {

@@ -6,21 +6,21 @@ use crate::contact::{Coulomb, Law, LocalLaw, Mode, tangential, tangential_norm};
 use crate::numerics::unit;
 use crate::prelude::*;
 
-/// A contact with a given limit of friction.
+/// A contact whose friction limit is a given number, independent of its normal force.
 pub(super) struct Limited {
     pub(super) stiffness: SVector<f64, 3>,
     pub(super) offset: SVector<f64, 3>,
     opens: bool,
     slides: Slides,
     cone: Coulomb,
-    /// Whether the law is one of rates, whose limit may be negative.
+    /// Whether the law is one of rates: the limit is then the rate of the friction limit, which may be negative.
     is_rate: bool,
 }
 
 /// The directions in which the contact may slide.
 enum Slides {
     Never,
-    /// In the plane: the facets of slip along -t and along +t, if they exist.
+    /// In the plane: indices of the facets of slip along -t and along +t; `None` where the contact may not slide.
     Along([Option<u16>; 2]),
     /// In space, on the facets `h·F_t = r` of a polygon with these corners.
     OnPolygon {
@@ -31,7 +31,7 @@ enum Slides {
     Round,
 }
 
-/// Response of a contact at the limit of its friction.
+/// Response of a contact whose friction is at its limit.
 struct AtLimit {
     friction: SVector<f64, 3>,
     /// Tangent stiffness of the springs that still resist, N/m.
@@ -39,18 +39,18 @@ struct AtLimit {
     state: Mode<u16>,
 }
 
-/// Response of a contact at a stretch.
+/// Response of a contact with a given friction limit to a stretch.
 pub(super) struct LimitedAnswer {
     pub(super) force: SVector<f64, 3>,
-    /// Tangent stiffness of the springs that resist, and the stiffness of those that yield, N/m.
+    /// Tangent stiffness, N/m. The next field has the stiffness of the springs that yield.
     pub(super) holds: SMatrix<f64, 3, 3>,
     pub(super) gives: SMatrix<f64, 3, 3>,
     pub(super) state: Mode<u16>,
 }
 
 impl Limited {
-    /// The contact on its polygon if `on_polygons`, otherwise on the round cone. `None` for a contact that may open but never slides, and in space
-    /// for rates of a contact on the edge of its cone.
+    /// The contact with its polygon if `on_polygons`, otherwise with its round cone. `None` for a contact that may open but never slides, and in
+    /// space for the rates of a contact on the edge of its cone: such laws are not covered.
     pub(super) fn of(local: &LocalLaw<'_>, offset: &SVector<f64, 3>, on_polygons: bool) -> Option<Self> {
         let (offset, cone) = (*offset, local.cone());
         if local.is_absent() {
@@ -110,9 +110,9 @@ impl Limited {
         answer
     }
 
-    /// The response where friction exceeds its limit; `None` where it stays below.
+    /// The response if the friction of the elastic force `force` exceeds the limit; `None` if it does not.
     fn at_limit(&self, force: &SVector<f64, 3>, limit: f64) -> Option<AtLimit> {
-        // Stiffness projected onto the directions along the limit, in which friction still follows the motion.
+        // Stiffness in the directions perpendicular to `normal`, in which friction still follows the motion.
         let along = |normal: &SVector<f64, 3>| {
             let mut across = SMatrix::<f64, 3, 3>::identity() - normal * normal.transpose();
             across[(0, 0)] = 0.0;
@@ -146,7 +146,7 @@ impl Limited {
                 }
                 let (count, size) = (normals.len(), normals[j].norm());
                 let nearest = friction - normals[j] * (violation / (size * size));
-                // Corner j lies between facets j and j + 1.
+                // Facets are numbered around the polygon; corner j lies between facets j and j + 1.
                 let [before, behind] = [(j + count - 1) % count, (j + 1) % count];
                 let corner = if beyond(behind, &nearest) > 0.0 {
                     Some(j)
@@ -169,7 +169,7 @@ impl Limited {
         }
     }
 
-    /// The limit of friction at a normal force.
+    /// The limit of friction that follows from a normal force.
     pub(super) fn limit(&self, normal: f64) -> f64 {
         let limit = self.cone.limit(normal);
         if self.is_rate { limit } else { limit.max(0.0) }

@@ -5,7 +5,7 @@ use crate::numerics::Vector;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 
-/// A load in the engine's coordinates (moments about the centroid of the contacts, scaled arms), and the rounding error of its conversion.
+/// A load in the engine's coordinates (moments about the centroid of the contacts, scaled arms), with the rounding error of this conversion.
 #[derive(Debug, Clone)]
 pub(crate) struct Load {
     pub(crate) wrench: Vector,
@@ -13,7 +13,7 @@ pub(crate) struct Load {
 }
 
 impl Engine {
-    /// The caller's load with the pull of vacuums and the constant loads on bodies and joints, in the engine's coordinates.
+    /// The caller's load in the engine's coordinates. The pull of vacuums and the constant loads on bodies and joints are added to it.
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50; `what` names it.

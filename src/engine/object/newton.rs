@@ -20,7 +20,7 @@ use crate::numerics::tolerances::SUFFICIENT_DECREASE;
 use crate::numerics::{Vector, in_halves};
 use crate::prelude::*;
 
-/// The residual R of the balance, and the sum of the sizes of its terms.
+/// The residual R of the balance of forces, and the sum of the norms of its terms, which scales its rounding.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Imbalance {
     pub(crate) left: Vector,
@@ -28,30 +28,30 @@ pub(crate) struct Imbalance {
 }
 
 impl Imbalance {
-    /// The imbalance of forces and a load; `beside` adds to the sizes of the forces.
+    /// The imbalance of forces and a load; `beside` is added to the sum of norms.
     pub(crate) fn of(sites: &[Site], forces: &[SVector<f64, 3>], load: &Vector, beside: f64) -> Self {
         let mut sum = Self { left: load.clone(), size: beside };
         sites.iter().zip(forces).for_each(|(site, force)| sum.add(site, force));
         sum
     }
 
-    /// Adds the terms of a contact.
+    /// Adds the wrench of a contact force and its norm.
     fn add(&mut self, site: &Site, force: &SVector<f64, 3>) {
         site.map.push(force, &mut self.left);
         self.size += force.norm();
     }
 
-    /// The sum of both.
+    /// The imbalance of two groups of contacts together.
     fn plus(self, other: Self) -> Self {
         Self { left: self.left + other.left, size: self.size + other.size }
     }
 }
 
-/// The response of a contact, by number, to a stretch, from its last response.
+/// The law by which a contact responds: a function of the contact's index, its stretch and its last response, from which an iteration may start.
 pub(super) type Response<'r> =
     dyn Fn(usize, &SVector<f64, 3>, &ContactResponse) -> ContactResponse + Sync + 'r;
 
-/// The response of a contact on its cone, with its return map.
+/// The response of a contact by its own law: the return map onto its friction cone.
 pub(super) fn on_cones(
     problem: &Problem,
 ) -> impl Fn(usize, &SVector<f64, 3>, &ContactResponse) -> ContactResponse + Sync {
@@ -70,12 +70,12 @@ pub(crate) fn newton_on_cones(
     newton(problem, (twist, settled, f64::MIN_POSITIVE), contacts, &on_cones(problem))
 }
 
-/// Newton's method from a twist until forces are out of balance by a part `settled` of their sizes. Returns the twist, the number of steps, and the
-/// remaining imbalance. The responses at that twist are left in `contacts`, a reused list; all are open at first. `beside` is a size of forces below
-/// which the method cannot resolve, such as rounding.
+/// Newton's method from a twist, until the imbalance of forces is at most the fraction `settled` of their sizes. Returns the twist, the number of
+/// steps, and the remaining imbalance. The responses at that twist are left in `contacts`, a reused list; all are open at first. `beside` is added to
+/// the sizes of the forces, so that an imbalance of that size times `settled` is accepted even without forces.
 ///
-/// A step that does not reduce the imbalance enough is halved: otherwise the method jumps
-/// to and fro between two states of a contact. Where no shorter step is better, the whole step is taken.
+/// A step that does not reduce the imbalance enough is halved: otherwise the method may alternate between two states of a contact. If no shorter step
+/// is better, the whole step is taken.
 pub(crate) fn newton(
     problem: &Problem,
     (mut twist, settled, beside): (Vector, f64, f64),
@@ -85,7 +85,7 @@ pub(crate) fn newton(
     contacts.clear();
     contacts.resize(problem.len(), ContactResponse::open());
     let mut response_at = respond(problem, (&twist, beside), contacts, response);
-    // Most Newton steps: the method converges in a few.
+    // The largest number of steps. As a rule Newton's method converges in a few, or not at all.
     for steps in 0..20 {
         let norm = response_at.left.norm();
         if norm <= settled * response_at.size {
@@ -97,7 +97,7 @@ pub(crate) fn newton(
         let step = problem.tangent_factors(&|i| contacts[i].state).solve(&response_at.left);
         let mut at = |part: f64| respond(problem, (&(&twist + &step * part), beside), contacts, response);
         let (mut part, mut next) = (1.0, at(1.0));
-        // Shortest part of a step that is tried. A part p must reduce the imbalance by at least `p SUFFICIENT_DECREASE` of itself.
+        // The smallest fraction p of a step that is tried. It must reduce the imbalance by at least `p SUFFICIENT_DECREASE` of itself.
         let shortest = 1e-3;
         while next.left.norm() > (1.0 - SUFFICIENT_DECREASE * part) * norm && part > shortest {
             part *= 0.5;

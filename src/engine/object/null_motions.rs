@@ -15,18 +15,18 @@ use crate::numerics::{
 };
 use crate::prelude::*;
 
-/// Null vectors of T, by their meaning (see the top of this file).
+/// Null vectors of the tangent stiffness T and of its transpose, by their mechanical meaning.
 #[derive(Debug, Clone)]
 pub(super) struct NullMotions {
     /// Motions that stretch no spring; orthonormal, like the other lists.
     pub(super) free: Vec<Vector>,
     pub(super) neutral: Vec<Vector>,
     pub(super) unbalanced: Vec<Vector>,
-    /// Each motion z with its stretches B z; the lists of stretches are orthonormal.
+    /// Motions z with Tᵀz = 0 but B z ≠ 0, each with its stretches B z; the lists of stretches are orthonormal.
     without_response: Vec<(Vector, Vec<f64>)>,
 }
 
-/// Null vectors in two groups: motions that stretch no spring, and the others with the stretches of the springs.
+/// Null vectors in two groups: motions that stretch no spring, and the others, each with the stretches of all springs.
 struct Apart {
     unstretched: Vec<Vector>,
     stretched: Vec<(Vector, Vec<f64>)>,
@@ -62,7 +62,8 @@ impl NullMotions {
         Some(found)
     }
 
-    /// The sum of the motions without response, each weighted by the work of the stretches x and the load on it; `None` without work.
+    /// The sum of the motions in `without_response`, each weighted by the work that offsets and load do on it; `None` if this work is zero. The
+    /// offsets come as stretches x of the springs.
     pub(super) fn motion_of_work(&self, x: &[f64], load: &Vector) -> Option<Vector> {
         let mut sum = Vector::zeros();
         for (z, stretches) in &self.without_response {
@@ -71,7 +72,8 @@ impl NullMotions {
         (sum.norm() > 0.0).then_some(sum)
     }
 
-    /// Whether stretches and load do work on a motion without response, beyond rounding amplified by `growth`.
+    /// Whether offsets (as stretches x of the springs) and load do more work on a motion in `without_response` than rounding explains. Forces then
+    /// cannot balance. `growth` is the amplification of rounding by the factors.
     pub(super) fn are_out_of_reach(&self, x: &[f64], load: &Vector, growth: impl Fn() -> f64) -> bool {
         self.without_response.iter().any(|(z, stretches)| {
             let sizes = |terms: &mut dyn Iterator<Item = f64>| terms.fold(0.0, |sum, term| sum + term.abs());
@@ -84,7 +86,8 @@ impl NullMotions {
     }
 }
 
-/// Groups null vectors of T, or of its transpose, by whether they stretch springs. The vectors are given in units of the columns of `side`.
+/// Groups null vectors of T, or of its transpose, by whether they stretch springs. The vectors are in units of the columns of `side`: A for null
+/// vectors of T, B for those of its transpose.
 fn apart(
     band: &BandPiece,
     [side, other]: [&Side; 2],
@@ -131,7 +134,8 @@ fn apart(
             stretches.iter_mut().zip(of_known).for_each(|(x, known)| *x += known * part);
         }
         let length = dot(&stretches, &stretches).sqrt();
-        // A unit motion is free if its stretches are at most this part of the longest row. Even the softest springs stretch by more than 1e-6.
+        // A unit motion is free if its stretches are at most this fraction of the longest row. A motion that stretches even the softest springs
+        // exceeds 1e-6 of it.
         if length <= 1e-11 * side.longest {
             apart.unstretched.push(v);
             continue;
@@ -139,7 +143,8 @@ fn apart(
         let mut left = vec![0.0; band.numbers.len()];
         springs.add(other, &stretches, &mut left);
         let left = left.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        // T is singular along a motion if Bᵀ times its stretches is at most this part of their norm. The comparison is false for NaN.
+        // T is singular along a motion if the forces of its stretches are balanced: if Bᵀ times the stretches is at most this fraction of their norm.
+        // The comparison is false for NaN.
         let singular = left <= LINEARLY_DEPENDENT * length;
         if !singular {
             return None;

@@ -26,9 +26,10 @@ pub(crate) struct Piece {
     pub(super) springs: Vec<Spring>,
     /// Index of the first spring of each contact; the last entry is the number of springs.
     first: Vec<usize>,
-    /// Orthonormal motions that stretch no spring of this piece.
+    /// Orthonormal motions that stretch no spring.
     pub(super) free: Vec<Vector>,
-    /// Orthonormal motions in the null space of B: a load that does work along one of them cannot be balanced.
+    /// Orthonormal motions in the null space of B, whose rows are the directions in which springs push: a load that does work along one of them
+    /// cannot be balanced.
     pub(super) unbalanced: Vec<Vector>,
     /// Factors of the tangent stiffness T = BᵀA in a band, with many coordinates. `None` if T is nearly, but not exactly, singular.
     pub(super) band: Option<(BandPiece, NullMotions)>,
@@ -37,11 +38,11 @@ pub(crate) struct Piece {
     size: Size,
 }
 
-/// Orthogonal factors of A, and of B if a contact slides.
+/// Orthogonal factors of A (stretches of springs under a motion), and of B (directions in which springs push) if a contact slides.
 #[derive(Debug, Clone)]
 pub(super) struct OrthogonalPiece {
     pub(super) right: Orthogonal,
-    /// B and `Q_BᵀQ_A`; `None` if nothing slides, since then B = A.
+    /// Factors of B, and of the product `Q_BᵀQ_A` of both orthogonal factors; `None` if nothing slides, since then B = A.
     pub(super) left: Option<(Orthogonal, CompletePivoting)>,
 }
 
@@ -52,7 +53,7 @@ impl Piece {
         })
     }
 
-    /// A piece of given springs: `add(contact, list)` appends the springs of a contact, at most one per axis.
+    /// The linear problem of given springs: `add(contact, list)` appends the springs of a contact, at most one per axis.
     pub(crate) fn of_springs(sites: &[Site], add: &dyn Fn(usize, &mut Vec<Spring>)) -> Self {
         let mut springs = Vec::with_capacity(3 * sites.len());
         let mut first = Vec::with_capacity(sites.len() + 1);
@@ -115,17 +116,18 @@ impl Piece {
         rows
     }
 
-    /// Whether the piece has factors in a band, which it has for many coordinates only.
+    /// Whether the tangent stiffness is factored in a band, as with many coordinates.
     pub(crate) fn is_banded(&self) -> bool {
         self.band.is_some()
     }
 
-    /// Displacements of the coordinates if a sticking contact pushes along its axes, in units of its springs; `None` without a band.
+    /// Displacements of the coordinates if a sticking contact pushes along its axes, with pushes divided by the square roots of the stiffnesses;
+    /// `None` without a band.
     pub(crate) fn displacements_under(&self, contact: usize, pushes: &SVector<f64, 3>) -> Option<Vec<f64>> {
         Some(self.band.as_ref()?.0.displacements_under(contact, &self.along_springs(contact, pushes)[..]))
     }
 
-    /// Stretches of the contact's springs under these displacements of the coordinates, summed with the weights `times` of the axes.
+    /// The sum of the stretches of a contact's springs under displacements of the coordinates, weighted by `times` along each axis.
     pub(crate) fn weighted_stretch(
         &self,
         contact: usize,
@@ -137,24 +139,24 @@ impl Piece {
         })
     }
 
-    /// The entries of `axes` in the order of the contact's springs.
+    /// The components of a vector in the contact frame, in the order of the contact's springs along the axes.
     fn along_springs(&self, contact: usize, axes: &SVector<f64, 3>) -> Vec<f64> {
         mapped(&self.springs[self.first[contact]..self.first[contact + 1]], &|spring| {
             axes[spring.right.iamax()]
         })
     }
 
-    /// The motion q of least norm with given `R q`.
+    /// The motion q of least norm with given coordinates `R q`, where A = Q R.
     pub(crate) fn motion(&self, coordinates: &Vector) -> Vector {
         without(self.factor().preimage(coordinates), self.free_motions())
     }
 
-    /// Motions that stretch no spring of this piece: the twist is determined up to them, and forces do not depend on them.
+    /// Motions that stretch no spring: the twist is determined up to them, and forces do not depend on them.
     pub(crate) fn free_motions(&self) -> &[Vector] {
         &self.free
     }
 
-    /// Motions along which this piece stays in equilibrium while its forces change: its solution is then a family.
+    /// Motions along which forces change but stay in balance: the solution in these contact states is then not unique.
     pub(crate) fn neutral_motions(&self) -> Vec<Vector> {
         if let Some((_, null)) = &self.band {
             return null.neutral.clone();
@@ -198,7 +200,7 @@ impl Piece {
         Some(left.preimage(&work_part(&kernel, &(pushed + left.load_coordinates(load)))?))
     }
 
-    /// Factor by which this piece amplifies relative rounding errors, at least 1.
+    /// Factor by which the solution in these contact states amplifies relative rounding errors, at least 1.
     pub(crate) fn growth(&self) -> f64 {
         match &self.band {
             Some((band, _)) => band.growth(),
@@ -206,7 +208,7 @@ impl Piece {
         }
     }
 
-    /// Whether the load does no work on the unbalanced motions of this piece.
+    /// Whether the springs can balance the load: it does no work on any motion along which no spring pushes.
     pub(crate) fn resists(&self, wrench: &Vector) -> bool {
         motion_of_work(&self.unbalanced, wrench).is_none()
     }
@@ -221,7 +223,7 @@ impl Piece {
 }
 
 impl OrthogonalPiece {
-    /// Factors from the rows of A and, where a contact slides, of B.
+    /// Orthogonal factors from the rows of A and, if a contact slides, of B.
     fn new(size: Size, right: &[Vector], left: Option<&[Vector]>) -> Self {
         let right = Orthogonal::new(size, right);
         let Some(left) = left else { return Self { right, left: None } };

@@ -1,6 +1,6 @@
 //! Motion of the object and balance of forces in twice the working precision.
 //!
-//! The residual of a stiff spring is the difference of numbers 1e14 times as large. With G_i, W and q in twice the
+//! The residual of a stiff spring may be the difference of numbers 1e14 times as large. With G_i, W and q in twice the
 //! working precision, solving again for the residual gives forces that are right to the last digit.
 
 use crate::numerics::{Size, Vector, WHOLE};
@@ -66,7 +66,7 @@ impl PreciseTwist {
         self.0.value()
     }
 
-    /// The difference to another twist.
+    /// This twist minus another one, rounded.
     pub(super) fn less(mut self, other: &Self) -> Vector {
         for k in 0..other.0.high.len() {
             let mut q = self.0.at(k);

@@ -20,25 +20,25 @@ use crate::grasp::{Engine, Remembered, Site, Space, Wrench, size_of};
 use crate::numerics::{DoubleDouble, cleared_for};
 use crate::prelude::*;
 
-/// Laws, commanded offsets a_i and load of the equation `Σ G_i F_i + W = 0`, in the engine's coordinates.
+/// The problem to solve: contact laws, commanded offsets a_i and load of the equation `Σ G_i F_i + W = 0`, in the engine's coordinates.
 #[derive(Debug, Clone)]
 pub(crate) struct Problem<'g> {
     pub(crate) sites: &'g [Site],
     /// The polygon of every contact without a polygon of its own.
     pub(crate) polygon: Arc<Polygon>,
-    /// Polygons rotated so that a corner lies along the friction force of the elastic trial: empty, or one for each contact.
+    /// For each contact a polygon that is rotated so that a corner lies along its friction force in the elastic trial. An empty list stands for `polygon`.
     pub(crate) turned: Vec<Polygon>,
-    /// Present friction cones, narrower at contacts that slide with kinetic friction: empty, or one for each contact.
+    /// Present friction cones, narrower at contacts that slide with kinetic friction. An empty list stands for the static cones.
     pub(crate) cones: Vec<Coulomb>,
     pub(crate) laws: Vec<Law>,
-    /// Commanded displacement less clearance and accumulated slip, m, in the contact frames.
+    /// Commanded displacement minus clearance and accumulated slip, m, in the contact frames.
     pub(crate) offsets: Vec<SVector<f64, 3>>,
     /// Accumulated slip, m, in the contact frames.
     pub(crate) slips: Vec<SVector<f64, 3>>,
     pub(crate) wrench: Vector,
-    /// Rounding error of the load, from moving its moment to the centroid.
+    /// Rounding error of `wrench`, which arises where its moment is moved to the centroid of the contacts.
     pub(crate) wrench_rest: Vector,
-    /// Whether contacts with infinite friction get facets, as contacts with a very large coefficient do.
+    /// Whether contacts with infinite friction get facets, like contacts with a very large coefficient, and so may slide.
     pub(crate) infinite_friction_has_edges: bool,
     /// In space: the round cone limits sticking contacts, and the polygon only proposes states.
     pub(crate) round: bool,
@@ -46,7 +46,7 @@ pub(crate) struct Problem<'g> {
     pub(crate) trial: Option<&'g Remembered>,
 }
 
-/// Lists of a problem with one entry for each contact, whose memory another problem can reuse.
+/// The lists of a problem that have one entry for each contact. Another problem can reuse their memory.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Lists {
     pub(crate) laws: Vec<Law>,
@@ -91,7 +91,8 @@ impl Engine {
 }
 
 impl<'g> Problem<'g> {
-    /// Every contact has its full law. In space the round cone limits friction if `round`, otherwise the polygon.
+    /// The problem in which every contact has its full law, not that of its rates. In space the round cone limits friction if `round`, otherwise the
+    /// polygon.
     pub(crate) fn at_rest(
         sites: &'g [Site],
         polygon: Arc<Polygon>,
@@ -150,14 +151,14 @@ impl<'g> Problem<'g> {
         self.sites.len()
     }
 
-    /// The polygon in place of a contact's round cone.
+    /// The polygon that replaces a contact's round cone.
     #[inline]
     pub(crate) fn polygon(&self, contact: usize) -> &Polygon {
         let own = || self.sites[contact].polygon.as_ref().unwrap_or(&self.polygon);
         self.turned.get(contact).unwrap_or_else(|| own())
     }
 
-    /// The friction cone of a contact: that of static friction, unless it slides with less.
+    /// The friction cone of a contact: that of static friction, unless it slides with a lower kinetic coefficient.
     #[inline]
     pub(crate) fn cone(&self, contact: usize) -> Coulomb {
         self.cones.get(contact).copied().unwrap_or(self.sites[contact].friction)
@@ -206,8 +207,8 @@ impl<'g> Problem<'g> {
         self.each(|local| local.unjumped())
     }
 
-    /// The states in which contacts on an edge of the cone slide along it and contacts at its apex open. In rates this is the most common solution,
-    /// and one linear solve checks it.
+    /// The states in which contacts on the edge of their cone slide, contacts at its apex open, and all others stick. In rates this is the most
+    /// common solution, and one linear solve checks it.
     pub(crate) fn yielding(&self) -> Vec<State> {
         self.each(|local| local.yielding())
     }
@@ -252,7 +253,7 @@ impl<'g> Problem<'g> {
     }
 }
 
-/// Iterates over the laws of all contacts, in order. Iterator adapters are compiled once for this named type, not once for each closure.
+/// An iterator over the laws of all contacts, in order. It is a named type so that iterator adapters are compiled once for it, not once for each closure.
 pub(crate) struct Locals<'p> {
     problem: &'p Problem<'p>,
     next: usize,

@@ -1,14 +1,15 @@
 //! Relaxation of a stuck grasp: the object moves as slowly as viscous contacts would let it.
 //!
-//! With Coulomb friction a grasp may rest in several ways, down to the object beside the fingers. Steps with the stiffness of the stuck grasp,
+//! With Coulomb friction a grasp may have several equilibria; in an extreme one the object lies beside the fingers. Steps with the stiffness of the
+//! stuck grasp,
 //!
 //! ```text
 //! q <- q + T⁻¹R(q),   T = Σ G_i K_i G_iᵀ
 //! ```
 //!
-//! go as viscous contacts would: what is beyond a cone slips little by little. Where they go straight on they are made longer. They end at one
-//! equilibrium, which is stable, and which varies with loads, commands and friction without a jump for as long as it is. Newton's method from afar
-//! jumps from one equilibrium to another.
+//! move the object as viscous contacts would: contacts with forces beyond their cones slip little by little. Steps in nearly the same direction are
+//! made longer. They end at one equilibrium. It is stable, and as long as it remains so, it varies continuously with loads, commands and friction.
+//! Newton's method from afar jumps from one equilibrium to another.
 
 use super::newton::{on_cones, respond};
 use super::problem::Problem;
@@ -18,10 +19,11 @@ use crate::contact::ContactResponse;
 use crate::numerics::Vector;
 use crate::prelude::*;
 
-/// The way on which the object relaxes from where everything sticks.
+/// The path on which the object relaxes, from the equilibrium in which everything sticks.
 ///
-/// The items are twists at which the object has nearly relaxed, each a hundred times as nearly as the last. Steps that become short show an
-/// equilibrium, or a place where a stable one has just vanished: if Newton's method finds none there, the object relaxes further.
+/// It iterates over twists at which the object has nearly relaxed; the estimated rest of the path is a hundredth of that at the previous one. Short
+/// steps indicate an equilibrium, or a place where a stable one has just vanished. If Newton's method finds none there, the caller asks for the next
+/// twist.
 pub(crate) struct ViscousRelaxation<'p, 'a> {
     problem: &'p Problem<'a>,
     factors: TangentFactors,
@@ -29,15 +31,15 @@ pub(crate) struct ViscousRelaxation<'p, 'a> {
     stuck: Vector,
     twist: Vector,
     last: Option<Vector>,
-    /// Factor by which the next step is made longer.
+    /// Factor by which the last step was made longer.
     pace: f64,
     steps: usize,
-    /// The part of the way gone that may be left at the next item.
+    /// The next twist is returned where the estimated rest of the path is below this fraction of the path covered so far.
     nearly: f64,
 }
 
 impl<'p, 'a> ViscousRelaxation<'p, 'a> {
-    /// The way from the twist of the stuck grasp; `None` where a motion of the stuck grasp is free.
+    /// The path from the twist `stuck`, at which everything sticks; `None` if no spring resists some motion of the stuck grasp.
     pub(crate) fn from_stuck(problem: &'p Problem<'a>, stuck: &Vector) -> Option<Self> {
         let factors = problem.tangent_factors(&|i| problem.local(i).unjumped());
         let contacts = vec![ContactResponse::open(); problem.len()];
@@ -47,7 +49,7 @@ impl<'p, 'a> ViscousRelaxation<'p, 'a> {
         of.factors.is_regular().then_some(of)
     }
 
-    /// The distance of a twist from the present one, as a part of the way gone.
+    /// The distance of a twist from the present one, as a fraction of the distance covered from the stuck grasp.
     pub(crate) fn part_of_the_way(&self, twist: &Vector) -> f64 {
         (twist - &self.twist).norm() / (&self.twist - &self.stuck).norm()
     }
@@ -65,8 +67,8 @@ impl Iterator for ViscousRelaxation<'_, '_> {
                 respond(self.problem, (&self.twist, 0.0), &mut self.contacts, &on_cones(self.problem));
             let step = self.factors.solve(&response.left);
             let size = step.norm();
-            // `whole` is the number of steps like this one in the whole way to rest, if steps keep shrinking by the same ratio. Past an unstable
-            // equilibrium steps are short, but grow.
+            // `whole` times this step is the rest of the path, if steps keep shrinking by the same ratio. Steps that grow, as past an unstable
+            // equilibrium, give no estimate.
             let (mut whole, mut next) = (f64::INFINITY, 1.0);
             if let Some(last) = &self.last {
                 let before = last.norm();

@@ -12,12 +12,13 @@ use crate::grasp::Site;
 use crate::numerics::Vector;
 use crate::prelude::*;
 
-/// The least product of softest stiffness and displacement size over all contacts, N; `spans` are the displacement sizes, m.
+/// The least force, N, that a contact's displacement causes in its softest spring, over all contacts; `spans` are the sizes of the displacements, m.
 pub(crate) fn least_spring_force(sites: &[Site], spans: impl Iterator<Item = f64>) -> f64 {
     sites.iter().zip(spans).map(|(site, span)| site.springs.softest() * span).fold(f64::INFINITY, f64::min)
 }
 
-/// Largest of the load and the contact forces, N, but at least [`NO_FORCE`] times the least force that displacements could cause in a spring.
+/// Largest of the load and the contact forces, N, but at least [`NO_FORCE`] times the force of [`least_spring_force`]: rounding is never compared
+/// with rounding alone.
 pub(crate) fn largest_force(
     sites: &[Site],
     offsets: &[SVector<f64, 3>],
@@ -26,7 +27,7 @@ pub(crate) fn largest_force(
     forces: impl Iterator<Item = f64>,
 ) -> f64 {
     let largest = forces.fold(load, f64::max);
-    // The minimum over contacts is at most its first term. If that term is too small to matter, the minimum is not computed.
+    // The minimum over all contacts is at most that of the first one, which therefore suffices if it is smaller than the forces.
     let least_of = |count: usize| {
         let norm = twist.norm();
         let spans = sites.iter().zip(offsets).map(|(site, a)| site.span_moved(a, norm));
@@ -36,13 +37,13 @@ pub(crate) fn largest_force(
 }
 
 impl Problem<'_> {
-    /// Largest force of the scene, N, for these contact forces and this twist.
+    /// [`largest_force`] of this problem, N, for these contact forces and this twist.
     pub(crate) fn largest_force(&self, forces: &[SVector<f64, 3>], twist: &Vector) -> f64 {
         let sizes = forces.iter().map(nalgebra::Matrix::norm);
         largest_force(self.sites, &self.offsets, twist, self.wrench.norm(), sizes)
     }
 
-    /// The size that scales the rounding of each force, for a state with these offsets under a load of this size.
+    /// For each contact the size, N, that scales the rounding of its force, in a state with these offsets under a load of this size.
     pub(crate) fn force_sizes(&self, offsets: &[SVector<f64, 3>], load: f64, state: &PieceState) -> Vec<f64> {
         let norms = state.forces.iter().map(nalgebra::Matrix::norm);
         let largest = largest_force(self.sites, offsets, &state.twist, load, norms);
@@ -69,7 +70,7 @@ impl Problem<'_> {
         self.at_moved((contact, force), twist, twist.norm(), largest)
     }
 
-    /// [`Self::at`] of a twist with a known norm, for loops over many contacts.
+    /// [`Self::at`] with a norm of the twist that the caller has computed once for all contacts.
     #[inline]
     pub(crate) fn at_moved<'s>(
         &self,

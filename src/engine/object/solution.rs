@@ -18,7 +18,7 @@ use crate::grasp::Site;
 use crate::numerics::{DoubleDouble, Vector, cleared_for, without};
 use crate::prelude::*;
 
-/// Forces and twist of one linear piece.
+/// Forces and twist that solve the linear problem of a [`Piece`].
 #[derive(Debug, Clone)]
 pub(crate) struct PieceState {
     /// F_i in the contact frames, N.
@@ -33,23 +33,23 @@ impl Default for PieceState {
     }
 }
 
-/// Memory for repeated solutions: the forces of springs, and their changes.
+/// Memory that repeated solutions reuse: the forces of springs, and their changes.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct SolutionMemory {
     x: Vec<f64>,
     change: Vec<f64>,
 }
 
-/// The reason why a piece has no solution under a load.
+/// The linear problem of a [`Piece`] has no solution under a load.
 #[derive(Debug, Clone)]
 pub(crate) struct Unbalanced {
-    /// A unit motion along which the load does work and no contact of this piece resists. `None` if such a motion does stretch springs, but friction
-    /// keeps them from balancing the load.
+    /// A unit motion along which the load does work and no spring pushes. `None` if springs are stretched, but sliding contacts push in directions
+    /// that cannot balance the load.
     pub(crate) motion: Option<Vector>,
 }
 
 impl Piece {
-    /// Forces and the twist of least norm under these offsets and this load. `sites` are the contacts and drives from which this piece was made.
+    /// Forces and the twist of least norm under these offsets and this load. `sites` are the contacts and drives from which this [`Piece`] was made.
     pub(crate) fn solve(
         &self,
         sites: &[Site],
@@ -81,7 +81,7 @@ impl Piece {
             }
             let mut twist = PreciseTwist::new(self.size(), band.respond(x, &load.wrench));
             let respond = |x: &mut [f64], rest: &Vector| band.respond(x, rest);
-            // Corrections shrink by a constant factor. Refinement ends when one is below this part of the largest force.
+            // Corrections shrink only by a constant factor, so refinement ends when one is below this fraction of the largest force.
             if self.refine(sites, (offsets, &load), (x, change, &mut twist), (respond, 1e-15)) {
                 state.twist = without(twist.value(), &self.free);
                 self.forces_into(&mut state.forces, x, offsets.len());
@@ -97,7 +97,7 @@ impl Piece {
             None => pushed + &loaded,
             Some((_, coupling)) => {
                 let (step, unreached) = coupling.solve(&(&pushed + &loaded));
-                // The two terms may cancel; their sum is accurate to the rounding of the larger one.
+                // `pushed` and `loaded` may cancel; a remainder below the rounding of the larger one counts as zero.
                 let known = NO_WORK * pushed.amax().max(loaded.amax());
                 if unreached > known && unreached > known * coupling.growth() {
                     return Err(Unbalanced { motion: None });
@@ -115,7 +115,7 @@ impl Piece {
     }
 
     /// Iterative refinement. Returns whether it converged: the first correction was below [`NEARLY_CORRECTED`] of the largest force, or a later one
-    /// below the part `sharp`.
+    /// below the fraction `sharp` of it.
     fn refine(
         &self,
         sites: &[Site],
@@ -142,7 +142,7 @@ impl Piece {
         false
     }
 
-    /// [`Self::solve`] without refinement, for a piece in which all contacts stick and every motion is resisted. The projection is applied twice; the
+    /// [`Self::solve`] without refinement, for a [`Piece`] in which all contacts stick and every motion is resisted. The projection is applied twice; the
     /// remaining error is a few roundings of the largest force.
     pub(crate) fn solve_roughly(&self, offsets: &[SVector<f64, 3>], wrench: &Vector) -> PieceState {
         let mut state = PieceState::default();
@@ -176,7 +176,7 @@ impl Piece {
         self.forces_into(&mut state.forces, x, offsets.len());
     }
 
-    /// Replaces x by `x - A (BᵀA)⁻¹ (Bᵀx + W)` and returns the twist `(BᵀA)⁻¹ (Bᵀx + W)`.
+    /// Lets the object give way until forces balance: replaces the spring forces x by `x - A (BᵀA)⁻¹ (Bᵀx + W)` and returns the twist `(BᵀA)⁻¹ (Bᵀx + W)`.
     pub(super) fn respond(&self, x: &mut [f64], wrench: &Vector) -> Vector {
         match &self.band {
             Some((band, _)) => band.respond(x, wrench),
@@ -184,7 +184,7 @@ impl Piece {
         }
     }
 
-    /// Contact forces that result from given stretches of the contacts and a load. A part of the load that the piece cannot balance is ignored.
+    /// Contact forces that result from given stretches of the contacts and a load. A part of the load that the springs cannot balance is ignored.
     pub(crate) fn forces_of(&self, stretches: &[SVector<f64, 3>], load: &Vector) -> Vec<SVector<f64, 3>> {
         let mut x = self.stretched(|contact| stretches[contact]);
         self.respond(&mut x, load);
@@ -197,7 +197,7 @@ impl Piece {
         self.forces(&x, problem.len())
     }
 
-    /// `x_r = right_r · v` of every spring, from the stretches v of the contacts.
+    /// The forces `x_r = right_r · v` of all springs if contacts have the stretches v.
     pub(super) fn stretched(&self, stretch: impl Fn(usize) -> SVector<f64, 3>) -> Vec<f64> {
         let mut x = Vec::new();
         self.stretched_into(&mut x, stretch);
@@ -230,7 +230,8 @@ impl Piece {
         }
     }
 
-    /// Writes the residual e of each spring and returns the residual ρ of equilibrium, both as defined at the top of this file.
+    /// Writes the residual e of each spring and returns the residual ρ of equilibrium, `e_r = right_r · (a_i - G_iᵀ q) - x_r` and `ρ = Σ G_i left_r
+    /// x_r + W`.
     fn excess(
         &self,
         sites: &[Site],
@@ -271,7 +272,8 @@ impl Piece {
 }
 
 impl OrthogonalPiece {
-    /// Replaces x by `x - Q_A (Q_BᵀQ_A)⁻¹ (Q_Bᵀx + R_B⁻ᵀW)` and returns the twist of that step.
+    /// Lets the object give way until forces balance: replaces the spring forces x by `x - Q_A (Q_BᵀQ_A)⁻¹ (Q_Bᵀx + R_B⁻ᵀW)` and returns the twist of
+    /// that step.
     fn respond(&self, x: &mut [f64], wrench: &Vector) -> Vector {
         let balance = self.balance();
         let excess = balance.coordinates(x) + balance.load_coordinates(wrench);

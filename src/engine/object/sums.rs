@@ -1,8 +1,8 @@
 //! Equilibrium of the object in energy coordinates, as sums over contacts. A change of one contact's state changes only the terms of that contact.
 //!
-//! With every contact in a known state, forces balance the load where `Σ Qᵀ(x - x⁰) = 0`. With `x =
-//! P u` these are d equations for the motion y on top of the elastic trial motion. Each other
-//! variable λ_r that x depends on adds a right side:
+//! With every contact in a known state, forces balance the load where `Σ Qᵀ(x - x⁰) = 0`. With `x = P u` these are d equations for the motion y on
+//! top of the elastic trial motion. Each further variable λ_r on which x depends, such as a load parameter, adds a right-hand side (p_r is the
+//! derivative of x by λ_r):
 //!
 //! ```text
 //! T y = Σ_r b_r λ_r,     T = Σ QᵀP Q,     b_r = Σ Qᵀp_r
@@ -17,13 +17,13 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::numerics::in_halves;
 
-/// Whether sums over this number of contacts have changed too often to be accurate.
+/// Whether so many terms of sums over contacts have been changed that the sums should be computed anew.
 pub(crate) fn are_stale(changes: usize, contacts: usize) -> bool {
-    // Each change leaves a rounding error, while new sums evaluate every contact. Sums are recomputed after this number of changes.
+    // Each change leaves a rounding error in the sums, but new sums evaluate every contact. After this number of changes new sums are due.
     changes > 64 + contacts / 4
 }
 
-/// T and its right sides b_r; R is their number.
+/// The matrix T and the R right-hand sides b_r of the equilibrium `T y = Σ b_r λ_r`.
 #[derive(Debug, Clone)]
 pub(crate) struct Sums<const R: usize> {
     pub(crate) stiffness: Square,
@@ -31,7 +31,7 @@ pub(crate) struct Sums<const R: usize> {
 }
 
 impl<const R: usize> Default for Sums<R> {
-    /// [`Self::sticking`] with no coordinates.
+    /// The sums [`Self::sticking`] for zero coordinates.
     fn default() -> Self {
         Self::sticking(Size::default())
     }
@@ -51,7 +51,8 @@ impl<const R: usize> Sums<R> {
         self.sides.iter_mut().for_each(|side| *side = Vector::zeros());
     }
 
-    /// The sums over all contacts; `add(sums, contact)` adds the terms of one. Components of y from `rank` on move nothing and get a unit diagonal.
+    /// The matrix and right-hand sides, summed over all contacts; `add(sums, contact)` adds the terms of one. Components of the motion y from index
+    /// `rank` on move no contact. Their diagonal entries are one, so that the matrix can be factorised.
     pub(crate) fn over(
         size: Size,
         contacts: usize,
@@ -75,7 +76,7 @@ impl<const R: usize> Sums<R> {
     }
 
     /// Adds the terms of a contact, times `weight`. `seen` is the map from y to the contact, `hold` is the projection P of its state (`None`:
-    /// identity), and `pushed` holds p_r of each right side.
+    /// identity), and `pushed` has the vectors p_r of all right-hand sides.
     pub(crate) fn add(
         &mut self,
         seen: &ScaledMap,

@@ -21,14 +21,14 @@ use crate::grasp::{Site, size_of};
 use crate::numerics::{Factors, PartialPivoting, in_halves};
 use crate::prelude::*;
 
-/// Factors of T, in a band where there are many coordinates.
+/// Factors of the tangent stiffness T; those of a band matrix if there are many coordinates.
 pub(crate) enum TangentFactors {
     Whole(Factors),
     Band(Box<BandPiece>),
 }
 
 impl TangentFactors {
-    /// A solution of `T y = b`; where T is singular, of the part of b that has one.
+    /// A solution of `T y = b`; where T is singular, for the component of b in its range.
     pub(crate) fn solve(&self, b: &Vector) -> Vector {
         match self {
             Self::Whole(factors) => factors.solve(b),
@@ -36,7 +36,7 @@ impl TangentFactors {
         }
     }
 
-    /// Null vectors of T, as motions; none are reported without a band.
+    /// Null vectors of T, as motions of all coordinates. None are reported unless T is a band matrix.
     pub(crate) fn loose_motions(&self) -> Vec<Vector> {
         match self {
             Self::Whole(_) => Vec::new(),
@@ -44,7 +44,7 @@ impl TangentFactors {
         }
     }
 
-    /// Whether T is regular.
+    /// Whether the tangent stiffness T is regular.
     pub(crate) fn is_regular(&self) -> bool {
         match self {
             Self::Whole(factors) => matches!(factors, Factors::Regular(_)),
@@ -54,7 +54,7 @@ impl TangentFactors {
 }
 
 impl Problem<'_> {
-    /// Factors of T with these states of the contacts.
+    /// Factors of the tangent stiffness T in these contact states.
     pub(crate) fn tangent_factors(&self, state: &(dyn Fn(usize) -> State + Sync)) -> TangentFactors {
         self.tangent_in_a_band(state).unwrap_or_else(|| {
             let tangent = |i: usize| self.local(i).tangent(&state(i)).matrix();
@@ -62,7 +62,7 @@ impl Problem<'_> {
         })
     }
 
-    /// Factors of T in a band, where there are many coordinates.
+    /// Factors of the tangent stiffness T as a band matrix; `None` unless there are many coordinates.
     pub(crate) fn tangent_in_a_band(&self, state: &dyn Fn(usize) -> State) -> Option<TangentFactors> {
         if !uses_band(self.size()) {
             return None;
@@ -76,10 +76,10 @@ impl Problem<'_> {
     }
 }
 
-/// C_i of a contact: the derivative of its force by its stretch.
+/// The tangent stiffness C_i of a contact: the derivative of its force by its stretch.
 pub(crate) type SpringTangent = SMatrix<f64, 3, 3>;
 
-/// T of these contacts; `springs(i)` returns C_i of contact i.
+/// The tangent stiffness T of the object, from these contacts; `springs(i)` returns C_i of contact i.
 pub(crate) fn tangent_stiffness(sites: &[Site], springs: impl Fn(usize) -> SpringTangent + Sync) -> Square {
     let part = |contacts: Range<usize>| {
         let mut t = Square::zeros(size_of(sites));
@@ -106,7 +106,7 @@ fn add_tangent(t: &mut Square, site: &Site, springs: &SpringTangent) {
     }
 }
 
-/// Corrects forces and twist until the imbalance R is at most the part `part` of the sizes of its terms. Returns the sum over all steps of the
+/// Corrects forces and twist until the imbalance R is at most the fraction `part` of the sizes of its terms. Returns the sum over all steps of the
 /// largest change of a force, N; `None` if the steps do not suffice.
 pub(crate) fn balance(
     sites: &[Site],
@@ -117,7 +117,7 @@ pub(crate) fn balance(
     part: f64,
 ) -> Option<f64> {
     let mut moved = 0.0_f64;
-    // Maximum number of refinement steps: if one is not enough, the second should be.
+    // The largest number of steps. One or two are enough where T is well conditioned.
     for _ in 0..4 {
         let Imbalance { left, size } = Imbalance::of(sites, &state.forces, wrench, wrench.norm());
         if left.norm() <= part * size {

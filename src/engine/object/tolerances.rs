@@ -1,47 +1,50 @@
 //! The numbers below which the elastic solution of an object takes a value for zero or for rounding.
 //!
-//! All of them are pure numbers, parts of the forces, work or terms that they are compared with.
+//! All of them are pure numbers: fractions of the forces, work or terms that they are compared with.
 
-/// A load that does less work than this part of its size on a unit free motion does none. Loads that were computed to balance carry rounding
+/// A load whose work on a unit free motion is below this fraction of its size does no work on it. Loads that were computed to balance carry rounding
 /// of about 1e-16.
 ///
-/// Smaller, balanced loads seem to drive the object off; larger, loads that do are neglected.
+/// If smaller, balanced loads seem to drive the object off; if larger, loads that do are neglected.
 pub(super) const NO_WORK: f64 = 1e-13;
 
-/// ε of the clock that says when a contact is evaluated: deviations from e count 1/ε times. With a smaller ε, a clock that turns away runs too
-/// fast; with a larger one, contacts are evaluated too early.
+/// ε of the clock in `lazy_pricing`, which says when a contact is evaluated: path length across the reference direction counts 1/ε times. With a
+/// smaller ε the clock runs too fast as soon as the path turns; with a larger one, contacts are evaluated too early.
 pub(super) const PRICED_ACROSS: f64 = 0.25;
 
-/// Values are reduced by this part of their terms, which exceeds their rounding: a contact that waits too long would be missed.
+/// In `lazy_pricing` the value of a condition is reduced by this fraction of its terms, which exceeds its rounding, so that no contact waits too long.
 ///
-/// Smaller, such contacts are missed; larger, contacts are evaluated too early.
+/// If smaller, a contact may be evaluated after the end of its state; if larger, contacts are evaluated too early.
 pub(crate) const PRICING_MARGIN: f64 = 1e-13;
 
-/// Part of the springs' possible forces that counts as a force. A statically determinate grasp may carry no force at all. Three projections then
-/// leave 1e-45 of the forces that its springs could have from displacements of this size. With this part, noise is not compared with itself.
+/// Forces below this fraction of those that displacements could cause in the springs are rounding. A statically determinate grasp may carry no force
+/// at all. Three projections then leave 1e-45 of the forces that its springs could have from displacements of this size. With this fraction such
+/// noise is not compared with itself.
 ///
-/// Smaller, that noise counts as forces; larger, small forces beside large displacements do not count.
+/// If smaller, that noise counts as forces; if larger, small forces beside large displacements do not count.
 pub(crate) const NO_FORCE: f64 = 1e-25;
 
-/// A correction by less than this part of the largest force is the last: its own error is this part of it.
+/// Refinement ends at a correction below this fraction of the largest force: the error that remains is the same fraction of the correction.
 ///
-/// Smaller, well-conditioned pieces take another correction; larger, forces miss digits that one correction would give.
+/// If smaller, well-conditioned pieces take another correction; if larger, forces miss digits that one correction would give.
 pub(super) const NEARLY_CORRECTED: f64 = 1e-8;
 
-/// Most corrections: where a force is exactly zero, each correction leaves 1e-16 of the previous value.
+/// The largest number of corrections. Where the exact force is zero, each correction leaves 1e-16 of the previous value.
 pub(super) const MOST_CORRECTIONS: usize = 4;
 
 /// Largest number of steps towards the equilibrium to which the stuck grasp relaxes; ten to thirty suffice as a rule. With fewer, Newton's method may
 /// go back to an equilibrium that is not stable, which the steps have passed.
 pub(super) const RELAXING_STEPS: usize = 300;
 
-/// The object has nearly relaxed where the way that is left is shorter than this part of the way gone: Newton's method takes it. With twenty times as much
-/// another equilibrium is nearer in one of 240 random scenes (`needed_amounts`); with less the steps take longer.
+/// The object has nearly relaxed where the estimated rest of its path is below this fraction of the path covered: Newton's method goes the rest. With
+/// a fraction twenty times as large, another equilibrium is nearer in one of 240 random scenes (test `needed_amounts`); with a smaller one there are
+/// more steps.
 pub(super) const NEARLY_RELAXED: f64 = 1e-2;
 
-/// Cosine of the angle between two steps above which the second goes straight on, and is made twice as long. Smaller, long steps oscillate; larger, slow
-/// relaxation takes hundreds of steps.
+/// Cosine of the angle between two steps of the relaxation above which the second has nearly the direction of the first, and is made twice as long.
+/// If smaller, long steps oscillate; if larger, slow relaxation takes hundreds of steps.
 pub(super) const STRAIGHT_ON: f64 = 0.99;
 
-/// The largest factor by which a step is made longer. Larger, a step may pass over an equilibrium; smaller, slow relaxation takes longer.
+/// The largest factor by which a step of the relaxation is made longer. If larger, a step may pass over an equilibrium; if smaller, slow relaxation
+/// takes longer.
 pub(super) const LONGEST_PACE: f64 = 64.0;

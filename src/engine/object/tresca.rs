@@ -6,9 +6,9 @@
 //! Σ G_i F_i(a_i - G_iᵀq) + W = 0      where  Σ φ_i(a_i - G_iᵀq) - W·q  is least
 //! ```
 //!
-//! and Newton's method finds its minimum from any start. As regularisation each step keeps a part of the stiffness of yielding springs, which
-//! decreases from step to step. Then new limits follow from the normal forces, until no contact changes its state. The states are a proposal: some
-//! may be wrong.
+//! and Newton's method finds its minimum from any start. As regularisation the Newton matrix keeps a fraction of the stiffness of yielding springs,
+//! which decreases from step to step. Then new limits follow from the normal forces, until no contact changes its state. The states are a proposal:
+//! some may be wrong.
 //!
 //! Source: J. Haslinger, I. Hlaváček, J. Nečas, Numerical methods for unilateral problems in solid mechanics, Handbook of Numerical Analysis IV
 //! (1996): friction as a fixed point of problems with given friction.
@@ -29,7 +29,7 @@ use crate::prelude::*;
 struct GivenLimits {
     contacts: Vec<Limited>,
     limits: Vec<f64>,
-    /// The coordinates with nonzero entries in each contact's grasp map, and these entries.
+    /// Coordinates with nonzero entries in the contacts' grasp maps, with these entries, contact after contact.
     coupled: Vec<(usize, SVector<f64, 3>)>,
     /// Position of each coordinate in the narrow order.
     numbers: Vec<usize>,
@@ -38,15 +38,15 @@ struct GivenLimits {
     band: PositiveBand,
 }
 
-/// Responses of all contacts to a motion.
+/// Responses of all contacts to a motion of the object.
 struct Answers {
     of: Vec<LimitedAnswer>,
     /// The imbalance `Σ G_i F_i + W`.
     imbalance: Vec<f64>,
 }
 
-/// Proposed contact states, in the plane or on polygons: forces nearly balance, and friction limits nearly agree with the normal forces. `None` with
-/// few coordinates, free motions or infinite friction.
+/// Proposed contact states, in the plane or on polygons: forces nearly balance, and friction limits nearly agree with the normal forces. `None` if
+/// there are few coordinates, motions that nothing resists, or contacts with infinite friction.
 pub(crate) fn states_by_tresca(problem: &Problem<'_>) -> Option<Vec<State>> {
     if !uses_band(problem.size()) {
         return None;
@@ -105,7 +105,7 @@ impl GivenLimits {
         &self.coupled[self.first[contact]..self.first[contact + 1]]
     }
 
-    /// Responses of the contacts to a motion by the law `answer`.
+    /// Responses of the contacts to a motion q; `answer` is their law.
     fn answers_by(&self, q: &[f64], answer: impl Fn(usize, &SVector<f64, 3>) -> LimitedAnswer) -> Answers {
         let (mut of, mut imbalance) = (Vec::with_capacity(self.contacts.len()), self.load.clone());
         for (i, contact) in self.contacts.iter().enumerate() {
@@ -123,7 +123,7 @@ impl GivenLimits {
         self.answers_by(q, |i, stretch| self.contacts[i].answer(stretch, self.limits[i]))
     }
 
-    /// Factors of T, with the part `kept` of the stiffness of springs that yield.
+    /// Factors of T, with the fraction `kept` of the stiffness of springs that yield.
     fn factor(&mut self, answers: &[LimitedAnswer], kept: f64) -> Option<()> {
         let Self { coupled, first, band, .. } = self;
         band.clear();
@@ -139,7 +139,7 @@ impl GivenLimits {
         band.factor()
     }
 
-    /// Iterates limits and motion until they agree. Returns the states and the motion.
+    /// Iterates friction limits and motion until they agree. Returns the states and the motion.
     fn iterated(mut self) -> Option<(Vec<Mode<u16>>, Vec<f64>)> {
         let stuck = |contact: &Limited, stretch: &SVector<f64, 3>| {
             let holds = SMatrix::from_diagonal(&contact.stiffness);
@@ -153,8 +153,8 @@ impl GivenLimits {
         self.band.solve(&mut q);
         answers = self.answers_by(&q, |i, stretch| stuck(&self.contacts[i], stretch));
         self.limits = self.limits_of(&answers.of);
-        // The Newton matrix keeps a part of the stiffness of yielding springs (regularisation): half at first, and at least 1e-4 at the start of
-        // later rounds. Newton's method ends at an imbalance of 1e-2 of the initial one in the first round.
+        // The Newton matrix keeps a fraction of the stiffness of yielding springs (regularisation): half at first, and at least 1e-4 at the start of
+        // later rounds. In the first round Newton's method ends at a hundredth of the initial imbalance.
         let (mut kept, mut enough) = (0.5, 1e-2 * size);
         let mut states: Vec<Mode<u16>> = Vec::new();
         // Outer iterations, each with new limits.
@@ -164,15 +164,16 @@ impl GivenLimits {
             let change: Vec<f64> = paired(&next, &self.limits, &|(next, last)| next - last);
             let change = norm(&change) / norm(&next).max(f64::MIN_POSITIVE);
             let last = core::mem::replace(&mut states, mapped(&answers.of, &|answer| answer.state));
-            // The iteration ends when limits change by less than this part and no contact changes its state.
+            // The iteration ends when limits change by less than this fraction and no contact changes its state.
             if last == states && change <= 1e-4 {
                 break;
             }
-            // The first six iterations are undamped, later ones average to stop oscillation.
+            // The first six iterations take the new limits; later ones take the mean with the previous limits, which stops oscillation.
             let mean = |(next, last): (&f64, &f64)| if round < 6 { *next } else { 0.5 * (next + last) };
             self.limits = paired(&next, &self.limits, &mean);
             kept = kept.max(1e-4);
-            // Later rounds end at a tenth of the change of limits, but no lower than 1e-9.
+            // Newton's method of the next round ends at an imbalance in proportion to the last change of limits, a tenth of it, but not below 1e-9 of
+            // the initial imbalance.
             enough = enough.min(0.1 * change * size).max(1e-9 * size);
         }
         Some((states, q))
@@ -199,8 +200,8 @@ impl GivenLimits {
                 let next: Vec<f64> = paired(q, &step, &|(q, step)| q + step * part);
                 present = self.answers(&next);
                 let rises = -dot(&present.imbalance, &step);
-                // Line search: the step is reduced, at most eight times, while the energy still rises at its end. A slope below this part of the
-                // initial descent is tolerated.
+                // Line search: the step is reduced, at most eight times, while the energy still rises at its end. A rising slope below this fraction
+                // of the initial descent is tolerated.
                 if rises <= SUFFICIENT_DECREASE * falls || shorter == 8 {
                     *q = next;
                     break;
@@ -208,7 +209,7 @@ impl GivenLimits {
                 part *= (falls / (falls + rises)).clamp(0.1, 0.9);
             }
             if part > 0.5 {
-                // Long steps reduce the regularisation, down to this limit.
+                // After a long step the regularisation is reduced, down to this limit.
                 *kept = (*kept * 0.3).max(1e-6);
             } else if part < 0.2 {
                 *kept = (*kept * 4.0).min(1.0);

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `wrench_cone` | the load lies outside the cone of all contact forces: a separating motion |
 //! | `separating_many` | the same proof with many coordinates, in a band |
-//! | `escape` | forces that escape a proof through rounding must be far larger than the data |
+//! | `escape` | the margin of a proof: rounding may hide only forces far larger than the data |
 //! | `refutation` | case by case on the round cone, as a certificate that can be checked |
 //! | `nothing_near` | a radius around a lost equilibrium within which no other exists |
 //! | `opening_cases` | a linear problem for each choice of open contacts, with friction of any direction |

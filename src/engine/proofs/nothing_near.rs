@@ -21,15 +21,15 @@ use crate::numerics::{Vector, increasing, mapped, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The largest ρ such that no equilibrium exists at any `q* + δ`, for δ up to ρ. Such a δ moves the centroid by at most ρ, and turns the object by at
-/// most ρ over the engine's unit of length. It moves each further coordinate by at most ρ. Infinite if no equilibrium exists at all; `None` if
-/// nothing is proved even at q*.
+/// The largest ρ for which it is proved that no equilibrium exists at any `q* + δ`, for δ up to ρ. Such a δ moves the centroid by at most ρ, and
+/// turns the object by at most ρ over the engine's unit of length. It moves each further coordinate by at most ρ. Infinite if no equilibrium exists
+/// at all; `None` if nothing is proved even at q*.
 pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> Option<f64> {
     let work = motion.dot(&problem.wrench);
     let mut size = motion.norm() * problem.wrench.norm();
     let mut resisted = 0.0;
     let mut slope = Vector::zeros();
-    // For each contact that may open: the ρ at which it opens, and the increase of the bound's slope beyond this ρ.
+    // For each contact that may open: the ρ at which it may do so, and the increase of the bound's slope beyond this ρ.
     let mut openings = Vec::new();
     for (i, (site, local)) in problem.sites.iter().zip(problem.locals()).enumerate() {
         let stretch = problem.stretch(i, at);
@@ -41,7 +41,8 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
                 if reach > 0.0 {
                     openings.push((stretch[0].max(0.0) / reach, c * reach));
                 }
-                // A contact that is open at q* adds nothing at q*; at a distance from q* it adds at most c times the distance by which it closes.
+                // The formula adds a negative term for a contact that is open at q*. It is cancelled here: an open contact resists nothing at q*, and
+                // away from q* at most c times the distance by which it closes.
                 resisted += c * (-stretch[0]).max(0.0);
                 (c * stretch[0], unit::<3>(0) * c)
             }
@@ -51,7 +52,7 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
         site.map.push(&row, &mut slope);
         size += row.norm() * site.span(&problem.offsets[i], at);
     }
-    // Bound of a sum's rounding per term, relative to the sum of the sizes of its terms. It includes the rounding of products and maps.
+    // Bound of the rounding of a sum, relative to the sum of the sizes of its terms. It includes the rounding of products and maps.
     let rounding = 64.0 * f64::EPSILON * (problem.len() as f64).max(8.0);
     let mut left = work - resisted - rounding * size;
     if left <= 0.0 {
@@ -70,7 +71,8 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
     Some((rho + left / growth) * (1.0 - rounding))
 }
 
-/// The largest product of a row with a δ of ρ = 1: the sum of the norms of its translation and rotation parts and the sizes of all other entries.
+/// The largest product of a row with a displacement δ of size 1: the sum of the norms of its translation and rotation parts and the sizes of all
+/// other entries.
 fn reach(space: Space, row: &Vector) -> f64 {
     let (axes, object) = (space.axes(), space.of_the_object());
     let part = |from: usize, to: usize| (from..to).map(|k| row[k] * row[k]).sum::<f64>().sqrt();

@@ -21,11 +21,11 @@ use crate::numerics::{Vector, chosen, largest, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Whether no load on the line from `here` (not included) to `past`, a little beyond, can be balanced.
+/// Whether it is proved that no load on the line from `here` (not included) to `past`, a little beyond, can be balanced.
 pub(crate) fn nothing_holds(here: &Problem, past: &Problem) -> bool {
     let free: Vec<usize> = chosen(here.len(), &|&i| here.local(i).may_open());
     let whole = !here.locals().any(|local| local.is_absent() || local.is_on_an_edge());
-    // Maximum number of contacts that may open: all 2ⁿ choices of open ones are tried.
+    // With more contacts that may open the 2ⁿ choices of open ones would take too long.
     whole
         && free.len() <= 8
         && (0..1_usize << free.len()).all(|choice| {
@@ -37,7 +37,7 @@ pub(crate) fn nothing_holds(here: &Problem, past: &Problem) -> bool {
         })
 }
 
-/// Whether a contact has an inequality. Inequalities follow the rows of equilibrium, in the order of contacts, also in [`constant`].
+/// Whether a contact has an inequality. In the linear system the rows of equilibrium come first, then those of inequalities in the order of contacts.
 fn has_row(local: &LocalLaw<'_>) -> bool {
     local.pairs() > 0
 }
@@ -51,7 +51,7 @@ fn springs(local: &LocalLaw<'_>) -> usize {
     if local.is_bonded() { local.springs.axes() } else { 1 }
 }
 
-/// The rows' entries that result from stretches of the contacts and a load.
+/// A vector with an entry for each row: the wrench and the normal conditions that result from stretches of the contacts and a load.
 fn response(
     problem: &Problem,
     open: &[bool],
@@ -77,7 +77,7 @@ fn response(
     w
 }
 
-/// The constant part w: the rows' entries that result from offsets and load.
+/// The constant vector w of `Γ x + w = 0`, which results from offsets and load.
 fn constant(problem: &Problem, open: &[bool]) -> DVector<f64> {
     response(problem, open, &|i| problem.offsets[i], problem.wrench.clone())
 }

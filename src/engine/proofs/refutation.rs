@@ -20,7 +20,7 @@ use crate::numerics::Vector;
 use crate::object::{Piece, Problem};
 use crate::prelude::*;
 
-/// A step of the proof, depth first: a division is followed by all steps of its second case, then by those of its first.
+/// A step of the proof. Steps are in depth-first order: a division is followed by all steps of its second case, then by those of its first.
 #[derive(Debug, Clone)]
 pub(crate) enum ProofStep {
     /// The state of a contact lies in one of two halves.
@@ -29,8 +29,8 @@ pub(crate) enum ProofStep {
     Contradicted { motion: Vector, forces: Vec<SVector<f64, 3>> },
 }
 
-/// Checks a proof. Returns the least factor by which an equilibrium that escapes the proof through rounding would exceed the data, both in √J. `None`
-/// if the steps omit a case, or contradict one too weakly to count.
+/// Checks a proof. An equilibrium that rounding may have hidden from it is larger than the data by at least the returned factor (both measured in
+/// √J). `None` if the steps omit a case, or contradict one too weakly to count.
 pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     let trial = problem.trial();
     let state = trial.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
@@ -61,8 +61,9 @@ pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     (open.is_empty() && least >= ESCAPE).then_some(least)
 }
 
-/// A proof with a single case that no forces balance offsets and load. In the states that yield most, some virtual motion y meets no response. In
-/// these states contacts also do the least work against y, and the virtual forces `-C_iᵀG_iᵀy` balance one another.
+/// A proof with a single case that no forces balance offsets and load. It takes the states in which every contact that may yield does. Then some
+/// virtual motion y is in the left null space of the tangent stiffness: the virtual forces `-C_iᵀG_iᵀy` balance one another. Contacts cannot do more
+/// work against y in any other state.
 pub(crate) fn yields(problem: &Problem) -> Option<f64> {
     let states = problem.yielding();
     let motion = Piece::new(problem, &states).motion_without_response(&problem.offsets, &problem.wrench)?;
@@ -76,7 +77,7 @@ pub(crate) fn yields(problem: &Problem) -> Option<f64> {
     [-1.0, 1.0].into_iter().find_map(|sign| check(problem, &[step(sign)]))
 }
 
-/// The least size of stretches and forces, in √J, at which an equilibrium of the case could escape the contradiction through rounding. `None` if
+/// The least size of stretches and forces, in √J, that an equilibrium of the case must have if rounding hides it from the contradiction. `None` if
 /// there is no contradiction.
 fn escape(problem: &Problem, labels: &[Label], motion: &Vector, forces: &[SVector<f64, 3>]) -> Option<f64> {
     if forces.len() != problem.len() {
@@ -95,8 +96,8 @@ fn escape(problem: &Problem, labels: &[Label], motion: &Vector, forces: &[SVecto
         size += 2.0 * (local.springs.stored(phi) + local.springs.stored(&pushed));
         worst = worst.max(local.most_work(&labels[i], phi, &u));
     }
-    // Tolerance of the balance of virtual forces, relative to them and to the forces that the virtual motion would cause. The imbalance can only hide
-    // an equilibrium whose motion exceeds the data by the reciprocal of this tolerance.
+    // Tolerance of the balance of virtual forces, relative to them and to the forces that the virtual motion would cause. Such an imbalance can only
+    // hide an equilibrium whose motion is larger than the data by the reciprocal of this tolerance.
     let is_balanced = unbalanced.norm() <= 1e-13 * balanced_size;
     (is_balanced && gain > 0.0).then(|| gain / worst.max(LEAST_WORK * size.sqrt()))
 }

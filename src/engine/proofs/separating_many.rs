@@ -24,11 +24,11 @@ use crate::numerics::{
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The cone of one contact, which responds to a motion by a force.
+/// The friction cone of one contact, which in the augmented Lagrangian responds to a motion by a force.
 struct Pushing {
     /// The coordinates with entries in the contact's map, and these entries, scaled to length one.
     coupled: Vec<(usize, SVector<f64, 3>)>,
-    /// μ of a round cone; `None` for a ray along the first axis.
+    /// μ of a round cone; `None` for a cone that is a single ray, along the first axis.
     cone: Option<f64>,
     /// The multiplier λ_i: the force of this contact in the last round.
     multiplier: SVector<f64, 3>,
@@ -63,7 +63,7 @@ impl Pushing {
     }
 }
 
-/// All contacts and the load, in an order of coordinates that makes the band narrow.
+/// The problem of the augmented Lagrangian: cones and load, in an order of coordinates that makes the band narrow.
 struct PushedBack {
     contacts: Vec<Pushing>,
     numbers: Vec<usize>,
@@ -79,24 +79,25 @@ pub(super) enum Residual {
     Proof(Vector),
     /// The residual proves nothing.
     Unclear,
-    /// No residual: the load is balanced. Also where a law is not a cone.
+    /// There is no residual, since the load is balanced; or the method does not apply, since a law is not a cone.
     Nothing,
 }
 
-/// The residual of a load of length one after rounds of the augmented Lagrangian; `is_proof` decides whether a residual is a proof.
+/// The residual of the load, scaled to length one, after some rounds of the augmented Lagrangian; `is_proof` decides whether a residual is a proof.
 pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> bool) -> Residual {
     let Some(mut pushed) = PushedBack::of(problem) else {
         return Residual::Nothing;
     };
     let mut v = pushed.load.clone();
     let (mut more, mut clearer, mut proof) = (0, 0, None);
-    // Six rounds after the last growth of ρ, and four after the first proof: those remove rounding from its motion, which is shown to users.
+    // The search ends six rounds after ρ has stopped growing. After a first proof four rounds follow, which remove rounding from the motion, as it is
+    // shown to users.
     while more < 6 && clearer < 4 {
-        // Imbalance at which a round ends: 1e-3 over ρ before a proof is found, then 1e-14, the least value.
+        // A round ends at the imbalance `enough`: 1e-3 / ρ until a proof is found, then the least value.
         let least = 1e-14;
         let enough = if proof.is_some() { least } else { (1e-3 / pushed.stiffness).max(least) };
         let Some(left) = pushed.round(&mut v, enough) else { break };
-        // A residual below this part of the load counts as zero: the load is balanced.
+        // A residual below this fraction of the load counts as zero: the load is balanced.
         if left < 1e-5 {
             return Residual::Nothing;
         }
@@ -105,7 +106,7 @@ pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> 
             proof = Some(motion);
         }
         clearer += usize::from(proof.is_some());
-        // ρ grows per round up to its largest value: with more, a step would lose its digits.
+        // ρ grows tenfold in each round, up to this value. Beyond it the Newton steps would lose their digits.
         if pushed.stiffness < 1e8 {
             pushed.stiffness *= 10.0;
         } else {
@@ -151,12 +152,12 @@ impl PushedBack {
         let mut load = vec![0.0; count];
         let size = problem.wrench.norm();
         problem.wrench.iter().zip(&numbers).for_each(|(w, k)| load[*k] = w / size);
-        // The penalty ρ of the first round.
+        // `stiffness` is the penalty ρ, here that of the first round.
         Some(Self { contacts, numbers, load, band, stiffness: 1e1 })
     }
 
-    /// Solves for the v at which the contacts' responses balance the load up to `enough`, and updates the multipliers. Returns the norm of the
-    /// residual load.
+    /// One round: finds the v of `v - Σ G_i f_i = W` up to an error `enough`, and updates the multipliers. Returns |v|, the norm of the load that is
+    /// not balanced.
     fn round(&mut self, v: &mut Vec<f64>, enough: f64) -> Option<f64> {
         let mut missing = self.missing(v);
         // Maximum number of Newton steps in a round.
@@ -173,8 +174,8 @@ impl PushedBack {
                 let next: Vec<f64> = paired(v, &step, &|(v, step)| v + step * part);
                 missing = self.missing(&next);
                 let rises = -dot(&missing, &step);
-                // Line search: the step is reduced, at most twelve times, while the energy still rises at its end. A slope below this part of the
-                // initial descent is tolerated.
+                // Line search: the step is reduced, at most twelve times, while the energy still rises at its end. A rising slope below this fraction
+                // of the initial descent is tolerated.
                 if rises <= SUFFICIENT_DECREASE * falls || shorter == 12 {
                     *v = next;
                     break;
@@ -202,7 +203,7 @@ impl PushedBack {
         sum
     }
 
-    /// Factors of `1 + ρ Σ G P' Gᵀ`.
+    /// Factors of the Newton matrix `1 + ρ Σ G P' Gᵀ` at v.
     fn factor(&mut self, v: &[f64]) -> Option<()> {
         let Self { contacts, band, stiffness, .. } = self;
         band.clear();

@@ -24,7 +24,7 @@ use crate::numerics::{IntoList, NearestPoint, Size, Vector, unit};
 use crate::object::{Problem, uses_band};
 use crate::prelude::*;
 
-/// A force of one contact, scaled so that its wrench has length one.
+/// A force on the edge of one contact's cone (a generator), scaled so that its wrench has length one.
 #[derive(Debug, Clone)]
 pub(crate) struct Generator {
     pub(crate) contact: usize,
@@ -33,15 +33,15 @@ pub(crate) struct Generator {
 }
 
 impl Generator {
-    /// The generator along a force of any length.
+    /// The generator with the direction of a force of any length.
     pub(crate) fn along(contact: usize, site: &Site, force: SVector<f64, 3>) -> Self {
         let wrench = &site.map * force;
         let size = wrench.norm();
         Self { contact, force: force / size, wrench: wrench / size }
     }
 
-    /// Work against a motion per unit of normal force. With large friction the force is mostly tangential: normal forces of the size of the load then
-    /// need large multiples of this generator.
+    /// Work of the generator against a motion, per unit of its normal force. Generators have unit wrenches; with large friction they are mostly
+    /// tangential, and a normal force of the size of the load takes a large multiple of one.
     fn works_against(&self, motion: &Vector) -> f64 {
         let normal = self.force[0] / self.force.norm();
         -self.wrench.dot(motion) / if normal > 0.0 { normal } else { 1.0 }
@@ -50,7 +50,7 @@ impl Generator {
 
 /// The sum of admissible forces whose wrench is nearest to a target.
 pub(crate) struct NearestForces {
-    /// Sum minus target: no generator works against this motion, except for rounding.
+    /// The wrench of the sum minus the target, as a motion: no generator works against it, except for rounding.
     pub(crate) motion: Vector,
     /// The most work of a generator against the motion.
     pub(crate) against: f64,
@@ -58,7 +58,8 @@ pub(crate) struct NearestForces {
     pub(crate) shares: Vec<(Generator, f64)>,
 }
 
-/// The nearest sum of generators: those of `straight` cones, which are not round, and those that `round` returns for a motion, on round cones.
+/// The sum of generators nearest to a target. `straight` lists those of cones that are not round; `round` returns, for a motion, the one of each
+/// round cone that works most against it.
 pub(crate) fn nearest_forces(
     size: Size,
     straight: &[Generator],
@@ -68,10 +69,10 @@ pub(crate) fn nearest_forces(
     let mut target = target.clone();
     target.grow(size);
     let mut nearest = NearestPoint::new(target.as_slice());
-    // Generators of round cones that have joined; their tags follow those of the straight ones.
+    // Generators of round cones that are part of the sum, or were; their tags follow those of the straight ones.
     let mut joined: Vec<Generator> = Vec::new();
-    // Maximum number of generators that join: two hundred, and four more for each coordinate. Straight cones rarely need more to carry a load. Near
-    // the boundary of round cones each new generator reduces the distance only by a factor.
+    // The largest number of generators that are added: two hundred, and four more for each coordinate. Straight cones rarely need as many to carry a
+    // load. Near the boundary of round cones the distance shrinks only by a constant factor with each new generator.
     let each = if size.count() <= MOST_COORDINATES { 4 } else { 0 };
     let mut joins_left = 200 + each * size.count();
     let (motion, against) = loop {
@@ -86,7 +87,7 @@ pub(crate) fn nearest_forces(
             }
         }
         let Some((tag, generator, work)) = worst else { break (v, 0.0) };
-        // A generator that works against the residual by less than this part of it does not join.
+        // A generator whose work against the residual is below this fraction of it is not added.
         let joins = work < -1e-13 * v.norm() && v.norm() > CLEAR_RESIDUAL && !nearest.has(tag);
         if !joins
             || joins_left == 0
@@ -110,8 +111,8 @@ struct LoadAndCones<'p, 'g> {
     problem: &'p Problem<'g>,
     straight: Vec<Generator>,
     load: f64,
-    /// Size of load and squeeze together, with which an escape is compared. Squeezing fingers may carry forces far larger than the load, and the
-    /// rounding of their work must not outweigh the work of the load.
+    /// Size of the load and of the squeezing forces together. A proof counts only if an equilibrium that rounding hides would exceed this size by
+    /// far: fingers may squeeze with forces far larger than the load.
     data: f64,
 }
 
@@ -123,7 +124,7 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
         Some(Self { problem, straight, load, data: load + squeeze(problem) })
     }
 
-    /// The residual of the load and its nearest forces, as a unit motion, if it is a clear proof.
+    /// The residual of the load and the nearest admissible forces, as a unit motion, if it clearly separates them.
     fn separating_motion(&self) -> Option<Vector> {
         let target = -&self.problem.wrench / self.load;
         let round = |v: &Vector| round_generators(self.problem, v).list();
@@ -132,7 +133,7 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
         self.is_proof(&v).then(|| v.normalize())
     }
 
-    /// Whether a motion from any source separates the load from all admissible forces, clearly beyond rounding.
+    /// Whether a motion, however it was found, separates the load from all admissible forces, clearly beyond rounding.
     fn is_proof(&self, v: &Vector) -> bool {
         let mut against = 0.0_f64;
         self.straight.iter().for_each(|g| against = against.max(g.works_against(v)));
@@ -143,7 +144,7 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
     }
 }
 
-/// The unit separating motion in the engine's coordinates by the nearest forces, if there is a clear one.
+/// The unit separating motion in the engine's coordinates, from the admissible forces nearest to the load, if there is a clear one.
 pub(crate) fn separating_motion_of_few(problem: &Problem) -> Option<Vector> {
     LoadAndCones::of(problem)?.separating_motion()
 }
@@ -164,7 +165,7 @@ pub(crate) fn separating_motion(problem: &Problem) -> Option<Vector> {
     }
 }
 
-/// Sum of the norms of the springs' wrenches if the commands act and the object does not move.
+/// The size of the squeezing: the sum of the norms of the springs' wrenches while the commands act and the object does not move.
 fn squeeze(problem: &Problem) -> f64 {
     let pushed =
         |(site, offset): (&Site, &SVector<f64, 3>)| site.map.pushed_norm(&site.springs.force(offset));
@@ -190,7 +191,7 @@ pub(crate) fn separates_from_here_on(problem: &Problem, motion: &Vector, rate: &
     let Some(straight) = straight_generators(problem) else { return false };
     let all = straight.into_iter().chain(round_generators(problem, motion));
     let against = all.map(|g| g.works_against(motion)).fold(0.0, f64::max);
-    // `counts_from_here_on` compares the work of two loads. The second is the first plus, along its rate, a load of the size `data`.
+    // `counts_from_here_on` compares the work of two loads: the present one, and one that has grown by `data` along the rate.
     let data = problem.wrench.norm() + squeeze(problem);
     let (here, gained) = (problem.wrench.dot(motion), rate.dot(motion) / rate.norm());
     gained > CLEAR_RESIDUAL && counts_from_here_on(here, here + data * gained, against, data)

@@ -7,7 +7,7 @@ use crate::grasp::Coordinates;
 use crate::numerics::{Vector, mapped};
 use crate::prelude::*;
 
-/// The rule by which a solution was found; if several equilibria exist, it says which one this is.
+/// The method that found a solution. If several equilibria exist, it tells which of them this is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -32,19 +32,19 @@ pub enum FoundBy {
     LoadPath,
 }
 
-/// Why a question stays undecided.
+/// The reason why a question stays undecided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Doubt {
-    /// Lemke's method ended on rays that prove nothing, and not every combination of states could be tried. Either there are too many contacts for
+    /// Lemke's method ended on rays, which prove nothing, and not every combination of states could be tried. Either there are too many contacts for
     /// [`Settings::most_states`](crate::Settings::most_states), or on the round cone the cases that were tried did not decide.
     RayWithoutProof,
-    /// Some combination of contact states fails so narrowly that rounding may have decided. The load is then on the
+    /// Some combination of contact states violates a condition so little that rounding may be the cause. The load is then on the
     /// boundary of the loads that the grasp can hold, up to the working precision.
     OnTheBoundary,
-    /// Contact states were found, but arms or stiffnesses of the scene differ by more than the working precision resolves. Forces and twist cannot be
+    /// Contact states were found, but arms or stiffnesses of the grasp differ by more than the working precision resolves. Forces and twist cannot be
     /// computed accurately: residuals exceed 1e-10 (1e-12 on the round cone).
     Inaccurate,
     /// The pivot limit was reached or a factorisation broke down, with too many contacts to try every combination.
@@ -62,15 +62,15 @@ pub(crate) struct Found {
     pub(crate) twist: Vector,
     pub(crate) free_motions: Vec<Vector>,
     pub(crate) neutral_motions: Vec<Vector>,
-    /// On a path, the sizes of the forces, N, and displacements, m, that were added up to this solution. They scale rounding where the sums vanish.
-    /// Zero for a solution without a path.
+    /// On a load path, the sizes of the forces, N, and displacements, m, whose sums are this solution. They scale its rounding where terms cancel.
+    /// Zero for a solution that was not reached along a path.
     pub(crate) sizes: [f64; 2],
     /// On the round cone, the largest change of a contact force from the answer on polygons, N.
     pub(crate) from_polygon: Option<f64>,
 }
 
 impl Found {
-    /// A solution without free motions, and without a load path that led to it.
+    /// A solution of a single search: no load path led to it, and every motion is resisted.
     pub(crate) fn new(states: Vec<State>, forces: Vec<SVector<f64, 3>>, twist: Vector) -> Self {
         Self {
             states,
@@ -84,7 +84,7 @@ impl Found {
     }
 }
 
-/// A [`Found`] whose twist is stored as answers store it.
+/// A [`Found`] whose twist is a list of numbers, as answers store it.
 #[derive(Debug, Clone)]
 pub(crate) struct Kept {
     pub(crate) states: Vec<State>,
@@ -131,10 +131,10 @@ pub(crate) enum Settled {
     FreeMotion(Vector),
     /// No admissible forces balance the load: this motion separates it from the friction wrench cone.
     Separating(Vector),
-    /// The number of combinations of contact states, each of which fails clearly.
+    /// Every combination of contact states violates a condition clearly; this is the number of combinations.
     NoneOf(usize),
-    /// On the round cone, each case contradicts itself. An equilibrium that escapes this proof through rounding would exceed the data by the factor
-    /// `escape`.
+    /// On the round cone, each case was proved to have no equilibrium. An equilibrium that rounding hides from this proof would be larger than the
+    /// data by the factor `escape`.
     Contradicted {
         cases: usize,
         escape: f64,

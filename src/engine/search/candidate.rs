@@ -1,4 +1,4 @@
-//! Solves and checks proposed contact states. Every rung obtains its answer here.
+//! Solves and checks proposed contact states, whichever method of the search proposes them.
 
 use core::cell::OnceCell;
 
@@ -38,7 +38,7 @@ pub(crate) fn try_states(problem: &Problem, states: Vec<State>) -> Judged {
     }
 }
 
-/// A proposal that breaks a condition, with its solution.
+/// Proposed contact states whose solution `at` breaks a condition.
 pub(super) struct Refused {
     pub(super) states: Vec<State>,
     pub(super) at: PieceState,
@@ -46,7 +46,7 @@ pub(super) struct Refused {
     doubtful: bool,
 }
 
-/// Checks every inequality for the solution `at` of the piece with these states.
+/// Checks every inequality for `at`, the solution of the linear problem `piece` with these contact states.
 pub(super) fn admit(
     problem: &Problem,
     states: Vec<State>,
@@ -55,18 +55,18 @@ pub(super) fn admit(
 ) -> Result<Found, Refused> {
     let mut worst = violation(problem, &states, &at);
     let growth = OnceCell::new();
-    // Most verdicts do not need the amplification of errors, which costs as much as the factorisation: it is computed on demand.
+    // The amplification of errors costs as much as the factorisation. Most checks do not need it, so it is computed on demand.
     let exceeds = |worst: f64, part: f64| {
-        // Upper bound of the tolerance, however badly conditioned the piece is.
+        // Upper bound of the tolerance, however badly conditioned the linear problem is.
         worst > MOST_SLACK || worst > part && worst > part * growth.get_or_init(|| piece.growth())
     };
     let mut shifted = None;
     let free_motions = piece.free_motions().to_vec();
     let neutral_motions = piece.neutral_motions();
-    // An inequality may be violated by this part of its size, times the amplification of errors by the piece. In symmetric grasps ties are normal: a
-    // slack that is exactly zero comes out as a few roundings of 1e-16.
+    // An inequality may be violated by this fraction of its size, times the amplification of errors in the linear problem. In symmetric grasps ties
+    // are normal: a slack that is exactly zero comes out as a few roundings of 1e-16.
     if exceeds(worst, ZERO_SLACK) && !(free_motions.is_empty() && neutral_motions.is_empty()) {
-        // These states leave a family of solutions. The one of least norm violates an inequality, but another one may satisfy all.
+        // In these states the solution is not unique. The one of least norm violates an inequality, but another one may satisfy all.
         let mut motions = mapped(&free_motions, &|v| (v.clone(), vec![SVector::zeros(); problem.len()]));
         motions.extend(mapped(&neutral_motions, &|v| (v.clone(), piece.forces_along(problem, v))));
         let (values, sizes) = slacks(problem, &states, &at);
@@ -78,18 +78,18 @@ pub(super) fn admit(
                     *f += change * *tau;
                 }
             }
-            // Violations are relative to the sizes before the shift, so that a shift is refused if it is so long that its rounding shows.
+            // Violations are relative to the sizes before the shift: a shift is refused if it is so long that its rounding exceeds the tolerance.
             let values = slacks(problem, &states, there).0;
             worst = values.iter().zip(&sizes).fold(0.0, |worst, (value, size)| worse(worst, *value, *size));
         }
     }
     if exceeds(worst, ZERO_SLACK) {
-        // A violation below this part (times the amplification) is neither rounding nor clear. The proposal is refused, but its failure proves
+        // A violation below this fraction (times the amplification) is neither rounding nor clear. The proposal is refused, but its failure proves
         // nothing.
         return Err(Refused { states, at, doubtful: !exceeds(worst, 1e-12) });
     }
     let there = shifted.as_ref().unwrap_or(&at);
-    // Forces that fail to balance the load by more than this part of their sizes are no solution; the pieces reach 1e-15.
+    // Forces that fail to balance the load by more than this fraction of their sizes are no solution; well-conditioned problems reach 1e-15.
     if out_of_balance(problem, &there.forces, &there.twist) > 1e-11 {
         return Err(Refused { states, at, doubtful: true });
     }
@@ -97,11 +97,11 @@ pub(super) fn admit(
     Ok(Found { free_motions, neutral_motions, ..Found::new(states, forces, twist) })
 }
 
-/// Checks the solution of a regular piece, which is unique and does not amplify rounding.
+/// Checks a solution that is unique and does not amplify rounding.
 pub(super) fn admit_regular(problem: &Problem, states: Vec<State>, state: PieceState) -> Option<Found> {
     let mut holds = true;
     for_each_condition(problem, &states, &state.forces, &state.twist, |value, size| {
-        // The comparison is false for NaN.
+        // For NaN the comparison is false, so the states are refused.
         holds &= value >= -ZERO_SLACK * size;
     });
     holds.then(|| Found::new(states, state.forces, state.twist))
@@ -138,7 +138,7 @@ pub(crate) fn for_each_condition(
 }
 
 /// `|Σ G_i F_i + W|` over the sum of the sizes of its terms. If commands alone move a statically determinate grasp, its computed forces are rounding
-/// of zero. The sizes therefore include the part `NO_FORCE` of the least force that its springs could have.
+/// of zero. The sizes therefore include the fraction `NO_FORCE` of the least force that its springs could have.
 fn out_of_balance(problem: &Problem, forces: &[SVector<f64, 3>], twist: &Vector) -> f64 {
     let (left, carried) = problem.imbalance(forces);
     let size = problem.largest_force(forces, twist) + carried;
@@ -168,7 +168,8 @@ fn worse(worst: f64, value: f64, size: f64) -> f64 {
     if value.is_nan() { f64::INFINITY } else { worst.max(-value / size) }
 }
 
-/// The smallest combination τ of motions (orthonormal in the engine's coordinates; each with its change of forces) that makes every inequality hold.
+/// The smallest coefficients τ of motions for which, after the object has moved along them, every inequality holds. The motions are orthonormal in
+/// the engine's coordinates; each comes with its change of forces.
 fn least_admissible_shift(
     problem: &Problem,
     states: &[State],
@@ -188,8 +189,8 @@ fn least_admissible_shift(
             let stretch = -site.map.tr_mul(motion);
             let at = SpringState { stretch, force, span: site.span(&SVector::zeros(), motion), largest };
             problem.local(contact).for_each_condition(state, &at, |rate, rate_size| {
-                // A rate of an inequality along a unit motion below this part of its size is rounding of zero: otherwise a very long motion could
-                // seem to satisfy the inequality.
+                // If the rate of an inequality along a unit motion is below this fraction of its size, it is rounding of zero. Otherwise a very long
+                // motion could seem to satisfy the inequality.
                 if rate.abs() > SOLVED_ROUNDING * rate_size {
                     rows[i].1[k] = rate / sizes[i];
                 }

@@ -1,4 +1,4 @@
-//! Input and result of a rung of the ladder.
+//! Input and result of one method (rung) of the search ladder.
 
 use alloc::sync::Arc;
 use core::cell::OnceCell;
@@ -36,7 +36,7 @@ impl<'s, 'g> ElasticTrial<'s, 'g> {
         Self { problem, settings, unjumped, trial, state, proposing, with_edges }
     }
 
-    /// The problem for Lemke's method. On the round cone it has polygons, rotated to the friction forces of the elastic trial.
+    /// The problem for Lemke's method. Round cones are replaced by polygons, rotated so that a corner lies along the friction force of the elastic trial.
     pub(super) fn proposing(&self) -> &Problem<'g> {
         if !self.problem.round {
             return self.problem;
@@ -44,8 +44,8 @@ impl<'s, 'g> ElasticTrial<'s, 'g> {
         self.proposing.get_or_init(|| on_polygons(self.problem, self.settings.cone, &self.state.forces))
     }
 
-    /// [`Self::proposing`] with facets for infinite friction, if any contact has it. Such a contact loses its tangential force when it opens, and
-    /// only facets can express this.
+    /// The problem of [`Self::proposing`] with facets for infinite friction, if any contact has infinite friction. Such a contact loses its
+    /// tangential force when it opens, and only facets can express this.
     pub(super) fn with_edges(&self) -> Option<&Problem<'g>> {
         let infinite = || self.problem.locals().any(|local| local.never_slides());
         let make =
@@ -54,12 +54,12 @@ impl<'s, 'g> ElasticTrial<'s, 'g> {
     }
 }
 
-/// Result of one rung.
+/// Result of one method (rung) of the ladder.
 pub(super) enum Attempt {
     Found(Found),
     /// A proof that no equilibrium exists.
     Proof(Settled),
-    /// Neither an equilibrium nor a proof; the next rung is tried.
+    /// Neither an equilibrium nor a proof; the next method is tried.
     Nothing,
 }
 
@@ -69,10 +69,10 @@ impl Attempt {
     }
 }
 
-/// Effort so far, and the reason if the search stays undecided.
+/// Effort of the search so far, and the reason to report if it stays undecided.
 pub(super) struct Log {
     pub(super) effort: Effort,
-    /// The reason that is reported if no rung decides.
+    /// The reason that is reported if no method decides.
     pub(super) doubt: Doubt,
 }
 

@@ -8,12 +8,12 @@ use crate::numerics::paired;
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The number of combinations of contact states, in floating point because it overflows soon.
+/// The number of combinations of contact states. It is a floating-point number, since integers would overflow with few contacts.
 pub(crate) fn combinations(problem: &Problem) -> f64 {
     problem.locals().map(|local| local.states().len() as f64).product()
 }
 
-/// Visits every combination of states in a fixed order, the one without any jump first, until `visit` returns `true`.
+/// Visits every combination of states in a fixed order, the one in which everything sticks first, until `visit` returns `true`.
 pub(crate) fn for_each_combination(problem: &Problem, visit: &mut dyn FnMut(Vec<State>) -> bool) {
     let choices = problem.each(|local| local.states());
     let mut at = vec![0; choices.len()];
@@ -35,7 +35,7 @@ pub(crate) struct Enumerated {
     pub(crate) found: Vec<Found>,
     /// Number of combinations tried.
     pub(crate) tried: usize,
-    /// Whether some combination failed so narrowly that rounding may be the cause.
+    /// Whether some combination broke a condition so narrowly that rounding may be the cause.
     pub(crate) doubtful: bool,
 }
 
@@ -44,7 +44,7 @@ pub(crate) fn search(problem: &Problem, first_only: bool) -> Enumerated {
     search_among(problem, first_only, &|_| true)
 }
 
-/// [`search`] among the combinations that `may_hold` admits.
+/// [`search`] restricted to the combinations for which `may_hold` is true.
 pub(crate) fn search_among(
     problem: &Problem,
     first_only: bool,

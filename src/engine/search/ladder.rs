@@ -1,4 +1,4 @@
-//! The ladder: ways to find an equilibrium or to prove that none exists. It is climbed until one rung decides.
+//! The ladder: methods that find an equilibrium or prove that none exists, called rungs. They are tried in order until one decides.
 //!
 //! Below the first rung stands the elastic trial, in which everything sticks. A rung costs more than those below it, or decides less often.
 
@@ -23,7 +23,7 @@ use crate::object::{Problem, ViscousRelaxation, newton_on_cones, twist_by_tresca
 use crate::prelude::*;
 use crate::proofs;
 
-/// A rung: a method, the condition under which it is tried, and the [`FoundBy`] of its equilibria.
+/// A method of the ladder, the condition under which it is tried, and the [`FoundBy`] with which its equilibria are reported.
 pub(super) struct Rung {
     #[cfg_attr(
         not(feature = "std"),
@@ -32,7 +32,7 @@ pub(super) struct Rung {
     pub(super) name: &'static str,
     pub(super) applies: fn(&ElasticTrial<'_, '_>) -> bool,
     pub(super) climb: fn(&ElasticTrial<'_, '_>, &mut Log) -> Attempt,
-    /// `None` where the rung proves that no equilibrium exists.
+    /// `None` for a method that can only prove that no equilibrium exists.
     finds: Option<FoundBy>,
 }
 
@@ -51,7 +51,7 @@ pub(super) const LADDER: [Rung; 8] = [
     },
     Rung { name: "everything yields", applies: is_on_an_edge, climb: everything_yields, finds: None },
     Rung {
-        // With many contacts or coordinates the search for a separating motion is cheaper than any pivoting path, and fails early if there is none.
+        // With many contacts or coordinates the search for a separating motion is cheaper than any pivoting path, and soon ends if there is none.
         name: "separating motion of many",
         applies: is_large,
         climb: separating_motion,
@@ -66,8 +66,8 @@ pub(super) const LADDER: [Rung; 8] = [
     Rung { name: "force form", applies: may_be_dense, climb: force_form, finds: Some(FoundBy::ForceForm) },
     Rung {
         name: "separating motion of few",
-        // This rung also runs with few contacts and many coordinates: the augmented Lagrangian takes small residuals for zero that the nearest forces
-        // still resolve.
+        // It also runs with few contacts and many coordinates: the augmented Lagrangian of `separating motion of many` takes small residuals for zero
+        // that this method resolves.
         applies: |scene| !has_many_contacts(scene),
         climb: separating_motion_of_few,
         finds: None,
@@ -75,7 +75,7 @@ pub(super) const LADDER: [Rung; 8] = [
     Rung { name: "every case", applies: |_| true, climb: every_case, finds: Some(FoundBy::Enumeration) },
 ];
 
-/// Climbs the ladder from the elastic trial until an equilibrium or a proof is found.
+/// Tries the methods in order, starting with the elastic trial, until an equilibrium or a proof is found.
 pub(crate) fn settle(problem: &Problem, settings: &Settings) -> (Settled, Effort) {
     let effort = Effort { facets: problem.polygon.normals.len(), ..Effort::default() };
     let mut log = Log { effort, doubt: Doubt::RayWithoutProof };
@@ -128,18 +128,18 @@ fn is_large(scene: &ElasticTrial<'_, '_>) -> bool {
     has_many_contacts(scene) || scene.trial.is_banded()
 }
 
-/// Whether a form is solved with a dense matrix. With many contacts it must be affordable.
+/// Whether a complementarity problem may be solved with a dense matrix: with few contacts always, with many only if the matrix is affordable.
 fn may_be_dense(scene: &ElasticTrial<'_, '_>) -> bool {
     !has_many_contacts(scene) || dense_is_affordable(scene.proposing(), 1)
 }
 
-/// Contacts that would pull are open; all others stick.
+/// Tries the states in which contacts that would pull are open and all others stick.
 fn touching_contacts_stick(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     Attempt::of(touching_contacts(scene.problem, scene.unjumped.clone(), scene.state.clone()))
 }
 
-/// Newton's method for the motion of the object, of which each contact force is a function. It starts where the stuck grasp relaxes to, or at the
-/// elastic trial.
+/// Newton's method for the motion of the object, of which each contact force is a function. It starts at the equilibrium to which the stuck grasp
+/// relaxes, or at the elastic trial.
 fn newton(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     if !has_round_cones(scene.problem) {
         let propose = |problem: &Problem, _: &mut Log| {
@@ -157,8 +157,8 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     Attempt::of(found.or_else(|| twist_by_tresca(scene.problem).and_then(from)))
 }
 
-/// The equilibrium to which the stuck grasp relaxes. If Newton's method leaves the way there, the object relaxes further; another equilibrium is taken
-/// only where relaxation ends at none.
+/// The equilibrium to which the stuck grasp relaxes. Newton's method starts from points of that relaxation. If it ends at an equilibrium far from the
+/// relaxation, that one is only taken where the relaxation itself leads to none.
 fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<Found> {
     let mut way = ViscousRelaxation::from_stuck(scene.problem, &scene.state.twist)?;
     let mut another = None;
@@ -172,7 +172,7 @@ fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<Found> {
     another
 }
 
-/// In rates at a limit load: all contacts on the edge of their cones slide, and nothing resists a motion on which the load works.
+/// A proof for the problem in rates at a limit load: if all contacts on the edge of their cones slide, nothing resists a motion on which the load works.
 fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     let proof = proofs::yields(scene.problem);
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(Settled::Contradicted { cases: 1, escape }))
@@ -184,7 +184,7 @@ fn separating_motion(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
 }
 
-/// A motion that separates the load from all admissible contact forces, from the nearest admissible forces.
+/// A motion that separates the load from all admissible contact forces: the residual of the admissible forces nearest to the load.
 fn separating_motion_of_few(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     let motion = proofs::separating_motion_of_few(scene.proposing());
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
@@ -192,7 +192,7 @@ fn separating_motion_of_few(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attemp
 
 /// Lemke's method on the kinematic form. With many coordinates it pivots first on the contacts that leave the elastic trial, then on a dense matrix.
 /// It pivots on lists of contact states only if a matrix is too large. With few coordinates lists come first, since a pivot on them costs a few
-/// operations a contact. Facets for infinite friction come last.
+/// operations a contact. Forms with facets for infinite friction are tried last.
 fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     let (problem, dense) = (scene.proposing(), may_be_dense(scene));
     let of_the_leaving = |problem: &Problem, log: &mut Log| propose_of_the_leaving(scene, problem, log);
@@ -205,8 +205,8 @@ fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     if scene.trial.is_banded() {
         found = climb(problem, &of_the_leaving, log);
     }
-    // With few contacts only the matrix is used: other pivots may end in another of several equilibria. With many coordinates a pivot on lists solves
-    // a system of all coordinates, which costs more than a pivot on an affordable matrix.
+    // With few contacts only the matrix is used: lists pivot in another order, and might end at another of several equilibria. With many coordinates
+    // a pivot on lists solves a system of all coordinates, which costs more than a pivot on an affordable matrix.
     let lists = problem.len() >= 8 && !(dense && scene.trial.is_banded());
     if lists && found.is_none() {
         found = climb(problem, &on_states, log);

@@ -1,8 +1,8 @@
-//! The position of the object that is reported if its contact states leave motions free: the nearest admissible one.
+//! The position of the object that is reported if no spring resists some motion: of all admissible positions the nearest to q₀ (defined below).
 //!
 //! Forces do not depend on free motions V. Any position `q = q₀ + V z` is a solution as long as gaps and slips keep their signs, which are conditions
 //! `c + g·z >= 0`. The position q₀ closes the gaps of contacts that touched before anything moved, in the sense of least squares. From q₀ the
-//! position of least |z| is unique. It depends neither on the rung that found the states nor on the frame.
+//! position of least |z| is unique. It depends neither on the method that found the states nor on the frame.
 
 use nalgebra::SVector;
 
@@ -14,9 +14,10 @@ use crate::numerics::{IntoList, Singular, Vector, chosen, least_distance, mapped
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The solution shifted along its free motions to the admissible position nearest to q₀.
+/// The solution, shifted along motions that no spring resists to the admissible position nearest to q₀. At q₀ contacts that touched before anything
+/// moved touch again, as far as possible.
 pub(super) fn at_the_least_motion(problem: &Problem, mut found: Found) -> Found {
-    // On the round cone conditions along a slide are not linear, as the direction depends on the slip.
+    // If a contact slides on the round cone its conditions are not linear, since the direction of friction depends on the slip.
     if found.free_motions.is_empty() || found.states.iter().any(|state| state.slide().is_some()) {
         return found;
     }
@@ -38,7 +39,7 @@ pub(super) fn at_the_least_motion(problem: &Problem, mut found: Found) -> Found 
     let mut rows: Vec<(f64, Vec<f64>)> = Vec::new();
     for (i, (value, _)) in values.iter().enumerate() {
         let changes = changes.iter().map(|list| list[i]);
-        // A condition whose rate along a unit motion is below this part of its size does not depend on that motion.
+        // A condition whose change along a unit motion is below this fraction of its size does not depend on that motion.
         if changes.clone().any(|(change, size)| change.abs() > SOLVED_ROUNDING * size) {
             rows.push((*value, changes.map(|(change, _)| change).list()));
         }
@@ -50,7 +51,8 @@ pub(super) fn at_the_least_motion(problem: &Problem, mut found: Found) -> Found 
     found
 }
 
-/// The free motion, shortest in least squares, that closes the gaps of open contacts which touched before anything moved.
+/// Of the motions that no spring resists, the shortest one that closes, in the sense of least squares, the gaps of open contacts which touched before
+/// anything moved.
 fn to_what_touches(problem: &Problem, found: &Found, base: &Vector) -> Vector {
     let touches = |i: &usize| {
         let reach = problem.offsets[*i][0];
@@ -64,7 +66,7 @@ fn to_what_touches(problem: &Problem, found: &Found, base: &Vector) -> Vector {
     let (free, normal) = (&found.free_motions, |i: usize| problem.sites[i].map.column(0));
     let rows = matrix_of(open.len(), free.len(), &|r, k| normal(open[r]).dot(&free[k]));
     let gaps = vector_of(open.len(), &|r| problem.stretch(open[r], base)[0]);
-    // Normals along free motions with a singular value below 1e-9 count as dependent.
+    // `rows` has the normal components of the free motions at these contacts; singular values below 1e-9 count as zero.
     let mut motion = Vector::zeros();
     for (v, part) in free.iter().zip(&Singular::new(&rows).solve(&gaps, 1e-9)) {
         motion += v * *part;

@@ -1,7 +1,8 @@
 //! Lemke's method for many contacts, of which few leave the state of the elastic trial: only these pivot.
 //!
 //! A contact that breaks a condition enters the pivoting set; all others keep their states. The new states may make other contacts break a condition.
-//! These join, until no contact does. If many contacts leave the trial, Tresca friction gives nearer states, in which few break a condition.
+//! These enter, too, until no contact breaks a condition. If many contacts leave the trial, the start is instead a set of states from Tresca
+//! friction, in which few contacts break a condition.
 
 use crate::numerics::IntoList;
 use alloc::sync::Arc;
@@ -17,7 +18,7 @@ use crate::numerics::chosen;
 use crate::object::{Piece, PieceState, Problem, states_by_tresca};
 use crate::prelude::*;
 
-/// The start of a path: states in which the contacts of the pivoting set stick, with the solution of their piece.
+/// The start of a path of Lemke's method: states in which the contacts that pivot stick, with the solution of the linear problem.
 struct Base {
     states: Vec<State>,
     piece: Arc<Piece>,
@@ -25,7 +26,7 @@ struct Base {
 }
 
 impl Base {
-    /// The start with these states; `None` if no forces of these states balance the load.
+    /// The start with these states; `None` if no forces balance the load in these states.
     fn of(problem: &Problem, states: Vec<State>) -> Option<Self> {
         let piece = problem.piece(&states);
         let at = piece.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
@@ -46,14 +47,15 @@ impl Base {
     }
 }
 
-/// States in which no contact breaks a condition, or `None` if the paths find none.
+/// Contact states in which no contact breaks a condition; `None` if the paths of Lemke's method find none.
 pub(super) fn propose_of_the_leaving(
     scene: &ElasticTrial<'_, '_>,
     problem: &Problem,
     log: &mut Log,
 ) -> Option<Vec<State>> {
     let leaving = breaking(problem, &scene.unjumped, &scene.state);
-    // From this many contacts that leave the elastic trial on, nearer states are computed first: a path costs the cube of their number.
+    // If at least this many contacts leave the elastic trial, states by Tresca friction are computed first: a path costs the cube of the number of
+    // contacts that pivot.
     if leaving.len() >= 128
         && let Some(near) = states_by_tresca(problem).and_then(|near| regular(problem, near))
         && let Some(base) = Base::of(problem, near)
@@ -62,7 +64,7 @@ pub(super) fn propose_of_the_leaving(
         if among.is_empty() {
             return Some(base.states);
         }
-        // Maximum number of contacts in the pivoting set, neighbours included, of a path from these nearer states.
+        // From these states at most 400 contacts pivot, neighbours included.
         if let Some(states) = pivoted(problem, scene.settings, (base, among, 400), log) {
             return Some(states);
         }
@@ -71,7 +73,7 @@ pub(super) fn propose_of_the_leaving(
     pivoted(problem, scene.settings, (Base { states, piece, at }, leaving, 0), log)
 }
 
-/// States from Lemke's path on the contacts `among`. Where a path finds no solution, neighbours join, up to `most` contacts altogether.
+/// States from Lemke's path on the contacts `among`. If a path finds no solution, their neighbours pivot as well, up to `most` contacts altogether.
 fn pivoted(
     problem: &Problem,
     settings: &Settings,
@@ -79,12 +81,12 @@ fn pivoted(
     log: &mut Log,
 ) -> Option<Vec<State>> {
     let mut moved = Moved::default();
-    // Maximum number of rounds in which contacts join: a disturbance spreads from contact to contact, and fades.
+    // The largest number of rounds in which further contacts begin to pivot: a changed state disturbs its neighbours, and the disturbance fades.
     for _ in 0..32 {
         among.sort_unstable();
         base = base.sticking_at(problem, &among, &mut moved)?;
         let form = kinematic_form_among(problem, &base.piece, &base.at, &among, &mut moved)?;
-        // Multiplications per path where the caller sets no limit on pivots: some seconds, where any other rung takes minutes.
+        // Multiplications per path if the caller sets no limit on pivots: some seconds, where every other method takes minutes.
         let proposed = propose_dense(
             problem,
             settings,
@@ -111,7 +113,7 @@ fn pivoted(
     None
 }
 
-/// The contacts that share a coordinate with one of `among`, these included, in order.
+/// The contacts in `among` and their neighbours, which share a coordinate with one of them, in order.
 fn beside(problem: &Problem, among: &[usize]) -> Vec<usize> {
     let mut is_near = vec![false; problem.size().count()];
     for i in among {
@@ -125,10 +127,10 @@ fn beside(problem: &Problem, among: &[usize]) -> Vec<usize> {
     chosen(problem.len(), &feels)
 }
 
-/// Makes further contacts stick until the tangent stiffness is regular. For each motion in which it is singular, the contact that moves most sticks,
-/// among those that do not stick yet. `None` if it is still singular after all rounds.
+/// Makes further contacts stick until the tangent stiffness is regular. For each motion in its null space, the contact that moves most is made to
+/// stick, among those that do not stick yet. `None` if it is still singular after all rounds.
 fn regular(problem: &Problem, mut states: Vec<State>) -> Option<Vec<State>> {
-    // Maximum number of rounds in which further contacts are made to stick.
+    // Further contacts are made to stick in at most eight rounds.
     for _ in 0..8 {
         let loose = problem.tangent_in_a_band(&|i| states[i])?.loose_motions();
         if loose.is_empty() {

@@ -1,10 +1,11 @@
-//! Lemke's method on lists of contact states makes the pivots of the dense solver with the same covering vector.
+//! Tests on random grasps under a load (scenes): Lemke's method on lists of contact states makes the pivots of the dense solver with the same
+//! covering vector.
 //!
-//! A scene is *settled* when no gap and no variable of a closed contact is close to zero in the dense answer, and none larger than precision allows. At an
-//! open contact every friction row is zero once z₀ is: which of its facets are basic in the end is arbitrary, and it is compared as open. When the dense
-//! solver overlooks such a tie in the rounding of its tableau, it makes a few pivots more before z₀ leaves, or ends on a ray. Where a scene
-//! is not settled (no contact carries any force, or it is symmetric) several variables reach zero together; both solvers break such ties by a vector
-//! without structure, but not by the same one, since the dense solver balances its rows first.
+//! A scene is *settled* when no gap and no variable of a closed contact is close to zero in the dense answer, and none larger than precision allows.
+//! At an open contact every friction row is zero once z₀ is: which of its facets are basic in the end is arbitrary, and it is compared as open. If
+//! the dense solver does not see such a tie because of the rounding of its tableau, it makes a few pivots more before z₀ leaves, or ends on a ray.
+//! Where a scene is not settled (no contact carries any force, or it is symmetric) several variables reach zero together; both solvers break such
+//! ties by a vector without structure, but not by the same one, since the dense solver balances its rows first.
 
 use core::f64::consts::TAU;
 
@@ -23,10 +24,10 @@ use crate::prelude::*;
 use crate::structured;
 use crate::{PolygonCone, planar};
 
-/// A variable below this part of the largest entry of q may be zero.
+/// A variable below this fraction of the largest entry of q counts as possibly zero: the scene is not settled.
 const CLEAR: f64 = 1e-9;
 
-/// Combinations of contact states that are listed at most.
+/// The largest number of combinations of contact states that are all tried.
 const MOST_STATES: f64 = 200_000.0;
 
 /// Contact states and pivots of both solvers on the same scenes.
@@ -43,7 +44,7 @@ struct Tally {
     pivots: usize,
 }
 
-/// The contact states at the end of a path, and its pivots.
+/// The contact states at the end of a path of Lemke's method, and its number of pivots; `None` if the path ended on a ray or at a limit.
 type End = Option<(Vec<State>, usize)>;
 
 impl Tally {
@@ -67,9 +68,9 @@ impl Tally {
 
 #[derive(Debug, Default, Clone, Copy)]
 struct Tallies {
-    /// Settled, every contact closed.
+    /// Settled scenes (see the top) in which every contact is closed.
     closed: Tally,
-    /// Settled, some contact open.
+    /// Settled scenes in which some contact is open.
     opening: Tally,
     unsettled: Tally,
 }
@@ -92,7 +93,7 @@ impl Tallies {
         if let (true, Some((one, _)), Some((other, _))) = (settled, &dense, &structured)
             && one != other
         {
-            // Both solvers may be right. Where all combinations of states can be listed, several of them are equilibria.
+            // Two solvers with different states may both be right. If all combinations of states can be tried, more than one must then be an equilibrium.
             let too_many = combinations(problem) > MOST_STATES;
             assert!(too_many || search(problem, false).found.len() > 1, "{one:?} {other:?}");
         }
@@ -134,7 +135,7 @@ fn contact<const C: usize>(draw: &mut Draw, far_apart: bool) -> Contact<C> {
     let decades = if far_apart { 6.0 } else { 1.3 };
     let stiffness = SVector::from_fn(|_, _| 10_f64.powf(between(draw, 0.0, decades)));
     let drawn = between(draw, 0.0, 9.0);
-    // Without facets an open contact could go on pulling: friction is finite.
+    // Friction is finite: without facets an open contact could keep its tangential force.
     let friction = match drawn {
         _ if !far_apart => between(draw, 0.2, 1.5),
         ..1.0 => 0.0,
@@ -195,7 +196,7 @@ fn agree(tallies: &Tallies) {
     assert!(opening.other_states * 300 <= opening.scenes, "{opening:?}");
 }
 
-/// Where a variable is zero up to rounding, rounding decides which of two bases it belongs to.
+/// If a variable is zero up to rounding, rounding decides in which of two bases a solver ends.
 fn unsettled_agree_but_for(exceptions: usize, unsettled: &Tally) {
     assert!(unsettled.scenes > 12 && unsettled.same + exceptions >= unsettled.scenes, "{unsettled:?}");
 }
@@ -216,12 +217,12 @@ fn random_scenes_in_space() {
     agree(&tallies);
     let Tallies { closed, opening, unsettled } = tallies;
     assert!(closed.same + opening.same > 600 && closed.pivots + opening.pivots > 5000, "{tallies:?}");
-    // In a twentieth of these scenes the dense tableau overlooks a tie.
+    // In a twentieth of these scenes a tie is lost in the rounding of the dense tableau.
     assert!(opening.other_pivots * 10 < opening.scenes, "{opening:?}");
     unsettled_agree_but_for(4, &unsettled);
 }
 
-/// More contacts than every step evaluates: the others wait until their slack is used up.
+/// So many contacts that a step evaluates only some of them; the others wait in a queue while their conditions are sure to hold.
 #[test]
 fn random_scenes_of_many_contacts() {
     let plane = random::<2>(24..60, false, 50);
@@ -232,7 +233,8 @@ fn random_scenes_of_many_contacts() {
     assert!(space.closed.same + space.opening.same > 20, "{space:?}");
 }
 
-/// Where numbers lie far apart the structured solver ends on fewer rays, and hardly ever on one where the dense one does not.
+/// If stiffnesses and coefficients of friction differ widely, the solver on lists of states ends on fewer rays, and hardly ever on one where the
+/// dense solver does not.
 #[test]
 fn random_scenes_of_springs_and_friction_far_apart() {
     for tallies in [random::<2>(2..9, true, 1500), random::<3>(2..9, true, 1500)] {
@@ -271,7 +273,7 @@ fn symmetric_scenes() {
     agree(&tallies);
     let Tallies { closed, opening, unsettled } = tallies;
     assert!(closed.pivots + opening.pivots + unsettled.pivots > 3000, "{tallies:?}");
-    // Some paths end in another of the bases that share one answer, as rounding decides. At most a quarter of these scenes may do so.
+    // Several bases may belong to one answer, and rounding decides in which of them a path ends. At most a quarter of these scenes may do so.
     assert!(4 * unsettled.other_states <= unsettled.scenes && unsettled.only_dense == 0, "{unsettled:?}");
 }
 

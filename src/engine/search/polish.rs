@@ -13,7 +13,7 @@ use crate::numerics::{IntoList, PartialPivoting, Vector, paired};
 use crate::object::{Piece, PieceState, Problem, balance, tangent_stiffness};
 use crate::prelude::*;
 
-/// Accepts a proposal that holds: the polygon's solution, or on the round cone the solution that Newton's method reaches from it.
+/// Accepts proposed states whose solution on the polygon satisfies every condition. On the round cone Newton's method continues from that solution.
 pub(super) fn accept(problem: &Problem, states: Vec<State>) -> Judged {
     if !problem.round {
         return try_states(problem, states);
@@ -27,7 +27,7 @@ pub(super) fn accept(problem: &Problem, states: Vec<State>) -> Judged {
     }
 }
 
-/// The solution of the polygon's piece with these states, whether or not every inequality holds: the start of Newton's method.
+/// The solution of the linear problem with these states on the polygon, from which Newton's method starts. It may break inequalities.
 pub(crate) fn solution_near(problem: &Problem, states: &[State]) -> Option<PieceState> {
     if let Some(near) = regular_solution(problem, states) {
         return Some(near);
@@ -41,19 +41,19 @@ pub(crate) fn solution_near(problem: &Problem, states: &[State]) -> Option<Piece
     }
 }
 
-/// The solution of a piece whose tangent stiffness is regular.
+/// The solution of the linear problem with these states, if the tangent stiffness is regular.
 fn regular_solution(problem: &Problem, states: &[State]) -> Option<PieceState> {
     let springs: Vec<_> =
         problem.locals().zip(states).map(|(local, state)| local.tangent(state).matrix()).list();
     let tangent = PartialPivoting::new(&tangent_stiffness(problem.sites, |i| springs[i]))?;
     let forces = paired(&springs, &problem.offsets, &|(springs, offset)| springs * offset);
     let mut near = PieceState { forces, twist: Vector::zeros() };
-    // Imbalance of a polygon's answer, as a part of its forces, with which Newton's method may start.
+    // The imbalance, as a fraction of the forces, with which Newton's method may start.
     balance(problem.sites, &springs, &tangent, &problem.wrench, &mut near, SOLVED_ROUNDING)?;
     Some(near)
 }
 
-/// The solution on the round cone that Newton's method finds from a twist.
+/// The solution on the round cone at which Newton's method ends if it starts from a twist.
 pub(super) fn polish_from(problem: &Problem, twist: Vector) -> Option<Found> {
     RoundPieces::by_newton(problem, twist)?.solve(problem)
 }

@@ -15,7 +15,7 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::structured;
 
-/// Whether one path on a dense matrix with `times` the rows of the kinematic form is affordable. A path takes about as many
+/// Whether a path of Lemke's method is affordable on a dense matrix with `times` as many rows as the kinematic form. A path takes about as many
 /// pivots as there are rows.
 pub(crate) fn dense_is_affordable(problem: &Problem, times: usize) -> bool {
     let rows = problem.locals().map(|local| local.pairs()).sum::<usize>();
@@ -27,10 +27,10 @@ pub(super) fn enumerable(problem: &Problem, settings: &Settings) -> bool {
     combinations(problem) <= settings.most_states as f64
 }
 
-/// A rule that proposes contact states, or `None` where it finds none.
+/// A method that proposes contact states, or `None` if it finds none.
 type Propose<'p> = dyn Fn(&Problem, &mut Log) -> Option<Vec<State>> + 'p;
 
-/// Proposes states, solves the piece with these states and checks it; on the round cone Newton's method continues from there.
+/// Proposes states, solves the linear problem with them and checks the solution; on the round cone Newton's method continues from there.
 pub(super) fn climb(problem: &Problem, propose: &Propose<'_>, log: &mut Log) -> Option<Found> {
     let proposed = propose(problem, log)?;
     if !problem.round {
@@ -74,20 +74,20 @@ pub(super) fn propose_dense(
 ) -> Option<Vec<State>> {
     let form = form?;
     log.effort.rows = log.effort.rows.max(form.rows.len());
-    // On the round cone one path suffices: branch and bound comes next, and decides more than another path. Elsewhere contact states are enumerated
-    // next, not bases of the complementarity problem: each costs one d × d system and is checked against the contact law.
+    // On the round cone one path suffices: branch and bound comes next, and decides more than another path. Elsewhere the search tries all contact
+    // states next, each of which costs one d × d system. It does not enumerate bases of the complementarity problem.
     let affordable = settings.max_pivots.unwrap_or(most_work / form.rows.len().pow(2).max(1));
     let by_size = lcp::Settings::one_path();
-    // If the affordable number exceeds the solver's own default limit, the default applies.
+    // The limit only applies if it is lower than the solver's default.
     let bounds = settings.max_pivots.is_some() || affordable < by_size.pivot_limit(form.rows.len());
     let one_path = lcp::Settings { max_pivots: bounds.then_some(affordable), ..by_size };
     let lcp_settings = if most_cases(problem, settings) > 0 {
         one_path
     } else {
         let few = problem.round || enumerable(problem, settings);
-        // Covering vectors tried after a ray, if there are too many contacts to try every combination.
+        // The number of covering vectors tried after a ray. More are worth their time if combinations of states are too many to try next.
         let retries = if few { COVERING_VECTORS } else { 16 };
-        // All paths together may cost no more than the work allowed for one rung.
+        // All paths together may cost no more than `most_work` multiplications.
         let paths = most_work / form.rows.len().pow(3).max(1);
         let retries = paths.saturating_sub(1).min(retries);
         lcp::Settings { prove_infeasible: problem.len() < MANY_CONTACTS, retries, ..one_path }

@@ -1,4 +1,4 @@
-//! A record of which rung of the ladder decides each search, for the report `rungs`.
+//! A record of which method (rung) of the search ladder decides each search, for the report `rungs`.
 
 use crate::numerics::mapped;
 
@@ -9,25 +9,25 @@ use super::answer::{Doubt, Effort};
 use super::elastic_trial::{Attempt, ElasticTrial, Log};
 use super::ladder::LADDER;
 
-/// The result of one rung in one search.
+/// The result of one method (rung) of the search ladder in one search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RungResult {
-    /// The rung does not apply to the search.
+    /// The method does not apply to the search.
     Untried,
-    /// The rung found neither an equilibrium nor a proof.
+    /// The method found neither an equilibrium nor a proof.
     Nothing,
-    /// The rung found an equilibrium.
+    /// The method found an equilibrium.
     Found,
-    /// The rung proved that no equilibrium exists.
+    /// The method proved that no equilibrium exists.
     Proved,
 }
 
-/// One search, with the result of each rung tried alone.
+/// One search for an equilibrium, with the result of each method (rung) of the ladder, tried by itself.
 #[derive(Debug, Clone)]
 pub struct RecordedSearch {
-    /// The index of the rung that decided; `None` if the search stayed undecided.
+    /// The index of the method that decided; `None` if the search stayed undecided.
     pub decided: Option<usize>,
-    /// The result of each rung, and its time, s.
+    /// The result of each method, and the time that it took, s.
     pub rungs: Vec<(RungResult, f64)>,
 }
 
@@ -35,20 +35,21 @@ std::thread_local! {
     static RECORD: RefCell<Option<Vec<RecordedSearch>>> = const { RefCell::new(None) };
 }
 
-/// The names of the rungs, in the order in which they are tried.
+/// The names of the methods, in the order in which they are tried.
 #[must_use]
 pub fn names() -> Vec<&'static str> {
     mapped(&LADDER, &|rung| rung.name)
 }
 
-/// Asks a question, and returns with its answer all of its searches that went beyond the elastic trial.
+/// Asks a question, and returns with its answer a record of all searches that the elastic trial did not decide.
 pub fn recorded<T>(ask: impl FnOnce() -> T) -> (T, Vec<RecordedSearch>) {
     RECORD.set(Some(Vec::new()));
     let answer = ask();
     (answer, RECORD.take().unwrap_or_default())
 }
 
-/// Records a search and the rung that decided it, if this thread keeps a record. For this every rung that applies is tried once more, alone.
+/// If this thread keeps a record, adds a search and the index of the method that decided it. For comparison every method that applies is tried again,
+/// by itself.
 pub(super) fn record(scene: &ElasticTrial<'_, '_>, decided: Option<usize>) {
     if RECORD.with_borrow(Option::is_none) {
         return;

@@ -25,10 +25,10 @@ use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::proofs::{ESCAPE, LEAST_WORK};
 
-/// A generator: the number of its contact, and its number among the generators of that contact.
+/// A hull generator: the index of its contact, and its index among the generators of that contact.
 pub(super) type Tag = (usize, usize);
 
-/// The equation `e + P (f - e) = f⁰`.
+/// The equation `e + P (f - e) = f⁰`, which states balance of forces f and compatibility of stretches e.
 pub(super) struct BalanceEquation {
     /// The projector P, column by column.
     projector: Vec<f64>,
@@ -40,11 +40,11 @@ pub(super) struct BalanceEquation {
     roots: Vec<SVector<f64, 3>>,
 }
 
-/// The result of relaxing a case.
+/// The result of relaxing every contact's law to its convex hull in one case.
 pub(super) enum Relaxed {
-    /// Stretches (m) and forces (N) of the contacts, as far as the relaxation determines them.
+    /// The relaxed equations have a solution: stretches (m) and forces (N) of the contacts, as far as the relaxation determines them.
     Met(Vec<SVector<f64, 3>>, Vec<SVector<f64, 3>>),
-    /// Every equilibrium of the case would exceed the data by at least this factor.
+    /// The case has no equilibrium, except perhaps one that is larger than the data by at least this factor, which rounding could hide.
     Contradicted { escape: f64 },
 }
 
@@ -80,12 +80,12 @@ impl BalanceEquation {
         Some(Self { projector, target, unit, roots })
     }
 
-    /// The start of the search for the nearest point: the sum without any generator.
+    /// The start of the search for the nearest point of the cone: its apex, without any generator.
     pub(super) fn start(&self) -> NearestPoint<Tag> {
         NearestPoint::new(&self.target)
     }
 
-    /// `e + P (f - e)` of a generator of a contact.
+    /// Writes `e + P (f - e)` of a generator of a contact into `column`.
     fn column(&self, contact: usize, ray: &HullRay, column: &mut Vec<f64>) {
         let size = self.target.len();
         column.clear();
@@ -126,27 +126,27 @@ impl BalanceEquation {
         })
     }
 
-    /// Moves to the nearest point of the cone that these hulls span.
+    /// Moves `nearest` to the point of the cone spanned by the generators of these hulls that is nearest to the elastic trial state.
     pub(super) fn relax(&self, hulls: &[impl AsRef<[HullRay]>], nearest: &mut NearestPoint<Tag>) -> Relaxed {
         let (mut column, mut projected) = (Vec::new(), Vec::new());
         nearest.move_to_closest(&self.target);
-        // Generators that have become active since the distance last shrank; they are not tried again before it shrinks.
+        // Generators that have been added since the distance last shrank. They are not tried again before it shrinks, so that the loop cannot cycle.
         let mut tried: Vec<Tag> = Vec::new();
         let mut least = f64::INFINITY;
-        // Maximum number of generators that join, for each row of the equation.
+        // At most forty generators are added for each row of the equation.
         for _ in 0..40 * self.target.len() {
             let distance = nearest.distance();
-            // A distance below this part of the elastic trial state counts as zero.
+            // A distance below this fraction of the elastic trial state counts as zero.
             if distance < 1e-11 || !distance.is_finite() {
                 break;
             }
-            // A distance that shrinks by less than this part counts as unchanged.
+            // A distance that shrinks by less than this fraction counts as unchanged.
             if distance < least * (1.0 - NEGLIGIBLE) {
                 least = distance;
                 tried.clear();
             }
             self.projected(nearest.residual(), &mut projected);
-            // A generator joins if its work along the residual exceeds this part of the residual.
+            // A generator is added if its work along the residual exceeds this fraction of the residual.
             let (mut best, mut most) = (None, SOLVED_ROUNDING * distance);
             let mut hardest = LEAST_WORK * distance;
             for (tag, work) in Self::works_of_generators(nearest.residual(), &projected, hulls) {
@@ -157,7 +157,7 @@ impl BalanceEquation {
             }
             let Some(tag) = best else {
                 let escape = distance * distance / hardest;
-                // A distance below this part of the elastic trial state is too close to rounding for a contradiction.
+                // A distance below this fraction of the elastic trial state is too close to rounding for a contradiction.
                 if escape >= ESCAPE && distance >= 1e-10 {
                     return Relaxed::Contradicted { escape };
                 }
@@ -170,7 +170,7 @@ impl BalanceEquation {
                 nearest.move_to_closest(&self.target);
             }
         }
-        // Nothing is clearly contradicted. The case is divided further, which is always sound.
+        // The case is not clearly contradicted. The caller divides it further, which is always sound.
         self.sum(hulls, nearest)
     }
 
@@ -191,7 +191,7 @@ impl BalanceEquation {
         Relaxed::Met(stretches, forces)
     }
 
-    /// The contradiction of a case: a virtual motion and self-balanced virtual forces, from the residual.
+    /// The residual as a proof that a case has no equilibrium: a virtual motion and self-balanced virtual forces.
     pub(super) fn contradiction(
         &self,
         trial: &Piece,
@@ -212,7 +212,7 @@ impl BalanceEquation {
         (motion, forces.list())
     }
 
-    /// The length of a difference of forces of a contact in energy units, as a part of the elastic trial state.
+    /// The length of a difference of two forces at a contact in energy units, as a fraction of the elastic trial state.
     pub(super) fn part(&self, contact: usize, difference: &SVector<f64, 3>) -> f64 {
         let root = &self.roots[contact];
         let square: f64 = (0..3)

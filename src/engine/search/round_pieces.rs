@@ -19,13 +19,13 @@ use crate::prelude::*;
 pub(super) struct RoundPieces {
     states: Vec<State>,
     forces: Vec<SVector<f64, 3>>,
-    /// In twice the working precision: the slip of a stiff contact may be smaller than the rounding of the twist.
+    /// The twist in twice the working precision: the slip of a stiff contact may be smaller than the rounding of the twist.
     twist: PreciseTwist,
 }
 
-/// How much a Newton step changed forces and twist.
+/// The size of the changes of forces and twist in a Newton step.
 struct Progress {
-    /// Forces and twist changed by their last digit at most.
+    /// Forces and twist changed in their last digit at most.
     sharp: bool,
     /// Forces and twist changed by at most 1e-8 of themselves: the directions of friction have hardly turned.
     near: bool,
@@ -37,8 +37,8 @@ impl RoundPieces {
     /// Converges by Newton's method on the twist from `from`, with every contact free to change its state.
     pub(super) fn by_newton(problem: &Problem, from: Vector) -> Option<Self> {
         let mut contacts = Vec::new();
-        // Imbalance, as a part of the forces, at which Newton's method on the twist ends; Newton steps with fixed contact states reduce the remaining
-        // imbalance.
+        // Newton's method on the twist ends at this imbalance, a fraction of the forces; the caller's Newton steps with fixed contact states reduce
+        // the rest.
         let (twist, ..) = newton_on_cones(problem, (from, NEGLIGIBLE), &mut contacts)?;
         let (states, forces) = contacts.iter().map(|at| (at.state, at.force)).unzip();
         Some(Self { states, forces, twist: PreciseTwist::new(problem.size(), twist) })
@@ -52,7 +52,7 @@ impl RoundPieces {
                 let rubs = local.may_slide() && tangential(force).amax() > 0.0;
                 return if rubs { Mode::Round(Slide::new(force, 0.0)) } else { Mode::Sticking };
             }
-            // At the apex of its cone a polygon's contact may be open although its law keeps it closed.
+            // At the apex of a polygonal cone a contact may be in the state `Open` although its law keeps it closed.
             if state.is_open() && local.excludes(state) { Mode::Sticking } else { *state }
         };
         let states = problem.locals().zip(states.iter().zip(&near.forces)).map(state).list();
@@ -63,16 +63,16 @@ impl RoundPieces {
         }
     }
 
-    /// Newton's method until the last digit of every contact is final. `None` if it does not converge or the states do not hold.
+    /// Newton's method until the forces of all contacts are correct to the last digit. `None` if it does not converge or the states do not hold.
     pub(super) fn solve(mut self, problem: &Problem) -> Option<Found> {
         let driven = problem.offsets.iter().map(SVector::norm).fold(self.twist.value().norm(), f64::max);
         let mut piece = Piece::new(problem, &self.states);
-        // Maximum number of Newton steps.
+        // The largest number of Newton steps.
         let most_steps = 20;
         for step in 1..=most_steps {
             let Progress { sharp, near, settled } = self.step(problem, &piece);
-            // Longest twist, as a multiple of the initial twist and offsets: beyond, hardly a digit of the contacts' stretch is left. Near a locking
-            // angle steps run away like this, although another rung finds an equilibrium close by.
+            // The longest twist, as a multiple of the initial twist and offsets: beyond it hardly a digit of the contacts' stretches is correct. Near
+            // a locking angle steps grow like this, although another method finds an equilibrium close by.
             if self.twist.value().norm() > 1e12 * driven {
                 return None;
             }
@@ -80,13 +80,13 @@ impl RoundPieces {
             if last && let Some(found) = self.admitted(problem, &piece) {
                 return Some(found);
             }
-            // While a motion is free, gaps along it are arbitrary, and open contacts stay open.
+            // If nothing resists some motion, gaps along it are arbitrary: open contacts then stay open until Newton's method has converged.
             let closing = sharp || piece.free_motions().is_empty();
             let left = self.update_states(problem, closing);
             if sharp && !left {
                 return None;
             }
-            // Close to the solution the old tangent is accurate enough: each step is smaller than the one before by the same factor.
+            // Close to the solution the old tangent is good enough: steps then shrink by a constant factor, without a new factorisation.
             if left || !near {
                 piece = Piece::new(problem, &self.states);
             }
@@ -94,27 +94,28 @@ impl RoundPieces {
         None
     }
 
-    /// Whether friction forces equal their limit wherever contacts slide; false where a contact that is kept closed pulls.
+    /// Whether friction forces equal their limit wherever contacts slide; false if a contact that is kept closed pulls.
     fn on_cones(&self, problem: &Problem) -> bool {
         let largest = problem.largest_force(&self.forces, &self.twist.value());
         problem.locals().zip(&self.states).zip(&self.forces).all(|((local, state), force)| {
             let limit = local.cone().limit(force[0]);
-            // Tolerance of friction on its cone, as a part of the largest force. A force that still turns is off the cone by the square of the angle.
+            // A friction force may differ from its limit by this fraction of the largest force. If the last step turned it by an angle, it is off the
+            // cone by the square of the angle.
             state.slide().is_none() || (tangential_norm(force) - limit).abs() <= 1e-14 * largest.max(limit)
         })
     }
 
-    /// One step: solves the piece for corrections of forces and twist.
+    /// One Newton step: solves the linear problem for corrections of forces and twist.
     fn step(&mut self, problem: &Problem, piece: &Piece) -> Progress {
         let twist = self.twist.value();
         let largest = problem.largest_force(&self.forces, &twist);
         let missing = piece.correction(problem, &self.states, (&self.forces, &self.twist), largest);
         self.twist.add(&missing.twist);
         let (moved, size) = (missing.twist.norm(), twist.norm());
-        // A step that changes the twist and each force by less than this part of itself is the last.
+        // A step that changes the twist and each force by less than this fraction of itself is the last.
         let last = 1e-14;
-        // If only rounding determines the direction of a small force, no step is `sharp`. A step that changes forces by less than this part of them,
-        // or by rounding of the largest, leaves an error of this part squared.
+        // If only rounding determines the direction of a small force, no step is `sharp`. A step that changes forces by less than this fraction of them,
+        // or by rounding of the largest, leaves an error of this fraction squared.
         let little = 1e-8;
         let (mut sharp, mut near, mut settled) = (moved <= last * size, moved <= little * size, true);
         for (force, missing) in self.forces.iter_mut().zip(&missing.forces) {
@@ -128,11 +129,11 @@ impl RoundPieces {
         Progress { sharp, near, settled }
     }
 
-    /// The answer, if every inequality holds.
+    /// The solution, if every inequality holds.
     fn admitted(&self, problem: &Problem, piece: &Piece) -> Option<Found> {
         let Self { states, forces, twist } = self.clone();
         let at = PieceState { forces, twist: twist.value() };
-        // An imbalance remains only along motions that no spring of the piece resists.
+        // After convergence an imbalance can only remain along motions that no spring resists.
         if !piece.resists(&problem.wrench) || !balanced(problem, &at) {
             return None;
         }
@@ -146,12 +147,12 @@ impl RoundPieces {
         admit(problem, states, piece, at).ok()
     }
 
-    /// Whether a motion turns the friction of a sliding contact. Such a motion is not free: its resistance is only lost in the rounding of the
-    /// stiffest spring, and its length is unknown.
+    /// Whether a motion that seems free turns the friction force of a sliding contact. Such a motion meets a resistance that is only lost in the
+    /// rounding of the stiffest spring, so the solution is not known along it.
     fn turns(&self, problem: &Problem, motion: &Vector) -> bool {
         problem.sites.iter().zip(&self.states).any(|(site, state)| {
             let turns = |slide: &Slide| slide.perpendicular().dot(&site.map.tr_mul(motion)).abs();
-            // A motion that moves a contact by less than this part of its reach does not move it.
+            // Slip velocities below this fraction of what the largest unit motion gives the contact are rounding.
             state.slide().is_some_and(|slide| turns(slide) > 1e-10 * site.map.norm())
         })
     }
@@ -167,7 +168,7 @@ impl RoundPieces {
             let precise =
                 |axis: usize| self.twist.stretch(site, axis, problem.offsets[contact][axis]).value();
             let stretch = by_axis(precise);
-            // A state changes if its inequality fails by more than this part of its terms.
+            // A state changes if its inequality fails by more than this fraction of its terms.
             let fails = 1e-14;
             let touches = closing && stretch[0] > fails * problem.span(contact, &twist);
             let (state, force) = (self.states[contact], &mut self.forces[contact]);
@@ -211,7 +212,8 @@ fn next_state(
                     *force = answer.force;
                     answer.state
                 }
-                // A contact that only rounding pulls open opens if it slides: without a normal force it has no friction. Otherwise it keeps sticking.
+                // A normal force below zero, but only by rounding, opens a contact that has friction: without a normal force it could not have any.
+                // Otherwise the contact keeps sticking.
                 Mode::Open if local.may_open() && rubs => opened(force),
                 _ => Mode::Sticking,
             }
@@ -219,12 +221,12 @@ fn next_state(
     }
 }
 
-/// Whether forces balance the load, relative to load and forces. Without a load the forces may be rounding; the scale then includes
-/// the part `NO_FORCE` of the least force that springs could have. With a load this scale would let a huge twist pass.
+/// Whether forces balance the load, relative to load and forces. Without a load the forces may be mere rounding; the scale then includes the fraction
+/// `NO_FORCE` of the least force that springs could have. With a load this scale would accept a huge twist.
 fn balanced(problem: &Problem, at: &PieceState) -> bool {
     let (left, carried) = problem.imbalance(&at.forces);
     let load = problem.wrench.norm();
     let scale = if load > 0.0 { load } else { problem.largest_force(&at.forces, &at.twist) };
-    // An answer may be out of balance by this part of load and forces: a load that was computed has rounding.
+    // Forces may be out of balance by this fraction of load and forces, since a load that results from a computation has rounding errors.
     left <= 1e-13 * (scale + carried)
 }

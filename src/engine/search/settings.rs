@@ -9,7 +9,7 @@ use crate::numerics::Space;
 /// ```
 /// use grasp_lcp::{Fit, PolygonCone, Settings};
 ///
-/// // As codes without a round cone have it: 16 facets around it; and no search that takes long.
+/// // A polygon of 16 facets around the round cone, as in programs without a round cone, and only short searches.
 /// let polygon = Settings::default().on_the_polygon().with_cone(PolygonCone::new(16, Fit::Circumscribed)?).with_most_states(100);
 /// assert!(!polygon.round && polygon.cone.facets() == 16);
 /// # Ok::<(), grasp_lcp::Error>(())
@@ -24,14 +24,14 @@ pub struct Settings {
     pub cone: PolygonCone,
     /// In space, whether equilibria and load paths are for the round cone (the default) or for the polygon itself. Ignored in the plane.
     pub round: bool,
-    /// Largest number of pivots of Lemke's method on one form of a scene. `None` allows about a second. A search over thousands of contacts on which
-    /// Newton's method has failed then gives up with [`Doubt::OutOfPivots`](super::Doubt::OutOfPivots). The dense programs of
+    /// Largest number of pivots of Lemke's method on one complementarity problem of a grasp. `None` allows about a second. A search over thousands of
+    /// contacts on which Newton's method has failed then gives up with [`Doubt::OutOfPivots`](super::Doubt::OutOfPivots). The dense programs of
     /// [`energy`](crate::energy) may take some ten seconds.
     pub max_pivots: Option<usize>,
     /// If neither form gives an answer, all combinations of contact states are tried, provided that they are at most this many. The default is 20
     /// 000, a few hundredths of a second: 7 contacts in the plane, 3 on 8 facets in space. On the round cone branch and bound divides the states and
     /// friction directions of up to 32 contacts into cases. A case of n contacts counts as n³/400 combinations, but at least as five: the default
-    /// allows 4 000 cases for up to 12 contacts. A smaller number is faster on scenes without an equilibrium; 0 omits the search, and with it proofs
+    /// allows 4 000 cases for up to 12 contacts. A smaller number is faster where no equilibrium exists; 0 omits the search, and with it proofs
     /// by trying all states. A larger number gives proofs for more contacts.
     pub most_states: usize,
     /// On a load path on the round cone, the largest estimated error of one step along a sliding arc: of forces relative to the largest force, of
@@ -95,7 +95,8 @@ impl Settings {
         self
     }
 
-    /// These settings with another error of a step along a sliding arc: 1e-13 for all digits; below 1e-14 rounding is in the way.
+    /// These settings with another allowed error of a step along a sliding arc. With 1e-13 nearly all digits are correct; below 1e-14 rounding
+    /// prevents steps.
     #[must_use]
     pub fn with_step_error(mut self, step_error: f64) -> Self {
         self.step_error = step_error;
@@ -123,7 +124,7 @@ impl Settings {
         self
     }
 
-    /// These settings with other limits of small motions: a rotation, rad, and a slip as a part of the grasp's size.
+    /// These settings with other limits of small motions: a rotation, rad, and a slip as a fraction of the grasp's size.
     #[must_use]
     pub fn with_small_motions(mut self, rotation: f64, slip: f64) -> Self {
         self.small_motions = SmallMotions { rotation, slip };

@@ -1,4 +1,4 @@
-//! Limits of small motions.
+//! Limits up to which rotations and slips count as small.
 
 use crate::error::{Error, is_moderate};
 
@@ -18,7 +18,7 @@ pub struct SmallMotions {
     /// No body turns by more than this angle, rad (default 0.1).
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub rotation: f64,
-    /// No contact slips or opens farther than this part of the grasp's size (default 0.1): the root mean square distance of contact points
+    /// No contact slips or opens farther than this fraction of the grasp's size (default 0.1): the root mean square distance of contact points
     /// from their centroid. A grasp at a single point has no size, and no limit of this kind.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub slip: f64,

@@ -1,7 +1,7 @@
-//! A solution at one end of an interval of solutions is reported with the free motion along that interval.
+//! If a solution is one end of an interval of solutions, it is reported with the free motion along that interval.
 //!
 //! If friction is exhausted at every contact that could resist a motion, forces do not determine the object's position along it. States in which one
-//! of these contacts sticks belong to the end of the interval at which it has not slipped: they hold, but show no free motion.
+//! of these contacts sticks belong to the end of the interval at which it has not slipped: they satisfy every condition, but have no free motion.
 
 use nalgebra::{Matrix, SVector};
 
@@ -14,8 +14,8 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The same forces in states that show the free motions: contacts on an edge of their cone slide, and contacts without force are open. Returns
-/// `found` itself if these states do not hold.
+/// The same forces in other states, which show the free motions: contacts on the edge of their cone slide, and contacts without force are open.
+/// Returns `found` itself if these states break a condition.
 pub(crate) fn on_the_solution_interval(problem: &Problem, found: Found) -> Found {
     // In space the springs perpendicular to the slip resist, so that no motion stays free.
     if problem.space() == Space::Spatial {
@@ -23,7 +23,7 @@ pub(crate) fn on_the_solution_interval(problem: &Problem, found: Found) -> Found
     }
     let Some(states) = yielding(problem, &found) else { return found };
     let largest = problem.largest_force(&found.forces, &found.twist);
-    // Forces that differ by less than this part of the largest are equal.
+    // Forces that differ by less than this fraction of the largest are equal.
     let are_the_same = |other: &Found| {
         found.forces.iter().zip(&other.forces).all(|(f, g)| (f - g).norm() <= NEGLIGIBLE * largest)
     };
@@ -36,8 +36,7 @@ pub(crate) fn on_the_solution_interval(problem: &Problem, found: Found) -> Found
     }
 }
 
-/// The states in which every sticking contact at a limit yields: without force it opens, on an edge of its cone it slides. `None` if no contact is at
-/// a limit.
+/// The states in which sticking contacts without force open, and those on the edge of their cone slide. `None` if there are neither.
 fn yielding(problem: &Problem, found: &Found) -> Option<Vec<State>> {
     let largest = found.forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
     let mut states = found.states.clone();

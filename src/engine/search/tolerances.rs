@@ -2,22 +2,23 @@
 
 /// Covering vectors tried after a ray, where all combinations of states are tried next. Each path costs as much as the first.
 ///
-/// Smaller, equilibria that a second path finds are missed; larger, a search that fails takes longer.
+/// If smaller, equilibria that a second path finds are missed; if larger, a search that fails takes longer.
 pub(super) const COVERING_VECTORS: usize = 3;
 
 /// From this many contacts on, Newton's method and the search for a separating motion come first. With few contacts Newton's method often
 /// cycles; with many hardly ever, unless stiffnesses and friction lie decades apart. Above this number a linear program hardly finds a proof
 /// that the search has missed.
 ///
-/// Smaller, scenes of few contacts miss proofs; larger, scenes of many wait for a search that finds nothing.
+/// If smaller, some grasps with few contacts get no proof; if larger, those with many wait for a search that finds nothing.
 pub(super) const MANY_CONTACTS: usize = 32;
 
-/// Multiplications of all paths of one rung where the caller sets no limit on pivots: about a second. With a larger limit a scene of thousands of
-/// contacts without an equilibrium takes minutes to give up. With a smaller one some solvable scenes are given up.
+/// The largest number of multiplications of all paths of Lemke's method on one form, if the caller sets no limit on pivots: about a second. If
+/// larger, a search over thousands of contacts without an equilibrium takes minutes to give up. If smaller, some equilibria are missed.
 pub(super) const MOST_WORK: usize = 500_000_000;
 
-/// Distance, as a part of the way on which the stuck grasp relaxed, up to which Newton's method has ended at the equilibrium of that way.
+/// The stuck grasp relaxes along a path towards an equilibrium (`ViscousRelaxation`), and Newton's method continues from its end. If it ends within
+/// this fraction of the path's length, it has found that equilibrium.
 ///
-/// Smaller, equilibria are refused to which slow relaxation has farther to go than its steps show; larger, equilibria are taken that only Newton's method
-/// jumps to.
+/// If smaller, equilibria are refused where relaxation is slow and the rest of the path is longer than its steps suggest. If larger, equilibria are
+/// taken to which only Newton's method jumps.
 pub(super) const BESIDE_THE_WAY: f64 = 0.3;

@@ -6,9 +6,8 @@ use crate::contact::{Mode, State};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
-/// Opens contacts that pull and closes contacts that penetrate, starting from these states and their solution, until neither are left.
-/// The result is accepted if it satisfies every condition. A finger far out of reach thus does not lead to another
-/// equilibrium than the grasp without it.
+/// Opens contacts that pull and closes contacts that penetrate, starting from these states and their solution, until there are none of either. The
+/// result is accepted if it satisfies every condition. So the equilibrium with a finger far from the object is that of the grasp without the finger.
 pub(super) fn touching_contacts(
     problem: &Problem,
     mut states: Vec<State>,
@@ -18,12 +17,12 @@ pub(super) fn touching_contacts(
     // `piece` stays empty in the first round: the initial states have already failed.
     let mut piece = None;
     let mut changed = Vec::new();
-    // Up to this number of contacts they open one at a time. With more, all contacts that pull open together.
+    // With up to this number of contacts, they open one at a time. With more, all contacts that pull open together.
     let one_by_one = 64;
     // Every contact usually changes once; this limit of rounds ends cycles.
     let rounds = if states.len() > one_by_one { 20 } else { 2 * states.len() + 2 };
     for _ in 0..rounds {
-        // Few contacts open one at a time: a contact that pulls makes others pull that no longer do once it is open. The first to open is
+        // Few contacts open one at a time: one contact that pulls may make others pull, which no longer do so once it is open. The first to open is
         // the contact with the largest initial gap.
         let reach = |i: usize| problem.offsets[i][0];
         let depth = |i: usize| reach(i) - problem.sites[i].map.tr_mul(&solved.twist)[0];

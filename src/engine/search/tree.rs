@@ -23,7 +23,8 @@ use crate::proofs::ProofStep;
 #[derive(Debug, Clone)]
 pub(super) enum Tree {
     Found(Found),
-    /// Each case is contradicted. An equilibrium that escapes this proof through rounding would exceed the data by the factor `escape`.
+    /// Each case was proved to have no equilibrium. An equilibrium that rounding hides from this proof would be larger than the data by the factor
+    /// `escape`.
     Contradicted {
         cases: usize,
         escape: f64,
@@ -37,26 +38,26 @@ struct Case {
     labels: Vec<Label>,
     hulls: Vec<Hull>,
     nearest: Rc<NearestPoint<Tag>>,
-    /// The contact that was divided last.
+    /// The contact whose label was divided to make this case; `None` for the first case.
     divided: Option<usize>,
 }
 
-/// Whether some contact has a round cone. Otherwise combinations of states on polygons are complete; in rates, a contact on the edge of its cone has
-/// a facet.
+/// Whether some contact has a round cone. Otherwise trying all combinations of states on polygons is a complete search; in rates, a contact on the
+/// edge of a round cone has a facet.
 pub(super) fn has_round_cones(problem: &Problem) -> bool {
     problem.locals().any(|local| local.is_round()) && !problem.locals().any(|local| local.is_on_an_edge())
 }
 
-/// The number of cases that costs as much as [`Settings::most_states`] combinations of contact states. Zero where nothing can be divided, or
-/// with too many contacts.
+/// The number of cases that costs as much as [`Settings::most_states`] combinations of contact states. Zero if no contact has a round cone, or there
+/// are too many contacts.
 pub(super) fn most_cases(problem: &Problem, settings: &Settings) -> usize {
-    // With more contacts there would be too few cases for a decision.
+    // With more contacts, as many cases as can be afforded would not decide.
     if problem.len() > 32 || !has_round_cones(problem) {
         return 0;
     }
     // A case of n contacts takes as long as n³ over this number of combinations of contact states.
     let by_size = settings.most_states.saturating_mul(400) / problem.len().pow(3);
-    // With few contacts, too, a case costs at least as much as five combinations.
+    // However few contacts there are, a case costs at least as much as five combinations.
     by_size.min(settings.most_states / 5)
 }
 
@@ -98,9 +99,10 @@ pub(super) fn search_tree(
             return Tree::Unresolved(Doubt::Inaccurate);
         }
         let (contact, error) = farthest_from_the_law(problem, &balance, &labels, &stretches, &forces);
-        // Newton's method starts from every fourth case: it costs as much as a few cases.
+        // Newton's method starts from every fourth case only, since it costs as much as a few cases.
         let every = 4;
-        // An error of the law below this part of the elastic trial state is rounding: Newton's method should have converged.
+        // If forces miss the contact laws by less than this fraction of the elastic trial state, the case is a solution up to rounding, and Newton's
+        // method starts there, too.
         let at_the_law = 1e-10;
         if (cases - 1) % every == 0 || error <= at_the_law {
             let from: Vec<_> = paired(&problem.offsets, &stretches, &|(a, v)| a - v);
@@ -160,7 +162,7 @@ fn farthest_from_the_law(
         let answer = local.answer(&stretches[contact], 0.0);
         let imbalance = balance.part(contact, &(forces[contact] - answer.force));
         error = error.max(imbalance);
-        // Weight of the error of a contact whose label restricts nothing yet: before it is divided, other divisions contribute little.
+        // Contacts whose label restricts nothing yet are preferred: until they are divided, other divisions contribute little.
         let weighed = if labels[contact] == Label::Anything { 3.0 * imbalance } else { imbalance };
         if weighed > worst {
             (farthest, worst) = (contact, weighed);

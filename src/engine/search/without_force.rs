@@ -1,6 +1,6 @@
 //! Contacts that touch without force neither stick nor slide: they count as open, with a gap of zero.
 //!
-//! Whether a rung of the search finds such a contact sticking, sliding or open depends on the rounding of its force. Friction without normal force
+//! Whether the search finds such a contact sticking, sliding or open depends on the rounding of its force. Friction without normal force
 //! holds nothing. Hence the solution with all such contacts open has the same forces, and is always the one that is reported.
 
 use nalgebra::Matrix;
@@ -15,7 +15,7 @@ use crate::numerics::largest;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::{Piece, PieceState, Problem};
 
-/// [`settle`] for a problem at rest.
+/// [`settle`] for a problem at rest (not one of rates): the solution has contacts without force open.
 pub(crate) fn settle_at_rest(problem: &Problem, settings: &Settings) -> (Settled, Effort) {
     match settle(problem, settings) {
         (Settled::Found(found, rung), effort) => {
@@ -29,19 +29,19 @@ pub(crate) fn settle_at_rest(problem: &Problem, settings: &Settings) -> (Settled
     }
 }
 
-/// The solution as it is reported for a problem at rest: contacts without force are open, and free motions are shown. Twist and sizes stay those of
-/// `found`.
+/// The solution as it is reported for a problem at rest: contacts without force are open, and motions that nothing resists are listed. Twist and
+/// sizes stay those of `found`.
 pub(crate) fn reported_at_rest(problem: &Problem, found: Found) -> Found {
     let open = opened(problem, &found).unwrap_or_else(|| found.clone());
     let shown = on_the_solution_interval(problem, open);
     Found { twist: found.twist, sizes: found.sizes, ..shown }
 }
 
-/// The same forces with all contacts open that carry none; `None` if there is no such contact. `None` also if no contact carries a force, since
-/// nothing then defines a small force.
+/// The same forces with all contacts open that carry none; `None` if there is no such contact. `None` also if no contact carries a force, since then
+/// there is no scale for a small force.
 fn opened(problem: &Problem, found: &Found) -> Option<Found> {
     let largest = largest(&found.forces, &Matrix::norm);
-    // The scale is the largest displacement of all contacts: that of a contact which does not move is zero.
+    // Gaps are compared with the largest displacement of all contacts, since a contact that does not move has none of its own.
     let spans = (0..problem.len()).map(|i| problem.span(i, &found.twist));
     let farthest = spans.fold(0.0, f64::max);
     let mut states = found.states.clone();
@@ -63,7 +63,7 @@ fn opened(problem: &Problem, found: &Found) -> Option<Found> {
     }
     let piece = Piece::new(problem, &states);
     let PieceState { forces, .. } = piece.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
-    // Forces that differ by less than this part of the largest are the same.
+    // Forces that differ by less than this fraction of the largest are the same.
     let are_the_same = forces.iter().zip(&found.forces).all(|(f, g)| (f - g).norm() <= NEGLIGIBLE * largest);
     let free_motions = piece.free_motions().to_vec();
     let neutral_motions = piece.neutral_motions();

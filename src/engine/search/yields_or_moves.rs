@@ -13,7 +13,7 @@ use crate::prelude::*;
 use crate::proofs::yields;
 use crate::{Fit, PolygonCone, planar, spatial};
 
-/// Numbers of rates, of proofs that nothing balances them, and of rates that some combination balances.
+/// Numbers of random rates problems, of proofs that no forces balance them, and of problems that some combination of states balances.
 #[derive(Debug, Default)]
 struct Count {
     asked: usize,
@@ -108,7 +108,7 @@ fn in_space() {
     let (mut draw, mut count) = (Draw::new([5, 25, 3]), Count::default());
     while count.asked < 4_000 {
         let number = 3 + one_of(&mut draw, 3);
-        // Around a circle and mostly alike, so that all contacts may yield.
+        // Contacts lie around a circle and are mostly alike, so that often all of them yield.
         let [leans, differ] = [0; 2].map(|_| draw.normal() > 1.0);
         let place = draw.normal();
         let contact = |i: usize| {

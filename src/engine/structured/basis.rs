@@ -1,6 +1,6 @@
 //! A complementary basis as a list of contact states.
 //!
-//! The pairs A of a contact whose z is basic have w = 0, which determines their z from u and z₀
+//! The pairs A of a contact whose z is basic have w = 0, which determines their z from u and z₀ (symbols as in `contact_form`)
 //! locally:
 //!
 //! ```text
@@ -16,7 +16,8 @@ use super::contact_form::{ContactForm, PairedContact};
 use crate::object::{Slipping, Sums, normal};
 use crate::prelude::*;
 
-/// Indices of the right-hand sides of equilibrium: that of the elastic trial state, of the covering vector, and of the perturbation that breaks ties.
+/// Index of the right-hand side of equilibrium that stems from the elastic trial state. The next two are those of the covering vector and of the
+/// perturbation that breaks ties.
 pub(super) const TRIAL: usize = 0;
 pub(super) const COVER: usize = 1;
 pub(super) const PERTURBED: usize = 2;
@@ -54,7 +55,7 @@ impl Active {
         self.iter().position(|p| p == pair)
     }
 
-    /// Adds a pair. `None` if the contact already has as many active pairs as axes.
+    /// Makes another pair of the contact active. `None` if the contact already has as many active pairs as axes.
     pub(super) fn with(mut self, pair: usize) -> Option<Self> {
         let at = self.len();
         *self.pairs.get_mut(at)? = u16::try_from(pair).ok()?;
@@ -72,14 +73,14 @@ impl Active {
     }
 }
 
-/// The linear response of a contact in a given state to u and z₀.
+/// The linear response of a contact in a given state to its stretch u and the covering variable z₀.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Reaction {
-    /// The projection P, see the top of this file.
+    /// The projection P of `x = P u - k z₀`.
     pub(super) hold: SMatrix<f64, 3, 3>,
-    /// The rows of Z, see the top of this file.
+    /// The rows of Z, one for each active pair: `z_A = -(Z u + ζ z₀)`.
     pub(super) multipliers: [SVector<f64, 3>; 3],
-    /// ζ and k, the response to z₀.
+    /// ζ and k, the response to the covering variable z₀.
     pub(super) cover: Jumps,
     /// ζ and k of the perturbation that breaks ties.
     pub(super) tie: Jumps,
@@ -93,7 +94,7 @@ pub(super) struct Jumps {
 }
 
 impl Reaction {
-    /// The response of a contact without jumps.
+    /// The response of a contact that sticks: it has no gap and no slip.
     pub(super) fn sticking() -> Self {
         let (zero, none) = (SVector::zeros(), Jumps { of_pairs: [0.0; 3], of_x: SVector::zeros() });
         Self { hold: SMatrix::identity(), multipliers: [zero; 3], cover: none, tie: none }
@@ -115,7 +116,7 @@ impl ContactForm {
         if gap.is_some() {
             hold.fill_column(0, 0.0);
         }
-        // The index of an active pair among the slipping facets.
+        // Position of an active pair among the active facets; `None` for the gap.
         let facet = |a: usize| match gap {
             Some(gap) if a == gap => None,
             Some(gap) if a > gap => Some(a - 1),
@@ -147,7 +148,7 @@ impl ContactForm {
         Some(Reaction { hold, multipliers, cover, tie })
     }
 
-    /// Adds the terms of a contact, times `sign`, to the sums.
+    /// Adds the terms of a contact, times `sign`, to the sums over contacts in the equilibrium of the object.
     pub(super) fn accumulate(
         &self,
         sums: &mut Sums<3>,
@@ -167,7 +168,7 @@ impl ContactForm {
 #[derive(Debug, Clone)]
 pub(super) struct StateBasis {
     pub(super) active: Vec<Active>,
-    /// Linear responses, valid only for contacts with active pairs.
+    /// Linear responses of all contacts; entries of contacts without active pairs are not valid.
     reactions: Vec<Reaction>,
     sticking: Reaction,
 }
@@ -192,7 +193,7 @@ impl StateBasis {
         self.jumped(contact).unwrap_or(&self.sticking)
     }
 
-    /// The response of a contact, if it has active pairs.
+    /// The linear response of a contact, if some of its pairs are active (z is basic).
     pub(super) fn jumped(&self, contact: usize) -> Option<&Reaction> {
         (self.active[contact].len() > 0).then(|| &self.reactions[contact])
     }
@@ -206,7 +207,7 @@ impl StateBasis {
         Some(())
     }
 
-    /// All sums of equilibrium, computed from all contacts.
+    /// The sums in the equilibrium of the object, computed anew from all contacts.
     pub(super) fn sums(&self, form: &ContactForm) -> Sums<3> {
         Sums::over(form.size, form.len(), form.coordinates.rank, &|sums, contact| {
             form.accumulate(sums, contact, self.jumped(contact), 1.0);

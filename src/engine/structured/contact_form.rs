@@ -16,18 +16,18 @@ use crate::numerics::{Orthogonal, Size, Vector, generic};
 use crate::object::{EnergyContact, EnergyCoordinates, Facet, Problem, normal};
 use crate::prelude::*;
 
-/// A contact with its pairs (w, z).
+/// A contact with its complementary pairs (w, z).
 #[derive(Debug, Clone)]
 pub(super) struct PairedContact {
     pub(super) contact: EnergyContact,
     /// x⁰_i, the elastic trial state of the contact.
     pub(super) trial: SVector<f64, 3>,
-    /// The index of the contact's first pair in the whole problem. Pair 0 of a contact that may open is its gap.
+    /// The index of the contact's first complementary pair in the whole problem. Pair 0 of a contact that may open is its gap.
     pub(super) first: usize,
 }
 
 impl PairedContact {
-    /// The entry of the perturbation for a pair, in the unit of its row.
+    /// The entry of the tie-breaking perturbation for a pair, in the unit of its row.
     pub(super) fn perturbation(&self, pair: usize, unit: f64) -> f64 {
         unit * generic(self.first + pair)
     }
@@ -44,9 +44,9 @@ pub(crate) struct ContactForm {
     pub(super) locals: Vec<PairedContact>,
     pub(super) coordinates: EnergyCoordinates,
     pub(super) size: Size,
-    /// The number of pairs of all contacts.
+    /// The number of complementary pairs of all contacts.
     pub(super) pairs: usize,
-    /// The largest norm of a Q_i.
+    /// The largest norm of a map Q_i from the motion of the object to a contact.
     pub(super) widest: f64,
     /// The covering vector d, entry by entry in the units of the rows. An empty list stands for ones, if rows have length one.
     covering: Vec<f64>,

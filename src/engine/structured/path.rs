@@ -19,7 +19,7 @@ use crate::numerics::{Bordered, Each, Vector};
 use crate::object::{Facet, LazyPricing, Point, Sums, are_stale};
 use crate::prelude::*;
 
-/// How a path of Lemke's method ends.
+/// The way in which a path of Lemke's method ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum PivotEnd {
     /// z₀ has left the basis, which is complementary: it gives every contact a state.
@@ -31,27 +31,27 @@ pub(crate) enum PivotEnd {
     Breakdown,
 }
 
-/// A path of Lemke's method. Its memory is kept between scenes.
+/// A path of Lemke's method. Its memory is reused for the next problem.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct StatePath {
     pub(crate) form: ContactForm,
     pub(super) basis: StateBasis,
     pub(super) sums: Sums<3>,
     pub(crate) pivots: usize,
-    /// Number of evaluations of single contacts, over all pivots.
-    looks: usize,
-    /// Largest number of evaluations, if there is a limit: above it the path ends.
-    pub(crate) most_looks: Option<usize>,
-    /// Pivots since the sums were last recomputed from all contacts.
+    /// Number of times that a contact was evaluated, over all pivots.
+    evaluations: usize,
+    /// The largest such number, if there is a limit: above it the path ends.
+    pub(crate) most_evaluations: Option<usize>,
+    /// Pivots since the sums over contacts were last computed anew; each pivot adds rounding to them.
     pub(super) age: usize,
-    /// Factors of the system of the present step.
+    /// Factors of the bordered system of the present pivot.
     factors: Bordered,
     pricing: LazyPricing,
     candidates: Vec<Candidate>,
 }
 
 impl StatePath {
-    /// A number of pivots that no problem of this size is known to need.
+    /// A limit on pivots, above what any known problem of this size needs.
     pub(crate) fn pivot_limit(&self) -> usize {
         10_000 + 100 * self.form.pairs
     }
@@ -101,7 +101,7 @@ impl StatePath {
         first.map(|entering| (entering, -least))
     }
 
-    /// The state that the present basis gives to a contact with this law.
+    /// The contact state that belongs to the present basis, for a contact with this law.
     pub(super) fn state(&self, contact: usize, law: &LocalLaw<'_>) -> State {
         let (active, gap) = (&self.basis.active[contact], self.form.locals[contact].contact.gap);
         if law.is_absent() || (gap && active.has(0)) {
@@ -114,14 +114,14 @@ impl StatePath {
         law.slipping_state(facets)
     }
 
-    /// Recomputes the sums from all contacts.
+    /// Computes the sums over all contacts anew, which removes the rounding of updates.
     pub(super) fn refresh(&mut self) {
         self.sums = self.basis.sums(&self.form);
         self.age = 0;
-        self.looks += self.form.len();
+        self.evaluations += self.form.len();
     }
 
-    /// Follows the path from a point where both variables of a pair are zero.
+    /// Follows the path from a point where both variables of the complementary pair `entering` are zero.
     pub(super) fn run(&mut self, mut entering: Entering, at: &Point, limit: usize) -> PivotEnd {
         self.candidates.clear();
         self.candidates.reserve(self.form.pairs);
@@ -130,7 +130,7 @@ impl StatePath {
             self.line_up(entering.contact, at, &first.along);
         }
         loop {
-            if self.pivots >= limit || self.most_looks.is_some_and(|most| self.looks > most) {
+            if self.pivots >= limit || self.most_evaluations.is_some_and(|most| self.evaluations > most) {
                 return PivotEnd::PivotLimit;
             }
             if are_stale(self.age, self.form.len()) {
@@ -144,9 +144,9 @@ impl StatePath {
                 continue;
             };
             let leaving = self.blocking(&step, &entering);
-            // A pivot below this part of the step's largest change is only made on recomputed sums.
+            // A pivot element below this fraction of the largest change in the step may be rounding: the sums are computed anew before it is used.
             let doubtful = match &leaving {
-                Leaving::Nobody => true,
+                Leaving::NoVariable => true,
                 Leaving::Covering => step.along.s.abs() < DOUBTFUL_PIVOT * step.largest,
                 Leaving::Variable(candidate) => {
                     candidate.vanishing.rate.abs() < DOUBTFUL_PIVOT * step.largest
@@ -157,7 +157,7 @@ impl StatePath {
                 continue;
             }
             let leaving = match leaving {
-                Leaving::Nobody => return PivotEnd::Ray,
+                Leaving::NoVariable => return PivotEnd::Ray,
                 Leaving::Covering => {
                     self.pivots += 1;
                     if entering.jump && self.exchange(&entering, None).is_none() {
@@ -188,21 +188,21 @@ impl StatePath {
     }
 
     fn is_lazy(&self) -> bool {
-        // With fewer contacts every step evaluates all of them: a queue would cost more than it saves.
+        // With fewer contacts, evaluating all of them in every step costs less than a queue.
         self.form.len() >= 24
     }
 
-    /// Queues all contacts except `out`, whose pair is outside the basis.
+    /// Queues all contacts except `out`, the contact of the pair outside the basis: every step evaluates it.
     fn line_up(&mut self, out: u32, at: &Point, along: &Point) {
-        self.looks += self.form.len();
+        self.evaluations += self.form.len();
         let Self { form, basis, pricing, .. } = self;
         pricing.line_up(form.len(), along, &|contact, e| {
             (0, if contact == out { f64::INFINITY } else { form.slack(basis, contact, at, e) })
         });
     }
 
-    /// Queues the contacts again that the step has evaluated, except `out`, whose pair is now outside the
-    /// basis: every step evaluates it.
+    /// Puts the contacts that the step has evaluated back into the queue, except `out`, the contact of the pair now outside the basis: every step
+    /// evaluates it.
     fn requeue(&mut self, left: u32, out: u32, at: &Point) {
         let Self { form, basis, pricing, .. } = self;
         pricing.looked.push(left);
@@ -244,9 +244,9 @@ impl StatePath {
         let covering = Vanishing { value: step.here.s, rate: step.along.s, level: step.here.size() };
         let z0_shrinks = covering.rate < -FEW_ROUNDINGS * step.largest;
         let mut length = if z0_shrinks { covering.longest() } else { f64::INFINITY };
-        let mut looks = 0;
-        let mut look = |contact: u32, length: &mut f64| {
-            looks += 1;
+        let mut evaluations = 0;
+        let mut evaluate = |contact: u32, length: &mut f64| {
+            evaluations += 1;
             form.decreasing(basis, contact, step, entering, |candidate| {
                 if candidate.vanishing.ratio() <= *length {
                     *length = length.min(candidate.vanishing.longest());
@@ -254,41 +254,41 @@ impl StatePath {
                 }
             });
         };
-        look(entering.contact, &mut length);
+        evaluate(entering.contact, &mut length);
         if lazy {
-            // If the step is repeated on recomputed sums, these contacts have already left the queue.
+            // Contacts evaluated before in this step are no longer in the queue; there are some if the step is repeated on recomputed sums.
             for k in 0..pricing.looked.len() {
-                look(pricing.looked[k], &mut length);
+                evaluate(pricing.looked[k], &mut length);
             }
             let speed = pricing.speed(&step.along);
             let within = |length: f64| length * speed * (1.0 + TIE);
             while let Some((contact, stamp)) = pricing.line.next_within(within(length)) {
                 let slack = form.slack(basis, contact, &step.here, &pricing.towards);
                 if !pricing.puts_off(within(length), contact, stamp, slack) {
-                    look(contact, &mut length);
+                    evaluate(contact, &mut length);
                 }
             }
         } else {
             for (contact, _) in (0..).zip(&form.locals).filter(|(contact, _)| *contact != entering.contact) {
-                look(contact, &mut length);
+                evaluate(contact, &mut length);
             }
         }
-        self.looks += looks + candidates.len();
+        self.evaluations += evaluations + candidates.len();
         if length == f64::INFINITY {
-            return Leaving::Nobody;
+            return Leaving::NoVariable;
         }
         if z0_shrinks && covering.ratio() <= length {
             return Leaving::Covering;
         }
         candidates.retain(|candidate| candidate.vanishing.ratio() <= length);
         match candidates.as_slice() {
-            [] => Leaving::Nobody,
+            [] => Leaving::NoVariable,
             [only] => Leaving::Variable(*only),
             _ => self.break_tie(entering),
         }
     }
 
-    /// The candidate that leaves first when q is perturbed.
+    /// Of the variables that reach zero together, the one that would reach it first if q were perturbed.
     fn break_tie(&self, entering: &Entering) -> Leaving {
         let form = &self.form;
         let local = &form.locals[entering.contact as usize];
@@ -313,7 +313,7 @@ impl StatePath {
             change / -candidate.vanishing.rate
         };
         let first = self.candidates.iter().map(|c| (c, ratio(c))).min_by(|a, b| a.1.total_cmp(&b.1));
-        first.map_or(Leaving::Nobody, |(candidate, _)| Leaving::Variable(*candidate))
+        first.map_or(Leaving::NoVariable, |(candidate, _)| Leaving::Variable(*candidate))
     }
 
     /// Makes the entering variable basic and the leaving one zero. `None` if active pairs become linearly dependent, which no exact basis has.
@@ -338,7 +338,7 @@ impl StatePath {
 }
 
 enum Leaving {
-    Nobody,
+    NoVariable,
     Covering,
     Variable(Candidate),
 }

@@ -1,4 +1,4 @@
-//! Contact states proposed to the ladder of `search`, which solves and checks them.
+//! Contact states proposed by Lemke's method. The caller in `search` solves the grasp in these states and checks every condition.
 
 use super::path::{PivotEnd, StatePath};
 use crate::contact::State;
@@ -11,7 +11,7 @@ use crate::prelude::*;
 pub(crate) struct Proposal {
     pub(crate) states: Option<Vec<State>>,
     pub(crate) pivots: usize,
-    /// The number of pairs of the kinematic form.
+    /// The number of complementary pairs of the kinematic form.
     pub(crate) pairs: usize,
     /// Whether a path ended at a limit or a breakdown, not on a ray.
     pub(crate) cut_short: bool,
@@ -34,9 +34,9 @@ pub(crate) fn propose(
         x.extend((0..local.springs.axes()).map(|axis| force[axis] / local.springs.root_along(axis)));
     }
     path.form.assign(problem, trial.factor(), &x);
-    // Multiplications to evaluate a contact: a product with the motion for each of its pairs.
-    let of_a_look = (problem.size().count() * path.form.pairs).div_ceil(problem.len().max(1)).max(1);
-    path.most_looks = max_pivots.is_none().then_some(most_work / of_a_look);
+    // Multiplications to evaluate one contact: for each of its pairs a product with the motion of the object.
+    let of_an_evaluation = (problem.size().count() * path.form.pairs).div_ceil(problem.len().max(1)).max(1);
+    path.most_evaluations = max_pivots.is_none().then_some(most_work / of_an_evaluation);
     let mut proposal = Proposal { states: None, pivots: 0, pairs: path.form.pairs, cut_short: false };
     for attempt in 0..=other_paths {
         let limit = max_pivots.unwrap_or_else(|| path.pivots + path.pivot_limit());

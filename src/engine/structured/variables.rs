@@ -8,7 +8,7 @@ use super::tolerances::TIE;
 use crate::numerics::tolerances::FEW_ROUNDINGS;
 use crate::object::{Facet, PRICING_MARGIN, Point, slack};
 
-/// The pair outside the basis whose variables are both zero, and the one of them that enters.
+/// The complementary pair with neither variable in the basis, and the one of both that enters: z if `jump`, otherwise w.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Entering {
     pub(super) contact: u32,
@@ -21,17 +21,17 @@ pub(super) struct Entering {
 pub(super) struct Candidate {
     pub(super) contact: u32,
     pub(super) pair: usize,
-    /// Whether the variable is z of the pair, not w.
+    /// Whether the variable is z of its pair (a gap or slip), not w.
     pub(super) jump: bool,
     pub(super) vanishing: Vanishing,
 }
 
-/// A value that decreases along a step.
+/// The value of a variable that decreases along a step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Vanishing {
     pub(super) value: f64,
     pub(super) rate: f64,
-    /// Sum of the sizes of the terms that add up to `value`.
+    /// Sum of the absolute values of the terms of `value`, which scales its rounding.
     pub(super) level: f64,
 }
 
@@ -41,11 +41,11 @@ impl Vanishing {
         self.value.max(0.0) / -self.rate
     }
 
-    /// The step length at which the value is negative by its rounding error. Variables that reach zero before the least of these lengths count as
-    /// tied.
+    /// The step length at which the value is negative by its rounding error. The least of these lengths over all variables limits the step: variables
+    /// that reach zero before it are tied.
     pub(super) fn longest(&self) -> f64 {
         let value = self.value.max(0.0);
-        // Variables also tie within the rounding of the terms that a value is made of.
+        // The last term covers the rounding of the terms that add up to the value.
         (value + TIE * value + 64.0 * f64::EPSILON * self.level) / -self.rate
     }
 }
@@ -55,7 +55,7 @@ impl Vanishing {
 pub(super) struct PivotStep {
     pub(super) here: Point,
     pub(super) along: Point,
-    /// Size of the largest change of a variable.
+    /// Upper estimate of the changes of all variables, with which small rates are compared.
     pub(super) largest: f64,
 }
 
@@ -80,14 +80,14 @@ impl ContactForm {
         }
         let level = local.level(&stretch, z0);
         let own_size = if own { 1.0 } else { 0.0 };
-        // A rate below this part of the largest changes is rounding of zero for any terms.
+        // Below this fraction of the largest change, a rate is rounding of zero, whatever its terms.
         let zero = -FEW_ROUNDINGS * step.largest;
         let mut consider = |pair: usize, jump: bool, value: f64, rate: f64, size: f64| {
             if rate >= zero || (own && pair == entering.pair) {
                 return;
             }
             let terms = || size * (local.contact.seen.norm() * step.along.y.norm() + dz0.abs() + own_size);
-            // A rate below this part of its terms is rounding of zero: a path that followed it would end far away.
+            // A rate below this fraction of its terms is rounding of zero. A step along which it reached zero would be far too long.
             let noise = 1e-11;
             if rate > -noise * step.largest && rate > -noise * terms() {
                 return;
@@ -105,21 +105,22 @@ impl ContactForm {
         for (pair, Facet { row, unit }) in self.pairs_of(local).iter().enumerate() {
             let d = self.cover(local, pair, *unit);
             let rate = row.dot(&dx) + d * dz0;
-            // Rates alone exclude most variables.
+            // The rate is tested first, since it excludes most pairs.
             if rate < zero && !active.has(pair) {
                 consider(pair, false, row.dot(&x) + d * z0, rate, *unit);
             }
         }
     }
 
-    /// The time t of `object/lazy_pricing` until which no variable of this contact can reach zero, while the path follows the direction e.
+    /// The waiting time of a contact on the clock of `object/lazy_pricing`: before it no variable of the contact can reach zero. e is the reference
+    /// direction of the path.
     pub(super) fn slack(&self, basis: &StateBasis, contact: u32, at: &Point, e: &Point) -> f64 {
         let local = &self.locals[contact as usize];
         let (active, reaction) = (&basis.active[contact as usize], basis.reaction(contact as usize));
         let (stretch, change) = (local.stretch(&at.y), -(&local.contact.seen * &e.y));
         let (margin, width) = (PRICING_MARGIN * local.level(&stretch, at.s), local.contact.seen.norm());
         let mut least = f64::INFINITY;
-        // Each variable has the form `felt·u + d z₀`.
+        // Each variable of the contact has the form `felt·u + d z₀`.
         let mut consider = |felt: &SVector<f64, 3>, d: f64, size: f64| {
             let value = felt.dot(&stretch) + d * at.s - margin * size;
             let rate = felt.dot(&change) + d * e.s;
@@ -140,7 +141,7 @@ impl ContactForm {
 }
 
 impl PairedContact {
-    /// Size of the terms that add up to the contact's variables.
+    /// Size of the terms that add up to the variables of a contact, which scales their rounding.
     fn level(&self, stretch: &SVector<f64, 3>, z0: f64) -> f64 {
         self.trial.amax() + stretch.amax() + z0.abs()
     }

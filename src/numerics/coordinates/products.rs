@@ -32,11 +32,11 @@ pub(super) fn dot_whole(a: &[f64; WHOLE], b: &[f64; WHOLE]) -> f64 {
     ((a[0] * b[0] + a[2] * b[2]) + (a[1] * b[1] + a[3] * b[3])) + (a[4] * b[4] + a[5] * b[5])
 }
 
-/// The four sums of [`dot`], for terms that arrive with their indices.
+/// The four interleaved sums of [`dot`], filled term by term: each term comes with its index.
 pub(super) struct SumLanes {
     sums: [f64; 4],
     rest: f64,
-    /// Terms from this index on belong to the remainder.
+    /// The greatest multiple of four up to the number of terms; later terms are added in `rest`.
     whole: usize,
 }
 

@@ -1,5 +1,4 @@
-//! A second path with the same steps, each made as a whole and not in two halves. The distance between both paths measures the remaining effect of
-//! all errors.
+//! A second path with the same steps, each made as a whole and not in two halves. The distance between both paths measures what remains of all errors.
 //!
 //! The error of a step in two halves is a third of its difference from the step made as a whole. But errors do not add up: directions of slip relax,
 //! so that their errors decay, and errors of different steps affect different contacts. Errors of the second path decay in the same way, so that
@@ -17,9 +16,9 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 #[derive(Debug, Clone)]
 pub(super) struct Coarse {
     pub(super) present: SteppedState,
-    /// Sum of the distances, over the largest force, at which the second path was lost and restarted from the first.
+    /// The second path is sometimes restarted from the first. This is the sum of the distances between both at these places, divided by the largest force.
     lost: f64,
-    /// The largest distance so far plus those sums, over the largest force.
+    /// The largest distance between both paths so far plus that sum, divided by the largest force.
     pub(super) farthest: f64,
 }
 
@@ -29,8 +28,8 @@ impl Coarse {
         Self { present: present.clone(), lost: 0.0, farthest: 0.0 }
     }
 
-    /// Makes the step of the first path between two places. `at_once` is that step made as a whole. If the second path finds no step of its own, or
-    /// only one to a distant state, it moves to `at_once`. `beside` is memory for its own step.
+    /// Makes on the second path the step that the first path has made between two places. `at_once` is the end of that step made as a whole. If the
+    /// second path finds no step of its own, or only one to a distant state, it moves to `at_once`. `beside` is memory for its own step.
     pub(super) fn follow(
         &mut self,
         along: &mut StepProblem<'_>,
@@ -41,11 +40,11 @@ impl Coarse {
         let distance = from.distance_to(&self.present);
         let near = &to.twist + &self.present.twist - &from.twist;
         // If the second path's own step ends farther than this from `at_once`, the second path moves to `at_once` instead. With a smaller limit this
-        // would happen at each change of contact states, and errors that decay would be added up.
+        // would happen at each change of contact states, and errors would be added up although they decay.
         let by = 10.0 * distance + to.distance_to(at_once);
         let step = || along.step(&self.present, (to.fraction - from.fraction, near), beside);
-        // If the paths differ by less than this part of the largest force, the difference is below the tolerance of Newton's method, and the second
-        // path moves to `at_once`. With a larger part, errors that decay would be added up.
+        // If the paths differ by less than this fraction of the largest force, the difference is below the tolerance of Newton's method, and the second
+        // path moves to `at_once`. With a larger fraction, errors would be added up although they decay.
         if distance > SOLVED_ROUNDING * largest && step().is_some() && beside.distance_to(at_once) <= by {
             core::mem::swap(&mut self.present, beside);
         } else {

@@ -10,17 +10,17 @@ use crate::prelude::*;
 use crate::search::{Doubt, Settled, settle};
 
 impl<'g> Steps<'g> {
-    /// The end of a path if no step leads further. The motion, or a proof that nothing balances the rates of the contacts on the edge of their cones,
-    /// gives the reason. Otherwise the path is undecided, for the reason `doubt`.
+    /// The end of a path if no step leads further. It is a loss if the speed of the object grows without bound, or if the rates of the contacts on
+    /// the edge of their cones are proved to have no solution. Otherwise the path is undecided, for the reason `doubt`.
     pub(super) fn end_here(&self, journey: &Journey<'g>, doubt: Doubt) -> PathEnd<3> {
         let fraction = self.present.fraction;
         let edge = self.present.edge(journey);
         let leaves = |i: &usize| matches!(edge.rates.laws[*i], Law::Edge(_) | Law::Cone { .. });
         let leaving = chosen(edge.rates.len(), &leaves);
         if self.pace.speeds.run_to(fraction) {
-            // Before a maximum of the load forces keep changing; towards an asymptote they stay while the object moves. Forces stay if they change by
-            // less than this part of the change that sticking springs would feel. Before maxima the ratio is some hundredths, at least a thousandth;
-            // towards asymptotes it falls to the root of the rest of the load, 1e-5.
+            // Before a maximum of the load forces keep changing; towards an asymptote they become constant while the object moves. `changed` is the
+            // largest change of a force in the last step, over the change that the motion would cause in sticking springs. Before maxima it is some
+            // hundredths, at least a thousandth; towards asymptotes it falls to about 1e-5.
             let kind = if self.pace.changed < 2e-4 { LossKind::Asymptote } else { LossKind::Fold };
             let motion = self.pace.rate.as_ref().map(Vector::normalize);
             return PathEnd::Lost(Box::new(journey.loss(fraction, kind, leaving, motion.as_ref())));

@@ -29,7 +29,7 @@ impl SteppedState {
         largest(&self.forces, &SVector::norm_squared).sqrt()
     }
 
-    /// The largest difference between contact forces of two states, N.
+    /// The distance of two states: the largest difference between the forces of a contact, N.
     pub(super) fn distance_to(&self, other: &Self) -> f64 {
         let pairs = self.forces.iter().zip(&other.forces);
         pairs.map(|(a, b)| (a - b).norm_squared()).fold(0.0, f64::max).sqrt()
@@ -37,7 +37,7 @@ impl SteppedState {
 }
 
 impl SteppedState {
-    /// An empty state, whose memory later states use.
+    /// An empty state, to be overwritten by later states.
     pub(super) fn nowhere() -> Self {
         let (slips, forces, states) = (Vec::new(), Vec::new(), Vec::new());
         Self { fraction: 0.0, twist: Vector::zeros(), slips, forces, states }
@@ -57,10 +57,10 @@ impl SteppedState {
 #[derive(Debug)]
 pub(super) struct StepProblem<'g> {
     pub(super) problem: Problem<'g>,
-    /// Commands less clearances at the beginning of the leg, and their change along it.
+    /// Commands minus clearances at the beginning of the leg, and their change along it.
     offsets: [Vec<SVector<f64, 3>>; 2],
     pub(super) course: Trajectory<Vector>,
-    /// Stretches before a step, and responses of contacts after it.
+    /// Stretches of the contacts before a step. The next field has their responses after it.
     before: Vec<SVector<f64, 3>>,
     answers: Vec<ContactResponse>,
 }
@@ -85,8 +85,8 @@ impl<'g> StepProblem<'g> {
         self.offsets[1][i]
     }
 
-    /// Makes a step of a length from a state, and writes its end to `to`. The search starts at the twist `near`. `None` if Newton's method does not
-    /// converge.
+    /// Makes a step of this length, a fraction of the leg, from a state, and writes the state at its end to `to`. The search starts at the twist
+    /// `near`. `None` if Newton's method does not converge.
     pub(super) fn step(
         &mut self,
         from: &SteppedState,
@@ -108,8 +108,9 @@ impl<'g> StepProblem<'g> {
     }
 }
 
-/// The equilibrium of a problem whose offsets count from the slips of `from`, given the stretches before the step. The search starts at the twist
-/// `near`. `None` if Newton's method does not converge, or if a contact would have to pull that cannot.
+/// The equilibrium at the end of a step that begins at `from`; the slips of `from` are subtracted from the offsets of the problem. `before` are the
+/// stretches before the step. The search starts at the twist `near`. `None` if Newton's method does not converge, or if a contact would have to pull
+/// although it cannot.
 fn equilibrium_after(
     (from, before): (&SteppedState, &[SVector<f64, 3>]),
     problem: &Problem<'_>,
@@ -117,21 +118,21 @@ fn equilibrium_after(
     to: &mut SteppedState,
 ) -> Option<()> {
     let springs = problem.sites.iter().zip(&problem.offsets);
-    // Newton's method cannot reduce the imbalance below the rounding of spring forces, a part of the forces that displacements would make in these
-    // springs. The factor is this part over [`SOLVED_ROUNDING`].
+    // Newton's method cannot reduce the imbalance below the rounding of spring forces. That is 1e-15 of the forces which the displacements would
+    // cause in the springs; `newton` multiplies the size given here by [`SOLVED_ROUNDING`].
     let rounded =
         1e-3 * springs.map(|(site, offset)| site.springs.stiffest() * site.span(offset, &near)).sum::<f64>();
     let answer = |i: usize, stretch: &SVector<f64, 3>, _: &ContactResponse| {
         problem.local(i).answer_after(&before[i], stretch)
     };
-    // Imbalance that Newton's method may leave, relative to the forces: below the error of any step.
+    // Newton's method may leave an imbalance of [`SOLVED_ROUNDING`] relative to the forces, which is below the error of any step.
     (to.twist, ..) = newton(problem, (near, SOLVED_ROUNDING, rounded), answers, &answer)?;
     to.slips.clone_from(&from.slips);
     cleared_for(&mut to.forces, answers.len());
     cleared_for(&mut to.states, answers.len());
     for (i, (slip, answer)) in to.slips.iter_mut().zip(answers.iter()).enumerate() {
         let (springs, stretch) = (&problem.sites[i].springs, problem.stretch(i, &to.twist));
-        // A contact that stuck throughout has not slipped, not even by the rounding of its spring.
+        // The slip of a contact that stuck throughout the step is zero; computed from its springs it would be rounding.
         if !(answer.state.is_sticking() && answer.force == springs.force(&stretch)) {
             *slip += springs.slip(&stretch, &answer.force);
         }

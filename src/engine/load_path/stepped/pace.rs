@@ -13,11 +13,11 @@ pub(super) struct StepPace {
     pub(super) rate: Option<Vector>,
     /// Record of the speeds of the object along the leg.
     pub(super) speeds: Speeds,
-    /// Largest change of a force in the last step, over the change that sticking springs would feel.
+    /// Largest change of a force in the last step, divided by the largest change that the motion would cause in the springs of a sticking contact.
     pub(super) changed: f64,
     /// Length of the next step, as a fraction of the leg.
     pub(super) step: f64,
-    /// Longest step, a quarter turn of the load: after a full turn the load would look unchanged.
+    /// Longest step: a quarter turn of the load, since after a step of a full turn the load would seem unchanged.
     pub(super) longest: f64,
     /// Whether the last step was refused: the step length then does not grow after the next one.
     pub(super) refused: bool,
@@ -26,15 +26,15 @@ pub(super) struct StepPace {
 }
 
 impl StepPace {
-    /// The control at the beginning of a leg.
+    /// The step control at the beginning of a leg.
     pub(super) fn along<X>(course: &Trajectory<X>) -> Self {
         let longest = if let Trajectory::Turn { angle, .. } = course { FRAC_PI_2 / angle.abs() } else { 1.0 };
         let speeds = Speeds::default();
-        // The first step of a leg, as a part of it.
+        // The first step of a leg is a sixteenth of it.
         Self { rate: None, speeds, changed: 1.0, step: 1.0 / 16.0, longest, refused: false, tried: 0 }
     }
 
-    /// Restarts the control on the next leg, in the same memory.
+    /// Restarts the step control on the next leg, in the same memory.
     pub(super) fn start_leg<X>(&mut self, course: &Trajectory<X>) {
         self.speeds.clear();
         *self = Self { speeds: core::mem::take(&mut self.speeds), ..Self::along(course) };

@@ -11,7 +11,7 @@
 
 use crate::prelude::*;
 
-/// Fractions of a leg and the speeds there, each larger than the one before.
+/// Places on a leg, as fractions of it, and the speeds of the object there; each speed is larger than the one before.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Speeds(Vec<[f64; 2]>);
 
@@ -23,7 +23,7 @@ impl Speeds {
 
     /// Records the speed of the object in a step that has ended at this fraction of the leg.
     pub(super) fn note(&mut self, fraction: f64, speed: f64) {
-        // A speed is recorded if it exceeds the last one by this factor.
+        // A speed is recorded if it is more than twice the last recorded one.
         if self.0.last().is_none_or(|[_, fastest]| speed > 2.0 * fastest) {
             self.0.push([fraction, speed]);
         }
@@ -35,9 +35,9 @@ impl Speeds {
         let Some([near, fast]) = before.next() else { return false };
         // Speeds are compared at two places whose distances from the end of the path differ at least by this factor.
         let far = before.find(|[fraction, _]| end - fraction >= 1e3 * (end - near));
-        // A speed that grows without bound is still recorded within this last part of the leg.
+        // If the speed grows without bound, the last record is within this fraction of the leg from the end.
         let to_the_end = 1e-8;
-        // Growth of the speed between these distances beyond which the path does not end at a corner.
+        // If the speed grows by more than this factor between both places, the path does not end at a corner, where the speed is bounded.
         let runs = 8.0;
         end - near < to_the_end && far.is_some_and(|[_, slow]| *fast > runs * slow)
     }

@@ -18,14 +18,14 @@ use crate::search::Doubt;
 struct Twice {
     /// The largest contact force at the ends of the step, N.
     largest: f64,
-    /// The error that the whole step and its two halves may have in common, as a part of the largest force.
+    /// The error that the step and its two halves may have in common, so that their difference does not show it, as a fraction of the largest force.
     unseen: f64,
     /// The largest change of force that the motion of the object would cause in the springs of a sticking contact, N.
     force_change: f64,
 }
 
 impl<'g> Steps<'g> {
-    /// Tries a step; reports it if its error is allowed.
+    /// Tries a step; returns its report if its error is allowed.
     pub(super) fn try_step(&mut self, journey: &Journey<'g>) -> Result<Advance<Step<3>>, PathEnd<3>> {
         let from = self.present.fraction;
         if self.pace.tried == journey.settings.most_steps {
@@ -36,7 +36,7 @@ impl<'g> Steps<'g> {
         let step = self.pace.step.min(self.pace.longest);
         let length = if step > 0.9 * rest { rest } else { step };
         let Some(twice) = self.twice(length) else {
-            // After a step that found no equilibrium the next one is shorter by this factor.
+            // If no equilibrium was found at the end of a step, a step of a quarter of the length is tried.
             self.pace.step = length * 0.25;
             return if self.pace.step < SHORTEST_STEP {
                 Err(self.end_here(journey, Doubt::OnTheBoundary))
@@ -45,13 +45,13 @@ impl<'g> Steps<'g> {
             };
         };
         let part = self.part_of_what_is_allowed(&twice);
-        // Largest ratio of successive step lengths; none grows right after a refusal.
+        // The next step is at most twice as long as this one; right after a refused step it may not grow.
         let fastest = if self.pace.refused { 1.0 } else { 2.0 };
         self.pace.refused = part > 1.0;
         // The next step aims at 0.7 of the allowed error, and is no shorter than a fifth of this one.
         self.pace.step = length * (0.7 / part.sqrt()).clamp(0.2, fastest);
         if part > 1.0 {
-            // A step that is refused at this length fails because rounding forbids so small an error.
+            // If even so short a step is refused, rounding is larger than the allowed error.
             return if self.pace.step < SHORTEST_STEP {
                 Err(self.end_here(journey, Doubt::Inaccurate))
             } else {
@@ -65,33 +65,33 @@ impl<'g> Steps<'g> {
         Ok(Advance::Reached(self.accept_step(journey, &twice)))
     }
 
-    /// The error of a step, as a part of the allowed one.
+    /// The error of a step, as a fraction of the allowed one.
     fn part_of_what_is_allowed(&self, twice: &Twice) -> f64 {
         let (from, Places { to, at_once, .. }, largest) = (&self.present, &self.places, twice.largest);
         let length = to.fraction - from.fraction;
         let way = to.distance_to(from) / largest;
         // Half of the allowed error is divided among steps in proportion to their size, the largest of three measures. These are the fraction of the
-        // leg, the change of forces over the largest force, and the change that sticking springs would feel. An error of direction decays while that
-        // last change grows to the largest force.
+        // leg, the change of forces, and the change of forces that the motion would cause in sticking springs, both over the largest force. Errors in
+        // the directions of friction decay while the last measure grows to one.
         let even = 0.5 * self.error * length.max(way).max(twice.force_change / largest);
-        // The error budget of a contact grows with the sum of the changes of forces over the largest force, up to twice the allowed error. The error
-        // is a third of the distance between the two paths; a larger budget would exceed the allowed error.
+        // The distance between both paths that a contact may have by now grows with the sum of the changes of forces, up to twice the allowed error.
+        // The error is about a third of this distance.
         let budget = self.error * (self.way + way).min(2.0);
-        // Errors below this part of the largest force are rounding.
+        // Below this fraction of the largest force an error is rounding.
         let rounding = 1e-13;
         let part = |i: usize| {
             let so_far = (from.forces[i] - self.coarse.present.forces[i]).norm() / largest;
-            // Part of a contact's remaining error budget that a step may use. With more, a few steps would use it up, and the others would have as
-            // little as if errors never decayed. With less, steps are shorter than the error requires.
+            // A step may use this fraction of a contact's remaining budget. With a larger one, a few steps would use it up, and later steps would
+            // have as little as if errors never decayed. With a smaller one, steps are shorter than necessary.
             let allowed = even.max(0.05 * (budget - so_far)).max(rounding);
             (to.forces[i] - at_once.forces[i]).norm() / largest / allowed
         };
         let used = (0..to.forces.len()).map(part).fold(0.0, f64::max);
-        // A tenth of the allowed error is for errors that a step and its halves share. A contact makes such an error a few times a leg.
+        // Errors that a step and its halves have in common may be a tenth of the allowed error, since a contact makes such an error a few times on a leg.
         used.max(twice.unseen / (0.1 * self.error).max(rounding))
     }
 
-    /// Makes a step both in two halves and as a whole; `None` if one of them finds no equilibrium, or only a distant one.
+    /// Makes a step both in two halves and as a whole; `None` if one of them finds no equilibrium, or only one to which the object would have to jump.
     fn twice(&mut self, length: f64) -> Option<Twice> {
         let Self { along, present: from, places: Places { middle, to, at_once, .. }, .. } = self;
         let rate = self.pace.rate.clone().unwrap_or_else(Vector::zeros);
@@ -103,8 +103,8 @@ impl<'g> Steps<'g> {
         let off = &middle.twist - (&from.twist + &to.twist) * 0.5;
         let sites = along.problem.sites;
         let force_change = largest_force_of_motion(sites, &(&to.twist - &from.twist));
-        // A step is a jump if its middle is off the straight line between its ends by more than a quarter of its length. Springs must also feel the
-        // step by more than a twentieth of the largest force.
+        // A step is a jump if its middle is off the straight line between its ends by more than a quarter of its length. The motion must also be
+        // large: in sticking springs it would cause more than a twentieth of the largest force.
         if force_change > 0.05 * largest && largest_force_of_motion(sites, &off) > 0.25 * force_change {
             return None;
         }

@@ -35,11 +35,11 @@ pub(crate) struct Steps<'g> {
     pub(super) pace: StepPace,
     /// The allowed error of the forces, over the largest force.
     pub(super) error: f64,
-    /// A second path with the same steps, each made as a whole instead of in two halves.
+    /// A second path with the same steps, each made as a whole instead of in two halves. Its distance from this path measures the error.
     pub(super) coarse: Coarse,
-    /// Largest error that both paths may share, over the largest force.
+    /// Largest error that both paths may have in common, divided by the largest force.
     pub(super) unseen: f64,
-    /// Sum of the changes of forces along the path, over the largest force.
+    /// Sum of the changes of forces along the path, divided by the largest force.
     pub(super) way: f64,
 }
 
@@ -75,7 +75,7 @@ pub(crate) fn check_leg_error(what: &'static str, value: f64) -> Result<(), Erro
 }
 
 impl Engine {
-    /// [`Grasp::follow_in_steps`](crate::ask::Grasp::follow_in_steps).
+    /// Implements [`Grasp::follow_in_steps`](crate::ask::Grasp::follow_in_steps).
     pub(crate) fn follow_in_steps(
         &self,
         start: &Wrench<3>,
@@ -99,7 +99,7 @@ impl Engine {
     }
 }
 
-/// The state of a path at an equilibrium, whose slips become memory.
+/// The state of a path at an equilibrium, from which it starts; slips so far become slip memory.
 fn at_start(problem: &Problem<'_>, found: Found) -> SteppedState {
     let slip = |(i, state): (usize, &crate::contact::State)| {
         let springs = &problem.sites[i].springs;

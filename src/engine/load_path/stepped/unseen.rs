@@ -1,16 +1,16 @@
 //! Errors that a step and its halves share, so that their difference does not show them.
 //!
-//! Along a step of length h the twist deviates from a straight line by up to `off`. At its end sticking springs pull by `K v'' h² = 8 K Gᵀ off` more
-//! than the rate at its beginning suggests. A contact that slides on its cone along p is driven out of the cone at the rate `a = p·K v_t' - μ k_n
-//! v_n'`. With `c = a' h`, c < 0,
+//! Along a step of length h the twist deviates from a straight line by up to `off`. At the end of the step the force of sticking springs differs by
+//! `K v'' h² = 8 K Gᵀ off` from the value extrapolated with the rate at its beginning. A contact that slides on its cone along p is driven out of the
+//! cone at the rate `a = p·K v_t' - μ k_n v_n'`. With `c = a' h`, c < 0,
 //!
 //! ```text
 //! the contact stops where a + c s = 0.  A straight stretch lets it slide on, or stop where the stretch begins,
-//! and so errs by a² / 2|c| of a force if that place is nearer than half a stretch, 1/4 of the step
+//! and so errs by the force a² / 2|c| if that place is nearer than half a straight part, 1/4 of the step
 //! ```
 //!
-//! This is at most c / 32, a quarter of the force that springs make of `off`. A sticking contact may have been beyond its edge by as much for a
-//! while. An opening or closing contact may have had a force wrong by as much.
+//! This is at most c / 32, a quarter of the force that springs make of `off`. A sticking contact may have been beyond the edge of its cone by as much
+//! in between, and the force of an opening or closing contact may have been wrong by as much.
 //!
 //! A contact that begins to slide bends the line, from which the twist then deviates by up to `2 off`. Of this, sliding contacts lose the part along
 //! their slips and keep the part across, as if they had stuck. So only the rotation of their forces on the cones makes a difference.
@@ -35,7 +35,7 @@ impl StepProblem<'_> {
         }
         let made_of = |motion: Vector| site.springs.force(&site.map.tr_mul(&motion));
         let bend = made_of(&middle.twist - (&from.twist + &to.twist) * 0.5);
-        // Deviation from a straight line in the middle of each half, relative to that in the middle of the step.
+        // In the middle of each half the deviation from a straight line is a quarter of that in the middle of the whole step.
         let off = 0.25 * bend.norm();
         let drawn = |a: &SteppedState, b: &SteppedState| {
             site.springs.force(&(self.change(i) * (b.fraction - a.fraction))) - made_of(&b.twist - &a.twist)
@@ -54,7 +54,7 @@ impl StepProblem<'_> {
                 (off - margin / local.cone().round_weight()).max(0.0)
             }
             (Mode::Sticking, Mode::Round(slide)) => {
-                // The contact has slid on the part of the step by which its springs have softened.
+                // Slip has softened the springs by the fraction of the step on which the contact slid; on the rest it stuck.
                 let stuck = 1.0 - site.springs.softening(1, slide.lambda);
                 bend_at(&(a.forces[i] + drawn(a, b) * stuck), slide)
             }
