@@ -44,7 +44,7 @@ impl Engine {
         Ok(WrenchBall { at_least, at_most, weakest: set.outside(-direction) })
     }
 
-    /// The wrenches of forces within a budget.
+    /// The wrenches that contact forces within this budget can exert, in this scale.
     pub(super) fn wrench_set(
         &self,
         budget: Budget,
