@@ -270,7 +270,7 @@ impl<const C: usize> Grasp<C> {
         self.engine.loaded_bodies()
     }
 
-    /// The verdict on a load. The number is the largest ratio of a motion to its limit of small motions, up to the whole load.
+    /// A verdict, and the largest ratio of a motion to its limit of small motions, up to the whole load.
     pub(crate) fn hold_and_measure(
         &self,
         load: impl Into<Ramp<C>>,

@@ -30,7 +30,7 @@ pub(crate) enum Extent {
     Whole,
     /// As `Whole`, but a path that leaves small motions is followed to the whole load, to measure the largest ratio of a motion to its limit.
     Measured,
-    /// Only the fields that a [`super::ShortVerdict`] needs: no states, no proofs, no data for sentences.
+    /// Without states, proofs and the data that only sentences need: for [`super::ShortVerdict`].
     Brief,
 }
 
@@ -40,7 +40,7 @@ pub(crate) struct OfThePath {
     /// The largest ratio of a motion to its limit in [small motions](crate::Settings::small_motions) while the load is put on. For [`Extent::Brief`]
     /// it counts the path only up to the loss.
     pub(crate) farthest: f64,
-    /// The state of each contact under the load at rest, by its kind. `None` if there is no equilibrium at rest, and for [`Extent::Brief`].
+    /// The kinds of the contact states at rest. `None` where nothing rests, and of a brief verdict.
     pub(crate) at_rest: Option<Vec<StateKind>>,
 }
 
