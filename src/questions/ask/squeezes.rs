@@ -1,4 +1,4 @@
-//! The least squeeze that suffices, and the worst case within bounds or over all directions.
+//! The least squeeze that suffices, the least onset of sliding within bounds of the data, and the direction in which the least force slides.
 
 use super::grasp::Grasp;
 use crate::error::Error;

@@ -195,7 +195,7 @@ struct Steps {
 }
 
 impl Steps {
-    /// The problem at the point of `linear`. Each slip is weighted by its scatter and by the size of its residual.
+    /// The linearised least-squares problem at the point of `linear`. Each slip is weighted by its scatter and by the size of its residual.
     fn of(model: &Model<'_>, linear: &Linear, scatter: &Scatter) -> Self {
         let row = |(k, (r, sigma)): (usize, (&f64, &f64))| model.weight(k, r / sigma).sqrt() / sigma;
         let weights: Vec<_> = linear.residuals.iter().zip(&scatter.rows).enumerate().map(row).list();

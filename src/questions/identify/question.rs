@@ -153,7 +153,7 @@ impl<const C: usize> Identify<C> {
         inside(self).fitted_grasp(&inside(grasp), found).map(outside)
     }
 
-    /// Whether forces that contacts carry at rest are unknown, so that a scene need not state what presses.
+    /// Whether forces that contacts carry at rest are sought. The question then need not say what presses at rest.
     #[cfg(feature = "serde")]
     pub(crate) fn seeks_carried(&self) -> bool {
         self.unknowns.iter().any(|unknown| unknown.kind == UnknownKind::Carried)

@@ -115,7 +115,7 @@ impl Range {
                 break;
             }
             let middle = if high > 2.0 * low { (low * high).sqrt() } else { 0.5 * (low + high) };
-            // In a wide interval the work is far from linear in the coefficient, so it is halved. Secants are used once it is narrow.
+            // In a wide interval the work is far from linear in the coefficient, so the interval is halved. Once it is narrow, secants are used.
             let is_near = high - low <= 1e-2 * high;
             let at = secant.filter(|at| is_near && low < *at && *at < high).unwrap_or(middle);
             if let Some(now) = left(at)? {

@@ -75,7 +75,7 @@ impl<'l> Parts<'l> {
         most.map(|(_, contact, condition)| (contact, condition))
     }
 
-    /// The increase of `row·F` by the commands at factor 1; zero where it is only rounding.
+    /// How much the commands at factor 1 add to `row·F`, the value of a condition of sticking; zero if that is only rounding.
     pub(super) fn gain(&self, contact: usize, row: &SVector<f64, 3>) -> f64 {
         let gain = row.dot(&self.squeeze.of[contact]);
         if gain.abs() > ZERO_SLACK * row.norm() * self.squeeze.sizes[contact] { gain } else { 0.0 }

@@ -99,8 +99,8 @@ impl UncertainForce<'_> {
         force
     }
 
-    /// Finds the nearest point z at which the margin of facet number `row` vanishes. If there is none within the largest distance that counts, that
-    /// distance is its reliability.
+    /// Finds the smallest errors z of the data at which the margin of facet number `row` vanishes. If there are none within the largest distance that
+    /// counts, that distance is its reliability.
     pub(super) fn find(&self, row: usize, facet: &SVector<f64, 3>, margin: &mut FacetMargin) {
         if margin.fails_at.len() != self.changes.len() + 1 {
             margin.start_over(self.changes.len());
