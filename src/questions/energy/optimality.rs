@@ -254,7 +254,8 @@ impl<'g> EnergyProgram<'g> {
         };
         let x_size = (0..problem.len()).map(x).fold(0.0, f64::max);
         let largest = point.multipliers.iter().fold(x_size, |most, l| most.max(l.abs()));
-        // The multiplier of a gap is √k_n (x - Nᵀλ)_n.
+        // The multiplier of the condition that a gap is not negative, `√k_n (x - Nᵀλ)_n`: the normal force, less what the friction multipliers exert
+        // along the normal.
         let held = self.held_from_outside(&point.multipliers);
         let gap_holds = |row: &ForceCondition| {
             let i = row.contact;

@@ -56,7 +56,8 @@ impl FreeCombination {
                 (x.abs() > NO_COMPONENT * largest).then(|| (names[j].clone(), x / largest))
             };
             let (unknowns, powers): (Vec<_>, Vec<_>) = direction.iter().enumerate().filter_map(part).unzip();
-            // A step of 0.3 in the logarithm is long enough to distinguish a product from a sum.
+            // Unknowns are changed along the combination by up to 0.3 in their logarithms. That is enough to tell whether slips determine their
+            // product or their sum.
             let along = direction.iter().map(|x| 0.3 * x / largest);
             let [powered, added]: [Vec<f64>; 2] =
                 [along.clone().map(f64::exp).list(), along.map(|x| 1.0 + x).list()];

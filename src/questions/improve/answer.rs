@@ -25,7 +25,7 @@ pub struct Improved<const C: usize> {
     /// contact slides however large the loads are.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub after: Option<f64>,
-    /// The size of the load, N, if it is a single force: a first slip times this size is a force.
+    /// The size of the load, N, if it is a single force. The load factor of first slip times this size is the force at first slip.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub force: Option<f64>,
     /// Places and commands of all contacts in the best grasp found.

@@ -12,7 +12,7 @@ pub(super) const OPTIMAL: f64 = 1e-6;
 /// If smaller, the last steps gain rounding only. If larger, places of contacts lose digits.
 pub(super) const ARRIVED_AT_TOP: f64 = 1e-10;
 
-/// A predicted gain below this fraction of the scale of values is rounding.
+/// A predicted gain below this fraction of the scale (the first slip, or for a reserve the greatest force at rest) is rounding.
 ///
 /// If smaller, an ascent continues until its steps are used up. If larger, it ends on flat slopes.
 pub(super) const ROUNDED_GAIN: f64 = 1e-14;

@@ -99,7 +99,7 @@ impl Threshold {
             }
             let is_slow = width > 0.125 * widths[step % 3];
             widths[step % 3] = width;
-            // If this measure is not known at both ends, the other one is used if it is.
+            // If the present measure is not known at both ends of the bracket, the other measure is used, provided that it is.
             if signs_differ(&sides, which).is_none() && signs_differ(&sides, 1 - which).is_some() {
                 which = 1 - which;
                 at_first = first(&sides, which);

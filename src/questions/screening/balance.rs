@@ -75,7 +75,7 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         self.factors.free
     }
 
-    /// The motion `T⁻¹ w`, zero along motions that stretch no spring.
+    /// The motion of the object under the wrench w, `T⁻¹ w` with its stiffness matrix T; zero along motions that stretch no spring.
     #[inline(always)]
     pub(super) fn motion(&self, w: &[X; 6]) -> [X; 6] {
         let coordinates = Layout::<C>::COORDINATES;

@@ -68,7 +68,7 @@ impl<const C: usize, X: Packed> Slopes<'_, C, X> {
             self.contact(block, i, scale, &mut row);
             row[GradientRow::<C>::friction(contacts) + i] = scale * by_friction[i];
         }
-        // The motion (v, ω̄) is moved to the origin, to which moments of loads refer.
+        // The motion (v, ω̄) of [`super::gradient`] is moved to the origin, to which moments of loads refer.
         let virtually = self.motions[1];
         let mut turn = [X::all(0.0); C];
         turn.copy_from_slice(&virtually.turn[..C]);

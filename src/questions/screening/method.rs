@@ -78,7 +78,8 @@ fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     triangle.ready(scene);
     let length = triangle.edge.map(|edge| edge.iter().map(|x| x * x).sum::<f64>().sqrt());
     let [c_n, c_t] = scene.springs();
-    // A bound, from absolute values, of the forces along edges that forces P of size one cause: `|N| |A⁻¹| |Nᵀ| C P`.
+    // A bound of the forces along edges that forces P of size one cause: `|N| |A⁻¹| |Nᵀ| C P` by absolute values, in the notation of
+    // [`super::triangle`].
     let mut gives = 1.0;
     for k in 0..N {
         let mut unit = [0.0; N];

@@ -50,7 +50,7 @@ impl<X: Packed> MarginZero<X> {
         Self { cotangent, off: noise / slope, doubt: deep + sharp }
     }
 
-    /// This root; or no root where `size` is larger than `bound`.
+    /// No root in lanes where `size` is larger than `bound`, this root in all others.
     #[inline(always)]
     fn unless(self, size: X, bound: X) -> Self {
         let never = X::all(f64::NEG_INFINITY);

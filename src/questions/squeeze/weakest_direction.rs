@@ -123,7 +123,7 @@ impl Least {
             let before = size;
             size = cut(edges.on_a_sphere(force, &influence.of, size));
             if size >= before {
-                // A plane that does not lower the force any more differs only by rounding.
+                // If a further cutting plane does not lower the force, the two differ only by rounding.
                 return true;
             }
         }

@@ -52,7 +52,7 @@ impl Engine {
         let problem = self.without_load(settings);
         let axes = |(i, local): (usize, LocalLaw<'_>)| (0..local.springs.axes()).map(move |axis| (i, axis));
         let axes: Vec<_> = problem.locals().enumerate().flat_map(axes).list();
-        // Without a load every contact has a cone of forces, so that the generators exist.
+        // Without load and commands the forces of every contact form a cone, so that each has generators.
         let straight = straight_generators(&problem).unwrap_or_default();
         let inside = |forces: &[SVector<f64, 3>]| {
             problem.locals().zip(forces).all(|(local, force)| {

@@ -36,7 +36,7 @@ pub(super) fn effect([low, half_low, half_high, high]: [SVector<f64, 3>; 4]) -> 
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct JointEffect {
     pub(super) force: SVector<f64, 3>,
-    /// Second derivative of the joint effect along z: twice the effect over |z|².
+    /// Second derivative of the joint effect along the direction of z: twice the effect divided by |z|².
     pub(super) bend: SVector<f64, 3>,
     /// For each two components of the force, the sum over all pairs of data of the product of their second derivatives.
     pub(super) squares: SMatrix<f64, 3, 3>,
@@ -46,7 +46,7 @@ pub(super) struct JointEffect {
 pub(super) struct UncertainForce<'a> {
     pub(super) force: SVector<f64, 3>,
     pub(super) changes: &'a [Effect],
-    /// The joint effect for each facet; one for a round cone. An empty list means that joint effects are neglected.
+    /// The joint effect of all data on this force, for each facet; one for a round cone. An empty list means that joint effects are neglected.
     pub(super) joint: &'a [JointEffect],
     /// The standard deviations that the user wants in reserve.
     pub(super) sigmas: f64,
