@@ -180,7 +180,9 @@ impl<'g> EnergyProgram<'g> {
     /// The normal springs of open gaps are removed. There x_n is free, and the binding rows alone determine it, `x_n = (Nᵀλ)_n`. With `M = [N Q, N_n
     /// of the open gaps]` for the binding rows,
     ///
-    /// ```text N x' + M Mᵀλ = 0,     x = x' + Q (first part of Mᵀλ) ```
+    /// ```text
+    /// N x' + M Mᵀλ = 0,     x = x' + Q (first part of Mᵀλ)
+    /// ```
     ///
     /// is solved on the orthogonal factor of Mᵀ.
     fn bind(

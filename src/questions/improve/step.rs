@@ -1,7 +1,9 @@
 //! The program of one step: in a box around the present values, it maximises the least of the linearised events, less a quadratic term of the
 //! curvature.
 //!
-//! ```text min  t + ½ dᵀB d     such that     t + τ_k + g_k·d >= top,     h_b·d + left_b >= 0,     low <= d <= high ```
+//! ```text
+//! min  t + ½ dᵀB d     such that     t + τ_k + g_k·d >= top,     h_b·d + left_b >= 0,     low <= d <= high
+//! ```
 //!
 //! Here d is the step, B the curvature, τ_k the value of an event with gradient g_k, and h_b·d + left_b a bound. `top` is a constant above every
 //! reachable value, so that t is positive and a minimum exists. At the present values (d = 0) the multipliers of events and bounds leave a residual

@@ -4,7 +4,9 @@
 //! are compared by their cotangents `u = cot(θ/2)`, which fall from +∞ to -∞ over a full turn. In the plane each margin is `c + a cos θ + b sin θ`,
 //! and its first root solves a quadratic equation:
 //!
-//! ```text (c + a) u² + 2 b u + (c - a) = 0,   u = (√Δ - b) / (c + a) = (a - c) / (√Δ + b),   Δ = a² + b² - c² ```
+//! ```text
+//! (c + a) u² + 2 b u + (c - a) = 0,   u = (√Δ - b) / (c + a) = (a - c) / (√Δ + b),   Δ = a² + b² - c²
+//! ```
 //!
 //! Of the two forms it uses the one without cancellation; at the root the margin falls by √Δ per radian. In space bounds of n and |t| show for most
 //! contacts that they do not leave. For each of the others the first root of `n² - |t|²`, an equation of degree four, is found as in

@@ -3,7 +3,9 @@
 //! While all contacts stick, forces are linear in commands and loads. Data within their bounds form a box. For all load factors τ >= 0 a condition
 //! `a·F >= 0` is worst at the same corner of this box, which the sign of each datum's own contribution determines:
 //!
-//! ```text F(τ) = F⁰ + Σ δ_p c_p + τ (F¹ + Σ ε_q c_q),   |δ_p| <= b_p,   |ε_q| <= b_q:       δ_p = -b_p sign(a·c_p),   ε_q alike ```
+//! ```text
+//! F(τ) = F⁰ + Σ δ_p c_p + τ (F¹ + Σ ε_q c_q),   |δ_p| <= b_p,   |ε_q| <= b_q:       δ_p = -b_p sign(a·c_p),   ε_q alike
+//! ```
 //!
 //! [`Edges::in_a_box`] returns a few conditions, among which is the worst one over all corners.
 

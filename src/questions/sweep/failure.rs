@@ -4,7 +4,9 @@
 //! [`second_order`](super::second_order) corrects. On the round cone the facet is chosen by the angle θ of its direction. The gradient u(θ) of its
 //! margin by the data, scaled to length one, turns with θ. The probability that the contact fails at any θ is at most
 //!
-//! ```text Φ(-β(θ₀)) + ∫ φ(β) E[(X' - β')₊] dθ,      X' normal, mean 0, deviation |u'| ```
+//! ```text
+//! Φ(-β(θ₀)) + ∫ φ(β) E[(X' - β')₊] dθ,      X' normal, mean 0, deviation |u'|
+//! ```
 //!
 //! by the mean number of crossings (Rice, Mathematical analysis of random noise, 1944); φ is the normal density, Φ its distribution, and a prime the
 //! derivative by θ. The bound is nearly reached where failures are rare. θ₀ is a direction in which a failure is very unlikely.

@@ -1,6 +1,8 @@
 //! The margin of one facet of a friction cone under one load, and how far the data may be off before it vanishes.
 //!
-//! ```text m(z) = μ exp(σ z_f) F_n(z) - h·F_t(z),      F(z) = F + Σ_i Δ_i(z_i) ```
+//! ```text
+//! m(z) = μ exp(σ z_f) F_n(z) - h·F_t(z),      F(z) = F + Σ_i Δ_i(z_i)
+//! ```
 //!
 //! Here μ is the coefficient of friction with the deviation σ of its logarithm, h the unit vector of the facet, and z the errors of the data, in
 //! standard deviations. The change Δ_i of the force by one datum is a polynomial through exact forces at a few errors. The joint effect of several

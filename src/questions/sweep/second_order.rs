@@ -4,7 +4,9 @@
 //! curves upwards across n, failures are rarer than `Φ(-β)` by the factor (Hohenbichler and Rackwitz, Improvement of second-order reliability
 //! estimates by importance sampling, 1988)
 //!
-//! ```text det(A on the complement of n)^(-1/2),      A = 1 + ψ H / |g|,      ψ = φ(β) / Φ(-β) ```
+//! ```text
+//! det(A on the complement of n)^(-1/2),      A = 1 + ψ H / |g|,      ψ = φ(β) / Φ(-β)
+//! ```
 //!
 //! H consists of a diagonal D, the row of friction, and the joint effects C of two other data each. Without C, `det(A on the complement of n) =
 //! det(A) nᵀA⁻¹n` is a sum over the data. The matrix C itself is not computed. To first order nᵀCn is enough: since C has no diagonal, its trace on

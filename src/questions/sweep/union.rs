@@ -2,7 +2,9 @@
 //!
 //! For failures E_i and a tree that connects them by pairs (Hunter, An upper bound for the probability of a union, 1976)
 //!
-//! ```text P(∪ E_i) <= Σ P(E_i) - Σ P(E_i ∩ E_j),      second sum over the pairs of the tree ```
+//! ```text
+//! P(∪ E_i) <= Σ P(E_i) - Σ P(E_i ∩ E_j),      second sum over the pairs of the tree
+//! ```
 //!
 //! The bound is least for the tree with the greatest second sum. To first order margins are normal, with the correlation of their gradients at their
 //! points of failure.
