@@ -177,8 +177,8 @@ impl<'g> EnergyProgram<'g> {
     /// Makes the binding rows hold as equalities, starting from forces x' that balance without them. Returns the change of the motion, in the
     /// coordinates of the active springs.
     ///
-    /// The normal springs of open gaps are removed. There x_n is free, and the binding rows alone determine it, `x_n = (Nᵀλ)_n`. With `M = [N Q, N_n
-    /// of the open gaps]` for the binding rows,
+    /// The normal springs of open gaps are removed. There x_n is free, and the binding rows alone determine it, `x_n = (Nᵀλ)_n`. With
+    /// `M = [N Q, N_n of the open gaps]` for the binding rows,
     ///
     /// ```text
     /// N x' + M Mᵀλ = 0,     x = x' + Q (first part of Mᵀλ)

@@ -9,8 +9,8 @@ use crate::grasp::Engine;
 use crate::numerics::{dot, summed};
 
 impl Engine {
-    /// The geometric stiffness as a fraction of the resistance to the motion q from rest to another state with the same commands: `Σ [(F·r) |θ|² -
-    /// (F·θ)(r·θ)] / (ΔW·q)`, with forces F at rest, arms r about the centroid of the contacts and the rotation θ of q.
+    /// The geometric stiffness as a fraction of the resistance to the motion q from rest to another state with the same commands:
+    /// `Σ [(F·r) |θ|² - (F·θ)(r·θ)] / (ΔW·q)`, with forces F at rest, arms r about the centroid of the contacts and the rotation θ of q.
     ///
     /// It is negative where the forces lower the resistance. A load at rest counts as acting at the point of its line nearest to the centroid. `None`
     /// if the fraction is at most a tenth, for several bodies, and where the load does no positive work.

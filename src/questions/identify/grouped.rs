@@ -9,8 +9,8 @@
 //! ```
 //!
 //! This is the correction CR2 of Bell and McCaffrey, in the few unknowns instead of the many slips: `U'(1 - UU')^(-1/2) = (1 - U'U)^(-1/2) U'`. The
-//! variance of an unknown, c in this basis, is `Σ (c'w_g)²`. For independent rows, `c'w_g` would have the covariances `Ω_gh = δ_gh a_g'Q_g a_g - (Q_g
-//! a_g)'(Q_h a_h)`, `a_g = (1 - Q_g)^(-1/2) c`. The degrees of freedom are Satterthwaite's, `(tr Ω)² / tr Ω²`.
+//! variance of an unknown, c in this basis, is `Σ (c'w_g)²`. For independent rows, `c'w_g` would have the covariances
+//! `Ω_gh = δ_gh a_g'Q_g a_g - (Q_g a_g)'(Q_h a_h)`, `a_g = (1 - Q_g)^(-1/2) c`. The degrees of freedom are Satterthwaite's, `(tr Ω)² / tr Ω²`.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -132,8 +132,8 @@ mod tests {
         assert!((found.degrees - 3.0).abs() < 1e-12, "{}", found.degrees);
     }
 
-    /// A straight line through three uneven groups. The result is compared with the definition by matrices of the size of all slips: `V = B X_g'A_g e
-    /// e'A_g X_g B`, `A_g = (1 - H)_gg^(-1/2)`, with Satterthwaite's degrees of freedom from the whole of `(1 - H)`.
+    /// A straight line through three uneven groups. The result is compared with the definition by matrices of the size of all slips:
+    /// `V = B X_g'A_g e e'A_g X_g B`, `A_g = (1 - H)_gg^(-1/2)`, with Satterthwaite's degrees of freedom from the whole of `(1 - H)`.
     #[test]
     fn a_line_by_its_definition() {
         let groups = [0, 0, 0, 1, 1, 2, 2, 2, 2];
