@@ -9,9 +9,9 @@
 //! ```
 //!
 //! H consists of a diagonal D, the row of friction, and the joint effects C of two other data each. Without C,
-//! `det(A on the complement of n) = det(A) nᵀA⁻¹n` is a sum over the data. The matrix C itself is not computed. To first order nᵀCn is enough: since C has no diagonal, its trace on
-//! the complement of n is `-nᵀCn`, and the determinant is multiplied by `1 - ψ nᵀCn / |g|`. To second order it is multiplied by
-//! `exp(-ψ² |C|² / 2|g|²)`, where |C|² is the sum of the squares of all entries. This includes entries along n, which errs on the safe side.
+//! `det(A on the complement of n) = det(A) nᵀA⁻¹n` is a sum over the data. The matrix C itself is not computed. To first order nᵀCn is enough: since
+//! C has no diagonal, its trace on the complement of n is `-nᵀCn`, and the determinant is multiplied by `1 - ψ nᵀCn / |g|`. To second order it is
+//! multiplied by `exp(-ψ² |C|² / 2|g|²)`, where |C|² is the sum of the squares of all entries. This includes entries along n, which errs on the safe side.
 
 use super::margin::{ContinuedEffect, FacetMargin};
 use super::tolerances::LEAST_CURVED;
