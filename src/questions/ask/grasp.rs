@@ -99,7 +99,7 @@ impl<const C: usize> Grasp<C> {
         Grasp::installed_by(engine_of_contacts(contacts)?)
     }
 
-    /// The grasp of an engine. Commands of links with a given tension are set such that they have it at rest.
+    /// The grasp of an engine. If links have a given tension, commands are set such that they have this tension at rest.
     fn installed_by(engine: Engine) -> Result<Self, Error> {
         Grasp::<3>::of(engine).installed().map(outside)
     }

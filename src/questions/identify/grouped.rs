@@ -44,8 +44,8 @@ pub(super) struct GroupedError {
 }
 
 impl Grouped {
-    /// Computes the contribution of each group from the rows in the basis and their residuals. The rows are the slips, one for each entry of
-    /// `groups`, then the known sums.
+    /// Computes the contribution of each group from the derivatives of slips and known sums (`rows`, in the basis of the formulas above) and their
+    /// residuals. Rows of slips come first, one for each entry of `groups`.
     pub(super) fn of(rows: &DMatrix<f64>, residuals: &[f64], groups: &[usize]) -> Self {
         let mut names = groups.to_vec();
         names.sort_unstable();

@@ -73,7 +73,8 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         }
     }
 
-    /// The forces that commands alone cause, without a load on the object. The commands are those of the block less its clearances, or `others`.
+    /// The forces that commands alone cause, without a load on the object. The commands are those of the grasps in this block, less clearances, or
+    /// `others`.
     pub(super) fn squeeze<V: Vectors>(
         &self,
         v: V,

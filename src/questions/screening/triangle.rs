@@ -152,7 +152,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         stiffness * commands
     }
 
-    /// Forces that commands alone cause: those of the block, or `others`.
+    /// Forces that commands alone cause: the commands of the grasps in this block or, if given, `others`.
     #[inline(always)]
     fn squeezed(
         &self,

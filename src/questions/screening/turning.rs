@@ -186,7 +186,8 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         MarginZero { doubt: fall.doubt + off_the_root, ..fall }.unless(-found, X::all(f64::MAX))
     }
 
-    /// cot(θ/2) of the first angle at which `n² - |t|²` of the grasp in this lane falls to the bound of its rounding; minus infinity if it does not.
+    /// The first angle at which the squared margin `F_n² μ² - |F_t|²` of this contact falls to the bound of its rounding, as cot(θ/2), for the grasp
+    /// in this lane; minus infinity if it does not.
     fn root_of_square(&self, lane: usize, size: f64) -> f64 {
         let of = |x: &X| x.lane(lane) / size;
         let number = self.n.map(of);
