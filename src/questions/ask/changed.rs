@@ -12,17 +12,17 @@ use crate::grasp::{Contact, Engine, Face, PressOfPart, Wrench, all_inside, insid
 use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
-    /// A grasp with this changed engine and the settings of `self`.
+    /// A grasp of this changed engine, with the settings of `self`.
     pub(super) fn changed(&self, engine: Result<Engine, Error>) -> Result<Self, Error> {
         Ok(Self::of(engine?).with(&self.settings))
     }
 
-    /// This grasp, with the body loads that a load program had applied at `equilibrium`.
+    /// This grasp with the body loads that acted at `equilibrium`; a load program may have applied some.
     pub(super) fn of_equilibrium(&self, equilibrium: &Equilibrium<C>) -> Self {
         let loads = &equilibrium.body_loads;
         let changed =
             (!loads.is_empty()).then(|| self.changed(self.engine.with_body_loads(&all_inside(loads))));
-        // This fails only for an unknown body. The equilibrium then belongs to another grasp, for which this one has no answer.
+        // Only an unknown body makes this fail. The equilibrium is then one of another grasp, and this grasp is returned as it is.
         changed.and_then(Result::ok).unwrap_or_else(|| self.clone())
     }
 
@@ -158,7 +158,8 @@ impl<const C: usize> Grasp<C> {
         self.changed(self.engine.with_data(contacts.into_inside(), &|_| 1.0))
     }
 
-    /// The force with which the named part presses, and this grasp with that force multiplied by `factor`.
+    /// The part with this name (a body, contact, cable or joint) and the force with which it presses; and this grasp with that force multiplied by
+    /// `factor`.
     pub(crate) fn scaled(&self, part: &str, factor: f64) -> Result<(PressOfPart, Self), Error> {
         let (pressing, engine) = self.engine.scaled(part, factor)?;
         Ok((pressing, self.changed(Ok(engine))?))

@@ -48,7 +48,7 @@ use crate::prelude::*;
 pub struct Grasp<const C: usize> {
     pub(crate) engine: Arc<Engine>,
     pub(super) settings: Settings,
-    /// Data that callers read, converted at the first request.
+    /// The grasp's data with `C` components, for callers; they are converted at the first request.
     door: Once<Arc<Door<C>>>,
 }
 
@@ -61,7 +61,7 @@ struct Door<const C: usize> {
     joint_centres: Vec<Option<SVector<f64, C>>>,
 }
 
-/// Inside the engine a grasp of the plane answers questions with vectors of three components.
+/// The engine answers in three components. Inside it a grasp of the plane, too, is a `Grasp<3>`.
 impl<const C: usize> Face for Grasp<C> {
     type Inside = Grasp<3>;
     const SAME: bool = C == 3;
@@ -99,7 +99,7 @@ impl<const C: usize> Grasp<C> {
         Grasp::installed_by(engine_of_contacts(contacts)?)
     }
 
-    /// The grasp of an engine, with links under the tensions that they have at rest.
+    /// The grasp of an engine. If links have a given tension, commands are set such that they have this tension at rest.
     fn installed_by(engine: Engine) -> Result<Self, Error> {
         Grasp::<3>::of(engine).installed().map(outside)
     }
@@ -152,7 +152,7 @@ impl<const C: usize> Grasp<C> {
         self.engine.wholes().with(&is_meant)
     }
 
-    /// Indices of the points of these contacts, where a soft fingertip counts as one contact.
+    /// Indices of the points of these contacts. In `contacts` a soft fingertip counts as one contact.
     pub(crate) fn points_of(&self, contacts: &[usize]) -> Result<Vec<usize>, Error> {
         let parts = self.engine.wholes();
         let mut points = Vec::new();
@@ -163,7 +163,7 @@ impl<const C: usize> Grasp<C> {
         Ok(points)
     }
 
-    /// The settings of its questions.
+    /// The settings with which the grasp answers questions.
     #[must_use]
     pub fn settings(&self) -> &Settings {
         &self.settings
@@ -235,7 +235,7 @@ impl<const C: usize> Grasp<C> {
         self.engine.refuse_hands(question)
     }
 
-    /// Plane or space.
+    /// Whether the grasp is planar or spatial.
     pub(crate) fn space(&self) -> Space {
         self.engine.space()
     }
@@ -250,7 +250,7 @@ impl<const C: usize> Grasp<C> {
         self.engine.is_squeezed()
     }
 
-    /// Whether this contact presses by a command, a held force or a vacuum of its own, in a grasp where no joint or tendon does.
+    /// Whether this contact presses by its own command, held force or vacuum, in a grasp where no joint or tendon presses.
     pub(crate) fn is_set_by_itself(&self, point: usize) -> bool {
         self.engine.is_commanded(point) && !self.engine.is_driven()
     }
@@ -280,13 +280,15 @@ impl<const C: usize> Grasp<C> {
         Ok((outside(verdict), more))
     }
 
-    /// A verdict without states, proofs and the data that only its sentence needs, with the largest ratio of a motion to its limit up to the loss.
+    /// The verdict on a load without states, proofs and the data that only its sentence needs. The number is the largest ratio of a motion to its
+    /// limit of small motions, up to the whole load or its loss.
     pub(crate) fn hold_briefly(&self, load: &Ramp<C>) -> Result<(Verdict<C>, f64), Error> {
         let (verdict, more) = self.engine.hold_with(&inside(load), &self.settings, Extent::Brief)?;
         Ok((outside(verdict), more.farthest))
     }
 
-    /// The least friction margin at rest in the elastic trial state, relative to the largest force; `None` where nothing presses or resists.
+    /// The least margin of sticking at rest, over the largest force, computed as if every contact stuck. `None` without forces, or where nothing
+    /// resists the load.
     pub(crate) fn sticking_margin(&self, base: &Wrench<C>) -> Option<f64> {
         self.engine.sticking_margin(&inside(base), &self.settings)
     }
@@ -392,7 +394,7 @@ impl<const C: usize> Bodies<C> {
     }
 }
 
-/// The engine of a grasp without joints. A contact with a given normal force gets a slide: a prismatic joint without a spring.
+/// The engine of a grasp without joints. A contact with a given normal force is put on a slide: a prismatic joint without a spring.
 fn engine_of_contacts(contacts: Vec<Contact<3>>) -> Result<Engine, Error> {
     if contacts.iter().any(|contact| contact.force.is_some()) {
         return Hand::new(contacts.into_iter().map(Finger::fixed)).engine(None);

@@ -9,11 +9,8 @@ use crate::grasp::Wrench;
 use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
-    /// This grasp with the loads `others`, which grow together with the `load` of a question. `load` is `None` if the question has several loads or
-    /// none.
-    ///
-    /// # Errors
-    /// As for [`check_growing`] and [`Self::growing_together`].
+    /// This grasp with the loads `others` of bodies, which grow together with the `load` of a question. `load` is `None` if the question has several
+    /// loads or none.
     pub(crate) fn growing(
         &self,
         question: &'static str,
@@ -31,7 +28,7 @@ impl<const C: usize> Grasp<C> {
     }
 }
 
-/// An error for loads that cannot grow together.
+/// Refuses loads of bodies that cannot grow together with the load of the question.
 pub(crate) fn check_growing<const C: usize>(
     question: &'static str,
     base: Wrench<C>,

@@ -1,7 +1,7 @@
 //! Verdicts on many grasps, on all cores.
 //!
-//! In most rows of a batch everything sticks, and screening shows that: the first slip lies beyond the whole load, and the rotation stays within the
-//! limit of small motions. All other rows follow their load, in the coordinates of slips where contacts only stick or slide.
+//! In most rows of a batch everything sticks, and [`screening`](crate::screening) shows that: the first slip lies beyond the whole load, and the
+//! rotation stays within the limit of small motions. For all other rows a path of the load is computed.
 
 use core::ops::Range;
 
@@ -65,7 +65,8 @@ fn held<const C: usize>(
     let limit = settings.small_motions.rotation;
     let mut verdicts = Vec::with_capacity(rows.len());
     for (number, sticking) in rows.zip(sticking) {
-        // Closer to the whole load, or to the limit, rounding would decide.
+        // Screening decides only if the first slip is clearly beyond the whole load, and the rotation clearly below its limit. Otherwise rounding
+        // would decide.
         let clear = sticking.filter(|WhileSticking { first, turn }| {
             first.holds_up_to(1.0 + NEGLIGIBLE) && *turn <= limit * (1.0 - NEGLIGIBLE)
         });

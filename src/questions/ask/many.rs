@@ -1,4 +1,4 @@
-//! Grasps with uncertain data.
+//! Grasps whose data are uncertain: samples of them, and the load that they hold with a reserve.
 
 use super::grasp::Grasp;
 use crate::error::Error;
@@ -12,7 +12,7 @@ impl<const C: usize> Grasp<C> {
     /// The load up to which everything sticks with `sigmas` standard deviations in reserve, on top of a base load and in any direction. Of all grasps
     /// within the uncertainty at most the fraction Φ(-sigmas) – 0.00135 for three – slides below [`Reserve::along`]. All contacts count, not only the
     /// first one to slide. Effects of the data on the forces are computed beyond first order, and all together where a contact fails most probably. A
-    /// tenth of that fraction is kept for what is neglected. The report `reserve` compares the result with samples.
+    /// quarter of that fraction is kept for what is neglected. The report `reserve` compares the result with samples.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

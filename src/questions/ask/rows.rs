@@ -16,7 +16,7 @@ pub type RowOf<'a, const C: usize> = dyn Fn(usize, &mut Vec<Contact<C>>) -> [Wre
 /// Rows in one task of a thread, few enough for their data to stay in the cache of a core.
 const CHUNK: usize = 256;
 
-/// Answers of all rows in order, some rows at a time on each core.
+/// The answers of all rows in order. Each core works on one chunk of rows at a time.
 pub(crate) fn answers_of_rows<T: Send>(
     rows: usize,
     answers: &(dyn Fn(Range<usize>) -> Vec<T> + Sync),
@@ -28,7 +28,8 @@ pub(crate) fn answers_of_rows<T: Send>(
     map_in_order(&chunks, |chunk| answers(chunk.clone())).into_iter().flatten().list()
 }
 
-/// First slip, and rotation under the whole load, of each row. `None` where screening does not support the row, or `is_meant` rejects it.
+/// First slip, and rotation under the whole load, of each row. `None` where screening does not support the contacts of the row, or `is_meant` rejects
+/// it.
 pub(crate) fn while_sticking<const C: usize>(
     rows: Range<usize>,
     row: &RowOf<'_, C>,
@@ -45,7 +46,8 @@ pub(crate) fn while_sticking<const C: usize>(
     for (place, number) in rows.clone().enumerate() {
         contacts.clear();
         let [base, load] = row(number, &mut contacts);
-        // Screening does not decide whether a grasp of bonded contacts alone lies loose, nor does it compute slips of contacts without friction.
+        // Rows are left to the whole grasp where screening has no answer. It does not know whether a grasp of bonded contacts alone lies loose, and
+        // computes no slips of contacts without friction.
         let presses = contacts.iter().any(|contact| contact.hold == Hold::Unilateral);
         let sticks = |contact: &Contact<C>| contact.hold == Hold::Bonded || contact.springs() > 1;
         if !(presses && contacts.iter().all(sticks) && is_meant(&contacts, &base)) {

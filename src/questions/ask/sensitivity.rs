@@ -10,10 +10,10 @@ use crate::load_path::{Derivative, OnsetEvent, OnsetMargins, Parameter, Response
 pub struct Sensitivity<'g, const C: usize>(pub(super) &'g Grasp<C>);
 
 impl<'g, const C: usize> Sensitivity<'g, C> {
-    /// The margins that vanish at an onset, which have the derivatives of its factor by every parameter.
+    /// The margins of sticking that vanish at an onset. They give the derivatives of the onset's load factor by every parameter.
     ///
-    /// `None` if a contact closed before the onset, since the onset then depends on that history, or if a contact closes there and slides at once. Also
-    /// `None` if the event has another number of contacts.
+    /// `None` if a contact closed before the onset, since the onset then depends on that history, or if a contact closes there and slides at once.
+    /// Also `None` if the event has another number of contacts.
     ///
     /// ```
     /// use grasp_lcp::load_path::Parameter;

@@ -15,15 +15,15 @@ use crate::numerics::{IntoList, Vector, largest};
 use crate::object::Piece;
 use crate::prelude::*;
 
-/// The range of a ramp in which the minimum of energy is an equilibrium.
+/// The load factors for which the minimum of energy is an equilibrium.
 ///
 /// Load and commands are affine in the factor τ. So is the vector of the [program's](super::MinimumEnergy) complementarity problem, while its matrix
-/// is constant. Lemke's method with τ as the parameter passes from one set of open gaps to the next. The first friction row that enters the basis
-/// ends the agreement with Coulomb's law, because its multiplier then pushes the object. The paper predicts sliding in this way.
+/// is constant. Lemke's method with τ as the parameter passes from one set of open gaps to the next. It ends once a friction row enters the basis:
+/// from there on the row's multiplier pushes the object, and Coulomb's law is violated. The paper predicts sliding in this way.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum Agreement<const C: usize> {
-    /// Agreement up to this load factor, at which the listed friction constraints begin to bind.
+    /// The minimum is an equilibrium up to this load factor, at which the listed friction constraints begin to bind.
     UpTo {
         /// The load factor τ >= 0, no unit.
         factor: f64,
@@ -31,9 +31,9 @@ pub enum Agreement<const C: usize> {
         /// is `None` for F_n = 0 at infinite friction.
         binding: Vec<(usize, Option<usize>)>,
     },
-    /// Agreement for every factor.
+    /// The minimum is an equilibrium at every load factor.
     Always,
-    /// No agreement even at load factor 0: the minimum at load factor 0, or the reason why there is none.
+    /// The minimum is no equilibrium even at load factor 0, or there is no minimum.
     Never(MinimumOutcome<C>),
     /// From the start the load direction works on a motion that no spring resists: the program has no minimum for any τ > 0.
     Unbounded,
@@ -77,7 +77,7 @@ impl Engine {
     }
 }
 
-/// The program along a ramp.
+/// The paper's program along a ramp: at load factor 0, and its change with the factor.
 struct Line<'g> {
     program: EnergyProgram<'g>,
     change: Vec<SVector<f64, 3>>,
@@ -85,7 +85,7 @@ struct Line<'g> {
 }
 
 impl Line<'_> {
-    /// The forces of these springs at load factor 0, and their rates.
+    /// The contact forces at load factor 0, and their rates by the load factor, if only `springs` are active.
     fn forces(&self, springs: &Piece) -> Option<[Vec<SVector<f64, 3>>; 2]> {
         let problem = &self.program.problem;
         let start = springs.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
@@ -112,12 +112,13 @@ impl Line<'_> {
         matches!(path.end(), Some(lcp::PathEnd::Unbounded(_))).then_some(Agreement::Always)
     }
 
-    /// The load factor at which a row begins to bind, computed from the springs that are active below it.
+    /// The answer for the friction row that begins to bind. Its load factor is computed anew from the springs that are active below it; `seen` is
+    /// that of the pivoting path.
     fn ends(&self, faces: &Faces, row: usize, seen: f64) -> Option<Agreement<3>> {
         let [forces, rates] = self.forces(&self.program.springs(faces))?;
         let friction = &self.program.friction;
         let (value, rate) = (friction[row].value(&forces), friction[row].value(&rates));
-        // If the row does not change with the load, the load factor is the one at which the pivoting path ended.
+        // If the row does not approach its bound, the load factor of the pivoting path is taken.
         let factor = if rate < 0.0 { (value / -rate).max(0.0) } else { seen };
         let most = |list: &[SVector<f64, 3>]| largest(list, &SVector::norm);
         let size = most(&forces) + factor * most(&rates);

@@ -15,21 +15,21 @@ use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// The equilibrium under Coulomb's law beside the minimum of the paper's quadratic program ([`MinimumEnergy`]). In space both use the same polygonal
-/// cone.
+/// The equilibrium under Coulomb's law, and beside it the minimum of the paper's quadratic program ([`MinimumEnergy`]). In space both use the same
+/// polygonal cone.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Comparison<const C: usize> {
-    /// The outcome of complementarity.
+    /// Answer of the complementarity problem: the equilibrium, or a proof that there is none.
     pub equilibrium: Outcome<C>,
-    /// The outcome of the quadratic program, with its binding constraints and its imbalance.
+    /// Answer of the quadratic program: its minimum with the binding friction constraints, and how far it is out of balance.
     pub minimum: MinimumOutcome<C>,
     /// The difference between equilibrium and minimum, if both exist.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub difference: Option<Difference>,
-    /// The classification of the load.
+    /// How the two answers compare.
     pub verdict: ComparisonVerdict,
 }
 
@@ -61,7 +61,7 @@ pub struct Difference {
 
 #[cfg(feature = "serde")]
 impl<const C: usize> Comparison<C> {
-    /// This comparison as it is after serialisation and reading back: without the motions in the engine's coordinates.
+    /// This comparison without data that are not written to JSON (motions in the engine's coordinates), so that it equals one that was read.
     pub(crate) fn written(mut self) -> Self {
         if let MinimumOutcome::Minimum(minimum) = &mut self.minimum {
             minimum.inside = Inside::default();
@@ -81,7 +81,7 @@ impl Difference {
     }
 }
 
-/// Classification of a load by complementarity and the quadratic program.
+/// How the answers of complementarity and of the quadratic program compare under one load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -192,7 +192,7 @@ impl Engine {
             force_size: 0.0,
             energy_size: equilibrium.stored_energy,
         };
-        // In the engine's coordinates free motions are orthonormal.
+        // Free motions are taken out of the difference. In the engine's coordinates they are orthonormal.
         let mut apart: Vector = equilibrium.local.twist.to() - minimum.inside.twist.to();
         for _ in 0..2 {
             for v in equilibrium.local.free_motions.iter().chain(&minimum.inside.free_motions) {

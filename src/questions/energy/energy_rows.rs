@@ -1,8 +1,8 @@
-//! The rows of gaps and friction cones in energy coordinates, evaluated at the state in which everything sticks.
+//! Conditions on contact forces (gaps, facets of friction cones) as rows in energy coordinates, with their values if everything sticks.
 //!
-//! In `x = K^{-1/2} F` every row has unit length, so that ratios of stiffnesses cancel. Let `K^{1/2}Gᵀ = Q R`, and let Π = QQᵀ be the projector on
-//! the motions of the object. Every law of this module is expressed by the products `n·Π n'` and `n·(1 - Π) n'` of two rows n, n', and by the values
-//! `n·x⁰` if everything sticks.
+//! In `x = K^{-1/2} F` every row is scaled to unit length, so that ratios of stiffnesses cancel. Let `K^{1/2}Gᵀ = Q R`, and let Π = QQᵀ be the
+//! projector on the motions of the object. Both laws of this module need only the products `n·Π n'` and `n·(1 - Π) n'` of two rows n, n', and the
+//! values `n·x⁰` if everything sticks.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -27,7 +27,7 @@ pub(super) struct ForceCondition {
     pub(super) normal: SVector<f64, 3>,
     /// `|K^{1/2} law|`.
     pub(super) length: f64,
-    /// Scale of the rounding of [`Self::value`] for forces of size one.
+    /// Scale of the rounding error of [`Self::value`] if the largest force is 1.
     pub(super) weight: f64,
     /// Qᵀ times the normal: the component of the row along motions of the object.
     pub(super) rows_of_factor: Vector,
@@ -74,7 +74,7 @@ impl ForceCondition {
     }
 }
 
-/// The springs of all axes for which `holds(contact, axis)` is true.
+/// The springs along those axes of contacts for which `holds(contact, axis)` is true.
 pub(super) fn axis_springs(sites: &[Site], holds: &dyn Fn(usize, usize) -> bool) -> Piece {
     Piece::of_springs(sites, &|contact, list| {
         let springs = &sites[contact].springs;
@@ -83,7 +83,7 @@ pub(super) fn axis_springs(sites: &[Site], holds: &dyn Fn(usize, usize) -> bool)
     })
 }
 
-/// The rows contact by contact: `F_n >= 0` if `presses` is true, and the facets of the cone if `with_facets` is true.
+/// The conditions of all contacts, contact by contact: `F_n >= 0` where `presses` is true, and the facets of the cone if `with_facets` is.
 pub(super) fn rows(
     problem: &Problem,
     stuck: &Piece,
@@ -104,7 +104,7 @@ pub(super) fn rows(
     rows
 }
 
-/// `n·x` of every row, where x are the scaled forces.
+/// For each condition its value `n·x` in the scaled forces x.
 pub(super) fn values<'r>(
     rows: impl IntoIterator<Item = &'r ForceCondition>,
     forces: &[SVector<f64, 3>],
@@ -116,17 +116,17 @@ pub(super) fn values<'r>(
     DVector::from_vec(values)
 }
 
-/// The matrix with these entries; `None` if it has more than 10 000 rows.
+/// The square matrix with these entries; `None` if it has more than 10 000 rows.
 pub(super) fn dense(rows: usize, entry: impl FnMut(usize, usize) -> f64) -> Option<DMatrix<f64>> {
     // A thousand contacts in space on eight facets have 9 000 rows, and the matrix takes about a gigabyte.
     (rows <= 10_000).then(|| DMatrix::from_fn(rows, rows, entry))
 }
 
-/// The limit of pivots on a dense matrix: the caller's, else the default limit or the affordable number, whichever is less.
+/// The limit of pivots for a dense matrix with this many rows: the caller's limit if given; else the default, or less if a pivot takes long.
 pub(super) fn most_pivots(rows: usize, settings: &Settings) -> Option<usize> {
     let entries = (rows * rows).max(1) as f64;
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // positive and far below 2^64
-    // Unless the caller limits the pivots, operations on matrix entries may take about ten seconds.
+    // Without a limit of the caller the pivots may take about ten seconds in all.
     let affordable = (2e11 / entries) as usize;
     let default = lcp::Settings::default().pivot_limit(rows);
     settings.max_pivots.or_else(|| Some(affordable).filter(|most| *most < default))

@@ -1,4 +1,4 @@
-//! The minimum of the paper's program, computed so that stiffness ratios do not cost digits.
+//! The minimum of the paper's program, computed such that large ratios of stiffnesses do not cost digits.
 //!
 //! The program is solved through its optimality conditions (`optimality`). Lemke's method finds the open gaps and the binding friction constraints.
 //! The remaining springs then determine the minimum. The multipliers of the constraints are forces on the **object** that no contact exerts: the
@@ -27,7 +27,7 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum MinimumOutcome<const C: usize> {
-    /// A minimum exists.
+    /// The program has a minimum.
     Minimum(Box<MinimumEnergy<C>>),
     /// The friction constraints contradict each other, or the energy is unbounded below as contacts open.
     NoMinimum,
@@ -102,7 +102,7 @@ pub struct MinimumEnergy<const C: usize> {
     pub(super) inside: Inside,
 }
 
-/// Motions of a minimum in the engine's coordinates, where free motions are orthonormal.
+/// Motion and free motions of a minimum in the engine's coordinates, where free motions are orthonormal.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Inside {
     pub(super) twist: Coordinates,
@@ -165,7 +165,8 @@ impl Engine {
             }
             Err(Unbalanced { motion: None }) => return Ok(MinimumOutcome::Unsolved),
         };
-        // Ties are common in symmetric grasps. A point that satisfies every constraint up to rounding needs no pivot.
+        // If everything sticking satisfies all constraints up to rounding, no pivot is needed. This also avoids ties, which are common in symmetric
+        // grasps.
         let sticking = Faces { open: vec![false; self.sites().len()], binding: Vec::new() };
         let mut pivots = 0;
         let mut point = Some(program.sticking(&stuck)).filter(|point| program.holds(point, &sticking));

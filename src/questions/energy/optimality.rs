@@ -32,7 +32,7 @@ use crate::numerics::{IntoList, Singular, Vector, mapped, numbered};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
-/// The gaps that may open, the rows that may bind, and the springs with all of them active.
+/// The program in energy coordinates: the conditions of gaps that may open, those of friction that may bind, and the springs while everything sticks.
 pub(super) struct EnergyProgram<'g> {
     pub(super) problem: Problem<'g>,
     pub(super) stuck: Piece,
@@ -40,14 +40,14 @@ pub(super) struct EnergyProgram<'g> {
     pub(super) friction: Vec<ForceCondition>,
 }
 
-/// The open gaps and the binding friction rows.
+/// The constraints that are active at a point of the program: open gaps and binding friction rows.
 #[derive(Debug, Clone)]
 pub(super) struct Faces {
     pub(super) open: Vec<bool>,
     pub(super) binding: Vec<usize>,
 }
 
-/// A point of the program.
+/// A candidate for the minimum: forces, motion, gaps and multipliers.
 #[derive(Debug, Clone)]
 pub(super) struct ProgramPoint {
     pub(super) forces: Vec<SVector<f64, 3>>,
@@ -94,7 +94,7 @@ impl<'g> EnergyProgram<'g> {
         })
     }
 
-    /// The open gaps and binding rows found by Lemke's method, the number of pivots, and the twist that the pivots give.
+    /// The open gaps and binding rows that Lemke's method finds, the number of pivots, and the twist at its solution.
     pub(super) fn faces(
         &self,
         stuck: &PieceState,
@@ -126,12 +126,12 @@ impl<'g> EnergyProgram<'g> {
         faces
     }
 
-    /// The springs that act on these faces: an open gap removes the normal spring of its contact.
+    /// The springs that act with these open gaps: an open gap removes the normal spring of its contact.
     pub(super) fn springs(&self, faces: &Faces) -> Piece {
         axis_springs(self.problem.sites, &|contact, axis| axis > 0 || !faces.open[contact])
     }
 
-    /// The point at which everything sticks.
+    /// The candidate in which everything sticks.
     pub(super) fn sticking(&self, stuck: &PieceState) -> ProgramPoint {
         ProgramPoint {
             forces: stuck.forces.clone(),
@@ -142,8 +142,8 @@ impl<'g> EnergyProgram<'g> {
         }
     }
 
-    /// The minimum on these faces; `None` if the binding rows are linearly dependent, or no forces there balance the load. If the least twist makes a
-    /// gap negative, the free part of `near` is added.
+    /// The candidate with these open gaps and binding rows; `None` if the binding rows are linearly dependent, or no such forces balance the load. If
+    /// the twist of least norm makes a gap negative, the free part of the twist `near` is added.
     pub(super) fn on_faces(&self, faces: &Faces, stuck: &PieceState, near: &Vector) -> Option<ProgramPoint> {
         let problem = &self.problem;
         let opened = faces.open.contains(&true).then(|| self.springs(faces));
@@ -165,7 +165,8 @@ impl<'g> EnergyProgram<'g> {
         let mut gaps = gaps_at(&twist);
         let free = springs.free_motions().to_vec();
         if gaps.iter().any(|gap| *gap < 0.0) {
-            // Motions that stretch no spring still change gaps. The pivots found such motions with no gap negative.
+            // Free motions stretch no active spring, but they change open gaps. The twist of Lemke's solution has no negative gap, so its free part
+            // is added.
             twist += free.iter().fold(Vector::zeros(), |sum, v| sum + v * v.dot(near));
             gaps = gaps_at(&twist);
         }
@@ -173,17 +174,17 @@ impl<'g> EnergyProgram<'g> {
         finite.then_some(ProgramPoint { forces, twist, gaps, multipliers, free })
     }
 
-    /// Makes the binding rows hold as equalities, starting from forces that balance without them. Returns the change of the motion, in the
+    /// Makes the binding rows hold as equalities, starting from forces x' that balance without them. Returns the change of the motion, in the
     /// coordinates of the active springs.
     ///
-    /// Springs of open gaps are removed: x_n is free there, and the binding rows alone determine it, `x_n = (Nᵀλ)_n`. With
-    /// `M = [N Q, N_n of the open]` on the binding rows,
+    /// The normal springs of open gaps are removed. There x_n is free, and the binding rows alone determine it, `x_n = (Nᵀλ)_n`. With
+    /// `M = [N Q, N_n of the open gaps]` for the binding rows,
     ///
     /// ```text
     /// N x' + M Mᵀλ = 0,     x = x' + Q (first part of Mᵀλ)
     /// ```
     ///
-    /// solved on the orthogonal factor of Mᵀ.
+    /// is solved on the orthogonal factor of Mᵀ.
     fn bind(
         &self,
         faces: &Faces,
@@ -215,7 +216,7 @@ impl<'g> EnergyProgram<'g> {
             return None;
         }
         let mut travelled = Vector::zeros();
-        // The second pass removes the rounding that the first left in the rows.
+        // A second pass removes the rounding errors that the first leaves in the rows.
         for _ in 0..2 {
             let (change, lambda) = parts.of_transpose(&-values(rows.iter().copied(), forces));
             let moved = Vector::from_fn(size, |k| change[k]);
@@ -248,14 +249,15 @@ impl<'g> EnergyProgram<'g> {
     pub(super) fn holds(&self, point: &ProgramPoint, faces: &Faces) -> bool {
         let problem = &self.problem;
         let most = problem.largest_force(&point.forces, &point.twist);
-        // Multipliers of rows of unit length have the unit of x = K^{-1/2} F.
+        // Multipliers belong to rows of unit length, so they have the unit of x = K^{-1/2} F. Their rounding is judged by the largest of both.
         let x = |i: usize| {
             let springs = &problem.sites[i].springs;
             springs.deflection(&point.forces[i]).component_mul(&springs.root()).amax()
         };
         let x_size = (0..problem.len()).map(x).fold(0.0, f64::max);
         let largest = point.multipliers.iter().fold(x_size, |most, l| most.max(l.abs()));
-        // The multiplier of a gap is √k_n (x - Nᵀλ)_n.
+        // The multiplier of the condition that a gap is not negative, `√k_n (x - Nᵀλ)_n`: the normal force, less what the friction multipliers exert
+        // along the normal.
         let held = self.held_from_outside(&point.multipliers);
         let gap_holds = |row: &ForceCondition| {
             let i = row.contact;

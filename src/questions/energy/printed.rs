@@ -224,19 +224,19 @@ impl Engine {
     }
 }
 
-/// Position of u_c among the three displacements of a contact.
+/// Index of u_c (core of the body) among the three displacements of a contact.
 const BODY_CORE: usize = 0;
-/// Position of u_d.
+/// Index of u_d (surface of the body).
 const BODY_SURFACE: usize = 1;
-/// Position of u_e.
+/// Index of u_e (surface of the finger).
 const FINGER_SURFACE: usize = 2;
 
-/// The column of one displacement of a contact along an axis.
+/// The column of an unknown: one of the three displacements of a contact, along one axis.
 fn column(axes: usize, contact: usize, displacement: usize, axis: usize) -> usize {
     axes * (3 * contact + displacement) + axis
 }
 
-/// The stiffnesses of body and finger of a contact.
+/// The stiffnesses of the body's and the finger's springs at a contact.
 fn both_sides(index: usize, contact: &Contact<3>) -> Result<[SVector<f64, 3>; 2], Error> {
     const ALLOWED: &str = "from 1e-50 to 1e50 on both sides (the paper's program has two springs a contact)";
     let fault =
@@ -253,7 +253,7 @@ fn both_sides(index: usize, contact: &Contact<3>) -> Result<[SVector<f64, 3>; 2]
     Ok([*body, *finger])
 }
 
-/// The program under construction.
+/// The printed program while its rows are collected.
 struct Written {
     g: DVector<f64>,
     h: DMatrix<f64>,
@@ -284,7 +284,7 @@ impl Written {
         }
     }
 
-    /// Adds the rows for the motion between the surfaces of a contact and for its forces.
+    /// Adds the rows of a contact for the relative motion of its surfaces and for its friction.
     fn surfaces(
         &mut self,
         axes: usize,

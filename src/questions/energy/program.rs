@@ -8,8 +8,8 @@
 //! 0 <= λ  ⟂  B x - D >= 0
 //! ```
 //!
-//! For a positive semidefinite H the two problems are equivalent. Lemke's method was made for the second (Lemke 1965) and cannot fail on it: it finds
-//! a minimum or a ray, and a ray means that there is no minimum.
+//! For a positive semidefinite H the two problems are equivalent. Lemke's method was made for the second one (Lemke 1965). Except for rounding it
+//! cannot fail: it finds a minimum or a ray, and a ray means that there is no minimum.
 
 use crate::numerics::{IntoList, matrix_of, vector_of};
 use nalgebra::{DMatrix, DVector};
@@ -72,7 +72,7 @@ impl QuadraticProgram {
             a * b * self.h[(i, j)]
         });
         let g = vector_of(2 * n, &|j| column(j).1 * self.g[column(j).0]);
-        // Each equality is two inequalities.
+        // Each equality is written as two inequalities.
         let row = |i: usize| match i {
             i if i < k => (&self.b, &self.d, i, 1.0),
             i if i < k + m => (&self.a, &self.c, i - k, 1.0),
@@ -134,8 +134,8 @@ impl QuadraticProgram {
     }
 
     /// The solution recomputed from its binding rows with iterative refinement. Each condition is then satisfied to the rounding of its own terms
-    /// (Skeel 1980): forces balance to the last digits beside springs a million times stiffer. `None` where the binding rows do not determine the
-    /// point.
+    /// (Skeel 1980): forces balance to the last digits even beside springs a million times stiffer. `None` where the binding rows do not determine
+    /// the solution.
     fn refined(&self, found: &QpMinimum) -> Option<QpMinimum> {
         let (n, m) = (self.g.len(), self.c.len());
         let binding: Vec<usize> = (0..self.d.len()).filter(|row| found.multipliers[*row] > 0.0).list();
@@ -152,7 +152,7 @@ impl QuadraticProgram {
             i if i < n + m => self.c[i - n],
             i => self.d[binding[i - n - m]],
         });
-        // Scaling makes rows and columns equally large, so that pivots are not chosen by their units.
+        // Rows and columns are scaled to like size, so that the choice of pivots does not depend on units.
         let mut scale = DVector::from_element(size, 1.0);
         for _ in 0..3 {
             for i in 0..size {
@@ -171,12 +171,13 @@ impl QuadraticProgram {
             i => found.multipliers[binding[i - n - m]],
         });
         let largest = point.amax();
-        // Two steps of refinement remove the error of a factorisation, one more costs almost nothing.
+        // Two steps of refinement remove the error of the factorisation; a third costs almost nothing.
         for _ in 0..3 {
             let left = (&right - &matrix * &point).component_mul(&scale);
             point += factor.solve(&left)?.component_mul(&scale);
         }
-        // Motions that nothing resists make the matrix singular: rounding would drive the point along them.
+        // If nothing resists some motion, the matrix is singular, and rounding would carry the solution far along it. Then the solution is not
+        // refined.
         if !point.iter().all(|x| x.abs() <= 2.0 * largest) {
             return None;
         }

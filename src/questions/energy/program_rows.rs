@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::prelude::*;
 
-/// Rows in `columns` unknowns.
+/// Rows of a linear system in `columns` unknowns, each with its right-hand side and its meaning.
 pub(super) struct ProgramRows<Says> {
     columns: usize,
     says: Vec<Says>,

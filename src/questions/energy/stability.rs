@@ -83,12 +83,12 @@ impl Engine {
         self.stability_with(&arms.list(), &forces.list(), &states, drives)
     }
 
-    /// Elastic stiffness of the drives of a hand, and whether one of them slips.
+    /// The elastic stiffness of those drives of a hand that do not slip, and whether one of them slips.
     fn drives_that_hold(&self, equilibrium: &Equilibrium<3>) -> (Square, bool) {
         let (mut elastic, mut slips) = (Square::zeros(self.size()), false);
         let Some(linkage) = self.linkage() else { return (elastic, slips) };
         if !equilibrium.knows_all_of(self.sites().len()) {
-            // A drive whose state is not known counts as slipping, so that energy does not decide.
+            // A drive whose state is not known counts as slipping: the verdict is then that energy does not decide.
             return (elastic, true);
         }
         let states = equilibrium.local.states.iter().zip(self.sites()).skip(self.len());
@@ -105,7 +105,7 @@ impl Engine {
         (elastic, slips)
     }
 
-    /// Adds the geometric stiffness of all bodies other than the object.
+    /// Adds the geometric stiffness that the force of this contact gives to bodies other than the object.
     fn turning_bodies(&self, contact: usize, force: &SVector<f64, 3>, geometric: &mut Square) {
         let Some(bodies) = self.bodies() else { return };
         let object = self.space().of_the_object();
@@ -122,7 +122,7 @@ impl Engine {
         }
     }
 
-    /// Stability with given arms from the object's point at the origin.
+    /// The stability with these arms of the contacts, measured from the object's point at the origin.
     pub(super) fn stability_with(
         &self,
         arms: &[SVector<f64, 3>],
@@ -153,7 +153,7 @@ impl Engine {
             geometric += &turning_arm(self.space(), size, arm, &(force * on_object));
             self.turning_bodies(i, force, &mut geometric);
         }
-        // Columns are the twists about the origin of unit twists in the engine's coordinates.
+        // Column k is the k-th unit motion of the engine's coordinates, as a twist about the origin.
         let units = Square::from_columns(size, |k| self.outside_coordinates(&Vector::unit(size, k)));
         let hessian = &(&units.transpose() * &(elastic.clone() + &geometric)) * &units;
         let (least, most, motion) = extremes(&hessian);
@@ -180,7 +180,7 @@ impl Engine {
     }
 }
 
-/// The Schur complement of the stiffness on the first coordinates: all others take the values at which no force acts on them.
+/// The stiffness for the first `retained` coordinates if no force acts on all others (a Schur complement).
 fn condensed(stiffness: &Square, retained: usize) -> DMatrix<f64> {
     let part = |rows: Range<usize>, columns: Range<usize>| {
         matrix_of(rows.len(), columns.len(), &|i, j| stiffness[(rows.start + i, columns.start + j)])
@@ -205,7 +205,7 @@ fn add_spring(stiffness: &mut Square, g: &Vector, k: f64) {
     }
 }
 
-/// `-F · ∂²u/∂q²` of one contact.
+/// The geometric stiffness `-F · ∂²u/∂q²` of one contact, whose arm turns with the object.
 fn turning_arm(space: Space, size: Size, arm: &SVector<f64, 3>, force: &SVector<f64, 3>) -> Square {
     let mut part = Square::zeros(size);
     let along = arm.dot(force);

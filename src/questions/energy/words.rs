@@ -57,7 +57,7 @@ impl<const C: usize> fmt::Display for Comparison<C> {
     }
 }
 
-/// The contacts that slide, as the clause before the imbalance of the program; empty if none slides.
+/// The contacts that slide, for the clause before the imbalance of the program; empty if none slides.
 fn slides<const C: usize>(state: &Equilibrium<C>) -> String {
     let mut names = Vec::new();
     for whole in state.whole_contacts() {

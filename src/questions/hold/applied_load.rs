@@ -23,10 +23,10 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{largest, mapped};
 use crate::prelude::*;
 
-/// The extent of a verdict.
+/// How much of the load path a verdict follows and records.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Extent {
-    /// The whole [`Verdict`].
+    /// All fields of the [`Verdict`], up to `Settings::most_load` or the loss.
     Whole,
     /// As `Whole`, but a path that leaves small motions is followed to the whole load, to measure the largest ratio of a motion to its limit.
     Measured,
@@ -34,10 +34,11 @@ pub(crate) enum Extent {
     Brief,
 }
 
-/// Numbers and states of a verdict's path that its answer does not have.
+/// Facts about the load path behind a verdict that the [`Verdict`] itself does not record.
 #[derive(Debug, Default)]
 pub(crate) struct OfThePath {
-    /// The largest ratio of a motion to its limit while the load is put on; of a brief verdict, up to its loss.
+    /// The largest ratio of a motion to its limit in [small motions](crate::Settings::small_motions) while the load is put on. For [`Extent::Brief`]
+    /// it counts the path only up to the loss.
     pub(crate) farthest: f64,
     /// The kinds of the contact states at rest. `None` where nothing rests, and of a brief verdict.
     pub(crate) at_rest: Option<Vec<StateKind>>,
@@ -52,7 +53,7 @@ impl Engine {
         Ok(self.hold_with(ramp, settings, Extent::Whole)?.0)
     }
 
-    /// The verdict, and more of its path.
+    /// As [`Self::hold`], to a chosen extent, and with facts about the load path.
     pub(crate) fn hold_with(
         &self,
         ramp: &Ramp<3>,
@@ -123,7 +124,7 @@ impl Engine {
                 let then = self.carried_while_it_slides(ramp, settings);
                 lost.then_takes = then.filter(|then| *then < held_to * (1.0 - NEGLIGIBLE));
             }
-            // The proof assumes that every vacuum lasts.
+            // The proof assumes that the vacuum of every cup lasts, so it does not apply to a loss by cups that let go.
             if matches!(holding, Holding::Lost) && !matches!(lost.way_out, WayOut::LetsGo { .. }) {
                 lost.nothing_near = self.nothing_near(&lost, loss, ramp, settings);
             }
@@ -208,7 +209,7 @@ impl Engine {
                 || slips.contains(&i)
                 || events.iter().any(|event| begins_to_slide(event, i))
         };
-        // At the limit of a vacuum all contact forces vanish, but the vacuum still holds the object.
+        // Without vacuum, zero contact forces mean that the object lies loose. With one, they may vanish while the vacuum still holds the object.
         if self.vacuum().is_none() && state.contacts.iter().all(|contact| contact.force.norm() == 0.0) {
             return Holding::Loose;
         }

@@ -14,7 +14,7 @@ use crate::search::Settings;
 use crate::serial::AsComputed;
 use crate::words::{Words, listed, printable};
 
-/// A jump under constant load that ends in an equilibrium: the object slips and is caught.
+/// A jump under constant load that ends in another equilibrium: the object slips and contacts catch it.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -108,8 +108,8 @@ impl Engine {
 }
 
 impl Caught {
-    /// The clause about jumps, with the last one: ", caught at 7.5 N of 12 N after slipping 0.4 mm at left". `size` is the magnitude of the load and
-    /// its unit.
+    /// The clause about all jumps, with data of the last one: ", caught at 7.5 N of 12 N after slipping 0.4 mm at left". `size` is the magnitude of
+    /// the whole load with its unit, if the load has one.
     pub(super) fn write_clause(
         all: &[Self],
         size: Option<(f64, &str)>,

@@ -1,4 +1,4 @@
-//! Conversion of verdicts between the engine's three components and the `C` components of callers.
+//! Conversion of verdicts between the engine's vectors of three components and the callers' vectors of `C` components.
 
 use super::caught::Caught;
 use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};

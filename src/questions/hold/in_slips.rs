@@ -1,4 +1,5 @@
-//! The brief verdict on a load whose path is followed in the coordinates of slips.
+//! The fast way to a brief verdict: the load path is computed in the slips of the sliding contacts ([`InSlips`]), not from contact state to contact
+//! state.
 
 use super::applied_load::OfThePath;
 use super::verdict::{FirstSlip, Holding, Verdict};
@@ -9,7 +10,8 @@ use crate::prelude::*;
 use crate::search::Settings;
 
 impl Engine {
-    /// A brief verdict from a path in the coordinates of slips; `None` if only a path in the states of contacts can decide.
+    /// The brief verdict, if a path in the slips of contacts gives it: no contact opens, no slip ends, and at least one contact slides. Otherwise
+    /// `None`, and the caller follows the full load path.
     pub(super) fn held_in_slips(
         &self,
         ramp: &Ramp<3>,
@@ -18,7 +20,7 @@ impl Engine {
         let InSlips { slid, all_slide, factor, end, farthest } =
             self.in_slips(ramp, settings.most_load.max(1.0), settings)?;
         let (contact, first) = *slid.first()?;
-        // At load factors that differ from 1 by less than this, rounding would decide.
+        // A load factor closer to 1 than this is within rounding of the whole load: rounding would decide whether the load is held.
         let is_clear = |factor: f64| (factor - 1.0).abs() > NEGLIGIBLE;
         if !(is_clear(first) && (is_clear(factor) || matches!(end, SlipEnd::Held))) {
             return None;

@@ -9,11 +9,11 @@ use crate::grasp::Engine;
 use crate::numerics::{dot, summed};
 
 impl Engine {
-    /// The share of the geometric stiffness in the resistance to the motion q from rest to another state with the same commands:
+    /// The geometric stiffness as a fraction of the resistance to the motion q from rest to another state with the same commands:
     /// `Σ [(F·r) |θ|² - (F·θ)(r·θ)] / (ΔW·q)`, with forces F at rest, arms r about the centroid of the contacts and the rotation θ of q.
     ///
     /// It is negative where the forces lower the resistance. A load at rest counts as acting at the point of its line nearest to the centroid. `None`
-    /// if the share is at most a tenth, for several bodies, and where the load does no positive work.
+    /// if the fraction is at most a tenth, for several bodies, and where the load does no positive work.
     pub(super) fn left_out_by_small_motions(
         &self,
         rest: &Equilibrium<3>,
@@ -36,7 +36,8 @@ impl Engine {
                 |v: &nalgebra::SVector<f64, 3>| v.iter().zip(rotation).map(|(a, b)| a * b).sum::<f64>();
             left_out -= along(&force) * along(&arm);
         }
-        // A smaller threshold adds a caution to ordinary verdicts. A larger one hides a loss of stability until it is near.
+        // Fractions up to a tenth are not reported. A smaller threshold would add a caution to ordinary verdicts; a larger one would hide a loss of
+        // stability until it is near.
         (kept > 0.0).then(|| left_out / kept).filter(|part| part.abs() > 0.1)
     }
 }

@@ -1,4 +1,4 @@
-//! The part of a verdict about the loss of equilibrium, or about the end of small motions.
+//! Fills in [`Lost`], the part of a verdict about the loss of equilibrium or the end of small motions.
 
 use crate::contact::WEIGHTLESS;
 use crate::equilibrium::{ContactState, Equilibrium, TooFar};
@@ -68,12 +68,12 @@ impl Engine {
 }
 
 impl<const C: usize> Lost<C> {
-    /// The loss of suction cups whose lips are open all around.
+    /// The loss of suction cups that let go because their lips are open all around.
     fn without_vacuum(factor: f64, cups: Vec<WholeContact>, state: Option<Equilibrium<C>>) -> Self {
         Self::alone(factor, LossKind::LetsGo, WayOut::LetsGo { cups }, state)
     }
 
-    /// A loss of which only the kind, the motion and the state are known.
+    /// A loss with these data; all other fields are empty.
     fn alone(factor: f64, kind: LossKind, way_out: WayOut<C>, state: Option<Equilibrium<C>>) -> Self {
         Self {
             factor,

@@ -101,7 +101,7 @@ fn slides_out(along: &SVector<f64, 3>, spin: f64) -> Option<WayOut<3>> {
         .then(|| direction().map_or(WayOut::NotKnown, |direction| WayOut::SlidesOut { direction }))
 }
 
-/// The name of a motion, from the contacts that touch.
+/// The everyday name of the motion with which the object leaves. `touches` says which contacts still touch; they decide between the names.
 pub(super) fn way_out(
     engine: &Engine,
     motion: Option<&Motion<3>>,
@@ -121,7 +121,7 @@ pub(super) fn way_out(
         other.speed() <= STANDS * fastest
     };
     if motion.bodies.iter().filter(|body| moves(body)).all(as_the_first) {
-        // Contacts between the moving bodies and all others decide. Contacts between two moving bodies do not count.
+        // The moving bodies move as one, so contacts between two of them do not matter. Only contacts with bodies that stay decide on the name.
         let is_one_of_them = |body: usize| moves(&motion.bodies[body]);
         let sign = |i: usize| {
             let (on, against) = (is_one_of_them(sides[i].0), sides[i].1.is_some_and(is_one_of_them));
@@ -200,7 +200,7 @@ fn seen_from(
     let mut about = parts.with(&touches);
     about.retain(stays);
     if about.is_empty() {
-        // An object on a soft fingertip tips over about some points of that tip, while all others open.
+        // An object that tips on a soft fingertip turns about some points of that tip, while all other points open.
         let about = parts.with(&|i| touches(i) && point_stays(i));
         let either = points.iter().all(|i| point_stays(*i) || point_opens(*i));
         if either && !about.is_empty() {
@@ -233,7 +233,7 @@ impl<const C: usize> WayOut<C> {
     /// Whether the object falls: it moves down, against the last axis, and no contact with friction holds it back.
     pub(super) fn falls(&self, slide: &[WholeContact], words: Words) -> bool {
         let (Self::LiftsOff { direction } | Self::SlidesOut { direction }) = self else { return false };
-        // Within 25° of the vertical one would say that it falls.
+        // A motion within 25° of the vertical is called a fall.
         slide.is_empty() && direction[words.space::<C>().axes() - 1] < -0.9
     }
 }

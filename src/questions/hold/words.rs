@@ -13,7 +13,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 use crate::words::{LinkKind, MOST_NAMES, Words, listed, open, opens, printable};
 
-/// The clause behind a motion that is too large.
+/// Appended to a sentence that reports a motion beyond the limits of small motions.
 const NO_LONGER_SMALL: &str = "; beyond this, results for small motions no longer apply";
 
 impl<const C: usize> fmt::Display for Verdict<C> {
@@ -37,7 +37,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                         write!(f, ", but {first} from {} of it on", words.number(first.factor))?;
                     }
                     _ if contacts.is_empty() => {}
-                    // The first slip does not include contacts that close later and slide.
+                    // A contact that closes and slides only later is no first slip, but it is named here.
                     _ => write!(f, ", but {}", does(contacts, "slides", "slide"))?,
                 }
                 self.catches(f)?;
@@ -124,7 +124,7 @@ impl<const C: usize> Verdict<C> {
         write!(f, ": {lost:.digits$}")
     }
 
-    /// The sentence of a load that ends small motions: gross slip before, or the motion that is too large.
+    /// The sentence of a load that ends small motions: it reports gross slip if that comes before, otherwise the motion that is too large.
     fn write_small_motion_limit(
         &self,
         lost: &Lost<C>,
@@ -161,7 +161,7 @@ impl<const C: usize> Verdict<C> {
         }
     }
 
-    /// Whether the path continues beyond this multiple of the load, and the multiple exceeds that of the first slip.
+    /// Whether this load factor is beyond the first slip, and the path goes on beyond it.
     fn continues_beyond(&self, factor: f64) -> bool {
         self.held_to > factor * (1.0 + NEGLIGIBLE)
             && self.first_slip.as_ref().is_none_or(|first| factor > first.factor * (1.0 + NEGLIGIBLE))
@@ -207,7 +207,7 @@ impl<const C: usize> Verdict<C> {
         })
     }
 
-    /// The clause about jumps in which the object slips and is caught.
+    /// Writes the clause about jumps in which the object slips and is caught.
     fn catches(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         Caught::write_clause(
             &self.caught,
@@ -298,7 +298,7 @@ impl<const C: usize> Lost<C> {
     }
 }
 
-/// The motion of the loss.
+/// Writes the motion with which the object leaves, the contacts that slide, and whether that is gross slip.
 impl<const C: usize> fmt::Display for Lost<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let digits = Words::of(f).precision();
@@ -314,7 +314,7 @@ impl<const C: usize> fmt::Display for Lost<C> {
     }
 }
 
-/// "no equilibrium under the whole load within 12 mm and 22.9° of this position", that of the loss.
+/// "no equilibrium under the whole load within 12 mm and 22.9° of this position": "this position" is that of the object at the loss.
 impl fmt::Display for NothingNear {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("no equilibrium under the whole load")?;

@@ -32,14 +32,14 @@ pub struct Identified {
     pub misfit: Option<f64>,
     /// Number of slips and of known sums, less the number of combinations that they determine.
     pub degrees_of_freedom: usize,
-    /// Combinations that slips do not determine.
+    /// Combinations of unknowns that the slips do not determine.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free: Vec<FreeCombination>,
-    /// The estimates for each assignment of slips to unknowns that fits as well, the best first. Assignments differ in the contacts that slip first.
-    /// Empty if only one fits.
+    /// If several assignments of slips to unknowns fit equally well, the estimates of each, the best first. Assignments differ in which contact slips
+    /// first. Empty if only one fits.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub assignments: Vec<Vec<Estimate>>,
-    /// Logarithm of the observed over the predicted load or angle, slip by slip; empty if some slip is not predicted.
+    /// Logarithm of the observed over the predicted load or angle, slip by slip; empty if the model does not predict some slip.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Vec<f64>>"))]
     pub residuals: Vec<f64>,
     /// The weight of each slip: less than 1 if its residual is large.
@@ -88,9 +88,9 @@ pub struct Estimate {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Ending {
-    /// No point nearby has a smaller loss.
+    /// No point nearby fits the slips better.
     Converged,
-    /// The limit of steps was reached before convergence: the estimates may still change.
+    /// The limit of steps was reached before convergence, so the estimates are not final.
     NotConverged {
         /// The limit of steps.
         iterations: usize,

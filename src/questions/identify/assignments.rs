@@ -1,7 +1,8 @@
-//! Fits in which other contacts slip first.
+//! Searches for fits in which other contacts slip first.
 //!
-//! Where several contacts may slip first, a predicted slip has a kink: on each side it depends on the data of one contact alone. A search ends on the
-//! side on which it began. An assignment says on which unknowns each slip depends. Other assignments are searched for by exchanging unknowns.
+//! Where several contacts may slip first, the predicted load of a slip has a kink in the unknowns: on each side it depends on the data of one contact
+//! alone. A search from one side usually ends there. An assignment says on which unknowns each slip depends. To find others, two unknowns exchange
+//! their values and the search starts anew.
 
 use core::f64::consts::LN_2;
 
@@ -16,20 +17,21 @@ use crate::error::Error;
 use crate::numerics::{Each, IntoList, two_sided};
 use crate::prelude::*;
 
-/// Limit on the pairs of unknowns that change places from one fit: all pairs of five.
+/// From one fit at most this many pairs of unknowns are exchanged: all pairs of five unknowns.
 const MOST_PAIRS: usize = 10;
-/// Limit on the halvings of an unknown until other slips depend on it: to a sixteenth.
+/// After an exchange the smaller unknown is halved until other slips depend on it, down to a sixteenth of its value.
 const MOST_HALVINGS: u8 = 5;
-/// Limit on the bisections between two values of an unknown on which different slips depend.
+/// Between two points at which slips depend on different unknowns, at most this many bisections look for a third assignment.
 const MOST_BISECTIONS: usize = 4;
-/// Limit on the fits that are compared, and on the points at which slips are predicted beside fits.
+/// Limits of the work: fits that are compared, and points at which all slips are predicted to look for other assignments.
 const MOST_FITS: usize = 12;
 const MOST_LOOKS: usize = 240;
 
-/// Step in the logarithm of one unknown away from a value at which another contact begins to slip first: predictions have no derivative there.
+/// At equal friction, say, two contacts slip at once and predictions have a kink, without derivatives. To look beside it, one logarithm is changed by
+/// this step.
 const BESIDE_A_KINK: f64 = 1e-3;
 
-/// The search for other assignments. From each one that is found the search continues.
+/// The search for other assignments. Each fit that is found is a starting point for further exchanges.
 struct Assignments<'a> {
     model: &'a Model<'a>,
     fits: Vec<Fitted>,
@@ -37,7 +39,8 @@ struct Assignments<'a> {
 }
 
 impl Assignments<'_> {
-    /// The predicted slips at a point; `None` where some slip is not predicted, or once the limit of work is reached.
+    /// The predictions of all slips at these logarithms of the unknowns. `None` where the model does not predict some slip, or at a limit of the
+    /// work.
     fn evaluate(&mut self, logs: &[f64]) -> Result<Option<Linear>, Error> {
         if self.looks == MOST_LOOKS || self.fits.len() == MOST_FITS {
             return Ok(None);
@@ -50,7 +53,7 @@ impl Assignments<'_> {
         self.fits.iter().any(|fit| fit.linear.as_ref().is_some_and(|known| same_assignment(known, linear)))
     }
 
-    /// Fits from a point if its assignment is new, and returns whether it is.
+    /// Starts a fit at this point if its assignment is new. Returns whether it is.
     fn fit(&mut self, begin: Vec<f64>, linear: Linear) -> Result<bool, Error> {
         if self.is_known(&linear) {
             return Ok(false);
@@ -63,8 +66,8 @@ impl Assignments<'_> {
         Ok(true)
     }
 
-    /// Searches for another assignment of slips to contacts between two points. As one unknown falls, slips begin to depend on it one after the
-    /// other.
+    /// Searches between two points for a third assignment and starts a fit there. As one unknown falls from one point to the other, slips begin to
+    /// depend on it one after the other.
     fn between(&mut self, mut low: Vec<f64>, mut high: Vec<f64>, ends: [&Linear; 2]) -> Result<(), Error> {
         for _ in 0..MOST_BISECTIONS {
             let middle: Vec<f64> = low.iter().zip(&high).map(|(a, b)| 0.5 * (a + b)).list();
@@ -81,7 +84,7 @@ impl Assignments<'_> {
         Ok(())
     }
 
-    /// Lowers an unknown from a fit until other slips depend on it.
+    /// Exchanges two unknowns of the fit at index `at`, then halves the smaller one until other slips depend on it, and starts a fit there.
     fn weaken(&mut self, at: usize, pair: (usize, usize)) -> Result<(), Error> {
         let Some(mut before) = self.fits[at].linear.clone() else { return Ok(()) };
         let mut from = self.fits[at].logs.clone();
@@ -122,7 +125,7 @@ pub(super) fn assigned(model: &Model<'_>, first: Fitted) -> Result<Identified, E
     let (best, others) = fits.split_at(1);
     let mut as_good: Vec<&Fitted> = vec![&best[0]];
     as_good.extend(others.iter().filter(|other| !fits_better(model, &best[0], other)));
-    // A fit in which two contacts slip at once lies on the kink between two assignments.
+    // A fit at which two contacts slip at once lies on the kink between two assignments. It is left out if others fit as well.
     let mut beside: Vec<&Fitted> = Vec::new();
     for fit in &as_good {
         let mut is_on_a_kink = false;
@@ -141,7 +144,7 @@ pub(super) fn assigned(model: &Model<'_>, first: Fitted) -> Result<Identified, E
     Ok(united(first, &answers.list()))
 }
 
-/// The logarithms in which two unknowns have changed places: `weak` has the smaller value, divided by 2 to the power `halved`.
+/// The logarithms of a fit after two unknowns have exchanged values: `weak` has the smaller one, divided by 2 to the power `halved`.
 fn weakened(model: &Model<'_>, logs: &[f64], (weak, strong): (usize, usize), halved: u8) -> Vec<f64> {
     let unknowns = &model.asked.unknowns;
     let (low, high) = (logs[weak].min(logs[strong]), logs[weak].max(logs[strong]));
@@ -149,7 +152,7 @@ fn weakened(model: &Model<'_>, logs: &[f64], (weak, strong): (usize, usize), hal
     begin[strong] = high;
     begin[weak] = low;
     for k in (0..begin.len()).filter(|k| *k != weak) {
-        // An unknown as small as the weak one would make its contact slip together with the weak one.
+        // Another unknown as small as `weak` is doubled; otherwise its contact would slip together with that of `weak`.
         if (begin[k] - low).abs() <= INDISTINCT && unknowns[k].kind == unknowns[weak].kind {
             begin[k] = low + LN_2;
         }
@@ -158,7 +161,7 @@ fn weakened(model: &Model<'_>, logs: &[f64], (weak, strong): (usize, usize), hal
     begin
 }
 
-/// All pairs of unknowns of one kind.
+/// All pairs of unknowns of one kind, such as two coefficients of friction.
 fn pairs_of(model: &Model<'_>) -> Vec<(usize, usize)> {
     let unknowns = &model.asked.unknowns;
     let mut pairs = Vec::new();
@@ -172,8 +175,8 @@ fn pairs_of(model: &Model<'_>) -> Vec<(usize, usize)> {
     pairs
 }
 
-/// Pairs of unknowns whose exchange may lead to another assignment. Some slip depends on one of them alone, and no slip on both, since such a slip
-/// would tell them apart. Or the fit ended on the kink between them. If slips do not determine every unknown, slips may depend on both.
+/// Pairs of unknowns whose exchange may lead to another assignment. Of such a pair some slip depends on one unknown alone, and none on both, since
+/// that would tell them apart (unless the slips leave some unknown undetermined). Or the fit ended on the kink between the two.
 fn pairs(model: &Model<'_>, fit: &Fitted) -> Result<Vec<(usize, usize)>, Error> {
     let mut pairs = Vec::new();
     let Some(linear) = fit.linear.as_ref().filter(|_| matches!(fit.end, FitEnd::Converged)) else {
@@ -192,8 +195,8 @@ fn pairs(model: &Model<'_>, fit: &Fitted) -> Result<Vec<(usize, usize)>, Error> 
     Ok(pairs)
 }
 
-/// Whether the fit is on a kink between two equal unknowns: a slip depends on both there, with the mean of two one-sided derivatives, and on one beside
-/// it.
+/// Whether the fit is on a kink between two equal unknowns. There a slip depends on both, by the mean of one-sided derivatives; beside the kink it
+/// depends on one of them.
 fn is_on_the_kink(model: &Model<'_>, fit: &Fitted, i: usize, j: usize) -> Result<bool, Error> {
     let Some(linear) = &fit.linear else { return Ok(false) };
     let on_both = |row: usize| depends(&linear.jacobian, row, i) && depends(&linear.jacobian, row, j);
@@ -210,7 +213,7 @@ fn depends(jacobian: &DMatrix<f64>, row: usize, unknown: usize) -> bool {
     jacobian[(row, unknown)].abs() > INDISTINCT * jacobian.row(row).amax()
 }
 
-/// Whether every slip depends on the same unknowns.
+/// Whether each slip depends on the same unknowns in both.
 fn same_assignment(one: &Linear, other: &Linear) -> bool {
     (0..one.jacobian.nrows()).all(|row| depends_alike(one, other, row))
 }
@@ -219,7 +222,8 @@ fn depends_alike(one: &Linear, other: &Linear, row: usize) -> bool {
     (0..one.jacobian.ncols()).all(|j| depends(&one.jacobian, row, j) == depends(&other.jacobian, row, j))
 }
 
-/// Whether two slips or more depend on other unknowns at the second point than at the first, so that one may change before another.
+/// Whether, between both points, at least two slips with different derivatives come to depend on other unknowns. Each may change at its own point in
+/// between.
 fn changes_in_steps(one: &Linear, other: &Linear) -> bool {
     let mut rows = (0..one.jacobian.nrows()).filter(|row| !depends_alike(one, other, *row));
     let Some(first) = rows.next() else { return false };
@@ -228,7 +232,7 @@ fn changes_in_steps(one: &Linear, other: &Linear) -> bool {
     rows.any(|row| is_of_another_kind(one, row) || is_of_another_kind(other, row))
 }
 
-/// Whether a fit is better than another by more than scatter explains, at 95 %.
+/// Whether a fit has a smaller loss than another by more than the scatter of slips explains, at 95 %.
 fn fits_better(model: &Model<'_>, one: &Fitted, other: &Fitted) -> bool {
     let (Some(here), Some(there)) = (&one.linear, &other.linear) else { return one.linear.is_some() };
     let degrees = here.residuals.len().saturating_sub(model.asked.unknowns.len()).max(1);
@@ -238,7 +242,7 @@ fn fits_better(model: &Model<'_>, one: &Fitted, other: &Fitted) -> bool {
     !is_exact && gain > 0.5 * two_sided(0.95, degrees).powi(2)
 }
 
-/// An answer with the estimates of others that fit as well. An unknown on which they disagree is not fixed.
+/// The answer, with the estimates of other fits that are as good. An unknown on which they disagree counts as not fixed.
 fn united(mut answer: Identified, others: &[Identified]) -> Identified {
     if others.is_empty() {
         return answer;
@@ -257,7 +261,7 @@ fn united(mut answer: Identified, others: &[Identified]) -> Identified {
     answer
 }
 
-/// Whether two estimates of an unknown are both fixed, and the same within a tenth of their error.
+/// Whether two fits agree on an unknown: both estimates are fixed, and differ by at most a tenth of their error; or neither is fixed.
 pub(super) fn is_alike(one: &Estimate, other: &Estimate) -> bool {
     let error = one.standard_error.unwrap_or(INDISTINCT * one.value);
     one.is_fixed == other.is_fixed && (!one.is_fixed || (one.value - other.value).abs() <= 0.1 * error)

@@ -14,7 +14,7 @@ fn wrong(what: String, field: &'static str, value: f64, allowed: &'static str) -
 }
 
 impl Identify<3> {
-    /// Refuses contacts that these grasps do not have.
+    /// Refuses contacts that these grasps do not have, and two unknowns that one contact cannot have at once.
     pub(super) fn check(&self, layouts: &[Grasp<3>]) -> Result<(), Error> {
         self.unknowns.iter().enumerate().try_for_each(|(k, unknown)| unknown.check(k, layouts))?;
         for (k, unknown) in self.unknowns.iter().enumerate() {
@@ -38,7 +38,7 @@ impl Identify<3> {
         Ok(())
     }
 
-    /// Refuses numbers out of range for this number of layouts.
+    /// Refuses numbers that are out of range whatever the grasp is; `layouts` is the number of layouts.
     pub(crate) fn check_numbers(&self, space: Space, layouts: usize) -> Result<(), Error> {
         for (list, given) in [("unknowns", self.unknowns.len()), ("slips", self.slips.len())] {
             if given == 0 {
@@ -99,7 +99,7 @@ impl KnownSum {
 }
 
 impl Unknown {
-    /// Whether no contact can have both unknowns.
+    /// Whether a contact cannot have both unknowns: two of one kind, or a squeeze beside a carried force.
     fn clashes_with(&self, other: &Self) -> bool {
         let presses = |kind| matches!(kind, UnknownKind::Carried | UnknownKind::Squeeze);
         self.kind == other.kind || (presses(self.kind) && presses(other.kind))

@@ -8,7 +8,8 @@ use nalgebra::DMatrix;
 use crate::prelude::*;
 use crate::words::listed;
 
-/// Unknowns that may change together without changing any predicted slip. To first order, each is multiplied by a common factor to its own power.
+/// Unknowns that may change together without changing any predicted slip. To first order they do if each is multiplied by a common factor to the
+/// power that [`powers`](Self::powers) has for it.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -23,8 +24,8 @@ pub struct FreeCombination {
 }
 
 impl FreeCombination {
-    /// Combinations with as few unknowns as possible, from a basis of the free directions of the logarithms, as columns. `stays` tells whether all
-    /// predicted slips stay the same if each unknown is multiplied by its factor.
+    /// Combinations with as few unknowns as possible. The columns of `free` span the directions, in the logarithms of the unknowns, along which no
+    /// predicted slip changes. `stays` says whether all predicted slips stay the same if each unknown is multiplied by its own factor.
     pub(super) fn among(
         mut free: DMatrix<f64>,
         (names, values): (&[String], &[f64]),
@@ -32,7 +33,7 @@ impl FreeCombination {
     ) -> Vec<Self> {
         let mut all = Vec::new();
         for k in 0..free.ncols() {
-            // Pivoting on the largest remaining entry, as in Gauss-Jordan elimination: its unknown is in this direction alone.
+            // The pivot is the largest remaining entry, as in Gauss-Jordan elimination. Its unknown then appears in this direction alone.
             let (row, column) = free.columns_range(k..).icamax_full();
             free.swap_columns(k, k + column);
             let pivot = free[(row, k)];
@@ -55,7 +56,8 @@ impl FreeCombination {
                 (x.abs() > NO_COMPONENT * largest).then(|| (names[j].clone(), x / largest))
             };
             let (unknowns, powers): (Vec<_>, Vec<_>) = direction.iter().enumerate().filter_map(part).unzip();
-            // A step of 0.3 in the logarithm is long enough to distinguish a product from a sum.
+            // Unknowns are changed along the combination by up to 0.3 in their logarithms. That is enough to tell whether slips determine their
+            // product or their sum.
             let along = direction.iter().map(|x| 0.3 * x / largest);
             let [powered, added]: [Vec<f64>; 2] =
                 [along.clone().map(f64::exp).list(), along.map(|x| 1.0 + x).list()];
@@ -76,14 +78,14 @@ impl FreeCombination {
     }
 }
 
-/// The function of the unknowns that slips determine although the unknowns themselves are free.
+/// What the slips determine of unknowns that they do not determine one by one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Law {
-    /// A product or ratio, for steps of any length.
+    /// Their product or ratio, for changes of any size.
     Powers,
-    /// The sum of the unknowns.
+    /// Their sum.
     Sum,
-    /// Another function with the same first derivatives.
+    /// Some other function, known only by its first derivatives.
     Nearby,
 }
 
@@ -92,7 +94,7 @@ fn formula_text(names: &[String], powers: &[f64], law: Law) -> String {
         return format!("{one} is not fixed: these slips do not depend on it");
     }
     let apart = format!("{} are not fixed apart by these slips: only", listed(names));
-    // Powers this close to one give a plain product or ratio.
+    // If all powers are 1 or -1 to this precision, the sentence speaks of a product or ratio.
     let are_alike = powers.iter().all(|power| (power.abs() - 1.0).abs() < 1e-3);
     match law {
         Law::Sum => return format!("{apart} their sum"),

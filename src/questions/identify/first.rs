@@ -11,7 +11,7 @@ use crate::load_path::{Onset, OnsetEvent, OnsetMargins, Parameter, Ramp};
 use crate::numerics::numbered;
 use crate::prelude::*;
 
-/// The load factor or angle at first slip.
+/// The load factor or angle at which the model predicts first slip.
 pub(super) fn predicted(target: &SlipToPredict<'_>) -> Result<Result<Predicted, NoSlip>, Error> {
     let onset = match target.slip.growing_load() {
         Grown::Load(load) => target.grasp.onset(Ramp::load(target.base, load))?,
@@ -35,14 +35,15 @@ pub(super) fn predicted(target: &SlipToPredict<'_>) -> Result<Result<Predicted, 
     })
 }
 
-/// Derivatives of the logarithm of the factor. If several contacts leave together, each has one-sided derivatives at a kink; their mean is returned.
+/// Derivatives of the logarithm of the load factor at first slip by the logarithms of the unknowns. If several contacts slip together, the factor has
+/// a kink; the mean of the derivatives on its sides is returned.
 fn exact(target: &SlipToPredict<'_>, event: &OnsetEvent<3>) -> Option<Vec<f64>> {
     let margins = OnsetMargins::new(&target.grasp.engine, event)?;
     let space = target.grasp.engine.space();
     let axes = space.axes();
     let leavers = margins.leavers().len();
     let contacts = target.grasp.contacts();
-    // The parameters of a contact that an unknown scales, each with its change by the logarithm of the unknown.
+    // The parameters of a contact that depend on an unknown of this kind, each with its derivative by the logarithm of the unknown.
     let changes = |kind: UnknownKind, contact: usize, value: f64| -> Vec<(Parameter, f64)> {
         let data = &contacts[contact];
         let springs = data.stiffness.series();
@@ -66,7 +67,8 @@ fn exact(target: &SlipToPredict<'_>, event: &OnsetEvent<3>) -> Option<Vec<f64>> 
     };
     let presses = target.is_pressed_by_commands();
     target.by_unknowns(&|kind, unknown, value| {
-        // The squeeze of some contacts scales only their normal commands; the exact derivative includes tangential ones.
+        // An unknown squeeze of some contacts scales their normal commands alone, so derivatives by all components of the commands are wrong if
+        // tangential ones exist.
         let along = |i: usize| contacts[i].command.iter().skip(1).any(|x| *x != 0.0);
         let of_some = target.asked.unknowns[unknown].contacts.is_some();
         if kind == UnknownKind::Squeeze && (!presses || of_some && target.contacts_of(unknown).any(along)) {
@@ -75,7 +77,7 @@ fn exact(target: &SlipToPredict<'_>, event: &OnsetEvent<3>) -> Option<Vec<f64>> 
         let mut sum = 0.0;
         for contact in target.contacts_of(unknown) {
             for (parameter, change) in changes(kind, contact, value) {
-                // A zero component of the load has no effect, even where its derivative is infinite.
+                // A load component that is zero stays zero. It is skipped, because a derivative by it may be infinite.
                 if change != 0.0 {
                     sum += change * margins.by(parameter)?.iter().sum::<f64>();
                 }

@@ -10,11 +10,11 @@ use crate::error::Error;
 use crate::numerics::{IntoList, Singular, mapped, matrix_of, vector_of};
 use crate::prelude::*;
 
-/// The result of a search.
+/// The end of a search for the unknowns with the least loss.
 pub(super) struct Fitted {
     pub(super) logs: Vec<f64>,
     pub(super) linear: Option<Linear>,
-    /// Relative standard deviations, given or estimated.
+    /// Relative standard deviations of the observed slips, given or estimated.
     pub(super) scatter: Scatter,
     pub(super) iterations: usize,
     pub(super) end: FitEnd,
@@ -24,13 +24,13 @@ pub(super) struct Fitted {
 pub(super) enum FitEnd {
     Converged,
     Limit,
-    /// The model does not predict this slip at the start of the search, or where it had to continue.
+    /// The model does not predict this slip, either at the start of the search or just beside the point where it stopped.
     NoSlip(usize, NoSlip),
 }
 
-/// Standard deviations of the rows.
+/// Relative standard deviations of the observations.
 pub(super) struct Scatter {
-    /// One for each slip, and behind them one for each known sum.
+    /// One number for each slip, then one for each known sum.
     pub(super) rows: Vec<f64>,
     /// The common standard deviation of all slips, if it is estimated.
     pub(super) estimated: Option<f64>,
@@ -41,7 +41,7 @@ impl Model<'_> {
         Huber(self.asked.outliers())
     }
 
-    /// Standard deviations: the given ones, or a common one of all slips from their residuals.
+    /// Relative standard deviations of the observations. Those of slips are given, or one for all is estimated from the residuals.
     pub(super) fn scatter(&self, residuals: &[f64], rank: usize) -> Scatter {
         let (slips, known) = (&self.asked.slips, &self.asked.known);
         let given: Option<Vec<f64>> = slips.iter().map(|slip| slip.scatter).collect();
@@ -54,7 +54,7 @@ impl Model<'_> {
         Scatter { rows, estimated }
     }
 
-    /// The weight of a row: Huber's weight for slips, 1 for known sums.
+    /// The weight of a residual `u`, which is in standard deviations: Huber's weight for slips, 1 for known sums.
     fn weight(&self, row: usize, u: f64) -> f64 {
         if row < self.asked.slips.len() { self.huber().weight(u) } else { 1.0 }
     }
@@ -72,8 +72,8 @@ impl Model<'_> {
 type Begun = (Vec<f64>, Result<Linear, (usize, NoSlip)>);
 
 /// The first point at which the model predicts all slips: the given values, or these with all friction multiplied by a common factor. The factor is
-/// halved if the object holds too well and doubled if it holds too little. Once both have occurred, its logarithm is bisected. Without unknown
-/// friction, squeezes and carried loads have the factor instead.
+/// halved if the object holds too well and doubled if it holds too little. Once both have occurred, its logarithm is bisected. If no friction is
+/// unknown, squeezes and carried loads are multiplied instead.
 fn begun(model: &Model<'_>) -> Result<Begun, Error> {
     let unknowns = &model.asked.unknowns;
     let begin: Vec<f64> = mapped(unknowns, &|unknown| unknown.begins_at(model.layouts).ln());
@@ -86,8 +86,7 @@ fn begun(model: &Model<'_>) -> Result<Begun, Error> {
         UnknownKind::Stiffness => false,
     };
     let (mut too_little, mut too_much, mut by) = (None, None, 0.0);
-    // Twelve other starting values reach a factor of 4096 if the object holds too well, or too little, at all
-    // of them.
+    // Twelve further trials reach factors down to 1/4096 if the object holds too well at all of them, or up to 4096 if too little.
     for _ in 0..12 {
         match why {
             NoSlip::HoldsTooWell(_) => too_much = Some(by),
@@ -153,28 +152,28 @@ pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, mut linear: Linear
             if is_little(&step) {
                 break None;
             }
-            // A step changes logarithms by at most one, since the linearisation is not valid farther away.
+            // No logarithm changes by more than one in a step, since the linearisation is not valid farther away.
             step *= (1.0 / step.amax()).min(1.0);
             let stepped: Vec<f64> = fit.logs.iter().zip(step.iter()).map(|(x, dx)| x + dx).list();
             match model.linear(&stepped)? {
                 Ok(linear) if model.loss(&linear.residuals, &fit.scatter) < loss => {
                     break Some((stepped, linear));
                 }
-                // Only the last and shortest step decides whether a slip ceases to be predicted right here.
+                // Damping grows, so trial steps become shorter. Only the last and shortest tells whether predictions end right here.
                 Ok(_) => unseen = None,
                 Err(none) => unseen = Some(none),
             }
             damping *= 10.0;
         };
         let Some((stepped, better)) = better else {
-            // No step decreases the loss: a kink at the minimum, unless predictions end there.
+            // No step decreases the loss: the minimum is at a kink, or at the edge of the region where all slips are predicted.
             fit.end = unseen.map_or(FitEnd::Converged, |(slip, why)| FitEnd::NoSlip(slip, why));
             break;
         };
         (fit.logs, linear) = (stepped, better);
         damping = (damping * 0.1).max(f64::EPSILON);
     }
-    // If a slip is not predicted, no errors are reported.
+    // Errors are reported only if the model predicts all slips at the end.
     fit.linear = Some(linear).filter(|_| !matches!(fit.end, FitEnd::NoSlip(..)));
     Ok(fit)
 }
@@ -186,9 +185,9 @@ pub(super) fn rank(linear: &Linear) -> usize {
     values.iter().filter(|value| **value > INDISTINCT * most).count()
 }
 
-/// Steps along the combinations that slips determine.
+/// The linearised least-squares problem at one point, by its singular values; it gives damped steps.
 struct Steps {
-    /// Singular values, and their right singular vectors as columns.
+    /// Singular values of the weighted derivatives, and their right singular vectors as columns.
     values: Vec<f64>,
     directions: DMatrix<f64>,
     /// Components of the weighted residuals along the left singular vectors.
@@ -196,7 +195,7 @@ struct Steps {
 }
 
 impl Steps {
-    /// Steps from a point, with slips weighted by their scatter and residual.
+    /// The linearised least-squares problem at the point of `linear`. Each slip is weighted by its scatter and by the size of its residual.
     fn of(model: &Model<'_>, linear: &Linear, scatter: &Scatter) -> Self {
         let row = |(k, (r, sigma)): (usize, (&f64, &f64))| model.weight(k, r / sigma).sqrt() / sigma;
         let weights: Vec<_> = linear.residuals.iter().zip(&scatter.rows).enumerate().map(row).list();
@@ -204,7 +203,7 @@ impl Steps {
         Self { values, directions, along }
     }
 
-    /// The step with this damping relative to the largest singular value squared; zero along combinations that slips do not determine.
+    /// The step with Levenberg's damping, relative to the largest singular value squared; zero along combinations that slips do not determine.
     fn step(&self, damping: f64) -> DVector<f64> {
         let most = self.values.iter().copied().fold(0.0, f64::max);
         let mut step = DVector::zeros(self.directions.nrows());
@@ -215,7 +214,7 @@ impl Steps {
         step
     }
 
-    /// The decrease of the quadratic model of the loss by a step.
+    /// How much the linearised problem promises that a step decreases the loss.
     fn promise(&self, step: &DVector<f64>) -> f64 {
         let part = |(k, value): (usize, &f64)| {
             let component = value * self.directions.column(k).dot(&step.column(0));
@@ -225,7 +224,8 @@ impl Steps {
     }
 }
 
-/// Singular values of the weighted rows, the right singular vectors as columns, and the weighted residuals along the left ones; as many as unknowns.
+/// Of the matrix of weighted derivatives, the singular values, the right singular vectors as columns, and the components of the weighted residuals
+/// along the left singular vectors. There are as many of each as unknowns.
 pub(super) fn singular(
     jacobian: &DMatrix<f64>,
     residuals: &[f64],

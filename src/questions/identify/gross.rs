@@ -16,7 +16,7 @@ use crate::load_path::{Leg, PathEnd};
 use crate::numerics::mapped;
 use crate::prelude::*;
 
-/// The load factor or angle at gross slip.
+/// The load factor or angle at which the model predicts gross slip.
 pub(super) fn predicted(target: &SlipToPredict<'_>) -> Result<Result<Predicted, NoSlip>, Error> {
     let (start, leg, most) = match target.slip.growing_load() {
         Grown::Load(load) => {

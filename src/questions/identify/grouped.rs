@@ -1,14 +1,15 @@
 //! Errors of estimates whose slips share errors in groups, by a sandwich estimator.
 //!
-//! Rows are divided by their standard deviations and written in a basis of the logarithms with `Σ U_g'U_g = 1`. Let e be the residuals and
-//! `Q_g = U_g'U_g`. A group contributes `w_g` to the solution, corrected since the solution has already followed the group's residuals:
+//! The rows U_g are the derivatives of the slips of group g, divided by their standard deviations, in a basis of the logarithms of the unknowns with
+//! `Σ U_g'U_g = 1`. Let e be the residuals and `Q_g = U_g'U_g`. A group contributes `w_g` to the solution. The power of `1 - Q_g` corrects for the
+//! pull of the group's own residuals on the solution:
 //!
 //! ```text
 //! w_g = (1 - Q_g)^(-1/2) U_g'e_g
 //! ```
 //!
-//! the correction CR2 of Bell and McCaffrey, in the few unknowns instead of the many slips: `U'(1 - UU')^(-1/2) = (1 - U'U)^(-1/2) U'`. The variance
-//! of an unknown, c in this basis, is `Σ (c'w_g)²`. For independent rows, `c'w_g` would have the covariances
+//! This is the correction CR2 of Bell and McCaffrey, in the few unknowns instead of the many slips: `U'(1 - UU')^(-1/2) = (1 - U'U)^(-1/2) U'`. The
+//! variance of an unknown, c in this basis, is `Σ (c'w_g)²`. For independent rows, `c'w_g` would have the covariances
 //! `Ω_gh = δ_gh a_g'Q_g a_g - (Q_g a_g)'(Q_h a_h)`, `a_g = (1 - Q_g)^(-1/2) c`. The degrees of freedom are Satterthwaite's, `(tr Ω)² / tr Ω²`.
 
 use nalgebra::{DMatrix, DVector};
@@ -17,18 +18,18 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{IntoList, mapped, paired, summed, symmetric_eigen};
 use crate::prelude::*;
 
-/// Information and influence of each group.
+/// The groups of slips, with what each contributes to the solution and to its error.
 pub(super) struct Grouped {
     groups: Vec<Group>,
-    /// Information of the known sums, each with its own scatter.
+    /// Information matrix of the known sums, which belong to no group.
     known: DMatrix<f64>,
 }
 
 /// One group of slips.
 struct Group {
-    /// The information of the group, Q.
+    /// The information matrix of the group, Q.
     tells: DMatrix<f64>,
-    /// The correction for its own influence on the solution, (1 - Q)^(-1/2).
+    /// The matrix (1 - Q)^(-1/2), which corrects for the influence of the group's own residuals on the solution.
     made_up: DMatrix<f64>,
     /// The contribution of the group to the solution, w.
     moves: DVector<f64>,
@@ -43,8 +44,8 @@ pub(super) struct GroupedError {
 }
 
 impl Grouped {
-    /// Computes the contribution of each group from the rows in the basis and their residuals. The rows are the slips, one for each entry of
-    /// `groups`, then the known sums.
+    /// Computes the contribution of each group from the derivatives of slips and known sums (`rows`, in the basis of the formulas above) and their
+    /// residuals. Rows of slips come first, one for each entry of `groups`.
     pub(super) fn of(rows: &DMatrix<f64>, residuals: &[f64], groups: &[usize]) -> Self {
         let mut names = groups.to_vec();
         names.sort_unstable();
@@ -70,13 +71,13 @@ impl Grouped {
         Self { groups: mapped(&members, &group), known: square(&known) }
     }
 
-    /// The error of an unknown with these components in the basis. `None` if one group determines it alone.
+    /// The error of an unknown, given by its components in the basis. `None` if one group alone determines it.
     pub(super) fn of_unknown(&self, unknown: &DVector<f64>) -> Option<GroupedError> {
         let sure = unknown.dot(&(&self.known * unknown));
         let variance = sure + summed(&self.groups, &|group| group.moves.dot(unknown).powi(2));
         let made_up: Vec<_> = mapped(&self.groups, &|group| &group.made_up * unknown);
         let sums: Vec<_> = paired(&self.groups, &made_up, &|(group, a)| &group.tells * a);
-        // Covariances of the groups' contributions, for independent rows.
+        // Covariances of the groups' contributions to the unknown if all rows were independent.
         let covariance = |g: usize, h: usize| {
             let own = if g == h { made_up[g].dot(&sums[g]) } else { 0.0 };
             own - sums[g].dot(&sums[h])
@@ -88,13 +89,13 @@ impl Grouped {
                 squares += covariance(g, h).powi(2);
             }
         }
-        // An unknown has no error if more than 1 % of its variance lies in directions that one group alone determines.
+        // Directions that one group alone determines have no known error. If they have more than 1 % of the variance, the unknown has none either.
         let is_seen = expected >= (1.0 - 1e-2) * unknown.norm_squared();
         is_seen.then(|| GroupedError { variance, degrees: expected * expected / squares })
     }
 }
 
-/// (1 - Q)^(-1/2), zero along directions that this group alone determines.
+/// (1 - Q)^(-1/2), with zero instead of infinity along directions that this group alone determines.
 fn inverse_root_of_rest(tells: &DMatrix<f64>) -> DMatrix<f64> {
     let (values, vectors) = symmetric_eigen(tells);
     let root = |part: &f64| {
@@ -109,7 +110,7 @@ fn inverse_root_of_rest(tells: &DMatrix<f64>) -> DMatrix<f64> {
 mod tests {
     use super::*;
 
-    /// Rows in a basis with `Σ U'U = 1`.
+    /// The same rows in a basis of the unknowns with `Σ U'U = 1`: its columns are orthonormal.
     fn in_directions(rows: &DMatrix<f64>) -> DMatrix<f64> {
         rows.clone().qr().q()
     }
@@ -131,8 +132,8 @@ mod tests {
         assert!((found.degrees - 3.0).abs() < 1e-12, "{}", found.degrees);
     }
 
-    /// A straight line through three uneven groups, compared with the definition by matrices of all slips: `V = B X_g'A_g e e'A_g X_g B`,
-    /// `A_g = (1 - H)_gg^(-1/2)`, and Satterthwaite's degrees from the whole of `(1 - H)`.
+    /// A straight line through three uneven groups. The result is compared with the definition by matrices of the size of all slips:
+    /// `V = B X_g'A_g e e'A_g X_g B`, `A_g = (1 - H)_gg^(-1/2)`, with Satterthwaite's degrees of freedom from the whole of `(1 - H)`.
     #[test]
     fn a_line_by_its_definition() {
         let groups = [0, 0, 0, 1, 1, 2, 2, 2, 2];

@@ -22,19 +22,19 @@ use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{Singular, largest, mapped, matrix_of, summed};
 use crate::prelude::*;
 
-/// The motion at gross slip. Moments are divided by one length, and rotations multiplied by it.
+/// The state at gross slip, as a root of the equations above. Moments are divided by one length and rotations multiplied by it.
 pub(super) struct GrossSlip<'a, 's> {
     target: &'a SlipToPredict<'s>,
     /// The length for moments and rotations, m: the distance of the farthest contact from the origin.
     length: f64,
-    /// The load factor, or the angle.
+    /// The load factor at gross slip; of a turning load, the angle.
     at: f64,
     motion: DVector<f64>,
     pressing: Vec<Pressing>,
 }
 
 impl<'a, 's> GrossSlip<'a, 's> {
-    /// From the end of a load path. `None` if a contact opens as the object leaves, or if these equations do not hold.
+    /// The root near the end of a load path. `None` if a contact opens as the object leaves, or if these equations do not describe the grasp.
     pub(super) fn from_end(
         target: &'a SlipToPredict<'s>,
         at: f64,
@@ -63,12 +63,12 @@ impl<'a, 's> GrossSlip<'a, 's> {
         Self { target, length, at, motion, pressing }.at_root()
     }
 
-    /// Newton's method from this point. `None` unless it converges to a root close to its start.
+    /// Solves the equations by Newton's method. `None` unless it converges to a root close to its start.
     fn at_root(mut self) -> Option<Self> {
         let began_at = self.at;
         let (_, free) = spaces(&self.fixed_directions(), self.motion.len());
         self.motion = (&free * free.tr_mul(&self.motion)).try_normalize(0.0)?;
-        // Newton's method starts near the root and converges quadratically.
+        // The start is near the root and convergence is quadratic, so that five steps are enough.
         for _ in 0..5 {
             if self.is_root() {
                 break;
@@ -89,7 +89,7 @@ impl<'a, 's> GrossSlip<'a, 's> {
         self.residual().norm() <= SOLVED_ROUNDING * forces
     }
 
-    /// Directions along which the object does not move as it leaves.
+    /// Directions in which the object cannot move as it leaves: along the normals of pressing contacts, and along the tangents of those that stick.
     fn fixed_directions(&self) -> Vec<DVector<f64>> {
         let mut fixed_directions = Vec::new();
         for contact in &self.pressing {
@@ -107,7 +107,7 @@ impl<'a, 's> GrossSlip<'a, 's> {
         self.pressing.iter_mut().filter(|contact| contact.sticks)
     }
 
-    /// The residual of equilibrium.
+    /// The sum of all wrenches on the object, which is zero in equilibrium.
     fn residual(&self) -> DVector<f64> {
         let mut sum = self.one_length(&self.target.load_at(self.at));
         for contact in &self.pressing {
@@ -124,7 +124,7 @@ impl<'a, 's> GrossSlip<'a, 's> {
         at_length(space, &load.coordinates(space), self.length.recip())
     }
 
-    /// Changes all unknowns by a step.
+    /// Adds a Newton step to the unknowns of the equations.
     fn take_step(&mut self, equations: &Equations, step: &DVector<f64>) {
         let (springs, turns) = (equations.springs.ncols(), equations.turns.ncols());
         let y = &equations.springs * step.rows(0, springs).into_owned();
@@ -142,7 +142,8 @@ impl<'a, 's> GrossSlip<'a, 's> {
         self.at += step[step.len() - 1];
     }
 
-    /// Derivatives of the logarithm of the factor or angle by the logarithms of the unknowns. `None` at a kink.
+    /// Derivatives of the logarithm of the load factor (or angle) at gross slip by the logarithms of the unknowns. `None` at a kink, where the
+    /// equations have no solution for some unknown.
     pub(super) fn derivatives(&self) -> Option<Vec<f64>> {
         let equations = Equations::of(self)?;
         self.target.by_unknowns(&|kind, unknown, value| {
@@ -153,7 +154,7 @@ impl<'a, 's> GrossSlip<'a, 's> {
         })
     }
 
-    /// The derivative of the residual by the logarithm of an unknown.
+    /// The derivative of [`Self::residual`] by the logarithm of an unknown.
     fn change(&self, kind: UnknownKind, unknown: usize, value: f64) -> DVector<f64> {
         let mut sum = DVector::zeros(self.motion.len());
         let contacts = self.target.grasp.contacts();
@@ -177,19 +178,20 @@ impl<'a, 's> GrossSlip<'a, 's> {
     }
 }
 
-/// The linearised equations in the changes of y, of the motion, of the forces of sticking contacts, and of the load.
+/// The linearised equations of equilibrium. Their unknowns are changes of the displacement y, of the motion, of the forces of sticking contacts, and
+/// of the load.
 struct Equations {
-    /// Orthonormal bases: `springs` of the displacements that change normal forces, `turns` of the changes of the motion.
+    /// Orthonormal bases: `springs` of the displacements y that change normal forces, `turns` of the possible changes of the motion's direction.
     springs: DMatrix<f64>,
     turns: DMatrix<f64>,
-    /// The matrix with columns of length one, the scale of each column, and the singular values.
+    /// The matrix with columns scaled to length one, those scales, and its singular value decomposition.
     matrix: DMatrix<f64>,
     scales: DVector<f64>,
     parts: Singular,
 }
 
 impl Equations {
-    /// `None` if the equations do not determine the load.
+    /// Linearises the equations at this state. `None` if they do not determine the load.
     fn of(leaving: &GrossSlip<'_, '_>) -> Option<Self> {
         let (size, motion, pressing) = (leaving.motion.len(), &leaving.motion, &leaving.pressing);
         let normals: Vec<_> = mapped(pressing, &|contact| contact.normal.clone());
@@ -229,7 +231,7 @@ impl Equations {
             *column *= *scale;
         }
         let matrix = DMatrix::from_columns(&columns);
-        // Nothing solves a matrix with infinite entries.
+        // Extreme data may overflow; a matrix with infinite entries has no decomposition.
         if !matrix.iter().all(|x| x.is_finite()) {
             return None;
         }
@@ -239,12 +241,12 @@ impl Equations {
         ((component - 1.0).abs() <= INDISTINCT).then_some(Self { springs, turns, matrix, scales, parts })
     }
 
-    /// The least-squares solution of least norm, for the scaled columns.
+    /// The step for this right side: among least-squares solutions the one of least norm in units of the scaled columns.
     fn solved(&self, change: &DVector<f64>) -> DVector<f64> {
         self.parts.solve(change, NEGLIGIBLE).component_mul(&self.scales)
     }
 
-    /// A step in units of the scaled columns.
+    /// Converts a step to units of the scaled columns.
     fn scaled(&self, step: &DVector<f64>) -> DVector<f64> {
         step.zip_map(&self.scales, |x, scale| if scale > 0.0 { x / scale } else { 0.0 })
     }

@@ -13,22 +13,22 @@ use crate::numerics::{IntoList, chosen, mapped, summed};
 use crate::prelude::*;
 use crate::sweep::map_in_order;
 
-/// Step of a central difference in the logarithm: truncation and rounding both give relative errors of some 1e-8.
+/// Step of a central difference in the logarithm of an unknown. Truncation and rounding then both cause relative errors of some 1e-8.
 const LOGARITHM_STEP: f64 = 1e-4;
 
-/// The question with all its grasps.
+/// The question, with the grasp of each layout.
 pub(super) struct Model<'a> {
     pub(super) layouts: &'a [Grasp<3>],
     pub(super) asked: &'a Identify<3>,
 }
 
-/// A grasp with values of the unknowns, and the load that they add.
+/// The grasp of a layout with trial values of the unknowns, and the constant load that unknown carried forces add.
 pub(super) struct LayoutGuess {
     pub(super) grasp: Grasp<3>,
     pub(super) base: Wrench<3>,
 }
 
-/// The reason why a slip is not predicted.
+/// The reason why the model does not predict a slip.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum NoSlip {
     /// The object holds however far the load goes: friction, or the squeeze, is too large for a loss.
@@ -53,19 +53,19 @@ pub(super) struct Predicted {
     pub(super) exact: Option<Vec<f64>>,
 }
 
-/// All residuals and derivatives at one point.
+/// The residuals of all observations and their derivatives, at one point of the logarithms of the unknowns.
 #[derive(Clone)]
 pub(super) struct Linear {
-    /// Logarithm of the observed over the predicted value: slips, and behind them known sums.
+    /// Logarithm of the observed over the predicted value, for each slip and then for each known sum.
     pub(super) residuals: Vec<f64>,
-    /// Derivatives of the logarithm of the predicted value, one row for each residual.
+    /// Derivatives of the logarithm of the predicted value by the logarithms of the unknowns, one row for each residual.
     pub(super) jacobian: DMatrix<f64>,
-    /// Number of slips whose derivatives are differences.
+    /// Number of slips whose derivatives are difference quotients.
     pub(super) by_differences: usize,
 }
 
 impl Model<'_> {
-    /// The grasps for these logarithms of the unknowns.
+    /// The grasps of all layouts for these logarithms of the unknowns.
     pub(super) fn at(&self, logs: &[f64]) -> Result<Vec<LayoutGuess>, Error> {
         let mut guesses = Vec::with_capacity(self.layouts.len());
         for (layout, grasp) in self.layouts.iter().enumerate() {
@@ -89,7 +89,7 @@ impl Model<'_> {
         Ok(guesses)
     }
 
-    /// The residuals alone. The inner error is the first slip that is not predicted, and the reason.
+    /// The residuals alone. The inner error is the first slip that the model does not predict, and the reason.
     pub(super) fn residuals(&self, logs: &[f64]) -> Result<Result<Vec<f64>, (usize, NoSlip)>, Error> {
         Ok(self.predicted(logs, false)?.map(|all| self.log_residuals(logs, &all)))
     }
@@ -126,7 +126,8 @@ impl Model<'_> {
         Ok(Ok(Linear { residuals: self.log_residuals(logs, &all), jacobian, by_differences: unknown.len() }))
     }
 
-    /// Derivatives of some slips by one unknown, as central differences of exact answers, or one-sided where an answer is missing.
+    /// Derivatives of some slips by one unknown, as central differences of exact predictions. They are one-sided where the model predicts no slip on
+    /// one side.
     fn differences(
         &self,
         logs: &[f64],
@@ -158,7 +159,7 @@ impl Model<'_> {
         Ok(up.into_iter().zip(down).zip(those).map(difference).list())
     }
 
-    /// Logarithms of the observed over the predicted values.
+    /// Logarithm of the observed over the predicted value, for each slip and then for each known sum.
     fn log_residuals(&self, logs: &[f64], all: &[Predicted]) -> Vec<f64> {
         let slips = self
             .asked
@@ -191,7 +192,7 @@ impl Model<'_> {
         Ok(Ok(all))
     }
 
-    /// Predictions of these slips; slips that were seen several times are predicted once.
+    /// Predictions of these slips, in parallel; slips that were observed several times are predicted once.
     fn slips(
         &self,
         those: &[usize],
@@ -246,7 +247,7 @@ impl Model<'_> {
     }
 }
 
-/// A slip to predict.
+/// One slip to predict, with the grasp at trial values of the unknowns.
 pub(super) struct SlipToPredict<'a> {
     pub(super) grasp: &'a Grasp<3>,
     /// The loads that act before the slip's own load.
@@ -254,12 +255,12 @@ pub(super) struct SlipToPredict<'a> {
     pub(super) slip: &'a Slip<3>,
     pub(super) asked: &'a Identify<3>,
     pub(super) logs: &'a [f64],
-    /// Whether derivatives are needed.
+    /// Whether the prediction shall include its derivatives.
     pub(super) derivatives: bool,
 }
 
 impl SlipToPredict<'_> {
-    /// The total load at a factor, or an angle.
+    /// The total load at this load factor; of a turning load, at this angle.
     pub(super) fn load_at(&self, at: f64) -> Wrench<3> {
         match self.slip.growing_load() {
             Grown::Load(load) => self.base + load * at,
@@ -278,13 +279,14 @@ impl SlipToPredict<'_> {
         }
     }
 
-    /// The contacts of an unknown.
+    /// The contacts to which an unknown belongs, in the layout of this slip.
     pub(super) fn contacts_of(&self, unknown: usize) -> impl Iterator<Item = usize> {
         let (unknown, layout) = (&self.asked.unknowns[unknown], self.slip.layout());
         (0..self.grasp.len()).filter(move |i| unknown.is_of(layout, *i))
     }
 
-    /// Derivatives by the logarithm of each unknown, from `by` for its kind; zero for unknowns of other layouts.
+    /// Collects derivatives by the logarithm of each unknown: `by` computes one from kind, index and value of the unknown. Unknowns of other layouts
+    /// get zero. `None` if one derivative is not known.
     pub(super) fn by_unknowns(
         &self,
         by: &dyn Fn(UnknownKind, usize, f64) -> Option<f64>,
@@ -302,7 +304,7 @@ impl SlipToPredict<'_> {
         Some(all)
     }
 
-    /// Whether the squeeze consists only of commands of contacts, for which derivatives are exact.
+    /// Whether only commands of contacts make the squeeze, not forces, joints or a vacuum. Exact derivatives are known for commands alone.
     pub(super) fn is_pressed_by_commands(&self) -> bool {
         let grasp = self.grasp;
         grasp.joint_commands().is_empty()

@@ -8,10 +8,10 @@ use crate::grasp::{Contact, Hold, Space, Wrench};
 use crate::numerics::{IntoList, Vector, largest, vector_of};
 use crate::prelude::*;
 
-/// A contact that presses while the object leaves.
+/// A contact that presses on the object while it leaves.
 pub(super) struct Pressing {
     pub(super) contact: usize,
-    /// The wrenches of one newton along the normal and along each tangent.
+    /// The wrenches of 1 N along the normal and along each tangent.
     pub(super) normal: DVector<f64>,
     pub(super) tangents: DMatrix<f64>,
     /// Stiffness of the normal spring, N/m.
@@ -21,7 +21,7 @@ pub(super) struct Pressing {
     /// Tangential force, N, if the contact sticks.
     pub(super) held: DVector<f64>,
     pub(super) sticks: bool,
-    /// Whether the contact cannot open, so that its normal force may pull.
+    /// Whether its normal force may pull, as of a contact that cannot open.
     pub(super) may_pull: bool,
 }
 
@@ -34,17 +34,17 @@ impl Pressing {
         self.tangents.tr_mul(motion)
     }
 
-    /// The wrench of one newton of normal force; of a sliding contact together with its friction.
+    /// The wrench for 1 N of normal force; of a sliding contact it includes friction.
     pub(super) fn by_newton(&self, motion: &DVector<f64>) -> DVector<f64> {
         if self.slides() { &self.normal + self.friction_wrench(motion) } else { self.normal.clone() }
     }
 
-    /// The wrench of the friction of one newton of normal force.
+    /// The wrench of the friction that belongs to 1 N of normal force, against the sliding velocity of this motion of the object.
     pub(super) fn friction_wrench(&self, motion: &DVector<f64>) -> DVector<f64> {
         &self.tangents * self.velocity(motion).normalize() * -self.friction
     }
 
-    /// The change of a sliding contact's friction as the motion changes by `by`.
+    /// The derivative of a sliding contact's friction wrench: the friction turns as the motion of the object changes by `by`.
     pub(super) fn turning(&self, motion: &DVector<f64>, by: &DVector<f64>) -> DVector<f64> {
         let (v, change) = (self.velocity(motion), self.velocity(by));
         let aside = &change - &v * (v.dot(&change) / v.norm_squared());
@@ -52,7 +52,7 @@ impl Pressing {
     }
 }
 
-/// The contacts that press with the given forces.
+/// The contacts that press under these forces, or that may pull.
 pub(super) fn pressing(target: &SlipToPredict<'_>, forces: &[SVector<f64, 3>], length: f64) -> Vec<Pressing> {
     let (space, contacts) = (target.grasp.engine.space(), target.grasp.contacts());
     let largest = largest(forces, &|force| force[0].abs());
@@ -79,7 +79,7 @@ pub(super) fn pressing(target: &SlipToPredict<'_>, forces: &[SVector<f64, 3>], l
     all.filter(|(i, (data, _))| may_pull(data) || forces[*i][0] > INDISTINCT * largest).map(of).list()
 }
 
-/// Components with moments or rotations multiplied by a factor.
+/// The coordinates of a load or motion of the object, with the angular ones multiplied by a factor.
 pub(super) fn at_length(space: Space, coordinates: &Vector, factor: f64) -> DVector<f64> {
     let scaled = |k: usize, x: f64| if k < space.axes() { x } else { x * factor };
     vector_of(space.of_the_object(), &|k| scaled(k, coordinates[k]))

@@ -57,7 +57,7 @@ pub struct Identify<const C: usize> {
     pub(super) others: Others<C>,
 }
 
-/// Grasps of other layouts. Two lists are equal if the contacts are.
+/// The grasps of other layouts. Two lists count as equal if all their contacts are.
 #[derive(Debug, Clone)]
 pub(super) struct Others<const C: usize> {
     pub(super) grasps: Vec<Grasp<C>>,
@@ -153,7 +153,7 @@ impl<const C: usize> Identify<C> {
         inside(self).fitted_grasp(&inside(grasp), found).map(outside)
     }
 
-    /// Whether forces that contacts carry at rest are unknown, so that a scene need not state what presses.
+    /// Whether forces that contacts carry at rest are sought. The question then need not say what presses at rest.
     #[cfg(feature = "serde")]
     pub(crate) fn seeks_carried(&self) -> bool {
         self.unknowns.iter().any(|unknown| unknown.kind == UnknownKind::Carried)
@@ -161,7 +161,7 @@ impl<const C: usize> Identify<C> {
 }
 
 impl Identify<3> {
-    /// Implements [`Self::grasp_with`] in the engine, with three components.
+    /// As [`Self::grasp_with`], in the engine's three components.
     fn fitted_grasp(&self, grasp: &Grasp<3>, found: &Identified) -> Result<Grasp<3>, Error> {
         let layouts = self.layouts(grasp)?;
         let asked = &self.of_points(&layouts)?;
@@ -170,7 +170,7 @@ impl Identify<3> {
         Ok(model.at(&logs)?.swap_remove(0).grasp)
     }
 
-    /// The answer inside the engine.
+    /// Answers the question in the engine's three components.
     fn answered_by(&self, grasp: &Grasp<3>) -> Result<Identified, Error> {
         let layouts = self.layouts(grasp)?;
         let asked = &self.of_points(&layouts)?.with_weights_at_rest(&layouts);
@@ -178,7 +178,8 @@ impl Identify<3> {
         assigned(&model, fitted(&model)?)
     }
 
-    /// The question with [weights at rest](Slip::with_weight_at_rest) in slips whose own load presses, unless carried forces are sought.
+    /// The question as it is answered. In a slip whose own load presses, the pressing part [acts at rest](Slip::with_weight_at_rest), unless carried
+    /// forces are sought.
     fn with_weights_at_rest(&self, layouts: &[Grasp<3>]) -> Self {
         let mut asked = self.clone();
         let is_carried =
@@ -191,18 +192,18 @@ impl Identify<3> {
         asked
     }
 
-    /// The number of standard deviations beyond which slips count less. One in twenty normally distributed residuals is beyond two of them, and
-    /// estimates scatter by 1 % more than those of least squares.
+    /// The number of standard deviations beyond which slips count less. For the default of two, one in twenty normally distributed residuals is
+    /// beyond, and the standard errors are 1 % larger than those of least squares.
     pub(super) fn outliers(&self) -> f64 {
         self.outliers.unwrap_or(2.0)
     }
 
-    /// The limit of steps. A longer search creeps along combinations that slips hardly determine.
+    /// The limit of steps. The default of 100 is enough; a longer search would creep along combinations that the slips hardly determine.
     pub(super) fn iterations(&self) -> usize {
         self.iterations.unwrap_or(100)
     }
 
-    /// The grasp that is asked, with its contacts at other points, and further grasps.
+    /// The grasps of all layouts: the grasp that is asked, the same with its contacts at other points, then the grasps of [`Self::and_layouts`].
     fn layouts(&self, grasp: &Grasp<3>) -> Result<Vec<Grasp<3>>, Error> {
         let mut all = vec![grasp.clone()];
         for points in &self.layouts {
@@ -212,7 +213,7 @@ impl Identify<3> {
         Ok(all)
     }
 
-    /// The checked question with the points of soft fingertips in place of contacts.
+    /// The checked question with each whole contact replaced by its points, as the engine counts a soft fingertip.
     fn of_points(&self, layouts: &[Grasp<3>]) -> Result<Self, Error> {
         self.check_numbers(layouts[0].engine.space(), layouts.len())?;
         let mut asked = self.clone();
@@ -245,8 +246,7 @@ impl Grasp<3> {
             if part.label.link.is_none() {
                 let point = points.get(count).copied().unwrap_or(middle);
                 for contact in &mut contacts[part.range.clone()] {
-                    // For a contact of a single point the difference in brackets is zero. It is formed first, so that no digit of the new point is
-                    // lost.
+                    // For a contact of a single point the bracket is exactly zero, so that the contact gets the new point without rounding.
                     contact.point = point + (contact.point - middle);
                 }
                 count += 1;
@@ -259,7 +259,7 @@ impl Grasp<3> {
     }
 }
 
-/// The error of a question with `layouts` about a grasp with joints or several bodies, whose contacts cannot be moved one by one.
+/// The error of a question with layouts of other points about a grasp with joints or several bodies: their contacts cannot be moved one by one.
 pub(crate) const LAYOUTS_OF_HANDS: Error = Error::Question {
     question: "identify",
     field: "layouts",

@@ -1,28 +1,28 @@
-//! Huber's loss: half the square of a residual up to some standard deviations, and linear beyond.
+//! Huber's loss: quadratic in small residuals and linear in large ones, so that a few wrong observations matter little.
 
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{normal_density, normal_tail, summed};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Huber's loss, by the residual at which it becomes linear, in standard deviations.
+/// Huber's loss. The number is the residual, in standard deviations, at which it becomes linear; infinity gives least squares.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Huber(pub(super) f64);
 
 impl Huber {
-    /// The loss of a residual in standard deviations; half its square below the transition.
+    /// The loss of a residual that is in standard deviations.
     pub(super) fn loss(self, u: f64) -> f64 {
         let size = u.abs();
         if size <= self.0 { 0.5 * u * u } else { self.0 * (size - 0.5 * self.0) }
     }
 
-    /// The weight of a residual, relative to least squares.
+    /// The weight of a residual: 1 where the loss is quadratic, less beyond.
     pub(super) fn weight(self, u: f64) -> f64 {
         let size = u.abs();
         if size <= self.0 { 1.0 } else { self.0 / size }
     }
 
-    /// The mean square of normally distributed residuals after limiting; 1 for least squares.
+    /// The mean square of normally distributed residuals that are clamped where the loss becomes linear; 1 for least squares.
     pub(super) fn mean_square(self) -> f64 {
         if self.0.is_infinite() {
             return 1.0;
@@ -31,17 +31,18 @@ impl Huber {
         1.0 - 2.0 * tail - 2.0 * self.0 * normal_density(self.0) + 2.0 * self.0 * self.0 * tail
     }
 
-    /// The sum of squares of limited residuals.
+    /// The sum of squares of residuals that are clamped where the loss becomes linear.
     pub(super) fn squares(self, residuals: impl Iterator<Item = f64>) -> f64 {
         residuals.map(|u| self.pull(u).powi(2)).sum()
     }
 
-    /// The scatter of residuals with this number of degrees of freedom: Huber's second proposal; without a transition that of least squares.
+    /// The standard deviation of residuals with this number of degrees of freedom, by Huber's second proposal. Without a linear part it is that of
+    /// least squares.
     pub(super) fn scale(self, residuals: &[f64], degrees: usize) -> f64 {
         let all = summed(residuals, &|r| r * r);
         let expected = degrees.max(1) as f64 * self.mean_square();
         let mut scale = (all / degrees.max(1) as f64).sqrt().max(SOLVED_ROUNDING);
-        // Sixty iterations give the scale to all digits that matter.
+        // Sixty rounds of this fixed-point iteration give the scatter more digits than it needs.
         for _ in 0..60 {
             let squares = self.squares(residuals.iter().map(|r| r / scale));
             scale = (scale * (squares / expected).sqrt()).max(SOLVED_ROUNDING);
@@ -49,13 +50,13 @@ impl Huber {
         scale
     }
 
-    /// The derivative of the loss: the residual, limited at the transition.
+    /// The derivative of the loss: the residual, clamped where the loss becomes linear.
     pub(super) fn pull(self, u: f64) -> f64 {
         u.clamp(-self.0, self.0)
     }
 
-    /// The mean derivative of limited residuals, for `all` residuals, `inside` of them below the transition, and this number of unknowns (Huber and
-    /// Ronchetti, Robust Statistics, 2009, 7.6).
+    /// The mean derivative of the clamped residuals, with a correction for the number of unknowns. `inside` of `all` residuals are not clamped (Huber
+    /// and Ronchetti, Robust Statistics, 2009, 7.6).
     pub(super) fn slope(all: usize, inside: usize, unknowns: usize) -> f64 {
         let part = (inside as f64 / all as f64).max(0.5);
         part / (1.0 + unknowns as f64 / all as f64 * (1.0 - part) / part)

@@ -21,7 +21,7 @@ pub enum SlipKind {
     Gross,
 }
 
-/// The load or the turn that grew until the slip.
+/// What grew until the slip: a load, or the angle of a turning load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Grown {
     Load(Wrench<3>),
@@ -52,7 +52,7 @@ pub struct Slip<const C: usize> {
     /// A turn up to the angle at the slip, instead of a load.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) turn: Option<Turn<C>>,
-    /// The constant load beside it; zero if left out.
+    /// The constant load that acts before and beside the growing one; zero if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) base: Option<Wrench<C>>,
     /// Factor on the squeeze of the scene; 1 if left out.
@@ -137,7 +137,7 @@ impl<const C: usize> Slip<C> {
 }
 
 impl Slip<3> {
-    /// Whether both were seen under the same loads, so that their predictions are equal; scatter and group may differ.
+    /// Whether both slips were observed under the same loads, so that their predictions are equal; scatter and group may differ.
     pub(super) fn is_like(&self, other: &Self) -> bool {
         (self.load, self.kind, self.layout, self.squeeze)
             == (other.load, other.kind, other.layout, other.squeeze)
@@ -145,8 +145,8 @@ impl Slip<3> {
             && self.turn == other.turn
     }
 
-    /// This slip with the part of its load that presses on the contacts at rest, if nothing else presses. It is the part along the mean of the
-    /// contact normals, as a rule a weight. If both parts grew together, the object would slide at once, or never.
+    /// This slip with its load split in two if nothing but this load presses: the part along the mean of the contact normals, as a rule a weight,
+    /// acts at rest, and only the other part grows. If both parts grew together, the object would slide at once, or never.
     pub(super) fn with_weight_at_rest(mut self, grasp: &Grasp<3>) -> Self {
         let Grown::Load(load) = self.growing_load() else { return self };
         let is_plain = |contact: &Contact<3>| contact.hold == Hold::Unilateral;
@@ -162,14 +162,14 @@ impl Slip<3> {
         let force = load.force_part();
         let pressed = -along.dot(&force) / along.norm_squared();
         if pressed.is_nan()
-            // Unit normals with a shorter mean are opposed, as those of two jaws: no load presses on all
-            // contacts.
+            // If the mean of unit normals is shorter than this, contacts oppose each other, as two jaws do, and no load presses on all of them.
             || along.norm() <= 1e-6 * count
             || pressed * along.norm() <= NEGLIGIBLE * force.norm()
         {
             return self;
         }
-        // The moment about the centre of the contacts is shared like the forces: in the plane both parts then act on the line of the whole load.
+        // Both parts also share the moment about the centre of the contacts, in proportion. In the plane both forces then act along the line of the
+        // whole load.
         let weight = along * -pressed;
         let about = load - Wrench::force_through(&centre, &force);
         let share = weight.dot(&force) / force.norm_squared();
@@ -187,28 +187,28 @@ impl Slip<3> {
         self.turn.map_or_else(|| Grown::Load(self.load.unwrap_or(Wrench::ZERO)), Grown::Turn)
     }
 
-    /// The load that acted before.
+    /// The constant load that acted before the slip's own load.
     pub(super) fn base(&self) -> Wrench<3> {
         self.base.unwrap_or(Wrench::ZERO)
     }
 
-    /// The load before the slip's own load: the constant one, and that of a turn at its beginning.
+    /// The load at rest: the constant one, and that of a turning load at its beginning.
     #[cfg(feature = "serde")]
     pub(super) fn at_rest(&self) -> Wrench<3> {
         self.base() + self.turn.map_or(Wrench::ZERO, |turn| turn.load_at(0.0))
     }
 
-    /// The factor on the squeeze of the grasp.
+    /// The factor on the squeeze of the grasp during this slip.
     pub(super) fn squeeze(&self) -> f64 {
         self.squeeze.unwrap_or(1.0)
     }
 
-    /// The layout, 0 for the grasp that is asked.
+    /// The layout in which the slip was observed; 0 is the grasp that is asked.
     pub(super) fn layout(&self) -> usize {
         self.layout.unwrap_or(0)
     }
 
-    /// The observed value on the scale of the prediction: 1 for the load, or the angle in rad.
+    /// The observed value to compare with a predicted one: load factor 1, or the angle of a turning load in rad.
     pub(super) fn observed_at(&self) -> f64 {
         match self.growing_load() {
             Grown::Load(_) => 1.0,
@@ -216,7 +216,7 @@ impl Slip<3> {
         }
     }
 
-    /// Refuses values that cannot be observed.
+    /// Refuses values that no observation can have.
     pub(super) fn check(&self, number: usize, space: Space, layouts: usize) -> Result<(), Error> {
         let wrong = |field, value, allowed| {
             Err(Error::Identify { what: format!("slip {number}"), field, value, allowed })

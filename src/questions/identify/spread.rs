@@ -1,4 +1,4 @@
-//! Errors of the unknowns.
+//! Standard errors and confidence intervals of the unknowns.
 
 use nalgebra::DMatrix;
 
@@ -12,7 +12,7 @@ use super::tolerances::INDISTINCT;
 use crate::numerics::{IntoList, mapped, numbered, two_sided};
 use crate::prelude::*;
 
-/// The answer at the end of a search.
+/// Makes the answer from the fit at the end of a search.
 pub(super) fn identified(model: &Model<'_>, fit: &Fitted) -> Identified {
     let grasp = &model.layouts[0];
     let names: Vec<String> = mapped(&model.asked.unknowns, &|unknown| unknown.called(grasp));
@@ -21,7 +21,8 @@ pub(super) fn identified(model: &Model<'_>, fit: &Fitted) -> Identified {
         let (name, value) = (&names[j], fit.logs[j].exp());
         let known = spread.as_ref().and_then(|spread| spread.of_unknown(j));
         let (error, degrees) = known.unwrap_or((f64::INFINITY, None));
-        // Beyond this error the interval spans two powers of ten, over which the problem is not linear.
+        // The error is that of a logarithm. If it exceeds one, the interval spans two powers of ten, over which the problem is not linear, and no
+        // error is given.
         let is_known = error.is_finite() && error <= 1.0;
         // 0.95 is the probability that the interval contains the true value.
         let factor = (two_sided(0.95, degrees) * error).exp();
@@ -75,21 +76,21 @@ pub(super) fn identified(model: &Model<'_>, fit: &Fitted) -> Identified {
     }
 }
 
-/// Variances of logarithms at the solution.
+/// The errors at the solution, as variances and covariances of the logarithms of the unknowns.
 struct Spread {
-    /// Singular values, the largest first, and their directions as columns.
+    /// Singular values of the weighted derivatives, the largest first, and their right singular vectors as columns.
     values: Vec<f64>,
     directions: DMatrix<f64>,
     rank: usize,
     degrees: usize,
     scatter: Scatter,
-    /// Mean square of the residuals over the given scatter.
+    /// Mean square of the residuals divided by the given scatter; `None` if the scatter was not given.
     square: Option<f64>,
-    /// Contributions of groups of slips that share errors.
+    /// Contributions of groups to the solution, if slips share errors in groups.
     grouped: Option<Grouped>,
 }
 
-/// The groups of all slips, if every slip has one.
+/// The group of each slip, if every slip has one.
 fn groups(model: &Model<'_>) -> Option<Vec<usize>> {
     model.asked.slips.iter().map(|slip| slip.group).collect()
 }
@@ -107,7 +108,8 @@ impl Spread {
         let inside = scaled.iter().filter(|u| u.abs() <= huber.0).count();
         let slope = Huber::slope(slips, inside, unknowns);
         let groups = groups(model);
-        // With groups the scatter comes from the limited residuals themselves. Independent slips have the mean square of limited normal residuals.
+        // `counts` corrects the weight of slips for clamped residuals. For groups the clamped residuals measure the scatter themselves. For
+        // independent slips their mean square is that of clamped normal residuals.
         let counts = if groups.is_some() { slope.sqrt() } else { slope / huber.mean_square().sqrt() };
         let weights = numbered(rows, &|k| (if k < slips { counts } else { 1.0 }) / scatter.rows[k]);
         let (values, directions, _) = singular(&linear.jacobian, &linear.residuals, &weights);
@@ -126,7 +128,7 @@ impl Spread {
         spread
     }
 
-    /// A basis of the determined directions, as columns, whose lengths are the standard errors for independent slips.
+    /// A basis of the directions that the slips determine, as columns. Its lengths are the standard errors if slips are independent.
     fn scaled_directions(&self) -> DMatrix<f64> {
         let mut directions = self.directions.columns(0, self.rank).into_owned();
         for (mut column, value) in directions.column_iter_mut().zip(&self.values) {
@@ -144,8 +146,8 @@ impl Spread {
         self.free().row(unknown).iter().map(|x| x * x).sum::<f64>() <= INDISTINCT
     }
 
-    /// The standard error of a logarithm, and the degrees of freedom of Student's interval. `None` if the slips do not determine it,
-    /// or its error is unknown.
+    /// The standard error of the logarithm of an unknown, and the degrees of freedom of Student's interval. `None` if the slips do not determine the
+    /// unknown, or its error is not known.
     fn of_unknown(&self, unknown: usize) -> Option<(f64, Option<f64>)> {
         let degrees = self.scatter.estimated.is_some().then_some(self.degrees as f64);
         if !self.fixes(unknown) || degrees == Some(0.0) {
@@ -157,7 +159,7 @@ impl Spread {
         Some((error.variance.sqrt(), Some(error.degrees)))
     }
 
-    /// The root mean square of the residuals over the given scatter.
+    /// The root mean square of the residuals divided by the given scatter.
     fn misfit(&self) -> Option<f64> {
         self.square.map(f64::sqrt)
     }

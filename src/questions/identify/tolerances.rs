@@ -1,24 +1,25 @@
-//! The numbers below which a fit to slips takes a value for zero.
+//! Limits below which a fit to observed slips takes a value for zero.
 //!
-//! All of them are dimensionless: logarithms of unknowns, or fractions of the largest value of their kind.
+//! All of them are dimensionless: they apply to logarithms of unknowns, or to fractions of the largest value of a kind.
 
-/// Forces, velocities, singular values and shares of a direction below this fraction of the largest are zero.
+/// Forces, velocities, singular values and components of a direction below this fraction of the largest count as zero.
 ///
-/// Derivatives from differences are exact to about 1e-8. If smaller, combinations that no slip determines get values whose errors are due to rounding.
-/// If larger, combinations that slips determine weakly are left out.
+/// Derivatives from differences are exact to about 1e-8. If smaller, combinations that no slip determines get values whose errors are due to
+/// rounding. If larger, combinations that slips determine weakly are left out.
 pub(super) const INDISTINCT: f64 = 1e-6;
 
-/// Components of a free direction below this fraction of the largest are zero, so that the sentence names fewer unknowns.
+/// Components below this fraction of the largest count as zero in a combination that slips do not determine. The sentence then names fewer unknowns.
 ///
-/// If smaller, unknowns appear with powers due to rounding. If larger, unknowns that share the direction are not named.
+/// If smaller, unknowns appear with powers due to rounding. If larger, unknowns that belong to the combination are not named.
 pub(super) const NO_COMPONENT: f64 = 1e-4;
 
-/// A step with no logarithm above this is zero, and the search has converged.
+/// The search has converged once a step changes no logarithm of an unknown by more than this.
 ///
-/// If smaller, the search continues at the error of sliding arcs, 1e-9. If larger, digits of the unknowns are lost.
+/// If smaller, the search continues where predictions along sliding arcs are exact to 1e-9 only. If larger, digits of the unknowns are lost.
 pub(super) const CONVERGED_STEP: f64 = 1e-10;
 
-/// Relative decrease of the loss below which a step is too small: with n slips it is √n 1e-4 standard errors long.
+/// The search has converged once a step promises to decrease the loss by less than this fraction: with n slips such a step is √n 1e-4 standard errors
+/// long.
 ///
-/// Sliding arcs have errors of 1e-9, so that the last digits of the loss are not known. If larger, the search ends early.
+/// If smaller, errors of 1e-9 along sliding arcs decide the last steps. If larger, the search ends early.
 pub(super) const CONVERGED_GAIN: f64 = 1e-8;

@@ -117,7 +117,7 @@ impl Unknown {
         self
     }
 
-    /// This unknown in its layout, with indices of contact points in place of whole contacts.
+    /// This unknown in the engine's terms: each whole contact is replaced by the indices of its points.
     pub(super) fn of_points(&self, number: usize, layouts: &[Grasp<3>]) -> Result<Self, Error> {
         let mut points = self.clone();
         if let Some(contacts) = &self.contacts {
@@ -132,7 +132,7 @@ impl Unknown {
         Ok(points)
     }
 
-    /// Whether this point in this layout belongs to the unknown.
+    /// Whether this contact point of this layout has the unknown.
     pub(super) fn is_of(&self, layout: usize, contact: usize) -> bool {
         self.is_in(layout) && self.contacts.as_ref().is_none_or(|those| those.contains(&contact))
     }
@@ -175,14 +175,14 @@ impl Unknown {
                 meant.map(|(_, contact)| contact.friction_coefficient()).find(positive).unwrap_or(0.5)
             }
             UnknownKind::Carried => {
-                // One newton starts the search where no load is given.
+                // Without a given force the search starts at 1 N.
                 meant.map(|(_, contact)| pressed(contact)).find(positive).unwrap_or(1.0)
             }
             UnknownKind::Squeeze | UnknownKind::Stiffness => 1.0,
         }
     }
 
-    /// Sets the value in the contacts of a layout, and adds a carried force to the load at rest.
+    /// Puts a value of the unknown into the contacts of a layout. A carried force also adds to the load at rest.
     pub(super) fn put(&self, layout: usize, value: f64, contacts: &mut [Contact<3>], base: &mut Wrench<3>) {
         for (_, contact) in contacts.iter_mut().enumerate().filter(|(i, _)| self.is_of(layout, *i)) {
             match self.kind {
@@ -208,7 +208,7 @@ fn pressed(contact: &Contact<3>) -> f64 {
     contact.stiffness.series()[0] * (contact.command[0] - contact.clearance)
 }
 
-/// The load that presses the object onto a contact with this force.
+/// The load that presses the object onto a contact with this force: a force through its point, against its normal.
 pub(super) fn carried_by(contact: &Contact<3>, newtons: f64) -> Wrench<3> {
     Wrench::force_through(&contact.point, &(contact.normal.normalize() * -newtons))
 }

@@ -29,7 +29,7 @@ impl fmt::Display for Identified {
         if let Some(scatter) = self.scatter {
             write!(f, ", which scatter by {} %", Words::with_digits(2).number(100.0 * scatter))?;
         }
-        // A scatter beyond this multiple of the given one is worth a sentence.
+        // The sentence mentions residuals only if they are larger than the given scatter by more than this factor.
         if let Some(misfit) = self.misfit.filter(|misfit| *misfit > 1.5) {
             write!(
                 f,
@@ -78,12 +78,13 @@ impl fmt::Display for Identified {
 }
 
 impl Identified {
-    /// Whether assignments of slips to contacts that fit as well do not agree on an unknown.
+    /// Whether assignments of slips to unknowns that fit equally well disagree on this unknown.
     fn depends_on_assignment(&self, unknown: usize) -> bool {
         self.assignments.iter().any(|each| !is_alike(&self.assignments[0][unknown], &each[unknown]))
     }
 
-    /// "one of the two is 0.423 ± 0.004, which one is not fixed: friction of left or friction of right". If values differ, each has its name.
+    /// The clause about unknowns that may exchange places: "one of the two is 0.423 ± 0.004, which one is not fixed: friction of left or friction of
+    /// right". If their values differ, each alternative is named with its value.
     fn alternatives_text(&self, open: &[usize], words: Words) -> String {
         let names: Vec<_> = mapped(open, &|j| self.estimates[*j].name.clone());
         let fixed: Vec<Vec<&Estimate>> = mapped(&self.assignments, &|each| {
@@ -144,10 +145,10 @@ impl Estimate {
     }
 }
 
-/// A number to two digits of its error, with at most the digits of `words`.
+/// A number up to the second digit of its error, with at most the digits of `words`.
 fn to_error(x: f64, error: f64, words: Words) -> String {
     let decimals = 1.0 - error.log10().floor();
-    // If the error is smaller than the last of these digits, they suffice.
+    // Where the error is smaller than the last digit that `words` allows, no further digits are written.
     let most = words.digits() as f64 - 1.0 - x.abs().log10().floor();
     if !(0.0..=12.0).contains(&decimals) || decimals > most {
         return words.number(x);

@@ -17,15 +17,15 @@ pub struct Improved<const C: usize> {
     /// The meaning of `before` and `after`.
     #[cfg_attr(feature = "serde", serde(default))]
     pub goal: ImproveGoal,
-    /// Value of the given grasp: the least load factor of first slip, or the least reserve, N. `None` where a contact slides at rest or no
-    /// equilibrium at rest is found, and for a reserve where a contact slides under a load.
+    /// Value of the given grasp: the least load factor of first slip, or the least reserve, N. `None` where a contact slides at rest, no equilibrium
+    /// at rest is found, or, for a reserve, a contact slides under a load.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub before: Option<f64>,
-    /// Value of the best grasp found. `None` where no grasp was found that sticks at rest, and for a reserve under the loads. Infinite where no
+    /// Value of the best grasp found. `None` where no grasp was found that sticks at rest and, for a reserve, under the loads. Infinite where no
     /// contact slides however large the loads are.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub after: Option<f64>,
-    /// The size of the load, N, if it is a single force: a first slip times this size is a force.
+    /// The size of the load, N, if it is a single force. The load factor of first slip times this size is the force at first slip.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub force: Option<f64>,
     /// Places and commands of all contacts in the best grasp found.
@@ -39,7 +39,7 @@ pub struct Improved<const C: usize> {
     /// where no multipliers were found.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub residual: Option<f64>,
-    /// Number of starts from which the search ascended.
+    /// Number of starting grasps from which a search was made.
     pub starts: usize,
     /// Number of steps from all starts, including refused ones.
     pub steps: usize,

@@ -1,4 +1,4 @@
-//! Ascent from one start to a local optimum.
+//! Ascent from one starting grasp to a local optimum of places and squeezes.
 
 use nalgebra::DVector;
 
@@ -17,14 +17,14 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{least, mapped};
 use crate::prelude::*;
 
-/// A placing that sticks at rest, with its forces.
+/// A [`Placing`] with which all contacts stick at rest, and the forces that belong to it.
 #[derive(Debug)]
 pub(super) struct Design {
     pub(super) placing: Placing,
     pub(super) sticking: StickingForces,
     /// Value of the goal: the least load factor of first slip, or the least reserve, N.
     pub(super) value: f64,
-    /// Scale of values and gains: the first slip itself, or for a reserve the greatest force at rest, N.
+    /// Gains are relative to this scale: the load factor of first slip itself, or for a reserve the greatest force at rest, N.
     pub(super) scale: f64,
 }
 
@@ -32,9 +32,9 @@ pub(super) struct Design {
 pub(super) struct Ascent {
     pub(super) design: Design,
     pub(super) search: SearchEnd,
-    /// Steps so far, including those of earlier ascents.
+    /// Steps so far, including those of earlier ascents from the same starting grasp.
     pub(super) steps: usize,
-    /// The last step with its multipliers.
+    /// The last step; its multipliers tell what prevents a larger value.
     pub(super) last: Option<LastStep>,
 }
 
@@ -43,11 +43,11 @@ pub(super) struct LastStep {
     pub(super) step: TrialStep,
     pub(super) events: Vec<SlipEvent>,
     pub(super) bounds: Vec<Constraint>,
-    /// The contacts of the last bounds of the program, which are ends of surfaces; in the program they follow `bounds`.
+    /// For each end of a surface that bounds the step, the contact there. In the multipliers of the step these bounds follow those of `bounds`.
     pub(super) rooms: Vec<usize>,
 }
 
-/// The question of the search, its loads and the grasp.
+/// What all ascents of a search share: its variables, its loads and the given grasp.
 pub(super) struct Climb<'q> {
     pub(super) choice: &'q Choice<'q>,
     pub(super) loaded: &'q Loaded,
@@ -66,7 +66,8 @@ impl Climb<'_> {
         most
     }
 
-    /// A placing with its forces; all squeezes are reduced by a common factor if one exceeds its limit. `None` where it does not stick at rest.
+    /// The [`Design`] of a placing. If a contact presses too hard, all variable squeezes are reduced by a common factor. `None` where some contact
+    /// does not stick at rest.
     pub(super) fn evaluate(&self, mut placing: Placing) -> Result<Option<Design>, Error> {
         let (Loaded { base, loads, .. }, most) = (self.loaded, self.greatest_presses());
         let of = |placing: &Placing| StickingForces::of(self.choice, placing, base, loads);
@@ -105,7 +106,7 @@ impl Climb<'_> {
         Ok(design.flatten().map(|design| design.value).filter(|reserve| *reserve >= 0.0))
     }
 
-    /// A placing with its value; `None` where it does not stick at rest.
+    /// The [`Design`] of a placing with known forces; `None` where some contact does not stick at rest.
     fn evaluate_sticking(
         &self,
         placing: Placing,
@@ -132,10 +133,11 @@ impl Climb<'_> {
         Ok(Some(Design { placing, sticking, value, scale }))
     }
 
-    /// Ascent from a start within its parts of surfaces, after `steps` steps.
+    /// Ascent from `design` to a local optimum. Each contact stays on its part of its surface, such as one triangle of a mesh. `steps` counts earlier
+    /// steps.
     pub(super) fn ascend(&self, mut design: Design, mut steps: usize) -> Result<Ascent, Error> {
         let n = self.choice.variables.len();
-        // Half widths of the trust region, a box, in units of the variables.
+        // Half widths of the trust region (a box), relative to the unit of each variable: the grasp's size, or the greatest force.
         let [first_radius, largest_radius, least_radius] = [0.1, 1.0, 1e-11];
         let (mut radius, mut curvature) = (first_radius, Curvature::flat(n));
         let ended = |design, search, steps, last| Ok(Ascent { design, search, steps, last });
@@ -162,7 +164,8 @@ impl Climb<'_> {
                 let arrived =
                     step.residual <= ARRIVED_AT_TOP || step.gain <= ROUNDED_GAIN || radius < least_radius;
                 if arrived || steps >= self.choice.question.steps() {
-                    // Curvature learnt elsewhere may hide an ascent direction, so that it is reset before the ascent may end.
+                    // The learnt curvature may be wrong here and hide an ascent direction. Before the ascent ends without an optimum, it is reset and
+                    // steps are tried again.
                     if arrived && step.residual > OPTIMAL && curvature.0.amax() > 0.0 {
                         (curvature, radius) = (Curvature::flat(n), first_radius.min(radius * 1e3));
                         continue;
@@ -194,7 +197,7 @@ impl Climb<'_> {
         }
     }
 
-    /// The program of a step, and the contacts of its last bounds, which are ends of surfaces.
+    /// The program of a step, and the contact of each bound by the end of a surface; these bounds come last.
     fn program(
         &self,
         design: &Design,
@@ -238,7 +241,7 @@ impl Climb<'_> {
     }
 }
 
-/// The decrease of the gradient of the Lagrangian along a step: events and bounds, weighted by their multipliers.
+/// The decrease of the gradient of the Lagrangian along the last step, by the multipliers of that step. Of the constraints only force limits count.
 fn gradient_decrease(
     old: &LastStep,
     (events, bounds): (&[SlipEvent], &[Constraint]),
@@ -248,7 +251,7 @@ fn gradient_decrease(
     let step = &old.step;
     let mut decrease = DVector::zeros(step.d.len());
     for (event, share) in old.events.iter().zip(&step.events).filter(|(_, share)| **share > 0.0) {
-        // Of several events of one condition, the one with the nearest value is the same event after the step.
+        // A contact may have several events of one condition. The one whose value is nearest is taken for the same event after the step.
         let same = events.iter().filter(|other| other.condition == event.condition);
         let apart = |other: &&SlipEvent| (other.value - event.value).abs();
         if let Some(same) = same.min_by(|a, b| apart(a).total_cmp(&apart(b))) {

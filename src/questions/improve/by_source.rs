@@ -1,5 +1,5 @@
-//! Forces while every contact sticks, and their exact derivatives by places and squeezes. Sources of forces are the state at rest, the squeeze, and
-//! each load.
+//! Forces while every contact sticks, and their exact derivatives by places and squeezes. Forces are a sum over sources, which are kept apart: the
+//! load at rest with fixed commands, the variable squeeze, and each load.
 
 use nalgebra::SVector;
 
@@ -12,14 +12,14 @@ use crate::numerics::Vector;
 use crate::object::PieceState;
 use crate::prelude::*;
 
-/// Forces of all contacts in their frames, N, or their derivatives, for each source.
+/// For each source, the forces of all contacts in their frames, N, or derivatives of these forces.
 pub(super) type BySource = Vec<Vec<SVector<f64, 3>>>;
 
-/// The source of forces that do not depend on the squeeze.
+/// Index of the source of all that does not vary: the load at rest, and commands that are fixed.
 pub(super) const REST: usize = 0;
-/// The source of forces of the squeeze that may change.
+/// Index of the source of the normal commands that the search varies.
 pub(super) const SQUEEZE: usize = 1;
-/// The source of the first load; further loads follow.
+/// Index of the source of the first load; those of further loads follow.
 pub(super) const LOADS: usize = 2;
 
 /// The forces of a grasp whose contacts stick at any force.
@@ -30,7 +30,7 @@ pub(super) struct StickingForces {
 }
 
 impl StickingForces {
-    /// The forces of a placing of the grasp, under the load at rest and under each of `loads`; `None` where nothing resists one of them.
+    /// The forces of a placing: at rest, and by each of `loads` alone. `None` where nothing resists one of them.
     pub(super) fn of(
         choice: &Choice<'_>,
         placing: &Placing,
@@ -53,17 +53,17 @@ impl StickingForces {
         Ok(sources.map(|sources| Self { grasp, sources }))
     }
 
-    /// The response of the grasp in which every contact sticks.
+    /// The linear response of this grasp while every contact sticks.
     pub(super) fn response(&self) -> StickingResponse<'_> {
         StickingResponse::new(&self.grasp.engine, self.grasp.settings())
     }
 
-    /// The force of a contact by one source.
+    /// The force on a contact by one source alone.
     pub(super) fn by(&self, source: usize, contact: usize) -> SVector<f64, 3> {
         self.sources[source].forces[contact]
     }
 
-    /// The force of a contact at rest.
+    /// The force on a contact at rest: by fixed commands and the base load, and by the variable squeeze.
     pub(super) fn at_rest(&self, contact: usize) -> SVector<f64, 3> {
         self.by(REST, contact) + self.by(SQUEEZE, contact)
     }
@@ -73,7 +73,7 @@ impl StickingForces {
         self.sources.len() - LOADS
     }
 
-    /// Changes of all forces by one unit of each variable; `None` where a load would be unbalanced at another place.
+    /// The change of all forces by one unit of each variable; `None` where a contact at another place would leave a load without any resistance.
     pub(super) fn derivatives(&self, choice: &Choice<'_>, placing: &Placing) -> Option<Vec<BySource>> {
         let response = self.response();
         choice.variables.iter().map(|variable| self.derivative(&response, placing, variable)).collect()
@@ -86,7 +86,7 @@ impl StickingForces {
         variable: &DesignVariable,
     ) -> Option<BySource> {
         let &DesignVariable { contact, what, unit } = variable;
-        // The data that the variable changes, with their changes by one unit of it.
+        // The data of the contact that depend on this variable, each with its change by one unit of the variable.
         let mut data = Vec::new();
         match what {
             DesignKind::Press { .. } => {

@@ -3,7 +3,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// The matrix B. It starts at zero, so that the first steps are those of a linear program.
+/// The approximate Hessian B. It starts at zero, so that the first steps are those of a linear program.
 pub(super) struct Curvature(pub(super) DMatrix<f64>);
 
 impl Curvature {
@@ -28,7 +28,7 @@ impl Curvature {
         }
         let product = &self.0 * step;
         let known = step.dot(&product);
-        // Powell's damping acts where dᵀy is below this fraction of dᵀBd, with the step d and the change y of the gradient.
+        // Powell's damping acts where dᵀy is below this fraction of dᵀBd: d is the step, y the decrease of the gradient.
         let confirmed = 0.2;
         let part = if shown >= confirmed * known { 1.0 } else { (1.0 - confirmed) * known / (known - shown) };
         let mixed = decrease * part + &product * (1.0 - part);

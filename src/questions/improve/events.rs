@@ -1,4 +1,4 @@
-//! The value of each condition of each contact under each load, and its derivative.
+//! For each contact and load: when each of its conditions (sticking, contact) is broken, and the derivative of that by places and squeezes.
 
 use core::f64::consts::TAU;
 
@@ -12,7 +12,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{mapped, numbered, unit, vector_of};
 use crate::prelude::*;
 
-/// Identifies a condition of a contact, also after the contact has moved.
+/// Names one condition of sticking, so that it is found again after its contact has moved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ConeRow {
     /// Index of the load; `None` for a force of any direction.
@@ -22,7 +22,8 @@ pub(super) struct ConeRow {
     pub(super) number: usize,
 }
 
-/// A condition, its value (the load factor at which it is broken, or the reserve, N) and the derivatives of the value by each variable.
+/// A condition of sticking under a load. Its value is the load factor at which it is broken, or for a reserve its margin, N; `gradient` has the
+/// derivatives of the value by each variable.
 #[derive(Debug, Clone)]
 pub(super) struct SlipEvent {
     pub(super) condition: ConeRow,
@@ -30,7 +31,7 @@ pub(super) struct SlipEvent {
     pub(super) gradient: DVector<f64>,
 }
 
-/// A quantity that must stay at or above zero, `left` in N, and its derivatives by each variable.
+/// A quantity `left`, N, that must not become negative, and its derivatives by each variable.
 #[derive(Debug, Clone)]
 pub(super) struct Constraint {
     pub(super) contact: usize,
@@ -41,27 +42,27 @@ pub(super) struct Constraint {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum ConstraintKind {
-    /// The contact sticks at rest.
+    /// A condition of sticking, which the contact meets at rest.
     Sticks,
-    /// The contact at rest presses at most with its greatest allowed force.
+    /// The greatest allowed normal force of the contact, at rest.
     Force,
 }
 
-/// The critical conditions at a force: all facets of a polygon; on the round cone the facet nearest to the friction force, or eight facets all around
-/// without such a force.
+/// The conditions of sticking that matter at this force. They are all facets of a polygonal cone. Of a round cone it is the facet towards the
+/// friction force, or eight facets all around if there is none.
 fn nearest(edges: &Edges, force: &SVector<f64, 3>) -> Vec<SVector<f64, 3>> {
     let friction = tangential(force);
     edges.rows(&|_| {
         if friction.norm() > NEGLIGIBLE * force[0].abs() {
             return vec![friction[2].atan2(friction[1])];
         }
-        // All conditions are equally close at the tip, so that some of them all around represent the cone.
+        // Without friction force all facets of the round cone are equally near; some of them stand for all.
         let around = 8;
         numbered(around, &|k| TAU * k as f64 / around as f64)
     })
 }
 
-/// A contact with its force at rest, and the derivatives of all forces by one unit of each variable.
+/// A contact with its force at rest. `derivatives` has the change of all forces by one unit of each variable.
 struct Pressed<'a> {
     number: usize,
     law: LocalLaw<'a>,
@@ -76,12 +77,12 @@ impl Pressed<'_> {
         DVector::from_iterator(self.derivatives.len(), self.derivatives.iter().map(f))
     }
 
-    /// The change of its force at rest by one unit of a variable.
+    /// The change of this contact's force at rest by one unit of the variable whose changes are `d`.
     fn change(&self, d: &BySource) -> SVector<f64, 3> {
         d[REST][self.number] + d[SQUEEZE][self.number]
     }
 
-    /// The constraints on the contact at rest.
+    /// What the contact has to fulfil at rest: it sticks, and its normal force is at most `most`.
     fn constraints(&self, most: Option<f64>) -> Vec<Constraint> {
         let constraint = |kind, row: &SVector<f64, 3>, left| {
             let gradient = self.by_variable(&|d| row.dot(&self.change(d)));
@@ -95,8 +96,8 @@ impl Pressed<'_> {
         all
     }
 
-    /// An event for each condition that the load can break. `added` is the part that the load adds to its margin, `added_changes` the change of that
-    /// by one unit of a variable.
+    /// An event for each condition in `rows` that the load can break. `added` is what the load adds to the margin of a condition, and `added_changes`
+    /// the change of that by one unit of a variable.
     fn events(
         &self,
         load: Option<usize>,
@@ -117,7 +118,7 @@ impl Pressed<'_> {
         events
     }
 
-    /// Events under one load, under which the force changes by `rate`.
+    /// The events of this contact under one load, which changes its force by `rate`.
     fn under(&self, load: usize, rate: SVector<f64, 3>) -> Vec<SlipEvent> {
         let force = self.force;
         let line = Line { force, rate, force_size: force.norm(), rate_size: rate.norm() };
@@ -129,13 +130,14 @@ impl Pressed<'_> {
         self.events(Some(load), rows, &|row| row.dot(&rate), &|row, d| row.dot(&d[LOADS + load][self.number]))
     }
 
-    /// Slip events under a force of given size and any direction. Column k of `influence` is the contact force under this force along axis k.
+    /// The events of this contact under a force of given size and any direction. `influence` has the contact forces due to this force along each
+    /// axis.
     fn under_any_force(&self, influence: &[SVector<f64, 3>]) -> Vec<SlipEvent> {
         let gradient = |row: &SVector<f64, 3>, by: &dyn Fn(usize) -> SVector<f64, 3>| {
             vector_of(influence.len(), &|k| row.dot(&by(k)))
         };
         let known = |k: usize| influence[k];
-        // The worst direction reduces the margin by the norm of its gradient.
+        // The margin is linear in the force. The worst direction reduces it by the norm of its gradient.
         let added = |row: &SVector<f64, 3>| -gradient(row, &known).norm();
         let value = |row: &SVector<f64, 3>| self.goal.counts(row.dot(&self.force), added(row));
         let rows = self.edges.least(&|row| value(row).unwrap_or(f64::INFINITY));
@@ -148,7 +150,7 @@ impl Pressed<'_> {
     }
 }
 
-/// All events and constraints of a placing; `most` has the greatest allowed normal force of each contact, if it has one.
+/// All events and constraints of a placing. `most` has the greatest allowed normal force of each contact whose squeeze may change.
 pub(super) fn events(
     loaded: &Loaded,
     most: &[Option<f64>],

@@ -1,4 +1,4 @@
-//! All starts, and the best of them.
+//! Ascends from the given grasp and from random ones, and answers with the best result.
 
 use super::answer::{Binds, Improved, InTheWay, Placed, SearchEnd};
 use super::ascent::{Ascent, Climb, Design, LastStep};
@@ -53,7 +53,7 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl Improve<3> {
-    /// The answer inside the engine.
+    /// Answers the question in the engine's three components.
     fn answered_by(&self, grasp: &Grasp<3>) -> Result<Improved<3>, Error> {
         self.check(grasp)?;
         let mut settings = *grasp.settings();
@@ -64,12 +64,12 @@ impl Improve<3> {
         let (choice, given) = Choice::of(&grasp, self)?;
         let climb = Climb { choice: &choice, loaded: &loaded, grasp: &grasp };
         let before = climb.before(&given)?;
-        // For each start 24 placings are drawn; the best of all of them become the starts.
+        // For each start that was asked for 24 random placings are drawn. Of all of them the best ones become the starts.
         let numbers: Vec<u64> = (0..(self.starts() * 24) as u64).collect();
         let drawn = in_order(&numbers, &|number| {
-            // The last number selects a random stream that no other question uses.
+            // The last number, 48, keeps these random numbers apart from those of other questions with the same seed.
             let drawn = choice.random(&given, &mut Draw::new([self.seed.unwrap_or(0), *number, 48]));
-            // Only places are kept here: the forces of thousands of them would take much memory.
+            // Only the value and the placing are kept: the forces of thousands of placings would take much memory.
             Ok::<_, Error>(climb.evaluate(drawn)?.map(|design| (design.value, design.placing)))
         });
         let (mut values, mut places) = (Vec::new(), Vec::new());

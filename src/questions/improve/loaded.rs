@@ -10,17 +10,17 @@ use crate::numerics::{Each, numbered};
 use crate::prelude::*;
 use crate::squeeze::{Loads, WeakestDirection};
 
-/// The loads of a question, the load at rest, and the value that is computed from the forces.
+/// The loads of a question, the load at rest, and the goal.
 pub(super) struct Loaded {
     pub(super) base: Wrench<3>,
     pub(super) loads: Vec<Wrench<3>>,
     pub(super) goal: ImproveGoal,
-    /// The point and the size of a force of any direction, whose components along the axes are the loads; `None` if each load acts, one at a time.
+    /// The point and the size of a force of any direction; `loads` then are this force along each axis. `None` if each load acts, one at a time.
     pub(super) any: Option<([f64; 3], f64)>,
 }
 
 impl Loaded {
-    /// The loads of a question about contacts of two or three axes.
+    /// The loads of a question; a contact has `axes` axes, two in the plane and three in space.
     pub(super) fn of(axes: usize, question: &Improve<3>, loads: &Loads<3>) -> Self {
         let (base, goal) = (question.base(), question.goal());
         match loads {
@@ -36,8 +36,8 @@ impl Loaded {
         }
     }
 
-    /// The least load factor at which a contact stops sticking under one of the loads, or nothing resists it. `None` where a contact slides at rest,
-    /// or no equilibrium at rest is found.
+    /// The least load factor at which a contact stops sticking under one of the loads, or nothing resists that load. `None` where a contact slides at
+    /// rest, or no equilibrium at rest is found.
     pub(super) fn first_slip(&self, grasp: &Grasp<3>) -> Result<Option<f64>, Error> {
         if let Some((point, size)) = self.any {
             return Ok(match grasp.weakest_direction(self.base, point)? {

@@ -1,7 +1,7 @@
 //! Ascent across the edges of a mesh and the corners of a polyline.
 //!
-//! Normals jump there, so that derivatives on one side say nothing about the other. Fingers at the end of their part are moved to the adjacent parts,
-//! one by one and all at once, and the ascent continues from there. The new place is kept if the value has grown in the end.
+//! Normals jump there, so derivatives on one side say nothing about the other. Each finger that ended at the edge of its part (a triangle or segment)
+//! is moved to the adjacent part, one finger at a time and all at once. The ascent continues from there and is kept if it ends at a larger value.
 
 use super::ascent::{Ascent, Climb, Design};
 use super::placing::Placing;
@@ -10,7 +10,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
 impl Climb<'_> {
-    /// Ascent from a start, continued on adjacent parts as long as the value grows and steps are left.
+    /// Ascent from a start, continued on adjacent parts of surfaces as long as the value grows and steps are left.
     pub(super) fn over_edges(&self, design: Design) -> Result<Ascent, Error> {
         let mut best = self.ascend(design, 0)?;
         let mut steps = best.steps;
@@ -21,7 +21,7 @@ impl Climb<'_> {
         Ok(best)
     }
 
-    /// The ascent from an adjacent part, if it ends at a larger value.
+    /// An ascent that starts on an adjacent part and ends at a larger value than `ended`, if there is one.
     fn ascend_from_adjacent(&self, ended: &Ascent, steps: &mut usize) -> Result<Option<Ascent>, Error> {
         let best = &ended.design;
         for placing in self.adjacent(&best.placing) {
@@ -38,8 +38,8 @@ impl Climb<'_> {
         Ok(None)
     }
 
-    /// Placings with one finger moved from the end of its part to an adjacent part, and one placing with all such fingers moved to their first
-    /// adjacent part.
+    /// Placings in which one finger at the edge of its part has moved to an adjacent part. If there are several such fingers, a further placing has
+    /// all of them moved, each to its first adjacent part.
     fn adjacent(&self, from: &Placing) -> Vec<Placing> {
         let (mut placings, mut all, mut move_at_once) = (Vec::new(), from.clone(), 0);
         for (contact, surface) in &self.choice.question.surfaces {

@@ -1,4 +1,5 @@
-//! The geometry of each curve or surface at one place, the place nearest to a point, and uniformly random places.
+//! The geometry of each curve or surface: the point at given coordinates, the coordinates nearest to a point, and uniformly random ones. A part of it
+//! is one segment of a polyline or one triangle of a mesh; other shapes have a single part.
 
 use nalgebra::SVector;
 
@@ -12,7 +13,7 @@ pub(super) fn unit_direction(to: &SVector<f64, 3>) -> [f64; 3] {
 
 /// The geometry of a surface at one place.
 pub(super) struct SurfacePoint {
-    /// The place, m.
+    /// The point, m.
     pub(super) point: SVector<f64, 3>,
     /// Unit normal.
     pub(super) normal: SVector<f64, 3>,
@@ -20,7 +21,7 @@ pub(super) struct SurfacePoint {
     pub(super) along: Vec<SVector<f64, 3>>,
     /// Change of the normal per metre along each direction, 1/m.
     pub(super) bends: Vec<f64>,
-    /// Distances to the ends of the surface: a step with `row·step <= room` (m, along the directions) stays on it.
+    /// Distances to the ends of the part: a step along `along`, m, with `row·step <= room` for each pair stays on it.
     pub(super) rooms: Vec<([f64; 2], f64)>,
 }
 
@@ -29,7 +30,7 @@ pub(super) fn clockwise(a: &SVector<f64, 3>) -> SVector<f64, 3> {
     [a[1], -a[0], 0.0].into()
 }
 
-/// The unit vector at a right angle to one direction in the plane, or to two in space.
+/// The unit vector at a right angle to one unit vector in the plane, or to two in space.
 fn perpendicular(along: &[SVector<f64, 3>]) -> SVector<f64, 3> {
     match along {
         [a, b, ..] => a.cross(b),
@@ -46,14 +47,14 @@ fn both_across(axis: &SVector<f64, 3>) -> [SVector<f64, 3>; 2] {
     [first, perpendicular(&[*axis, first])]
 }
 
-/// A place on a triangle, at coordinates in its frame.
+/// The geometry at these coordinates in the plane of a triangle, see [`frame`].
 fn on_triangle(corners: &[SVector<f64, 3>; 3], [a, b]: [f64; 2]) -> SurfacePoint {
     let [x, y] = frame(corners);
     let point = corners[0] + x * a + y * b;
     let (along, normal) = (vec![x, y], perpendicular(&[x, y]));
     let room = |k: usize| {
         let (from, to) = (corners[k], corners[(k + 1) % 3]);
-        // Corners run counterclockwise in their frame, so that outward is to the right of each side.
+        // Corners run counterclockwise in this frame, so the outside is to the right of each side.
         let out = perpendicular(&[(to - from).normalize(), normal]);
         ([out.dot(&x), out.dot(&y)], -out.dot(&(point - from)))
     };
@@ -69,7 +70,7 @@ impl Shape {
         }
     }
 
-    /// Length or area of a part.
+    /// Length of a segment or twice the area of a triangle, as weights of random choice among parts; 1 for shapes with a single part.
     pub(super) fn size(&self, part: usize) -> f64 {
         match self {
             Shape::Segments(parts) => (parts[part][1] - parts[part][0]).norm(),
@@ -123,7 +124,7 @@ impl Shape {
                 let speed = first.norm();
                 let along = vec![first / speed];
                 let normal = perpendicular(&along);
-                // This follows from the derivative of n·p' = 0 by the parameter.
+                // Differentiating `n·p' = 0` by the parameter gives the curvature, with the normal n and the point p.
                 let bends = vec![-normal.dot(&second) / (speed * speed)];
                 let open = !spline.is_closed();
                 let rooms =
@@ -174,7 +175,7 @@ impl Shape {
         }
     }
 
-    /// Coordinates of the place of a part that is nearest to a point.
+    /// The coordinates on this part that are nearest to a point.
     pub(super) fn nearest_of(&self, part: usize, point: &SVector<f64, 3>) -> [f64; 3] {
         match self {
             Shape::Segments(parts) => {
@@ -232,7 +233,7 @@ impl Shape {
         }
     }
 
-    /// Coordinates of a place on a part, uniformly distributed if u and v are uniform between 0 and 1.
+    /// The coordinates of a place on this part. It is uniformly distributed if u and v are, between 0 and 1.
     pub(super) fn random(&self, part: usize, [u, v]: [f64; 2]) -> [f64; 3] {
         let turn = core::f64::consts::TAU;
         match self {
@@ -257,7 +258,7 @@ impl Shape {
     }
 }
 
-/// Directions in the plane of a triangle, the first along its first side.
+/// Two unit directions at right angles in the plane of a triangle, the first along its first side.
 fn frame(corners: &[SVector<f64, 3>; 3]) -> [SVector<f64, 3>; 2] {
     let x = (corners[1] - corners[0]).normalize();
     let other = corners[2] - corners[0];

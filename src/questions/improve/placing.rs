@@ -1,4 +1,4 @@
-//! Values of places and squeezes, and the grasp with these values.
+//! The variables of the search, their values ([`Placing`]), and the grasp that belongs to these values.
 
 use nalgebra::SVector;
 
@@ -18,15 +18,15 @@ use crate::prelude::*;
 pub(super) struct DesignVariable {
     pub(super) contact: usize,
     pub(super) what: DesignKind,
-    /// Unit of the variable in a step, m or N.
+    /// A step is relative to this unit, m or N, so that all variables have numbers of like size.
     pub(super) unit: f64,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum DesignKind {
-    /// The place of the contact, along a tangent direction of its spot.
+    /// The position of the contact along this tangent direction of its surface.
     Along(usize),
-    /// The force that its command presses with, from 0 to `most`, N.
+    /// The normal force that the command of the contact presses with, from 0 to `most`, N.
     Press { most: f64 },
 }
 
@@ -38,23 +38,23 @@ pub(super) struct Choice<'q> {
     /// The given contacts, each with its points.
     pub(super) wholes: &'q WholeContacts,
     pub(super) settings: &'q Settings,
-    /// The first tangents of the given contacts.
+    /// The first tangents of the contact frames in the given grasp.
     tangents: Vec<SVector<f64, 3>>,
     pub(super) variables: Vec<DesignVariable>,
 }
 
-/// Values of all variables.
+/// Values of all variables: where each contact that may move is, and how hard each contact presses whose squeeze may change.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Placing {
     pub(super) spots: Vec<Option<Spot>>,
-    /// The first tangents of all contacts.
+    /// The first tangents of all contact frames.
     pub(super) tangents: Vec<SVector<f64, 3>>,
     /// Pressing forces of contacts whose squeeze may change, N.
     pub(super) presses: Vec<Option<f64>>,
 }
 
 impl<'q> Choice<'q> {
-    /// The variables of a question, and their values in the given grasp. A contact that does not lie on its surface is refused.
+    /// The variables of a question, and their values in the given grasp. Refuses a contact that does not lie on its surface.
     pub(super) fn of(grasp: &'q Grasp<3>, question: &'q Improve<3>) -> Result<(Self, Placing), Error> {
         let contacts = grasp.contacts();
         let tangents: Vec<SVector<f64, 3>> =
@@ -99,7 +99,7 @@ impl<'q> Choice<'q> {
         Ok((choice, Placing { spots, tangents, presses }))
     }
 
-    /// A random placing, with every variable squeeze at its limit.
+    /// Random places on all surfaces; every squeeze that may change has its greatest value.
     pub(super) fn random(&self, from: &Placing, draw: &mut Draw) -> Placing {
         let mut placing = from.clone();
         for (contact, surface) in &self.question.surfaces {
@@ -121,7 +121,7 @@ impl<'q> Choice<'q> {
         placing
     }
 
-    /// The placing after a step, given in units of each variable.
+    /// The placing after a step; each entry of `step` is relative to the unit of its variable.
     pub(super) fn stepped(&self, from: &Placing, step: &[f64]) -> Placing {
         let mut placing = from.clone();
         for (contact, surface) in &self.question.surfaces {
@@ -145,7 +145,7 @@ impl<'q> Choice<'q> {
         placing
     }
 
-    /// The first tangent of a frame that follows its normal without turning about it.
+    /// The first tangent of the contact frame at a place. Compared with the tangent `from`, the frame tilts with its normal without turning about it.
     fn tangent(&self, contact: usize, from: &SVector<f64, 3>, spot: Option<&Spot>) -> SVector<f64, 3> {
         let Some(normal) = spot.map(|spot| spot.normal) else { return *from };
         if self.contacts[contact].space == Space::Planar {
@@ -170,7 +170,7 @@ impl<'q> Choice<'q> {
         if most > 0.0 { most } else { 1.0 }
     }
 
-    /// The contacts of a placing, with their commands.
+    /// The contacts of the grasp with this placing.
     pub(super) fn contacts(&self, placing: &Placing) -> Vec<Contact<3>> {
         numbered(self.contacts.len(), &|i| {
             let mut contact = self.contacts[i].clone();

@@ -1,4 +1,4 @@
-//! The question: loads, the variables of the search, and its limits.
+//! The question where fingers should be: its loads, what may vary, and its limits.
 
 use nalgebra::SVector;
 
@@ -63,7 +63,7 @@ pub struct Improve<const C: usize> {
     pub(super) turn: Option<Turn<C>>,
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) surfaces: Vec<(usize, Surface<C>)>,
-    /// The greatest allowed force of contacts with a limit of their own.
+    /// Contacts with a limit of their own, and the greatest allowed force of each, N.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) most: Vec<(usize, f64)>,
 }
@@ -195,7 +195,7 @@ impl Improve<3> {
         self.steps.unwrap_or(200)
     }
 
-    /// The surface of a contact, if it may move.
+    /// The surface along which this contact may move; `None` if it has to stay.
     pub(super) fn surface_of(&self, contact: usize) -> Option<&Shape> {
         place_of(&self.surfaces, contact).ok().map(|place| &self.surfaces[place].1.0)
     }
@@ -210,7 +210,7 @@ impl Improve<3> {
         grasp.refuse_hands("improve")?;
         let space = grasp.engine.space();
         self.base().check_in(space, "base load")?;
-        // More starts would take minutes and hardly find anything better.
+        // More starting grasps would take minutes and hardly find anything better.
         if self.starts() > 1_000 {
             let (what, allowed) = ("number of starts", "at most 1000");
             return Err(Error::Argument { what, value: self.starts() as f64, allowed });

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, SVector};
 
 use crate::prelude::*;
 
-/// Points, their parameters, and the second derivatives there.
+/// The points, their parameters `at` (the distance along the polygon through them), and the second derivatives `bends` at the points.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Spline {
     points: Vec<SVector<f64, 3>>,
@@ -32,7 +32,7 @@ impl Spline {
         spline
     }
 
-    /// Computes second derivatives for which the first derivatives are continuous.
+    /// Computes the second derivatives at the points, such that first derivatives are continuous.
     fn bend(&mut self) {
         let n = self.points.len();
         if n < 3 {
@@ -64,7 +64,7 @@ impl Spline {
         &self.points
     }
 
-    /// The points that were given, without the second copy of the first point of a closed spline.
+    /// The points that the user gave, without the second copy of the first point of a closed spline.
     #[cfg(feature = "serde")]
     pub(crate) fn interpolated_points(&self) -> &[SVector<f64, 3>] {
         &self.points[..self.points.len() - usize::from(self.closed)]
@@ -85,12 +85,12 @@ impl Spline {
         self.closed
     }
 
-    /// The parameter mapped onto the spline: modulo its length if closed, clamped if open.
+    /// A parameter on the spline: wrapped around if it is closed, clamped to its ends if it is open.
     pub(super) fn within(&self, t: f64) -> f64 {
         if self.closed { t.rem_euclid(self.end()) } else { t.clamp(0.0, self.end()) }
     }
 
-    /// Point, first and second derivative.
+    /// Point, first and second derivative at a parameter.
     pub(super) fn at(&self, t: f64) -> [SVector<f64, 3>; 3] {
         let k = self.at.partition_point(|at| *at <= t).clamp(1, self.at.len() - 1) - 1;
         let (h, left, right) = (self.at[k + 1] - self.at[k], t - self.at[k], self.at[k + 1] - t);
@@ -101,9 +101,9 @@ impl Spline {
         [point, first, (a * right + b * left) / h]
     }
 
-    /// The parameter of the point nearest to another one.
+    /// The parameter at which the spline is nearest to a point.
     pub(super) fn nearest(&self, point: &SVector<f64, 3>) -> f64 {
-        // The nearest of the samples starts Newton's method.
+        // Newton's method starts from the nearest of many samples.
         let pieces = (self.at.len() - 1) * 32;
         let t = |k: usize| self.end() * k as f64 / pieces as f64;
         let square_distance = |t: f64| (self.at(t)[0] - point).norm_squared();

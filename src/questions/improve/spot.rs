@@ -8,21 +8,21 @@ use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{Draw, IntoList, mapped, numbered};
 use crate::prelude::*;
 
-/// A place on a part of a surface. Its coordinates `at` are those of the part: lengths or angles, and on a sphere a unit direction.
+/// A place on a surface. `part` is its segment or triangle, and `at` its coordinates there: lengths or angles, and on a sphere a unit direction.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Spot {
     part: usize,
     at: [f64; 3],
-    /// 1 or -1: the sign of its normal relative to that of the surface.
+    /// 1 if the normal is that of the surface, -1 if it is opposite.
     side: f64,
     pub(super) point: SVector<f64, 3>,
     /// Unit normal into the object.
     pub(super) normal: SVector<f64, 3>,
-    /// Unit tangent directions at right angles to each other: the principal directions of curvature.
+    /// Unit tangent directions: the principal directions of curvature, at right angles to each other.
     pub(super) along: Vec<SVector<f64, 3>>,
     /// Change of the normal per metre along each direction, 1/m.
     pub(super) bends: Vec<f64>,
-    /// Steps with `row·step <= room` stay on the part, m.
+    /// Distances to the ends of the part: a step along `along`, m, with `row·step <= room` for each pair stays on it.
     pub(super) rooms: Vec<([f64; 2], f64)>,
 }
 
@@ -33,14 +33,14 @@ impl Spot {
         Self { part, at, side, point: there.point, normal, along: there.along, bends, rooms: there.rooms }
     }
 
-    /// The place nearest to a point, on the side of the surface that the normal points to.
+    /// The place nearest to a point. Of both sides of the surface it takes the one that `normal` points to.
     pub(super) fn nearest(surface: &Shape, point: &SVector<f64, 3>, normal: &SVector<f64, 3>) -> Self {
         let spots = (0..surface.parts()).map(|part| {
             let spot = Self::new(surface, part, surface.nearest_of(part, point), 1.0);
             let side = if spot.normal.dot(normal) < 0.0 { -1.0 } else { 1.0 };
             if side > 0.0 { spot } else { Self::new(surface, part, spot.at, side) }
         });
-        // Where parts meet, the part with the most similar normal is taken.
+        // Where segments or triangles meet, several are equally near; the one whose normal is most like `normal` is taken.
         let distance = |spot: &Self| (spot.point - point).norm();
         let turned = |spot: &Self| 1.0 - spot.normal.dot(normal) / normal.norm();
         let edge = SOLVED_ROUNDING * surface.largest();
@@ -57,7 +57,7 @@ impl Spot {
         best.unwrap_or_else(|| Self::new(surface, 0, [0.0; 3], 1.0))
     }
 
-    /// The place after a step along its directions, m.
+    /// The place after a step of these lengths along the tangent directions, m.
     pub(super) fn stepped(&self, surface: &Shape, step: &[f64]) -> Self {
         let [a, b, c] = self.at;
         let (first, second) = (step[0], step.get(1).copied().unwrap_or(0.0));
@@ -88,7 +88,7 @@ impl Spot {
         };
         let mut moved = Self::new(surface, self.part, at, self.side);
         if let Shape::Sphere { .. } = surface {
-            // The directions are transported along: the curvature learnt from steps is expressed in them.
+            // The search has learnt a curvature along these two directions. So they are transported with the place, not chosen anew.
             let across = self.along[0] - moved.normal * self.along[0].dot(&moved.normal);
             if across.norm() > 0.5 {
                 let first = across.normalize();
@@ -99,7 +99,7 @@ impl Spot {
         moved
     }
 
-    /// The same place on the adjacent parts, if it is at the end of its own part of the surface.
+    /// The same point as a place on each adjacent part, if it is at the end of its own part of the surface.
     pub(super) fn adjacent(&self, surface: &Shape) -> Vec<Self> {
         let near = NEGLIGIBLE * surface.largest();
         if surface.parts() == 1 || self.rooms.iter().all(|(_, room)| *room > near) {
@@ -121,7 +121,7 @@ impl Spot {
             part += 1;
         }
         let [u, v] = [draw.uniform(), draw.uniform()];
-        // The corners of all triangles have one order, and so have the ends of all edges, so that the side stays the same.
+        // All triangles have their corners in one order, and all edges their ends, so the inside is on the same side of every part.
         Self::new(surface, part, surface.random(part, [u, v]), self.side)
     }
 }
@@ -131,7 +131,7 @@ mod tests {
     use super::super::surface::Surface;
     use super::*;
 
-    /// A corner of two edges, with lengths from 1e-10 m to 1e16 m.
+    /// Two edges meet in a corner; their lengths go from 1e-10 m to 1e16 m.
     #[test]
     fn only_an_end_has_parts_beside_it_whatever_the_unit() {
         for unit in [1e-10, 1.0, 1e16] {

@@ -1,11 +1,13 @@
-//! The program of one step: the least of the linearised events is maximised within a box, less a quadratic term of the curvature.
+//! The program of one step: in a box around the present values, it maximises the least of the linearised events, less a quadratic term of the
+//! curvature.
 //!
 //! ```text
 //! min  t + ½ dᵀB d     such that     t + τ_k + g_k·d >= top,     h_b·d + left_b >= 0,     low <= d <= high
 //! ```
 //!
-//! `top` is a constant above every reachable value, so that t is positive. A minimum exists. The multipliers of the box and B d are the residual of
-//! stationarity at d = 0.
+//! Here d is the step, B the curvature, τ_k the value of an event with gradient g_k, and h_b·d + left_b a bound. `top` is a constant above every
+//! reachable value, so that t is positive and a minimum exists. At the present values (d = 0) the multipliers of events and bounds leave a residual
+//! of stationarity: the multipliers of the box, and B d.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -14,13 +16,13 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{IntoList, mapped, vector_of};
 use crate::prelude::*;
 
-/// A program in numbers near one: factors relative to the present value, variables in their units.
+/// The program in scaled numbers: values of events (`factors`) relative to the scale of the design, variables relative to their units.
 pub(super) struct StepProgram {
     pub(super) factors: Vec<f64>,
     pub(super) gradients: Vec<DVector<f64>>,
-    /// Linear bounds `h·d + left >= 0`.
+    /// Linear bounds `h·d + left >= 0` on the step d, each as h and left.
     pub(super) bounds: Vec<(DVector<f64>, f64)>,
-    /// Limits of each variable, down and up.
+    /// How far each variable may move down and up.
     pub(super) reach: Vec<[f64; 2]>,
 }
 
@@ -28,18 +30,18 @@ pub(super) struct StepProgram {
 #[derive(Debug, Clone)]
 pub(super) struct TrialStep {
     pub(super) d: DVector<f64>,
-    /// Predicted gain of the first slip, relative to its present value.
+    /// Gain of the value that the linearised events predict, less the curvature term; relative to the scale of the design.
     pub(super) gain: f64,
     /// Multipliers of the events; they add up to one.
     pub(super) events: Vec<f64>,
     pub(super) bounds: Vec<f64>,
-    /// Multipliers of the limits of each variable, down and up.
+    /// Multipliers of the limits of each variable, below and above.
     pub(super) ends: Vec<[f64; 2]>,
     /// Residual of `Σ λ ∇τ + Σ ν ∇b = 0` and of complementarity of events and bounds.
     pub(super) residual: f64,
 }
 
-/// The solution of the program.
+/// The solution of the quadratic program.
 struct Solved {
     d: DVector<f64>,
     /// Multipliers of all events.
@@ -49,15 +51,15 @@ struct Solved {
 }
 
 impl StepProgram {
-    /// The step within a box of half width `radius`; `None` where rounding prevents it.
+    /// The best step within a box of half width `radius`; `None` where rounding prevents a solution.
     pub(super) fn step(&self, radius: f64, curvature: &DMatrix<f64>) -> Option<TrialStep> {
         let n = self.reach.len();
-        // The added term selects the shortest of several steps with equal gain.
+        // Among several steps with equal gain, this small multiple of the identity prefers the shortest.
         let curvature = curvature + DMatrix::identity(n, n) * 1e-4;
         let Solved { d, events, bounds } = self.solved(radius, &curvature)?;
         let least = self.after(&d).fold(f64::INFINITY, f64::min);
         let now = self.factors.iter().copied().fold(f64::INFINITY, f64::min);
-        // At a limit of a variable the remaining gradient is its multiplier; elsewhere it is a residual.
+        // The gradient that events and bounds do not balance: it is the multiplier of a variable at its limit, and a residual elsewhere.
         let mut left = DVector::zeros(n);
         events.iter().zip(&self.gradients).for_each(|(y, g)| left += g * *y);
         bounds.iter().zip(&self.bounds).for_each(|(y, (h, _))| left += h * *y);
@@ -78,12 +80,12 @@ impl StepProgram {
         Some(TrialStep { d, gain, events, bounds, ends, residual })
     }
 
-    /// Linearised values of all events after a step.
+    /// The values of all events after the step d, to first order.
     fn after<'s>(&'s self, d: &'s DVector<f64>) -> impl Iterator<Item = f64> + 's {
         self.factors.iter().zip(&self.gradients).map(|(factor, g)| factor + g.dot(d))
     }
 
-    /// Solves the program with unknowns that are counted from the lower ends of the box.
+    /// Solves the quadratic program; its unknowns are the distances from the lower ends of the box.
     fn solved(&self, radius: f64, curvature: &DMatrix<f64>) -> Option<Solved> {
         let n = self.reach.len();
         let low = vector_of(n, &|j| (-radius).max(self.reach[j][0].min(0.0)));
@@ -102,16 +104,15 @@ impl StepProgram {
         if !top.is_finite() {
             return None;
         }
-        // Events that stay above `top` in the whole box cannot be the least.
+        // An event that stays above `top` in the whole box is never the least, so it is left out.
         let mut near: Vec<usize> = (0..ranges.len()).list();
         near.retain(|k| self.factors[*k] + ranges[*k][0] < top);
         if near.is_empty() {
             near.push(0);
         }
-        // `top` lies above every reachable value. It keeps t positive, so that the multipliers of events add
-        // up to one.
+        // Now `top` is above every value that the least event can reach. So t stays positive, and the multipliers of events add up to one.
         let top = top + 0.5;
-        // The unknowns are d - low and t; the rows are events, bounds, and the upper ends of the box.
+        // The unknowns are d - low, and t. The rows are events, bounds, and the upper ends of the box.
         let (m, b) = (near.len(), self.bounds.len());
         let mut rows = DMatrix::zeros(m + b + n, n + 1);
         let mut left = DVector::zeros(m + b + n);

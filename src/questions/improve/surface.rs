@@ -44,7 +44,7 @@ pub(crate) enum Shape {
         corner: SVector<f64, 3>,
         sides: [SVector<f64, 3>; 2],
     },
-    /// The whole circumference, from one end of the axis to the other.
+    /// The whole lateral surface, from one end of the axis to the other.
     Cylinder {
         ends: [SVector<f64, 3>; 2],
         radius: f64,
@@ -82,7 +82,7 @@ impl Surface<2> {
         Self(Shape::Arc { centre: in_space(centre), radius, from, over: Some(over) })
     }
 
-    /// A cubic spline through points, m, with the distances of points as parameters; its curvature at the ends is zero unless it is closed.
+    /// A cubic spline through points, m, parametrised by the distances between them. At the ends its curvature is zero unless it is closed.
     #[must_use]
     pub fn spline(points: impl IntoIterator<Item = [f64; 2]>, closed: bool) -> Self {
         Self(Shape::spline(points.into_iter().map(in_space).list(), closed))

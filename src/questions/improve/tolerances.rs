@@ -1,23 +1,23 @@
-//! The numbers at which an ascent has arrived, and below which a gain is rounding.
+//! At which numbers an ascent has arrived, and below which a gain is rounding.
 //!
-//! Lengths are relative to the variable's unit, gains to the scale of values.
+//! Lengths and forces are relative to the unit of their variable, gains to the scale of the design (the first slip, or the greatest force at rest).
 
-/// A residual of the gradients up to this value is an optimum to first order.
+/// A point is called an optimum to first order if the residual of its gradients is at most this.
 ///
-/// If smaller, optima at kinks end as stalled. If larger, a point that could still be improved is called an optimum.
+/// If smaller, the search ends as stalled at optima where two conditions meet. If larger, a point that could still be improved is called an optimum.
 pub(super) const OPTIMAL: f64 = 1e-6;
 
-/// At this residual of the gradients the ascent stops.
+/// The ascent stops once the residual of the gradients is at most this.
 ///
-/// If smaller, steps gain rounding only. If larger, places of contacts lose digits.
+/// If smaller, the last steps gain rounding only. If larger, places of contacts lose digits.
 pub(super) const ARRIVED_AT_TOP: f64 = 1e-10;
 
-/// A predicted gain below this fraction of the scale of values is rounding.
+/// A predicted gain below this fraction of the scale (the first slip, or for a reserve the greatest force at rest) is rounding.
 ///
 /// If smaller, an ascent continues until its steps are used up. If larger, it ends on flat slopes.
 pub(super) const ROUNDED_GAIN: f64 = 1e-14;
 
-/// Multipliers below this, in the units of the step program, are rounding and not reported.
+/// A multiplier of the step program (in its scaled numbers) below this is rounding, so its event or bound is not reported.
 ///
 /// If smaller, limits that do not bind are named. If larger, limits that bind weakly are not.
 pub(super) const ROUNDED_MULTIPLIER: f64 = 1e-7;

@@ -1,4 +1,4 @@
-//! The answer in a sentence, as one would say it to a colleague.
+//! The answer to [`Improve`](super::Improve) in a sentence, as one would say it to a colleague.
 
 use core::fmt;
 
@@ -97,7 +97,7 @@ impl Improved<3> {
         clauses.join("; ")
     }
 
-    /// The active events and bounds, or the reason why the search ended.
+    /// What the search knows about its end: which contacts and limits make the place an optimum, or why it ended without one.
     fn proof(&self, words: Words) -> String {
         match self.search {
             SearchEnd::Optimum => {

@@ -26,9 +26,10 @@ pub struct Needed {
     /// The amount that meets the demand with friction and squeeze reduced by `lower` and loads multiplied by `safety`; `None` where these change
     /// nothing.
     pub safe: Option<Amount>,
-    /// Relative reductions of friction and of the squeeze for `safe`, each from 0 to less than 1. Where no command presses the second is 0.
+    /// Relative reductions of friction and of the squeeze that `safe` allows for, each from 0 to less than 1. Where no command presses the second is
+    /// 0.
     pub lower: [f64; 2],
-    /// Factor on the loads for `safe`.
+    /// Factor on the loads that `safe` allows for.
     #[cfg_attr(feature = "serde", serde(default = "once", skip_serializing_if = "is_once"))]
     pub safety: f64,
     /// Size of the load of which a multiple is sought, N: an amount x means x times this force. `None` for other quantities, and unless the
@@ -119,9 +120,9 @@ pub enum Amount {
     Bound {
         /// The sufficient amount at the bound; it was tried.
         does: f64,
-        /// The insufficient amount beside it, by its trial or by a proof. As a rule it differs from `does` by at most 1e-12 of its size; in
-        /// [`Needed::sticks`] and [`Needed::safe`] by at most 1e-8. In space it differs by at most 1e-6 where the carried part of the load jumps at the
-        /// bound, and by 1e-5 or more where only an enumeration of contact states refutes it.
+        /// The insufficient amount beside it; it was tried, or a proof excludes it. As a rule it differs from `does` by at most 1e-12 of its size; in
+        /// [`Needed::sticks`] and [`Needed::safe`] by at most 1e-8. In space it differs by at most 1e-6 where the carried part of the load jumps at
+        /// the bound, and by 1e-5 or more where only an enumeration of contact states refutes it.
         does_not: f64,
         /// The verdict for `does_not`, in a sentence.
         otherwise: String,

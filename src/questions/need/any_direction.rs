@@ -1,4 +1,4 @@
-//! Trials of a force of any direction: in closed form while everything sticks, otherwise direction by direction.
+//! Trials of an amount under a force of any direction: in closed form while everything sticks, otherwise for many directions one by one.
 
 use core::f64::consts::{PI, TAU};
 
@@ -13,8 +13,8 @@ use crate::prelude::*;
 use crate::squeeze::WeakestDirection;
 
 impl Loading {
-    /// Whether everything sticks under a force of any direction, and without that force, at rest and under `load`. `None` where something slides and
-    /// the demand allows it.
+    /// Whether everything sticks at rest, under `load` alone, and with the force in any direction on top. `None` where something slides and the
+    /// demand allows it.
     pub(super) fn any_force(
         &self,
         load: Wrench<3>,
@@ -43,7 +43,7 @@ impl Loading {
                 Trial::does_not(format!("{who} under a force of one direction"), most / size)
             }
             WeakestDirection::GivesWay { .. } => Trial::nothing("nothing resists a force of one direction"),
-            // No closed form compares directions where a force closes an open contact.
+            // A contact that is open before the force acts may be closed by it. No closed form compares directions then.
             WeakestDirection::NotSticking => Trial::Unknown(
                 "a contact is open or at its edge before the force acts, and directions are compared only where all of \
                  them press"
@@ -55,7 +55,8 @@ impl Loading {
         }))
     }
 
-    /// The trial of the weakest direction near `direction`, the weakest of those that spread evenly: steps across it that become shorter by halves.
+    /// Improves on `weakest`, the trial of the weakest among evenly spread directions: goes from that `direction` to weaker neighbours, in steps that
+    /// are halved where none is weaker.
     pub(super) fn weakest_near(
         &self,
         mut direction: [f64; 3],
@@ -63,10 +64,11 @@ impl Loading {
         mut weakest: Trial,
     ) -> Result<Trial, Error> {
         let space = self.grasp.space();
-        // Half of the distance between neighbours, rad. Directions within the last step differ in what they carry by less than 1e-6.
+        // The first step is half of the distance between evenly spread directions, rad. Directions within the last step differ in what they carry by
+        // less than 1e-6.
         let (mut step, last) = (if space == Space::Planar { 0.5 * TAU / 72.0 } else { 0.125 }, 1e-3);
         for _ in 0..50 {
-            // Between neighbours what is carried changes by little: far above the load no direction decides.
+            // If the weakest direction carries far more than the load, so do its neighbours, and the search ends.
             let Trial::Does { carried, .. } = weakest else { break };
             if step < last || carried > 1.1 {
                 break;
@@ -96,7 +98,7 @@ fn unit(vector: [f64; 3]) -> [f64; 3] {
     vector.map(|x| x / length)
 }
 
-/// Unit vectors across a direction: one in the plane, two in space.
+/// Unit vectors at right angles to a direction: one in the plane, two in space.
 fn tangents([x, y, z]: [f64; 3], space: Space) -> Vec<[f64; 3]> {
     if space == Space::Planar {
         return vec![[-y, x, 0.0]];
@@ -108,7 +110,7 @@ fn tangents([x, y, z]: [f64; 3], space: Space) -> Vec<[f64; 3]> {
 
 /// Evenly spread unit vectors: on a circle, or on a golden spiral over the sphere.
 pub(super) fn directions(space: Space) -> Vec<[f64; 3]> {
-    // Losses have no closed form over directions, and fewer directions could miss the weakest one.
+    // The load at a loss has no closed form in the direction. With fewer directions the weakest one could be missed.
     let count = if space == Space::Planar { 72 } else { 200 };
     let golden = PI * (3.0 - 5.0_f64.sqrt());
     let direction = |k: usize| {

@@ -9,22 +9,23 @@ use crate::error::Error;
 use crate::numerics::{increasing, mapped, moved};
 use crate::prelude::*;
 
-/// The result of a scan around a bound.
+/// What trials of amounts on both sides of a bound show.
 #[derive(Debug)]
 pub(super) struct Around {
-    /// Number of changes of verdict, the bound included.
+    /// How often the verdict changes among these amounts, the bound included.
     pub(super) changes: usize,
-    /// Far end of the sufficient amounts that begin at the bound; `None` if all scanned ones suffice.
+    /// Where the sufficient amounts that begin at the bound end; `None` if all that were tried suffice.
     pub(super) until: Option<Threshold>,
-    /// Windows of other sufficient amounts.
+    /// Further intervals of sufficient amounts.
     pub(super) elsewhere: Vec<AmountWindow>,
 }
 
 impl SearchPlan {
-    /// `count` amounts beyond `from`, upwards or downwards, inside the range that forces can balance. With `coarse` the list also has the amount at a
-    /// ratio of 16 to `from`.
+    /// `count` amounts beyond `from`, upwards or downwards, as far as contact forces can balance the loads. With `coarse`, one more amount is 16
+    /// times as large or small as `from`.
     fn scanned(&self, from: f64, up: bool, count: usize, coarse: bool) -> Vec<f64> {
-        // The k-th of n amounts is at the ratio 4^((k/n)³). A larger ratio scans more coarsely near the start.
+        // The k-th of n amounts has the ratio 4^((k/n)³) to `from`, so that amounts lie close together near the bound. With a larger ratio than 4
+        // they would lie farther apart.
         let fine = (1..=count).map(|k| 4.0_f64.powf((k as f64 / count as f64).powi(3)));
         // A drive may reach its limit only at a far larger squeeze or force, which a ratio of 4 would miss.
         let coarse = (coarse && count > 0).then_some(16.0);
@@ -32,10 +33,10 @@ impl SearchPlan {
         parts.filter(|amount| self.contains(*amount)).collect()
     }
 
-    /// Amounts just inside and outside an end of the statics range; none without that end.
+    /// If a proof ends the range of amounts on this side, two amounts: one just inside that end and one just outside.
     fn at_the_end(&self, up: bool) -> Vec<f64> {
         let end = |end: f64| {
-            // With a smaller offset than the error of the end, both amounts could fall on one side of it.
+            // If this offset were smaller than the error of the proved end, both amounts could fall on one side of it.
             let off = 1e-8;
             [1.0 - off, 1.0 + off].map(|part| if up { end * part } else { end / part })
         };
@@ -44,8 +45,8 @@ impl SearchPlan {
 }
 
 impl Around {
-    /// Tries `scan` amounts on both sides of a bound, beside those `known`, inside the range that forces can balance. With `far` the scan also tries
-    /// the amount at a ratio of 16 to the bound.
+    /// Tries `scan` new amounts on both sides of a bound as far as contact forces can balance the loads, and sorts in those `known`. With `far` it
+    /// also tries an amount 16 times as large, or as small, as the bound.
     pub(super) fn of(
         bound: &Threshold,
         scan: usize,
@@ -79,8 +80,8 @@ impl Around {
         Ok(around)
     }
 
-    /// The far end of the sufficient amounts, in the case that all amounts as far as `to` suffice. The search for it goes from `to` back through the
-    /// known amounts, then through `scan` amounts beyond the first one of the search.
+    /// Where sufficient amounts end if all tried ones suffice, `to` being the last. Amounts are tried from `to` back over the known ones, then `scan`
+    /// amounts beyond the one with which the search began.
     pub(super) fn far_end(
         to: f64,
         scan: usize,
@@ -92,7 +93,7 @@ impl Around {
         let up = plan.is_least;
         let mut amounts: Vec<f64> = mapped(known, &|(at, _)| *at);
         amounts.extend(plan.at_the_end(up));
-        // If every larger amount carries the load, a far one only shows whether the part moves too far.
+        // If every larger amount is known to carry the load, one far amount is enough: it shows whether the part moves too far.
         let count = if plan.is_monotone { scan.min(1) } else { scan };
         amounts.extend(plan.scanned(plan.begin(), up, count, true));
         in_order(&mut amounts, up);
@@ -100,8 +101,8 @@ impl Around {
         Ok(around.until)
     }
 
-    /// Tries `amounts` in order on one side of the bound and narrows each change of verdict. A start without a trial is a sufficient amount. Undecided
-    /// amounts are skipped.
+    /// Tries `amounts` in order on one side of the bound and narrows the bracket at each change of verdict. If the first `trial` is `None`, that
+    /// amount is known to suffice. Undecided amounts are skipped.
     fn side(
         &mut self,
         (mut at, mut trial): (f64, Option<Trial>),
@@ -122,7 +123,7 @@ impl Around {
             }
             if did != does {
                 self.changes += 1;
-                // Each narrowing costs a search, so further changes of verdict are only counted.
+                // Narrowing a bracket costs a search, so from the ninth change on changes are only counted.
                 if self.changes <= 8 {
                     let (inner, outer) = ((at, trial.clone()), (amount, Some(now.clone())));
                     let (does, does_not) = if did { (inner, outer) } else { (outer, inner) };
@@ -146,9 +147,10 @@ impl Around {
     }
 }
 
-/// Tries [`BETWEEN`] amounts at most between those `known`: each in the middle of the widest two neighbours that have the same verdict, but whose
-/// contacts rest in different states. Along the amount the state at rest is smooth while contacts keep their states; where these change, the carried
-/// part may jump. Neighbours of which both carry far more than the load are left out. Returns whether one of the amounts has the other verdict.
+/// Tries at most [`BETWEEN`] amounts between those `known`, each in the middle of two neighbours. These are the widest apart of those with the same
+/// verdict, but with contacts that rest in different states. While contacts keep their states at rest, this state is a smooth function of the amount.
+/// Where they change, the carried part may jump. Neighbours that both carry an unlimited load are left out. Returns whether one of the amounts has
+/// the other verdict.
 pub(super) fn between_states(
     known: &[(f64, Trial)],
     is_claimed: &dyn Fn(f64) -> bool,

@@ -1,8 +1,8 @@
 //! Needed amounts of many grasps, on all cores.
 //!
-//! If everything must stick, screening gives the first slip, which is the greatest multiple of the load. If only squeeze and load act, its inverse is
-//! the least multiple of the squeeze. If the object must be held, one path to the loss gives both amounts in the same way. All other rows are searched
-//! as by [`Grasp::need`].
+//! If everything must stick, [`screening`](crate::screening) gives the first slip, which is the greatest multiple of the load. If only squeeze and
+//! load act, its inverse is the least multiple of the squeeze. If the object must be held, one path to the loss gives both amounts in the same way.
+//! All other rows are searched as by [`Grasp::need`].
 
 use core::ops::Range;
 
@@ -104,8 +104,8 @@ struct Asked {
 }
 
 impl Asked {
-    /// Whether the bound is the multiple of the load, or for a squeeze its inverse, which requires that all else that acts is proportional to the
-    /// squeeze.
+    /// Whether the answer follows from the multiple of the load at its bound: as this multiple, or for a squeeze as its inverse. For a squeeze this
+    /// needs that all else that acts is proportional to the squeeze.
     fn is_proportional<const C: usize>(&self, contacts: &[Contact<C>], base: &Wrench<C>) -> bool {
         let held = |contact: &Contact<C>| {
             contact.clearance == 0.0 && contact.force.is_none() && contact.suction == 0.0
@@ -118,7 +118,7 @@ impl Asked {
         }
     }
 
-    /// The amount from the multiple of the load at its bound; `None` beyond the amounts that are tried.
+    /// The answer for this multiple of the load at its bound; `None` if it is beyond the amounts that a search would try.
     fn amount(&self, multiple: f64) -> Option<f64> {
         let amount = if self.quantity == Quantity::Squeeze { 1.0 / multiple } else { multiple };
         (1.0 / MOST_LOADS..=MOST_LOADS).contains(&amount).then_some(amount)
@@ -149,8 +149,8 @@ impl Asked {
         amounts
     }
 
-    /// Fills in bounds for rows of which the rotation under the given load does not bound the rotation under the sought multiple: the rotation is
-    /// computed again under that multiple.
+    /// Fills in missing answers of rows whose load is sought. The rotation under the given load may not bound that under the sought multiple, so it
+    /// is computed again under that multiple.
     fn under_the_load_sought<const C: usize>(
         &self,
         first: usize,
@@ -179,11 +179,11 @@ impl Asked {
         turn <= self.settings.small_motions.rotation * (1.0 - NEGLIGIBLE)
     }
 
-    /// The amount with which everything sticks, if the object clearly turns within the limit of small motions there.
+    /// The amount with which everything sticks, if the rotation of the object is then clearly within the limit of small motions.
     fn while_it_sticks(&self, WhileSticking { first, turn }: &WhileSticking) -> Option<f64> {
         let multiple = first.factor()?;
         let amount = self.amount(multiple)?;
-        // Rotations are affine in load and squeeze. `turn` bounds the rotations at rest and under the given load, and thus all others.
+        // The rotation is linear in load and squeeze together. `turn` bounds it at rest and under the given load, and thus for all multiples.
         let [load, squeeze] =
             if self.quantity == Quantity::Squeeze { [1.0, amount] } else { [multiple, 1.0] };
         let most = turn * (load + (squeeze - load).abs());
@@ -213,7 +213,7 @@ impl Asked {
         Ok(ShortAmount::from(&grasp.need(&need.with_scan(0))?.amount))
     }
 
-    /// The amount with which the object is held, from the loss along the path of its load.
+    /// The amount with which the object is held, computed from the loss at the end of the path of its load.
     fn along_the_path<const C: usize>(
         &self,
         grasp: &Grasp<C>,
@@ -225,7 +225,7 @@ impl Asked {
             let lost = lost_at(&grasp.hold_briefly(&ramp)?.0);
             return Ok(lost.and_then(|(multiple, _)| self.amount(multiple)));
         }
-        // With the squeeze that is sought the motions may be small where those at the given squeeze are not: the path to the loss has no limit on motions.
+        // Motions may be too large at the given squeeze, but small at the sought one. So the path to the loss is followed without limits on motions.
         let (mut unlimited, small) = (self.settings, &self.settings.small_motions);
         let wider = ANY_MOTION.min(MOST_LIMIT / small.rotation.max(small.slip));
         unlimited.small_motions.rotation *= wider;
@@ -233,7 +233,7 @@ impl Asked {
         let (verdict, farthest) = grasp.with(&unlimited).hold_briefly(&ramp)?;
         let lost = lost_at(&verdict).filter(|(_, is_too_far)| !is_too_far);
         let Some(amount) = lost.and_then(|(multiple, _)| self.amount(multiple)) else { return Ok(None) };
-        // All motions are in proportion to the squeeze.
+        // Motions are proportional to the squeeze, so their largest ratio to a limit is known for the sought squeeze, too.
         if farthest * wider * amount <= 1.0 - NEGLIGIBLE {
             return Ok(Some(amount));
         }
@@ -242,15 +242,16 @@ impl Asked {
     }
 }
 
-/// Factor on the limits of small motions with which no motion reaches them.
+/// The limits of small motions are multiplied by this factor, so that no motion reaches them.
 const ANY_MOTION: f64 = 1e40;
 /// The largest limit of small motions allowed.
 const MOST_LIMIT: f64 = 1e50;
-/// The trial squeeze exceeds the bound by this fraction: more than the error of steps along arcs, 1e-9 by default, but too little to make motions
-/// large.
+/// The squeeze that is tried exceeds the computed one by this fraction. It is more than the error of steps along arcs (1e-9 by default), but too
+/// little to matter for motions.
 const BEYOND_STEPS: f64 = 1e-7;
 
-/// The multiple of the load at the loss, and whether the loss is the end of small motions. `None` if rest is not held, or no loss was found.
+/// The multiple of the load at the loss, and whether the loss is the end of small motions. `None` if the grasp does not hold at rest, or no loss was
+/// found.
 fn lost_at<const C: usize>(verdict: &Verdict<C>) -> Option<(f64, bool)> {
     let starts = matches!(verdict.holding, Holding::Sticks | Holding::Slides { .. } | Holding::Lost);
     let lost = verdict.lost.as_ref().filter(|lost| starts && lost.factor > 0.0)?;

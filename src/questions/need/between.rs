@@ -1,4 +1,4 @@
-//! The search for a sufficient amount between insufficient ones.
+//! The search for a sufficient amount between amounts that were tried and do not suffice.
 
 use super::search::{SearchPlan, Tries};
 use super::tolerances::{FAR_FROM_START, LAST_DIGITS, NEAR_DOUBLINGS};
@@ -7,8 +7,8 @@ use crate::error::Error;
 use crate::numerics::{increasing, moved};
 use crate::prelude::*;
 
-/// Searches for a sufficient amount between insufficient ones: first near the one that carries most of the load, then in the widest gaps near the
-/// start.
+/// Searches for a sufficient amount between insufficient ones (`vain`): first near the one that carries most of the load, then in the widest gaps
+/// near `begin`, the first amount of the search.
 pub(super) fn refined(
     tries: Tries<'_>,
     plan: &SearchPlan,
@@ -19,7 +19,7 @@ pub(super) fn refined(
         return Ok(Some(does));
     }
     let near = |at: f64| begin / FAR_FROM_START <= at && at <= begin * FAR_FROM_START && plan.contains(at);
-    // Two trials for each doubling on both sides of the start; fewer leave windows of sufficient amounts unseen.
+    // There are four trials for each doubling of the amount, two on each side of `begin`. With fewer, intervals of sufficient amounts stay unseen.
     for _ in 0..4 * NEAR_DOUBLINGS {
         let mut amounts: Vec<f64> = vain.iter().map(|(at, _)| *at).filter(|at| near(*at)).collect();
         amounts.sort_by(f64::total_cmp);
@@ -35,8 +35,8 @@ pub(super) fn refined(
     Ok(None)
 }
 
-/// While contacts and drives keep their states, the carried fraction of the load is a concave function of the squeeze. A golden-section search around
-/// the best trial finds its maximum, or ends once the chords bound the maximum below 1.
+/// A golden-section search for the amount that carries most of the load, around the best trial so far. While contacts and drives keep their states,
+/// the carried fraction is a concave function of the squeeze. So the search ends early once chords bound its maximum below 1.
 fn where_most_is_carried(
     tries: Tries<'_>,
     vain: &mut Vec<(f64, Trial)>,
@@ -46,7 +46,7 @@ fn where_most_is_carried(
     let in_order: Vec<_> = moved(increasing(&amounts), &|i| (amounts[i], carried[i]));
     let carries_most = |i: &usize, j: &usize| in_order[*i].1.total_cmp(&in_order[*j].1);
     let Some(best) = (0..in_order.len()).max_by(carries_most) else { return Ok(None) };
-    // If all carried fractions are equal, there is no direction of ascent.
+    // If all amounts carry the same fraction, nothing tells in which direction it grows.
     if in_order.iter().all(|(_, carried)| *carried == in_order[best].1) {
         return Ok(None);
     }
@@ -56,7 +56,7 @@ fn where_most_is_carried(
     let [low, high] = ends.map(|(at, _)| at);
     let mut inner = [between(high, low), between(low, high)];
     let mut parts = [None; 2];
-    // Each section leaves 0.618 of the logarithmic width, 40 leave 4e-9 of it; fewer miss narrow windows.
+    // Each section keeps 0.618 of the interval of logarithms, so 40 leave 4e-9 of it. With fewer, narrow intervals of sufficient amounts are missed.
     for _ in 0..40 {
         for k in 0..2 {
             if parts[k].is_none() {
@@ -70,7 +70,7 @@ fn where_most_is_carried(
         }
         let [(low, at_low), (high, at_high)] = ends;
         let [one, other] = parts.map(|part| part.unwrap_or(f64::NEG_INFINITY));
-        // A concave function lies below its extended chords, so that `most` bounds its maximum.
+        // A concave function lies below its chords where these are extended, so `most` bounds its maximum.
         let gap = inner[1] - inner[0];
         let slope = (other - one) / gap;
         let before = one + (-slope).max(0.0) * (inner[0] - low);

@@ -1,4 +1,4 @@
-//! Conversion of the question between the engine's three components and the `C` components of callers.
+//! Conversion of the question between the engine's vectors of three components and the callers' vectors of `C` components.
 
 use super::answer::Quantity;
 use super::question::{Demand, Need};

@@ -18,23 +18,23 @@ use crate::prelude::*;
 use crate::squeeze::Loads;
 use crate::words::Words;
 
-/// A grasp with an amount set, and its loads with their factor.
+/// A grasp with a trial amount set, and the loads that it has to bear, with a common factor.
 pub(super) struct Loading {
     pub(super) grasp: Grasp<3>,
     pub(super) loads: Loads<3>,
-    /// The load at rest, to which `times` does not apply.
+    /// The load at rest. The factor `times` does not apply to it.
     pub(super) base: Wrench<3>,
     /// Factor on `loads`.
     pub(super) times: f64,
     words: Words,
-    /// The multiple of the load up to which a path follows it.
+    /// Paths follow the load up to this multiple of it.
     followed: f64,
     /// Whether trials skip the enumeration of contact states.
     is_quick: bool,
 }
 
 impl Loading {
-    /// The grasp and its loads with an amount of the sought quantity, friction and squeeze reduced and loads enlarged by `safety`.
+    /// Sets an amount of the sought quantity. Friction and squeeze are reduced and loads enlarged by `safety`.
     pub(super) fn of(grasp: &Grasp<3>, need: &Posed, amount: f64, safety: Safety) -> Result<Self, Error> {
         let (friction, squeeze) = (1.0 - safety.lower[0], 1.0 - safety.lower[1]);
         let (mut times, mut base, mut loads) = (safety.load, need.base, need.loads.clone());
@@ -54,8 +54,8 @@ impl Loading {
             Sought::Force { of: None } => base = base * amount,
         }
         let grasp = if friction == 1.0 { grasp } else { grasp.with_friction(|_, mu| friction * mu)? };
-        // A sufficient amount is followed up to this multiple of its load, which shows its distance from the bound. Larger multiples cost longer paths,
-        // and only of a squeeze do they lead to good guesses.
+        // Loads of a sufficient amount are followed up to this multiple, which shows how far the amount is from the bound. A larger multiple makes
+        // paths longer; only for a squeeze does it lead to good guesses of the bound.
         let followed = match need.sought {
             Sought::Load => MOST_LOADS / amount.max(1.0),
             Sought::Squeeze => 32.0,
@@ -65,8 +65,8 @@ impl Loading {
         Ok(Self { grasp, loads, base, times, words: need.words, followed, is_quick: false })
     }
 
-    /// Loads that contact forces must balance for the amount to suffice: the load at rest, and its sum with each load. A force of any direction
-    /// counts along both senses of each axis, a turn at nine angles.
+    /// The loads that contact forces must balance if the amount is to suffice: the load at rest, and its sum with each load. A force of any direction
+    /// is taken along both senses of each axis, a turning load at nine angles.
     pub(super) fn to_balance(&self) -> Vec<Wrench<3>> {
         let mut list = vec![self.base];
         match &self.loads {
@@ -80,7 +80,7 @@ impl Loading {
             }
             Loads::Turn(turn) => {
                 let turn = self.so_many(turn);
-                // Fewer angles leave the range of amounts wider, though still proved.
+                // With fewer angles the proved range of amounts would be wider than necessary.
                 let parts = 8_u32;
                 list = (0..=parts)
                     .map(|k| turn.load_at(turn.angle() * f64::from(k) / f64::from(parts)))
@@ -90,7 +90,7 @@ impl Loading {
         list
     }
 
-    /// This loading with trials that skip the enumeration of contact states. If `short`, loads beyond those asked about are not followed.
+    /// The same with trials that skip the enumeration of contact states. If `short`, no load is followed beyond the whole load.
     pub(super) fn quick(mut self, short: bool) -> Self {
         self.followed = if short { 1.0 } else { self.followed };
         self.is_quick = true;
@@ -100,8 +100,8 @@ impl Loading {
         self
     }
 
-    /// The trials of this loading. The load of index `first` comes first, and the index of a load that is not carried replaces it: as a rule that
-    /// load refutes the next amount with a single verdict.
+    /// Tries whether the amount meets the demand. The load of index `first` is put on first. If a load is not carried, `first` becomes its index,
+    /// because as a rule the same load refutes the next amount.
     pub(super) fn put_on(&self, demand: Demand, first: &Cell<usize>) -> Result<Trials, Error> {
         if demand.repeats() {
             return Ok(Trials::only(demand, self.again_and_again(demand)?));
@@ -119,7 +119,7 @@ impl Loading {
                         Trials::only(demand, trial.unwrap_or_else(Trial::always))
                     }
                     _ => {
-                        // The constant load beside the force is put on first, on top of the load at rest.
+                        // Without the force of any direction, the constant load beside it is put on, on top of the load at rest.
                         let force = |d: [f64; 3]| force_at(d.map(|x| x * *size * times), *point);
                         let loaded = besides + *base * times;
                         let mut ramps = vec![Ramp::load(besides, *base * times)];
@@ -137,13 +137,13 @@ impl Loading {
         })
     }
 
-    /// The turn with its loads multiplied by `times`, plus the load at rest.
+    /// The turning load with its parts multiplied by `times`, plus the load at rest.
     pub(super) fn so_many(&self, turn: &Turn<3>) -> Turn<3> {
         let ([constant, cosine, sine], times) = (turn.parts(), self.times);
         Turn::new(self.base + constant * times, cosine * times, sine * times).up_to(turn.angle())
     }
 
-    /// The trials of these ramps, up to the first that is not carried.
+    /// The joint result of putting on each of these ramps, up to the first that is not carried.
     fn all(&self, ramps: &[Ramp<3>], demand: Demand, first: &Cell<usize>) -> Result<Trials, Error> {
         let (mut held, mut sticks, mut kinds) = (Trial::always(), Trial::always(), None);
         let (mut weakest, mut least) = (first.get(), f64::INFINITY);
@@ -179,7 +179,7 @@ impl Loading {
         Ok(Trials { held: is_held.then_some(held), sticks: Some(sticks), at_rest: kinds })
     }
 
-    /// Whether everything sticks under a ramp, by its onset alone.
+    /// Whether everything sticks under this ramp. The onset alone decides, without a verdict.
     fn first_slip(&self, ramp: &Ramp<3>) -> Result<Trial, Error> {
         let factor = match self.grasp.onset(ramp)? {
             Onset::At(event) => event.factor,
@@ -202,7 +202,7 @@ impl Loading {
         format!("{what:.digits$}")
     }
 
-    /// The trial with the number, from 1, and the components of its load in the sentence, if the question has several loads.
+    /// Adds to the sentence of a trial which of the loads it is about, if the question has several.
     fn said_of(&self, which: usize, load: &Wrench<3>, mut trial: Trial) -> Trial {
         if let (Loads::Each(list), Trial::DoesNot { says, .. }) = (&self.loads, &mut trial)
             && list.len() > 1
@@ -212,7 +212,8 @@ impl Loading {
         trial
     }
 
-    /// A trial from its verdict and a second margin: for holding that of small motions, for sticking that at rest.
+    /// The result of a trial from its verdict. `other` is a second margin: for [`Demand::Held`] that of small motions, for [`Demand::Sticks`] that of
+    /// friction at rest.
     pub(super) fn judged(&self, (verdict, other): (&Verdict<3>, f64), demand: Demand) -> Trial {
         let does = match demand {
             Demand::Sticks => verdict.sticks(),
@@ -221,7 +222,7 @@ impl Loading {
         match does {
             Some(true) => {
                 let lost = verdict.lost.as_ref().map(|lost| lost.factor);
-                // A path that ended before the limit without a loss carries at least the load reached.
+                // If the path ended before its limit without a loss, the amount carries at least the load that was reached.
                 let held = lost.or((verdict.held_to < self.followed).then_some(verdict.held_to));
                 let slides = verdict.first_slip.as_ref().map(|first| first.factor);
                 let carried = if demand == Demand::Sticks { slides.or(held) } else { held };
@@ -236,7 +237,8 @@ impl Loading {
                 let first_slip = verdict.first_slip.as_ref().map_or(part, |first| first.factor);
                 let carried = match &verdict.holding {
                     Holding::NoRest(_) => NOT_AT_REST,
-                    // The proof that nothing rests, and a loss with the whole load at rest on, are other cases.
+                    // The load at rest is lost at a fraction of it. The carried part is then negative, but above `NOT_AT_REST`, which stands for a
+                    // proof that nothing rests.
                     Holding::LostAtRest { at_rest } => {
                         (at_rest.factor - 1.0).clamp(NOT_AT_REST + f64::EPSILON, -f64::EPSILON)
                     }

@@ -1,4 +1,4 @@
-//! The question for an amount, from its check to its answer: the amount, the amount with which nothing slides, and a safe amount.
+//! Answers the question for an amount: the amount, the amount with which nothing slides, and a safe amount.
 
 use super::answer::{Amount, FarEnd, Needed, Quantity};
 use super::around::{Around, between_states};
@@ -46,7 +46,7 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl Need<3> {
-    /// The amount that a grasp of the plane or of space needs.
+    /// Answers the question in the engine's three components.
     fn answered_by(&self, grasp: &Grasp<3>) -> Result<Needed, Error> {
         let grasp = &self.growing(grasp)?;
         let posed = self.posed(grasp.space())?;
@@ -171,7 +171,7 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
             return Ok(Amount::Any { to, until, tried: (!plan.is_monotone).then(|| tried.amounts(demand)) });
         }
         Searched::Nothing(mut vain) => {
-            // An amount that holds is known already. Undecided trials for sticking are dropped if others are decided.
+            // With `Look::Towards` an amount that holds is known already. Undecided trials for sticking are then dropped if others are decided.
             if look == Look::Towards && vain.iter().any(|(_, trial)| trial.carried().is_some()) {
                 vain.retain(|(_, trial)| trial.carried().is_some());
             }
@@ -179,7 +179,8 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
         }
     };
     let (does, does_not) = (bound.does, bound.does_not.0);
-    // Even where friction carries more, more squeeze may move the part too far. If a far squeeze does so, the whole range is scanned.
+    // A larger squeeze always carries more here, but it may move the part too far. One far squeeze is tried; if it is too much, the whole range is
+    // scanned.
     if plan.is_monotone && is_squeeze && scan > 0 && plan.contains(FAR_FROM_START * does) {
         tries.at(FAR_FROM_START * does)?;
     }
@@ -225,10 +226,10 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
     })
 }
 
-/// The bound at an amount that suffices at the end of what forces can balance, where all amounts up to that end suffice: beyond, none does.
+/// The bound if all amounts up to the proved end of the range suffice, `to` being the last: beyond that end no contact forces balance the loads.
 fn at_proved_end(to: f64, plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Threshold>, Error> {
     let (end, outwards) = if plan.is_least { (plan.range.low, -1.0) } else { (plan.range.high, 1.0) };
-    // Where an amount that was tried is nearer than this part, the proved end is that amount up to rounding.
+    // If the last tried amount is this near to the proved end, the two agree up to rounding.
     let Some(end) = end.filter(|end| (end - to).abs() <= NEGLIGIBLE * to) else { return Ok(None) };
     let beyond = end * (1.0 + outwards * NEGLIGIBLE);
     let trial = tries.at(beyond)?;
@@ -236,7 +237,7 @@ fn at_proved_end(to: f64, plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<
     Ok(refuted.then_some(Threshold { does: to, does_not: (beyond, trial), unknown: None }))
 }
 
-/// The last amount that suffices on the ample side of `does`, and the first there that does not, among those that were tried.
+/// Among the amounts that were tried beyond the bound `does`, on the sufficient side: the last that suffices, and the first that does not.
 fn beyond_which_none_does(does: f64, is_least: bool, known: &[(f64, Trial)]) -> Option<[f64; 2]> {
     let ample = |at: f64| if is_least { at / does } else { does / at };
     let mut beyond: Vec<_> = known.iter().filter(|(at, _)| ample(*at) > 1.0).collect();
@@ -246,7 +247,7 @@ fn beyond_which_none_does(does: f64, is_least: bool, known: &[(f64, Trial)]) -> 
     Some([last, beyond[first].0])
 }
 
-/// The far end of the sufficient amounts that begin at `does`. For other data it is at the first of the amounts `far`, the second being insufficient.
+/// The end of the sufficient amounts that begin at `does`. For the data as given these end between the two amounts `far`, so these are tried first.
 fn far_end_near(far: [f64; 2], does: f64, tries: Tries<'_>) -> Result<Option<Threshold>, Error> {
     let mut inner = does;
     for amount in far {
@@ -263,8 +264,8 @@ fn far_end_near(far: [f64; 2], does: f64, tries: Tries<'_>) -> Result<Option<Thr
     Ok(None)
 }
 
-/// The answer where no amount suffices. Without a proof the first undecided trial decides; otherwise `best` is the one that carries most, the first
-/// of equals.
+/// The answer if no amount suffices. Without a proof, an undecided trial makes the answer undecided. Otherwise `best` is the amount that carries
+/// most, the first of equals.
 fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], is_proved: bool) -> Amount {
     let amounts = || vain.iter().map(|(amount, _)| *amount);
     let [from, to] = if is_proved {
@@ -289,10 +290,10 @@ fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], is_proved: bool) -> A
     none
 }
 
-/// The normal force of each contact at rest with its squeeze multiplied by `squeeze`, N, and the joints and tendons whose drives are at their limit.
+/// The normal force of each contact at rest with its squeeze multiplied by `squeeze`, N. Also the joints and tendons whose drives are at their limit.
 ///
-/// If the contacts that are set press with nothing without a load, their forces are those beside the load at rest. A contact held by a force presses
-/// with this force even if no equilibrium is known.
+/// If the contacts that are pressed by commands carry no force without a load, their forces are those under the load at rest. A contact held by a
+/// given force presses with it even if no equilibrium is known.
 fn presses(grasp: &Grasp<3>, squeeze: f64, base: Wrench<3>) -> Result<(Vec<Press>, Vec<String>), Error> {
     let squeezed = grasp.squeezed(squeeze)?;
     let list = |force: &dyn Fn(usize) -> f64| {
@@ -315,7 +316,7 @@ fn presses(grasp: &Grasp<3>, squeeze: f64, base: Wrench<3>) -> Result<(Vec<Press
         if *load != base && set.peek().is_some() && set.all(|press| press.force == 0.0) {
             continue;
         }
-        // Contacts held by a constant force are at their limit by design and are not listed.
+        // A contact that is held by a given force is always at its limit, so it is not listed.
         let mut at_their_limit = Vec::new();
         for joint in &state.joints {
             if joint.state == DriveState::Yields {

@@ -1,4 +1,4 @@
-//! The checked question for an amount, with a value for each datum that was left out.
+//! The question for an amount after its check, with defaults for all data that were left out.
 
 use alloc::borrow::Cow;
 
@@ -31,13 +31,14 @@ impl<const C: usize> Need<C> {
         self.load.iter().chain(&self.loads)
     }
 
-    /// The load in proportion to which the loads of other bodies [grow](Self::together_with); `None` unless the amount multiplies a single load.
+    /// The load in proportion to which the loads of other bodies [grow](Self::together_with). `None` unless the sought amount multiplies a single
+    /// load.
     pub(crate) fn grows(&self) -> Option<Wrench<C>> {
         let is_alone = self.loads.is_empty() && self.any_force.is_none() && self.turn.is_none();
         self.load.filter(|_| is_alone && !matches!(self.quantity, Quantity::Arm | Quantity::Angle))
     }
 
-    /// The grasp with the loads that grow together.
+    /// The grasp in which loads of other bodies grow together with the load of the question.
     pub(super) fn growing<'g>(&self, grasp: &'g Grasp<C>) -> Result<Cow<'g, Grasp<C>>, Error> {
         grasp.growing("need", self.base(), self.grows(), &self.together_with)
     }
@@ -52,11 +53,11 @@ pub(super) struct Posed {
     /// The load at rest; constant unless its own multiple is sought.
     pub(super) base: Wrench<3>,
     pub(super) demand: Demand,
-    /// Deviations from the data that the safe amount covers.
+    /// By how much the data may be worse than given, for the safe amount.
     pub(super) safety: Safety,
-    /// Number of amounts tried around the bound.
+    /// Number of amounts that are tried around the bound.
     pub(super) scan: usize,
-    /// Number of digits in the sentences about insufficient amounts.
+    /// Units and digits of numbers in the sentences about insufficient amounts.
     pub(super) words: Words,
 }
 
@@ -64,7 +65,7 @@ pub(super) struct Posed {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Sought {
     Squeeze,
-    /// Points of the contacts; `None` for all with friction.
+    /// The contact points whose coefficient is sought; `None` for all with friction.
     Friction {
         contacts: Option<Vec<usize>>,
     },
@@ -82,7 +83,7 @@ pub(super) enum Sought {
     },
 }
 
-/// Unfavourable deviations from the data, for a safe amount.
+/// Deviations from the data to the bad side, which a safe amount allows for.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Safety {
     /// Relative reductions of friction and of the squeeze, from 0 to less than 1.
@@ -97,7 +98,7 @@ impl Safety {
 }
 
 impl Posed {
-    /// Refuses numbers out of range, and loads that do not suit the demand, whatever the grasp.
+    /// Refuses numbers out of range, and loads that do not suit the demand; this does not depend on the grasp.
     pub(super) fn check(&self) -> Result<(), Error> {
         self.base.check_in(self.words.space::<3>(), "base load")?;
         check_part("part by which friction is less", self.safety.lower[0])?;
@@ -175,7 +176,7 @@ impl Posed {
 }
 
 impl Need<3> {
-    /// An error for fields that are missing or belong to another quantity, numbers out of range, and contact indices not below `contacts`.
+    /// Refuses fields that are missing or belong to another quantity, numbers out of range, and contact indices from `contacts` on.
     #[cfg(feature = "serde")]
     pub(crate) fn check(&self, space: Space, contacts: usize) -> Result<(), Error> {
         match self.posed(space)?.sought {
@@ -268,7 +269,7 @@ impl Need<3> {
         }
     }
 
-    /// The loads, or an error unless they are given in exactly one way. Without any, what acts at rest is to be held.
+    /// The loads of the question; an error unless they are given in exactly one way. Without any, the grasp has to hold what acts at rest.
     fn given_loads(&self) -> Result<Loads<3>, Error> {
         let others = self.load.is_some() || !self.loads.is_empty() || self.any_force.is_some();
         match self.turn {

@@ -50,7 +50,7 @@ impl Press {
     }
 }
 
-/// The contacts and cables that a user sets and that press at rest, or all that press if joints and tendons are set.
+/// The contacts and cables that press at rest by commands of their own; if joints and tendons press instead, all contacts that press.
 fn pressing(presses: &[Press]) -> Vec<&Press> {
     let is_one_set = presses.iter().any(|press| press.is_set);
     let most = presses.iter().map(|press| press.force).fold(0.0, f64::max);
@@ -58,14 +58,14 @@ fn pressing(presses: &[Press]) -> Vec<&Press> {
     presses.iter().filter(is_meant).collect()
 }
 
-/// The normal force that all pressing contacts share, to within [`ALIKE_IN_WORDS`], N.
+/// The normal force that all pressing contacts have alike, to within [`ALIKE_IN_WORDS`], N; `None` if they differ.
 pub(super) fn alike(presses: &[Press]) -> Option<f64> {
     let pressing = pressing(presses);
     let first = pressing.first()?.force;
     pressing.iter().all(|press| (press.force - first).abs() <= ALIKE_IN_WORDS * first).then_some(first)
 }
 
-/// The normal force that all pressing contacts share, in words.
+/// The normal force that all pressing contacts have alike, in words.
 pub(super) fn all_alike(words: Words, presses: &[Press]) -> Option<String> {
     alike(presses)?;
     pressing(presses).first().map(|press| press.in_words(words))

@@ -12,18 +12,19 @@ use crate::error::Error;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// An interval of amounts. A proof refutes all amounts beyond an end that is given; `None` means no proof on that side.
+/// The amounts for which contact forces may balance the loads. Beyond an end that is given, a proof excludes all amounts; beyond `None` there is no
+/// proof.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Range {
     pub(super) low: Option<f64>,
     pub(super) high: Option<f64>,
     pub(super) is_empty: bool,
-    /// Estimate of the lower end by secants, more accurate than proofs; for friction only.
+    /// For friction only: an estimate of the lower end by secants, which is more accurate than the proved end.
     pub(super) likely: Option<f64>,
 }
 
 impl Range {
-    /// The range between the least and the greatest amount that the search would try.
+    /// The range within the least and the greatest amount that the search would try.
     pub(super) fn of(
         grasp: &Grasp<3>,
         need: &Posed,
@@ -48,7 +49,7 @@ impl Range {
         Ok(range)
     }
 
-    /// Moves one end inwards, the lower one if `up`, as far as proofs for the load of index `which` allow.
+    /// Moves one end of the range inwards (the lower one if `up`), as far as proofs about the load of index `which` allow.
     fn cut(
         &mut self,
         loading: &dyn Fn(f64) -> Result<Loading, Error>,
@@ -58,7 +59,8 @@ impl Range {
     ) -> Result<(), Error> {
         let (low, high) = (self.low.unwrap_or(least), self.high.unwrap_or(most));
         let (mut at, end) = if up { (low, high) } else { (high, low) };
-        // On round cones the distance between successive cuts shrinks by a constant factor. Fewer cuts leave the end less tight, though still proved.
+        // On round cones each cut shortens the distance to the true end by a constant factor. With fewer cuts the end would be less tight, though
+        // still proved.
         for _ in 0..60 {
             let here = loading(at)?;
             let load = here.to_balance()[which];
@@ -68,7 +70,7 @@ impl Range {
             let there = loading(end)?;
             let works = |of: &Loading| of.grasp.engine.work_along(&of.to_balance()[which], &motion);
             let (work, beyond) = (works(&here)?, works(&there)?);
-            // The load does positive work along the motion at both ends, so that no forces balance it between them.
+            // The load works along the motion at both ends of the range, so no contact forces balance it at any amount between them.
             if beyond >= 0.0 || at == end {
                 self.is_empty = true;
                 return Ok(());
@@ -84,13 +86,14 @@ impl Range {
         Ok(())
     }
 
-    /// The least coefficient with which forces balance all loads. The unbalanced work vanishes there, and its secants come closer than proofs do.
+    /// The least coefficient of friction with which contact forces balance all loads. Below it, a proof comes with a motion along which a load does
+    /// work; that work vanishes at the least coefficient. Its secants give this coefficient more accurately than proofs do.
     fn least_friction(
         &mut self,
         loading: &dyn Fn(f64) -> Result<Loading, Error>,
         [least, most]: [f64; 2],
     ) -> Result<(), Error> {
-        // Work of the first unbalanced load along the motion that proves it unbalanced; `None` if no load has such a proof.
+        // If a proof exists that contact forces cannot balance some load, the work of this load along the motion of the proof.
         let left = |amount: f64| {
             let here = loading(amount)?;
             for load in here.to_balance() {
@@ -106,13 +109,13 @@ impl Range {
         }
         let (Some(mut last), mut low, mut high) = (left(least)?, least, most) else { return Ok(()) };
         let mut secant = None;
-        // Limits at a ratio of 2⁴⁰ need about 40 halvings, in logarithms first. Fewer leave a loose end.
+        // For limits at a ratio of 2⁴⁰ about 40 halvings are needed, the first ones in logarithms. With fewer the end would be loose.
         for _ in 0..80 {
             if high - low <= SAME_COEFFICIENT * high {
                 break;
             }
             let middle = if high > 2.0 * low { (low * high).sqrt() } else { 0.5 * (low + high) };
-            // In a wider interval the unbalanced work is not linear, and secants do not replace halving.
+            // In a wide interval the work is far from linear in the coefficient, so the interval is halved. Once it is narrow, secants are used.
             let is_near = high - low <= 1e-2 * high;
             let at = secant.filter(|at| is_near && low < *at && *at < high).unwrap_or(middle);
             if let Some(now) = left(at)? {
@@ -120,7 +123,7 @@ impl Range {
                 (low, last) = (at, now);
             } else {
                 high = at;
-                // The secant reached the least coefficient to within the resolution of proofs.
+                // No proof exists at the secant's root: it is the least coefficient as accurately as proofs can tell.
                 if secant == Some(at) {
                     break;
                 }

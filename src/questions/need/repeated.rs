@@ -15,7 +15,7 @@ use crate::shake::{Repeats, Shaken};
 use crate::squeeze::Loads;
 
 impl Loading {
-    /// Whether the object comes to rest, or does not walk, while the loads are put on and taken off in turn for ever.
+    /// Tries whether the object comes to rest, or does not walk, while the loads are put on and taken off in turn for ever.
     pub(super) fn again_and_again(&self, demand: Demand) -> Result<Trial, Error> {
         let Some((base, legs)) = self.cycle() else {
             return Ok(Trial::Unknown("a force of any direction comes in no order".to_owned()));
@@ -55,10 +55,10 @@ impl Loading {
     }
 }
 
-/// A value below 1 for an insufficient amount, in place of the carried part of a load. It rises with the cycle of a loss, and as the motion per period
-/// falls.
+/// For an amount that does not suffice, a number below 1 that stands for the carried part of the load. It is the larger, the later the object is
+/// lost, or the less it moves per period.
 fn carried(shaken: &Shaken<3>, legs: usize) -> f64 {
-    // A loss has a value below one half; walking and sliding to and fro have one above it, so that a search proceeds towards rest.
+    // A loss gives less than one half; walking and sliding to and fro give more. So a search goes from loss over walking towards rest.
     let held = 0.5;
     match &shaken.repeats {
         Repeats::NoRest { .. } => NOT_AT_REST,

@@ -11,10 +11,10 @@ use super::trial::{NOT_AT_REST, Trial};
 use crate::error::Error;
 use crate::prelude::*;
 
-/// The two kinds of trial of an amount, whole and quick.
+/// The ways to try an amount.
 #[derive(Clone, Copy)]
 pub(super) struct Tries<'t> {
-    /// The trial by the whole search for equilibria.
+    /// A trial with the whole search for equilibria.
     pub(super) whole: TrialOf<'t>,
     /// A quick trial leaves out the enumeration of contact states, which is slowest where no equilibrium exists; such a trial is undecided. With
     /// `true`, loads beyond those asked about are not followed, so that the distance of a sufficient amount from the bound stays unknown.
@@ -37,24 +37,24 @@ impl Tries<'_> {
 #[derive(Debug)]
 pub(super) enum Searched {
     Threshold(Threshold),
-    /// All amounts tried are sufficient, up to this last one.
+    /// All amounts that were tried suffice; this is the last of them.
     All(f64),
-    /// None of these amounts is sufficient; trials known before come first, then the start.
+    /// None of these amounts suffices. Those known before the search come first, then the start of the search.
     Nothing(Vec<(f64, Trial)>),
 }
 
-/// How the carried part c of an amount x leads to a guess of the bound, where c = 1.
+/// How the bound is guessed from the part c of the load that an amount x carries. At the bound c is 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Guess {
-    /// `x c`: the load itself is sought.
+    /// The bound is about `x c`, because the load itself is sought.
     Times,
-    /// `x / c`: the carried part is taken as proportional to the amount.
+    /// The bound is about `x / c`, as if the carried part were proportional to the amount.
     Divided,
     /// No guess.
     Nothing,
 }
 
-/// The range of amounts and the effort of the search.
+/// What a search has to find, in which range, and with how much effort.
 #[derive(Debug)]
 pub(super) struct SearchPlan {
     pub(super) start: f64,
@@ -63,11 +63,12 @@ pub(super) struct SearchPlan {
     pub(super) range: Range,
     pub(super) is_least: bool,
     pub(super) guess: Guess,
-    /// Whether every larger amount is known to suffice where the least is sought, or every smaller one where the greatest is.
+    /// Whether it is known that all larger amounts suffice if one does (where the least is sought), or all smaller ones (where the greatest is).
     pub(super) is_monotone: bool,
-    /// Whether sufficient amounts are sought in both directions and between trials, or by a few trials in the direction of more.
+    /// Whether the search goes in both directions and between trials. Otherwise it makes a few trials of easier amounts, such as more squeeze or less
+    /// load.
     pub(super) everywhere: bool,
-    /// Width of the bracket that ends the search.
+    /// The search ends once its bracket is this narrow.
     pub(super) enough: Enough,
 }
 
@@ -84,12 +85,12 @@ impl SearchPlan {
         self.low() <= amount && amount <= self.high()
     }
 
-    /// The upper or lower end of the range beyond which a proof excludes all amounts, if there is one.
+    /// The upper or lower end of the range, if a proof excludes all amounts beyond it.
     pub(super) fn end(&self, up: bool) -> Option<f64> {
         if up { self.range.high } else { self.range.low }
     }
 
-    /// Whether the proof of an end excludes all amounts beyond this one, to within the accuracy of the proof.
+    /// Whether a proof excludes all amounts beyond this one, up to the accuracy of the proof.
     pub(super) fn is_the_end(&self, amount: f64, up: bool) -> bool {
         let [.., nearby] = NEAR_AN_END;
         self.end(up).is_some_and(|end| (amount - end).abs() <= nearby * end.abs())
@@ -116,8 +117,8 @@ impl SearchPlan {
     }
 }
 
-/// The search from a sufficient start towards less, from an insufficient one towards more. If no larger amount suffices, it tries the other direction
-/// and the intervals between trials. Trials `known` from before are reused.
+/// From a sufficient start it searches towards harder amounts (less squeeze, more load), from an insufficient one towards easier ones. If no amount
+/// there suffices, it tries the other direction, then the intervals between trials. Trials `known` from before are reused.
 pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]) -> Result<Searched, Error> {
     let more = plan.is_least;
     let (does, mut vain): (Vec<_>, Vec<_>) = known.iter().cloned().partition(|(_, trial)| trial.does());
@@ -151,10 +152,11 @@ pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]
             }
         }
     }
-    // A larger ratio than 2 passes over narrow windows of sufficient amounts.
+    // With a larger ratio than 2, narrow intervals of sufficient amounts would be skipped.
     let factor = if plan.everywhere { 2.0 } else { FAR_APART };
     let begin = first.0;
-    // A squeeze that moves the part too far is no proof that less of it does not suffice.
+    // If the start fails because a squeeze moves the part too far, a smaller one may suffice. So smaller amounts are tried, too, where the least is
+    // sought.
     let may_be_less = plan.everywhere && (plan.is_least || !plan.is_monotone);
     for (up, is_asked) in [(more, true), (!more, may_be_less)] {
         if is_asked && let Some(does) = walk(tries, plan, (begin, up, factor), &mut vain)? {
@@ -170,12 +172,13 @@ pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]
     Ok(Searched::Nothing(vain))
 }
 
-/// The trial of an amount, or of a neighbour where the first is undecided. Offsets are fractions of `width`, or without it of the amount itself.
+/// Tries an amount; if that is undecided, some neighbours. Their offsets are fractions of `width`, or without it of the amount itself.
 pub(super) fn decided(tries: TrialOf<'_>, at: f64, width: Option<f64>) -> Result<(f64, Trial), Error> {
     let first = tries(at)?;
     if let Trial::Unknown(_) = first {
         let beside = |part: f64| width.map_or(at * (1.0 + part), |width| at + part * width);
-        // Without offsets one doubtful amount would end the search; below 1e-9 the same tie may remain. In a narrow bracket two offsets are enough.
+        // Neighbours keep one undecided amount from ending the search. Closer than 1e-9 they might meet the same tie. In a narrow bracket two of them
+        // are enough.
         let is_narrow = width.is_some_and(|width| width <= 1e-6 * at.abs());
         let offsets: &[f64] = match width {
             Some(_) if is_narrow => &[0.3, -0.3],
@@ -192,8 +195,8 @@ pub(super) fn decided(tries: TrialOf<'_>, at: f64, width: Option<f64>) -> Result
     Ok((at, first))
 }
 
-/// The first sufficient amount among guesses from the carried part. Each guess is moved towards more: the first by 2 [`LAST_DIGITS`], each other by 64
-/// times as much as the last.
+/// The first sufficient amount among guesses of the bound from the carried part. Each guess is moved to the easier side: the first by 2
+/// [`LAST_DIGITS`], each next one by 64 times as much.
 fn guessed(
     tries: Tries<'_>,
     plan: &SearchPlan,
@@ -201,7 +204,7 @@ fn guessed(
     vain: &mut Vec<(f64, Trial)>,
 ) -> Result<Option<(f64, Trial)>, Error> {
     let mut beyond = LAST_DIGITS;
-    // After four failed guesses the carried part is not proportional to the amount, and [`walk`] continues.
+    // If four guesses fail, the carried part is not proportional to the amount. Then [`walk`] continues.
     for _ in 0..4 {
         let Some(guess) = plan.guessed(at, &trial) else { break };
         beyond *= 2.0;
@@ -216,7 +219,7 @@ fn guessed(
     Ok(None)
 }
 
-/// The first sufficient amount in one direction, multiplied or divided by `factor` from trial to trial.
+/// The first sufficient amount in one direction; from trial to trial the amount is multiplied or divided by `factor`.
 fn walk(
     tries: Tries<'_>,
     plan: &SearchPlan,
@@ -225,7 +228,7 @@ fn walk(
 ) -> Result<Option<(f64, Trial)>, Error> {
     let mut at = begin;
     loop {
-        // Far from the start, windows of sufficient amounts are usually as wide as their distance from it, so that larger steps find them.
+        // Far from the start, an interval of sufficient amounts is usually as wide as its distance from the start. So larger steps find it, too.
         let is_far = at > FAR_FROM_START * begin || at * FAR_FROM_START < begin;
         let factor = if is_far { factor.max(FAR_FROM_START) } else { factor };
         at *= if up { factor } else { factor.recip() };
@@ -240,7 +243,8 @@ fn walk(
     }
 }
 
-/// The bracket of the bound, sought from a sufficient amount towards less, and narrowed.
+/// The bracket of the bound. From a sufficient amount it searches towards harder ones (less squeeze, more load) for one that does not suffice, then
+/// narrows the bracket.
 fn edge_from(
     tries: Tries<'_>,
     plan: &SearchPlan,
@@ -253,7 +257,7 @@ fn edge_from(
     let mut does_not =
         nearest.reduce(|one, other| if is_beyond(one.0, other.0) { other } else { one }).cloned();
     let mut unknown = None;
-    // The carried part gives guesses of the bound from both sides; the end of the proved range is a guess, too.
+    // The carried part gives guesses of the bound from both sides. The proved end of the range is a further guess.
     let beyond = |at: f64, trial: &Trial, part: f64| {
         let guess = plan.guessed(at, trial).filter(|guess| is_beyond(*guess, does) || *guess == does);
         guess.map(|guess| if up { guess * (1.0 + part) } else { guess * (1.0 - part) })
@@ -266,7 +270,7 @@ fn edge_from(
     let near = |part: f64| end.map(|end| end * if up { 1.0 + part } else { 1.0 - part });
     let [nearest, near_enough, nearby] = NEAR_AN_END;
     let likely = plan.range.likely.filter(|_| !up);
-    // Closer than the error of that secant both trials would fall on one side.
+    // Offset of the trials beside the estimate of least friction. If smaller than the error of that estimate, both would fall on one side.
     let off = 3e-12;
     let [above, below] = [likely.map(|at| at * (1.0 + off)), likely.map(|at| at * (1.0 - off))];
     let inside = near(-nearby);
@@ -278,25 +282,25 @@ fn edge_from(
         {
             continue;
         }
-        // A guess that only the enumeration of contact states decides is no better than the next guess.
+        // If a quick trial leaves a guess undecided, the slow enumeration of contact states would have to decide. The next guess serves as well.
         let is_open = matches!((tries.quick)(amount, false)?, Trial::Unknown(_));
         match if is_open { Trial::Unknown(String::new()) } else { tries.at(amount)? } {
             now @ Trial::Does { .. } => (does, trial) = (amount, now),
             now @ Trial::DoesNot { .. } => does_not = Some((amount, now)),
             Trial::Unknown(_) => {}
         }
-        // The bound is not at the end.
+        // The amount just inside the proved end does not suffice, so the bound is elsewhere.
         if at == inside && does != amount {
             break;
         }
     }
     let (mut at, mut factor) = (does, 1.0);
     while does_not.is_none() {
-        // The ratio grows from step to step: secants narrow a wide bracket quickly, and paths at tiny forces are long.
+        // The ratio grows from step to step: secants narrow a wide bracket quickly, and paths at tiny forces take long.
         factor *= FAR_APART;
         at = if up { at * factor } else { at / factor };
         if !plan.contains(at) {
-            // Beyond the end of the range its proof replaces a trial.
+            // Beyond the proved end of the range no trial is needed.
             let says = || Trial::does_not("no forces of the contacts balance it", NOT_AT_REST);
             does_not = near(near_enough).map(|end| (end, says()));
             break;

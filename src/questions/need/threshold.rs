@@ -1,4 +1,4 @@
-//! A sufficient amount beside an insufficient one, and how the bracket between them is narrowed.
+//! A bracket of the bound, one amount that suffices and one that does not, and how it is narrowed.
 
 use super::search::{Tries, decided};
 use super::tolerances::{AT_A_JUMP, BESIDE_A_BOUND, FAR_APART, LAST_DIGITS};
@@ -6,16 +6,16 @@ use super::trial::Trial;
 use crate::error::Error;
 use crate::prelude::*;
 
-/// Pairs (steps, width): after that many steps a bracket of at most this width, relative to the larger amount, ends the search. Widths grow with the
-/// steps, since rounding or a jump of the carried part can keep the two amounts apart.
+/// When a bracket is narrow enough: pairs of a number of steps, and the width that is enough after so many steps, relative to the larger amount.
+/// Widths grow with the steps, since rounding or a jump of the carried part can keep the two amounts apart.
 pub(super) type Enough = &'static [(usize, f64)];
 
-/// A bracket of the bound: a sufficient amount, and an insufficient one beside it with its trial.
+/// A bracket of the bound: an amount that suffices, and one beside it that does not, with its trial.
 #[derive(Debug, Clone)]
 pub(super) struct Threshold {
     pub(super) does: f64,
     pub(super) does_not: (f64, Trial),
-    /// An amount between both whose trial is undecided, and why.
+    /// An amount between the two whose trial is undecided, and the reason.
     pub(super) unknown: Option<(f64, String)>,
 }
 
@@ -41,8 +41,8 @@ impl Threshold {
             return self.by(tries, false, (does, enough));
         }
         self.does = presumed.does;
-        // In space, where only the enumeration of contact states refutes an amount, it takes longer the nearer the amount is to the bound, and right
-        // beside the bound it does not end. So the insufficient amount keeps a distance there.
+        // In space, some amounts are refuted only by the enumeration of contact states. It takes longer the nearer the amount is to the bound, and
+        // next to the bound it does not end. So the insufficient amount keeps a distance there.
         let is_hard = presumed.does_not.1.needs_enumeration();
         let far = self.does_not.0;
         let at_a_distance = |part: f64| beside + (far - beside).signum() * part * beside.abs();
@@ -67,8 +67,8 @@ impl Threshold {
         Ok(self)
     }
 
-    /// Narrows the bracket. If `presumes`, it makes quick trials and counts undecided amounts as insufficient; else whole trials, of which an undecided
-    /// one ends the narrowing.
+    /// Narrows the bracket. If `presumes`, it makes quick trials and takes undecided amounts for insufficient. Otherwise it makes whole trials, and
+    /// an undecided one ends it.
     fn by(
         mut self,
         tries: Tries<'_>,
@@ -78,8 +78,8 @@ impl Threshold {
         let mut sides = [Side::of(self.does, does), Side::of(self.does_not.0, self.does_not.1.measures())];
         let is_at_rest = self.does_not.1.carried().is_some_and(|carried| carried <= 0.0);
         let mut which = usize::from(is_at_rest && signs_differ(&sides, 1).is_some());
-        // The end that the last step moved, the least distance of the next trial from both ends relative to the amount, the last three widths, and the
-        // last root of a secant.
+        // `kept` is the end that the last step moved. `push` is the least distance of the next trial from both ends, relative to the amount. The
+        // others are the last three widths and, below, the last root of a secant.
         let (mut kept, mut push, mut widths) = (None, 0.5 * LAST_DIGITS, [f64::INFINITY; 3]);
         let mut last_root = None;
         let first = |sides: &[Side; 2], which: usize| {
@@ -99,13 +99,13 @@ impl Threshold {
             }
             let is_slow = width > 0.125 * widths[step % 3];
             widths[step % 3] = width;
-            // Where one measure is not known on both sides, the other may be.
+            // If the present measure is not known at both ends of the bracket, the other measure is used, provided that it is.
             if signs_differ(&sides, which).is_none() && signs_differ(&sides, 1 - which).is_some() {
                 which = 1 - which;
                 at_first = first(&sides, which);
             }
-            // A linear measure falls to 1/16 as the bracket shrinks to 1/16. If more than a quarter of the measure's change is left, the measure jumps
-            // at the bound.
+            // As the bracket shrinks to 1/16 of its width, the change of a smooth measure across it falls to 1/16, too. If more than a quarter is
+            // left, the measure jumps at the bound.
             let jumps = |sides: &[Side; 2], which: usize| {
                 let now = signs_differ(sides, which).map(|[over, under]| over - under);
                 let falls = now.zip(at_first.1).is_some_and(|(now, first)| now > 0.25 * first);
@@ -116,7 +116,8 @@ impl Threshold {
                 (which, halves) = (1, false);
                 at_first = first(&sides, which);
             }
-            // No measure shows where a jump is, and the paths in space that decide on which side of it an amount lies are less accurate than rounding.
+            // Within a jump no measure guides the search. In space, moreover, paths decide less accurately than rounding on which side of the jump an
+            // amount lies. So a wider bracket is enough.
             if !tries.is_planar && (halves || signs_differ(&sides, which).is_none()) && is_within(AT_A_JUMP) {
                 break;
             }
@@ -134,7 +135,7 @@ impl Threshold {
                 Some(root) => {
                     let moves = last_root.map_or(0.0, |last: f64| 1e-2 * (root - last).abs());
                     let least = (push * from.abs().max(to.abs()) / width).min(0.5);
-                    // The next trial should fall on the other side of the root than the last.
+                    // The next trial goes a little beyond the root, so that it should fall on the other side of it than the last trial.
                     let beyond = (moves / width).max(least) * if kept == Some(1) { -1.0 } else { 1.0 };
                     let beyond = if kept.is_some() { beyond } else { 0.0 };
                     from + (to - from) * ((root - from) / (to - from) + beyond).clamp(least, 1.0 - least)
@@ -150,7 +151,7 @@ impl Threshold {
             } else {
                 decided(tries.whole, at, Some(width))?
             };
-            // Where the same end moves twice, the next trial keeps farther from both ends.
+            // If the same end moves twice, the next trial is farther away from both ends.
             let side = usize::from(!now.does());
             push = if kept == Some(side) { 16.0 * push } else { 0.5 * LAST_DIGITS };
             kept = if step % 4 == 3 && is_slow { None } else { Some(side) };
@@ -169,7 +170,7 @@ impl Threshold {
     }
 }
 
-/// One end of a bracket with its measures, and the previous position of this end.
+/// One end of a bracket: the amount, its measures, and the same before the end last moved.
 struct Side {
     at: f64,
     measures: [Option<f64>; 2],
@@ -186,7 +187,7 @@ impl Side {
         (self.at, self.measures) = (at, measures);
     }
 
-    /// The root of a measure, extrapolated from two amounts on this side, since the slope may differ on both sides of the bound.
+    /// The amount at which a measure would vanish, extrapolated from two amounts on this side. The other side may have another slope.
     fn root(&self, which: usize) -> Option<f64> {
         let (before, measures) = self.before?;
         let (now, then) = (self.measures[which]?, measures[which]?);
@@ -195,24 +196,24 @@ impl Side {
     }
 }
 
-/// A measure at the sufficient and at the insufficient end, if its sign differs by more than rounding.
+/// A measure at both ends, the sufficient one first, if its sign differs by more than rounding.
 fn signs_differ(sides: &[Side; 2], which: usize) -> Option<[f64; 2]> {
     let (over, under) = (sides[0].measures[which]?, sides[1].measures[which]?);
     let (over, under) = (if over > -ROUNDING { over.max(0.0) } else { over }, under);
     (over >= 0.0 && under <= 0.0 && over > under).then_some([over, under])
 }
 
-/// Distances from the bound, as parts of the amount, at which whole trials refute an amount that quick trials leave undecided: the next one is tried
-/// where the last is undecided.
+/// Where quick trials leave amounts beside the bound undecided, whole trials are made at these distances from it, relative to the amount. The next
+/// distance is tried if the trial before is undecided.
 ///
-/// Smaller, the enumeration of contact states takes longer, or is undecided. Larger, the insufficient amount of the answer is farther from the bound
-/// than necessary.
+/// If smaller, the enumeration of contact states takes longer, or is undecided. If larger, the insufficient amount of the answer is farther from the
+/// bound than necessary.
 const APART_WHERE_HARD: [f64; 3] = [1e-5, 1e-3, 1e-1];
 
-/// The same distances where quick trials decide, and in the plane.
+/// The same distances if quick trials decide beside the bound, and in the plane.
 const HARDLY_APART: [f64; 6] = [0.0, 1e-9, 1e-7, 1e-5, 1e-3, 1e-1];
 
-/// The least difference of a measure between two amounts that is more than its rounding.
+/// Differences of a measure between two amounts below this are rounding.
 const ROUNDING: f64 = 1e-11;
 
 /// The mean of two amounts, geometric where their ratio exceeds [`FAR_APART`].

@@ -4,24 +4,24 @@ use super::question::Demand;
 use crate::hold::StateKind;
 use crate::prelude::*;
 
-/// The carried part where the load at rest has no equilibrium at all. It has to lie below 0, the part where only the load at rest is carried.
+/// Stands for the carried part if the load at rest has no equilibrium at all. It is below 0, which means that only the load at rest is carried.
 pub(super) const NOT_AT_REST: f64 = -1.0;
 
-/// The result of a trial.
+/// The result of trying an amount.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Trial {
     Does {
-        /// The multiple of the load that is carried, at least 1; infinite where no loss was found.
+        /// The multiple of the load that the amount carries, at least 1; infinite if no loss was found.
         carried: f64,
-        /// A second margin: for holding that of small motions, for sticking that of friction at rest; infinite where it is not known.
+        /// A second margin: for holding that of small motions, for sticking that of friction at rest. Infinite if it is not known.
         other: f64,
     },
     DoesNot {
-        /// The sentence of the verdict.
+        /// The verdict in a sentence.
         says: String,
         /// The fraction of the load that is carried; below 0 where the load at rest is not carried in full.
         carried: f64,
-        /// The second margin of an amount that does not suffice: it falls below 0 continuously at a bound where the carried part jumps.
+        /// The second margin, as for a sufficient amount. At a bound where the carried part jumps, it may still fall below 0 continuously.
         other: f64,
         /// Whether the object is held, but moves farther than small motions.
         is_too_far: bool,
@@ -31,22 +31,22 @@ pub(super) enum Trial {
 }
 
 impl Trial {
-    /// A refutation where nothing of the load is carried.
+    /// An amount that does not suffice and carries nothing of the load.
     pub(super) fn nothing(says: impl Into<String>) -> Self {
         Self::does_not(says, 0.0)
     }
 
-    /// A refutation with this carried part.
+    /// An amount that does not suffice and carries this part of the load.
     pub(super) fn does_not(says: impl Into<String>, carried: f64) -> Self {
         Self::DoesNot { says: says.into(), carried, other: f64::INFINITY, is_too_far: false }
     }
 
-    /// A sufficient amount with this carried part.
+    /// An amount that suffices and carries this multiple of the load.
     pub(super) const fn carries(carried: f64) -> Self {
         Self::Does { carried, other: f64::INFINITY }
     }
 
-    /// A sufficient amount, however large the load.
+    /// An amount that suffices however large the load is.
     pub(super) const fn always() -> Self {
         Self::carries(f64::INFINITY)
     }
@@ -55,7 +55,8 @@ impl Trial {
         matches!(self, Self::Does { .. })
     }
 
-    /// Whether a quick trial leaves open whether anything rests: it is undecided, or only the path of the load at rest from zero is lost.
+    /// Whether only the enumeration of contact states could tell if anything rests: the trial is undecided, or the load at rest is lost on a path
+    /// from zero.
     pub(super) fn needs_enumeration(&self) -> bool {
         self.carried().is_none_or(|carried| carried > NOT_AT_REST && carried < 0.0)
     }
@@ -68,7 +69,8 @@ impl Trial {
         }
     }
 
-    /// The carried part less 1, and the other margin: both vanish at a bound where they do not jump. `None` where a measure is not known.
+    /// Two measures of the distance from a bound: the carried part less 1, and the second margin. Each vanishes at the bound unless it jumps there.
+    /// `None` if it is not known.
     pub(super) fn measures(&self) -> [Option<f64>; 2] {
         match self {
             Self::Does { carried, other } | Self::DoesNot { carried, other, .. } => {
@@ -82,7 +84,8 @@ impl Trial {
         self.measures()[1].unwrap_or(f64::INFINITY)
     }
 
-    /// The worse of two trials: a refutation before an undecided one before a sufficient one, and among equals the smaller carried part.
+    /// The worse of two results: an amount that does not suffice is worse than an undecided one, that worse than a sufficient one. Among equals the
+    /// one that carries less is worse.
     pub(super) fn or_worse(self, other: Self) -> Self {
         let rank = |trial: &Self| match trial {
             Self::DoesNot { .. } => 0,
@@ -100,7 +103,7 @@ impl Trial {
     }
 }
 
-/// The trials of one amount by demand: whether the loads are held, and whether nothing slides. `None` where not tried.
+/// The results of one amount for both demands: whether the loads are held, and whether nothing slides. `None` where that was not tried.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Trials {
     pub(super) held: Option<Trial>,

@@ -1,4 +1,4 @@
-//! The amounts that were tried for an answer, and the plan of the search for more.
+//! The amounts that were tried for an answer, and the plan of the search for further ones.
 
 use core::cell::{Cell, RefCell};
 
@@ -16,31 +16,31 @@ use crate::grasp::Wrench;
 use crate::numerics::{mapped, picked};
 use crate::prelude::*;
 
-/// The effort of a search.
+/// How widely a search looks for sufficient amounts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Look {
     /// Searches in both directions, then scans around the bound.
     Around,
-    /// Searches in both directions, then for the far end of the sufficient amounts if there is one for the data as given: the last sufficient amount
-    /// and the insufficient one beside it.
+    /// Searches in both directions. If the sufficient amounts for the data as given have a far end (the last sufficient amount and the insufficient
+    /// one beside it are given), it then searches for that end, too.
     Everywhere(Option<[f64; 2]>),
-    /// Tries a few amounts in the direction of more.
+    /// Tries a few easier amounts only, such as more squeeze or less load.
     Towards,
 }
 
-/// The amounts tried, each once, with their trials.
+/// All amounts tried so far, each with the result of its trials.
 pub(super) struct Tried<'q> {
     pub(super) grasp: &'q Grasp<3>,
     pub(super) need: &'q Posed,
     safety: Safety,
-    /// The first amount of the search.
+    /// The amount with which the search begins.
     pub(super) start: f64,
     known: RefCell<Vec<(f64, Trials)>>,
-    /// Trials that skip the enumeration of contact states.
+    /// Results of quick trials, which skip the enumeration of contact states.
     quick: RefCell<Vec<(f64, Trials)>>,
-    /// Index of the load that refuted the last insufficient amount.
+    /// Index of the load that refuted the last insufficient amount; the next trial puts it on first.
     first: Cell<usize>,
-    /// The range of all searches, once one has begun.
+    /// The proved range of amounts, which all searches share, once one of them has computed it.
     range: Cell<Option<Range>>,
 }
 
@@ -65,7 +65,7 @@ impl<'q> Tried<'q> {
         self.put_on(&Loading::of(self.grasp, self.need, amount, self.safety)?, (amount, demand), &self.known)
     }
 
-    /// The trial without the enumeration of contact states; if `short`, without loads beyond those asked about.
+    /// Tries an amount without the enumeration of contact states. If `short`, no load is followed beyond the whole load.
     pub(super) fn quick(&self, amount: f64, demand: Demand, short: bool) -> Result<Trial, Error> {
         let found = of(&self.known, amount, demand).or_else(|| of(&self.quick, amount, demand));
         if let Some(trial) = found {
@@ -87,7 +87,7 @@ impl<'q> Tried<'q> {
         Ok(trial.unwrap_or_else(|| Trial::Unknown(String::new())))
     }
 
-    /// Whether contacts rest in other states with one of two amounts that were tried than with the other.
+    /// Whether some contact rests in another state with one of these two amounts than with the other. Both were tried.
     pub(super) fn rests_otherwise(&self, one: f64, other: f64) -> bool {
         let known = self.known.borrow();
         let found =
@@ -100,7 +100,7 @@ impl<'q> Tried<'q> {
         picked(&known, &|(at, trials)| Some((*at, trials.of(demand)?.clone())))
     }
 
-    /// The amounts tried; those that narrow a bracket count once.
+    /// The range and number of amounts tried. Those that only narrow a bracket count once.
     pub(super) fn amounts(&self, demand: Demand) -> TriedAmounts {
         let mut amounts: Vec<f64> = mapped(&self.known(demand), &|(at, _)| *at);
         amounts.sort_by(f64::total_cmp);
@@ -122,7 +122,7 @@ impl<'q> Tried<'q> {
             _ => [start / MOST_LOADS, start * MOST_LOADS],
         };
         let is_monotone = match need.sought {
-            // A load put on from rest has passed all smaller ones.
+            // A load is put on from rest, so a path to a larger load has passed all smaller ones.
             Sought::Load | Sought::Angle { .. } => true,
             Sought::Squeeze => grasp.is_proportional() && need.base == Wrench::ZERO,
             Sought::Friction { .. } | Sought::Arm { .. } | Sought::Force { .. } => false,
@@ -152,7 +152,7 @@ impl<'q> Tried<'q> {
     }
 }
 
-/// The trial of an amount in a list.
+/// The result in a list for this amount and demand, if it was tried.
 fn of(trials: &RefCell<Vec<(f64, Trials)>>, amount: f64, demand: Demand) -> Option<Trial> {
     trials.borrow().iter().find(|(at, _)| *at == amount).and_then(|(_, trials)| trials.of(demand).cloned())
 }

@@ -136,12 +136,13 @@ impl Needed {
         Ok(())
     }
 
-    /// Whether a squeeze is sought although no command presses.
+    /// Whether a squeeze is sought in a grasp in which no command presses.
     fn has_no_squeeze(&self) -> bool {
         self.in_place_of_squeeze && self.quantity == Quantity::Squeeze
     }
 
-    /// The sentences about other windows. Returns the number of their known ends, which are changes of verdict.
+    /// Writes the sentences about further intervals of sufficient amounts. Returns the number of their known ends, each of which is a change of
+    /// verdict.
     fn windows(&self, f: &mut fmt::Formatter<'_>, elsewhere: &[AmountWindow]) -> Result<usize, fmt::Error> {
         let (words, mut told) = (Words::of(f), 0);
         for window in elsewhere {
@@ -157,7 +158,7 @@ impl Needed {
         Ok(told)
     }
 
-    /// The sentence about the amounts that the answer rests on.
+    /// Writes how many amounts the answer rests on, and from where to where.
     fn amounts_tried(&self, f: &mut fmt::Formatter<'_>, tried: Option<TriedAmounts>) -> fmt::Result {
         let Some(TriedAmounts { count, from, to }) = tried.filter(|tried| tried.count > 1) else {
             return Ok(());
@@ -166,7 +167,7 @@ impl Needed {
         write!(f, ". Tried were {count} amounts from {range}")
     }
 
-    /// The sentence about the far end: more is too much, or less too little.
+    /// Writes where the sufficient amounts end: beyond, more is too much, or less too little.
     fn far_end(&self, f: &mut fmt::Formatter<'_>, end: Option<&FarEnd>) -> fmt::Result {
         let Some(end) = end else { return Ok(()) };
         let [more, too] = if self.quantity.is_least() { ["More", "much"] } else { ["Less", "little"] };
@@ -176,7 +177,7 @@ impl Needed {
         limit.map_or(Ok(()), |limit| write!(f, ". There, at rest, {limit}"))
     }
 
-    /// The amount with which nothing slides, after the one that holds. Returns whether the sentence still has only one amount.
+    /// Writes the amount with which nothing slides, after the one that holds. Returns whether the sentence still names only one amount.
     fn beside(&self, f: &mut fmt::Formatter<'_>, does: f64) -> Result<bool, fmt::Error> {
         let words = Words::of(f);
         let is_least = self.quantity.is_least();
@@ -218,14 +219,14 @@ impl Needed {
         Ok(false)
     }
 
-    /// The far end of the amounts with which nothing slides.
+    /// Writes where the amounts with which nothing slides end.
     fn sticks_until(&self, f: &mut fmt::Formatter<'_>, end: Option<&FarEnd>) -> fmt::Result {
         let Some(end) = end else { return Ok(()) };
         let to = if self.quantity.is_least() { "up to" } else { "from" };
         write!(f, " {to} {}", self.short(Words::of(f), end.does, &end.presses))
     }
 
-    /// Whether a bound of an arm is only that of small motions: a longer arm is held, too.
+    /// Whether an arm is bounded only by small motions: a longer arm is held, too, but moves the object too far.
     fn ends_small_motions(&self, demand: Demand, is_too_far: bool) -> bool {
         is_too_far && self.quantity == Quantity::Arm && demand == Demand::Held
     }
@@ -239,7 +240,7 @@ impl Needed {
         format!("{from} (small motions: up to {})", self.short(words.rounded_to(2), does, &[]))
     }
 
-    /// The safe amount, for reduced friction and squeeze or larger loads.
+    /// Writes the safe amount, which allows for reduced friction and squeeze or for larger loads.
     fn safe_amount(
         &self,
         f: &mut fmt::Formatter<'_>,
@@ -264,7 +265,8 @@ impl Needed {
             }
             Some(Amount::Bound { does: safe, presses: safe_presses, until, .. }) => {
                 let much = match (press::alike(presses), press::alike(safe_presses)) {
-                    // Drives at their limit press no harder under a larger command.
+                    // Both amounts press alike, because drives at their limit press no harder under a larger command. So the multiple of the command
+                    // is named.
                     (Some(one), Some(other))
                         if (one - other).abs() <= ALIKE_IN_WORDS * one.abs() && *safe != does =>
                     {
@@ -278,7 +280,8 @@ impl Needed {
                         _ => self.short(words, *safe, safe_presses),
                     },
                 };
-                // An amount that is safe for reduced data may be too much, or too little, for the data as given.
+                // The safe amount suffices if friction and squeeze are lower or loads larger. With the data as given it may be too much, or too
+                // little.
                 let beside = if self.amount.takes(*safe, self.quantity.is_least()) {
                     ""
                 } else {
@@ -381,7 +384,7 @@ impl PressedBy {
     }
 }
 
-/// The amount rounded to one digit, up or down: ends of a search by doublings, rounded into the searched interval.
+/// Rounds the end of a searched interval to one digit, up or down, so that the rounded number stays inside the interval.
 fn roughly(amount: f64, up: bool) -> f64 {
     if amount <= 0.0 {
         return amount;
@@ -403,7 +406,8 @@ fn at_limit(drives: &[String]) -> Option<String> {
 }
 
 impl Amount {
-    /// Whether this amount, to within [`ALIKE_IN_WORDS`], lies in a window of sufficient ones. Where there is no bound it counts as sufficient.
+    /// Whether this amount, to within [`ALIKE_IN_WORDS`], lies in an interval of sufficient amounts. Without a bound every amount counts as
+    /// sufficient.
     fn takes(&self, amount: f64, is_least: bool) -> bool {
         let Self::Bound { does, until, elsewhere, .. } = self else { return true };
         let (near, far) = (Some(*does), until.as_ref().map(|end| end.does));

@@ -1,4 +1,4 @@
-//! Angles from cotangents, in lanes.
+//! Angles from cotangents, for all lanes of a vector at once.
 //!
 //! The mathematical library of a system may round differently on another processor, and works on one number at a time. This file uses plain
 //! arithmetic alone, so that every lane has the same bits everywhere.
@@ -27,8 +27,7 @@ pub(super) fn angle_of<X: Packed>(u: X) -> X {
     let (zero, one) = (X::all(0.0), X::all(1.0));
     let size = u.abs();
     let (small, large) = (size.min(one), size.max(one));
-    // tan(π/8). Up to this size the series is evaluated at the argument itself, beyond it at the tangent of
-    // the difference to π/4.
+    // Up to this argument, tan(π/8), the series is evaluated directly. Beyond it the argument is the tangent of the difference to π/4.
     let bound = X::all(core::f64::consts::SQRT_2 - 1.0) * large;
     let over = small.above(bound, small - large, small);
     let x = over / small.above(bound, small + large, large);

@@ -1,6 +1,6 @@
-//! The stiffness of the object with every contact sticking, `T = Σ G_i K_i G_iᵀ`, factorised.
+//! The stiffness matrix of the object if every contact sticks, `T = Σ G_i K_i G_iᵀ`, factorised.
 //!
-//! With one tangential stiffness per contact `K_i = k_t I + (k_n - k_t) n nᵀ` in coordinate axes.
+//! With one tangential stiffness per contact, `K_i = k_t I + (k_n - k_t) n nᵀ` in coordinate axes.
 
 use super::block::{Block, Layout, count};
 use super::factors::LaneFactors;
@@ -8,13 +8,13 @@ use super::finger::{Force, LaneFinger, moment, world};
 use super::lanes::{Packed, dot};
 use super::pinch::AlongTheLine;
 
-/// Factorised stiffness of the object about the centroid of its contacts.
+/// The stiffness matrix of the object about the centroid of its contacts, factorised.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RigidBody<const C: usize, X: Packed> {
     centre: [X; C],
-    /// Largest coordinate of an arm, m.
+    /// Largest coordinate of the vector from the centroid to a contact, m.
     pub(super) reach: X,
-    /// The order of coordinates for two contacts in space; `None` for all other grasps.
+    /// How coordinates are exchanged for two contacts in space, so that the free rotation comes last; `None` for all other grasps.
     line: Option<AlongTheLine<X>>,
     factors: LaneFactors<6, X>,
 }
@@ -26,7 +26,7 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         Self { centre: [zero; C], reach: zero, line: None, factors: LaneFactors::none() }
     }
 
-    /// Computes the centroid and factors from the contacts of a block.
+    /// Fills this value: the centroid and the factors for the grasps of a block.
     #[inline(always)]
     pub(super) fn ready(&mut self, block: &Block<'_, C, X>) {
         let contacts = count(block.contacts);
@@ -55,7 +55,7 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         self.factors.factorize(Layout::<C>::COORDINATES, self.line.is_some());
     }
 
-    /// A contact of the block, with its arm about the centroid.
+    /// Contact number i of each grasp, with its arm from the centroid.
     #[inline(always)]
     pub(super) fn finger(&self, block: &Block<'_, C, X>, i: usize) -> LaneFinger<C, X> {
         let mut arm = block.points().map(|row| row[i]);
@@ -75,7 +75,7 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         self.factors.free
     }
 
-    /// The motion `T⁻¹ w`, zero along motions that stretch no spring.
+    /// The motion of the object under the wrench w, `T⁻¹ w` with its stiffness matrix T; zero along motions that stretch no spring.
     #[inline(always)]
     pub(super) fn motion(&self, w: &[X; 6]) -> [X; 6] {
         let coordinates = Layout::<C>::COORDINATES;
@@ -87,7 +87,7 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         }
     }
 
-    /// The load with its moment about the centroid instead of the origin.
+    /// The same load with its moment about the centroid; `load` has it about the origin.
     #[inline(always)]
     pub(super) fn carried(&self, load: &[X; 6]) -> [X; 6] {
         let mut force = [X::all(0.0); C];
@@ -100,7 +100,7 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         carried
     }
 
-    /// The residual of the balance, and its size relative to the forces and moments.
+    /// The part of the load that `forces` leave unbalanced, and its size relative to all forces and moments.
     #[inline(always)]
     pub(super) fn unbalanced(
         &self,
@@ -134,15 +134,15 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
                 moments += load[k].abs();
             }
         }
-        // Adding the smallest normal number makes 0 / 0 zero.
+        // Without any forces the quotients would be 0 / 0; the smallest normal number makes them 0.
         let tiny = X::all(f64::MIN_POSITIVE);
         let part = worst_force / (size + tiny) + worst_moment / (moments + tiny);
-        // Comparisons ignore NaN; the added term carries it into `part`.
+        // `max` ignores NaN. Adding zero times an entry makes `part` NaN if the entry is.
         (left, part + X::all(0.0) * left[0])
     }
 }
 
-/// Adds `G K Gᵀ` of a contact to t, the entries on and below the diagonal.
+/// Adds `G K Gᵀ` of a contact to the matrix t, of which only entries on and below the diagonal are stored.
 #[inline(always)]
 fn add<const C: usize, X: Packed>(t: &mut [[X; 6]; 6], finger: &LaneFinger<C, X>) {
     let arm = &finger.arm;

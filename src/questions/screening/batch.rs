@@ -167,8 +167,8 @@ impl<const C: usize, const N: usize> Batch<C, N> {
         questions: &[Q],
         answers: &mut Vec<Q::Answer>,
     ) {
-        // A task of many blocks is far larger than the cost of handing it out, and leaves every core a share
-        // of a batch of ten thousand.
+        // A task has many blocks, so that handing it out costs little. It is small enough for every core to get a share of a batch of ten thousand
+        // grasps.
         each_taken(self.0.parts(questions, 256, answers), &kernel.many);
     }
 }

@@ -1,4 +1,4 @@
-//! Screening of a part of a batch on one thread.
+//! Answers questions about a part of a batch, on one thread.
 
 use super::answer_slots::AnswerSlots;
 use super::block::{Block, Layout, MOST_POINTS, MOST_SCREENED};
@@ -11,25 +11,25 @@ use super::springs::StickingSprings;
 use crate::numerics::{OnVectors, Vectors, on_the_widest};
 use crate::prelude::*;
 
-/// The forces of as many contacts as a batch may have.
+/// The forces at contacts, with room for as many contacts as a grasp of a batch may have.
 type WideForces<const C: usize> = Forces<C, Lanes, [Force<C, Lanes>; MOST_POINTS]>;
 
-/// Scenes, the questions about them, and the slots for their answers.
+/// Grasps of a batch for one thread, the questions about them, and the places for their answers.
 pub(super) struct BatchPart<'a, const C: usize, Q: ScreeningQuestion<C>> {
     pub(super) contacts: usize,
-    /// Bit i is one if contact i is the last point of its finger.
+    /// Bit i is set if contact point i is the last one of its finger; a pad has several.
     pub(super) ends: u64,
-    /// Index of the first scene of the part in the batch.
+    /// Index in the batch of the first grasp of this part.
     pub(super) first: usize,
-    /// Numbers of all blocks, each laid out as in [`Block`].
+    /// The data of all blocks one after the other, each laid out as in [`Block`].
     pub(super) numbers: &'a [Lanes],
     pub(super) parted: &'a [Lanes],
     pub(super) questions: &'a [Q],
-    /// Answers, ordered by scene, then by question.
+    /// Answers, ordered by grasp, then by question.
     pub(super) answers: &'a mut [Q::Answer],
 }
 
-/// Answers the questions for a part.
+/// Answers all questions for a part of a batch, with the widest vector instructions of the processor.
 pub(super) fn screen<const C: usize, Q: ScreeningQuestion<C>>(part: BatchPart<'_, C, Q>) {
     on_the_widest(part);
 }
@@ -42,7 +42,7 @@ impl<const C: usize, Q: ScreeningQuestion<C>> OnVectors for BatchPart<'_, C, Q> 
             let [mut a, mut b, mut c, mut d] = [Forces::<C, Lanes>::none(); 4];
             self.screen(vectors, [&mut a, &mut b, &mut c, &mut d]);
         } else {
-            // These forces are on the heap, since batches of few contacts have no use for so large a stack frame.
+            // The forces of up to 64 points are on the heap. On the stack they would enlarge the frame for all batches, also those of few contacts.
             let mut rooms = Vec::new();
             rooms.resize(4, WideForces::<C>::none());
             if let [a, b, c, d] = &mut rooms[..] {
@@ -53,7 +53,7 @@ impl<const C: usize, Q: ScreeningQuestion<C>> OnVectors for BatchPart<'_, C, Q> 
 }
 
 impl<const C: usize, Q: ScreeningQuestion<C>> BatchPart<'_, C, Q> {
-    /// Answers the questions, with working memory for the forces of all contacts.
+    /// Answers the questions; the arrays are working memory for the forces of all contacts.
     #[inline(always)]
     fn screen<V: Vectors>(self, vectors: V, [squeezed, a, b, c]: [&mut AnyForces<C, Lanes>; 4]) {
         let (contacts, ends) = (self.contacts, self.ends);

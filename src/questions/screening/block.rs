@@ -1,39 +1,39 @@
-//! The data of several scenes, side by side in lanes.
+//! The data of several grasps, side by side in the lanes of vectors.
 
 use super::lanes::Packed;
 
-/// Upper limit of the number of contacts of a grasp that is asked alone.
+/// The most contacts of a grasp that is screened alone, not in a batch.
 pub(super) const MOST_SCREENED: usize = 5;
-/// Upper limit of the number of contact points of a grasp in a batch.
+/// The most contact points of a grasp in a batch.
 pub(super) const MOST_POINTS: usize = 64;
-/// The number of contacts, which is at most the length of arrays, [`MOST_POINTS`].
+/// The number of contacts, clamped to the length of arrays ([`MOST_POINTS`]), so that no index exceeds it.
 #[inline(always)]
 pub(super) fn count(contacts: usize) -> usize {
     contacts.min(MOST_POINTS)
 }
 
-/// Scenes of equally many contacts, one in each lane: rows of one number per contact, then three sizes. The number of contacts is known at run time
-/// alone, so that kernels are compiled once for the plane and once for space.
+/// Grasps with the same number of contacts, one in each lane. Each row has one number per contact; three [`Sizes`] follow. The number of contacts is
+/// known only at run time, so that kernels are compiled once for the plane and once for space.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Block<'a, const C: usize, X: Packed> {
     pub(super) contacts: usize,
-    /// Bit i is one if contact i is the last point of its finger.
+    /// Bit i is set if contact point i is the last one of its finger; a pad has several.
     pub(super) ends: u64,
     pub(super) numbers: &'a [X],
-    /// Commands along the normals, then clearances; `numbers` holds their difference. Only questions that change the commands need both.
+    /// Commands along the normals, then clearances. The rows in `numbers` hold their difference; only questions that scale the commands need both.
     pub(super) parted: &'a [X],
 }
 
-/// Commanded displacements less the clearance, m: along the normal, and across it as in [`super::finger::Force`]. Rotating a long command along the
-/// normal would leave rounding across it, which a stiff tangential spring turns into a force. Both parts are therefore kept apart.
+/// Commanded displacements less clearances, m: along the normal, and across it as in [`super::finger::Force`]. The two are stored apart: a long
+/// command along the normal, rotated into coordinate axes, leaves rounding across it, which a stiff tangential spring would turn into a force.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Commanded<'a, const C: usize, X: Packed> {
     pub(super) pressed: &'a [X],
     pub(super) sheared: [&'a [X]; C],
 }
 
-/// Scales of the rounding of forces, for the commands, for a unit moment, and for a unit force: the sum of the sizes of all terms. Zero where forces
-/// are found by motions of the object.
+/// The sizes of summed terms, by which the rounding of forces is bounded: for the commands, for a unit moment and for a unit force. They are zero
+/// where forces are found by motions of the object.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sizes<X: Packed> {
     pub(super) commands: X,
@@ -41,7 +41,7 @@ pub(super) struct Sizes<X: Packed> {
     pub(super) force: X,
 }
 
-/// The rows of a block, as offsets.
+/// The index of each row in the data of a block.
 pub(super) struct Layout<const C: usize>;
 
 impl<const C: usize> Layout<C> {
@@ -49,21 +49,21 @@ impl<const C: usize> Layout<C> {
     /// Unit normals into the object.
     pub(super) const NORMAL: usize = C;
     pub(super) const SHEARED: usize = 2 * C;
-    /// Normal and tangential stiffness, N/m; compliances where forces are found along edges, see [`super::method`].
+    /// Normal and tangential stiffness, N/m. Where forces are found along edges between contacts (see [`super::method`]) the rows hold compliances.
     pub(super) const SPRINGS: usize = 3 * C;
     pub(super) const PRESSED: usize = 3 * C + 2;
-    /// Friction coefficients, or codes; see [`super::cone`].
+    /// Coefficients of friction, or one of the codes [`OPENS_ONLY`](super::cone::OPENS_ONLY) and [`STAYS`](super::cone::STAYS).
     pub(super) const FRICTION: usize = 3 * C + 3;
     const OF_A_CONTACT: usize = 3 * C + 4;
     /// The number of components of loads and of motions of the object.
     pub(super) const COORDINATES: usize = 3 * (C - 1);
 
-    /// The count of numbers of one scene.
+    /// How many numbers the rows of one grasp have.
     pub(super) const fn numbers(contacts: usize) -> usize {
         Self::OF_A_CONTACT * contacts + 3
     }
 
-    /// The count of numbers of one scene, together with the commands and clearances that are also stored apart.
+    /// How many numbers one grasp has, including commands and clearances that are also stored apart.
     const fn with_parts(contacts: usize) -> usize {
         Self::numbers(contacts) + 2 * contacts
     }
@@ -125,30 +125,30 @@ impl<'a, const C: usize, X: Packed> Block<'a, C, X> {
     }
 }
 
-/// The data of one scene, row by row, before it becomes a [`Block`]. The array `A` has room for the rows of [`Block`], and then for its commands and
+/// The data of one grasp, row by row, before they become a lane of a [`Block`]. The array `A` has room for these rows, then for commands and
 /// clearances.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct OneScene<const C: usize, A: ?Sized = [f64; Layout::<3>::with_parts(MOST_SCREENED)]> {
     contacts: usize,
-    /// Bit i is one if contact i is the last point of its finger.
+    /// Bit i is set if contact point i is the last one of its finger.
     ends: u64,
     numbers: A,
 }
 
-/// The data of one scene of any number of contacts.
+/// The data of one grasp with any number of contacts.
 pub(super) type AnyScene<const C: usize> = OneScene<C, [f64]>;
-/// The data of one scene of as many contacts as a batch may have.
+/// The data of one grasp, with room for as many contacts as a grasp of a batch may have.
 pub(super) type WideScene<const C: usize> = OneScene<C, [f64; Layout::<3>::with_parts(MOST_POINTS)]>;
 
 impl<const C: usize, const R: usize> OneScene<C, [f64; R]> {
-    /// A scene of `contacts` contacts, which must not be more than the array has room for, with all numbers zero.
+    /// A grasp of `contacts` contacts whose data are all zero. The array must have room for them.
     pub(super) fn new(contacts: usize) -> Self {
         Self { contacts: count(contacts), ends: u64::MAX, numbers: [0.0; R] }
     }
 }
 
 impl<const C: usize> AnyScene<C> {
-    /// Begins a scene of this many contacts. The data of the contacts are written later.
+    /// Begins a grasp of this many contacts. Their data are written later.
     pub(super) fn begin(&mut self, contacts: usize) {
         (self.contacts, self.ends) = (count(contacts), u64::MAX);
         self.measure(&Sizes { commands: 0.0, moment: 0.0, force: 0.0 });
@@ -160,7 +160,7 @@ impl<const C: usize> AnyScene<C> {
         Block { contacts: self.contacts, ends: self.ends, numbers, parted }
     }
 
-    /// The number of one contact in a row.
+    /// The entry of one contact in a row.
     pub(super) fn at(&mut self, row: usize, contact: usize) -> &mut f64 {
         &mut self.numbers[row * self.contacts + contact]
     }

@@ -1,8 +1,9 @@
-//! Forces of three to five contacts, and of a pair in space, while every contact sticks.
+//! Forces while every contact sticks, found by the motion of the object: for a pair in space, and for all grasps of three and more contacts but some
+//! triangles.
 //!
 //! First the commands stretch the springs with the object held in place. Then the object is released and moves by `q = T⁻¹ w`, where w is the wrench
-//! that was not balanced. Where stiffnesses differ much, T loses the contribution of the soft contacts. The balance of forces shows the loss, and its
-//! residual is solved for again. Forces that obey both the balance and the springs are right, however inaccurate T is.
+//! that was not balanced. Where stiffnesses differ much, T loses the contribution of the soft contacts. The balance of forces shows the loss, and the
+//! step is repeated for the residual. Forces that obey both the balance and the springs are right, however inaccurate T is.
 
 use super::balance::RigidBody;
 use super::block::{Block, Commanded, Layout, MOST_SCREENED};
@@ -71,7 +72,8 @@ fn stretch<const C: usize, X: Packed>(
     forces.free = part.above(X::all(WORKS_ON_FREE_MOTION), body.free(), X::all(0.0));
 }
 
-/// The equilibrium under commands and a load about the centroid: forces, the motion of the object, and the unbalanced part of the load.
+/// The equilibrium under commands and a load about the centroid. Writes the forces; returns the motion of the object and the unbalanced part of the
+/// load.
 #[inline(always)]
 fn let_go<const C: usize, X: Packed>(
     body: &RigidBody<C, X>,
@@ -95,8 +97,7 @@ fn let_go<const C: usize, X: Packed>(
     let (mut left, mut part) =
         if commands.is_some() { body.unbalanced(block, contacts, load) } else { (*load, zero) };
     let mut moved = [zero; 6];
-    // One refinement suffices unless stiffnesses differ very much; forces that are still unbalanced after
-    // three are called unclear.
+    // One refinement suffices unless stiffnesses differ very much. Forces that are still unbalanced after three make the verdict unclear.
     let most_times = 3;
     for time in 0..=most_times {
         let q = body.motion(&left);
@@ -117,7 +118,7 @@ fn let_go<const C: usize, X: Packed>(
         if time == most_times || improvable.is_all(0.0) {
             break;
         }
-        // Lanes that are already accurate get a zero residual, so that they do not depend on their neighbours.
+        // Grasps that are accurate already get a zero residual. So their answers do not depend on the grasps in neighbouring lanes.
         for entry in &mut left {
             *entry = improvable.above(zero, *entry, zero);
         }
@@ -125,7 +126,7 @@ fn let_go<const C: usize, X: Packed>(
     (moved, part)
 }
 
-/// The displacements of contacts at the equilibrium. If a motion is free they are NaN, because the position of the object is not determined.
+/// The displacements of the object at its contacts in equilibrium. They are NaN if some motion is free, because the position is then not determined.
 #[inline(always)]
 fn move_object<const C: usize, X: Packed>(
     body: &RigidBody<C, X>,
@@ -146,9 +147,9 @@ fn move_object<const C: usize, X: Packed>(
     moved.turn[..coordinates - C].copy_from_slice(&motion[C..coordinates]);
 }
 
-/// Bounds the rounding of forces by two terms: a fraction of the force itself, and the same fraction of the force that its spring would exert over all
-/// displacements that stretch or slacken it. The second term is limited by the size of the forces. Displacements that ought to cancel leave forces only
-/// between two contacts or more, so that the second stiffest contact sets that size.
+/// Bounds the rounding of each force by two terms: a fraction of the force itself, and the same fraction of the force that its spring would exert
+/// over the sum of all displacements. The second term is limited by the size of all forces. Displacements that ought to cancel leave forces only
+/// between two contacts or more, so the second stiffest contact determines that size.
 #[inline(always)]
 fn bound_rounding<const C: usize, X: Packed>(
     body: &RigidBody<C, X>,

@@ -3,21 +3,21 @@
 use super::finger::Force;
 use super::lanes::{Packed, dot};
 
-/// The condition for a contact to stick, `α F_n >= β |F_t|`. α is the friction coefficient and β one; (1, 0) if the contact can only open, (0, 0) if
-/// it never leaves.
+/// The condition for a contact to stick, `α F_n >= β |F_t|`. With friction, α is its coefficient and β is 1. A contact that can only open has (1, 0),
+/// one that never leaves (0, 0).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StickingCone<X: Packed> {
     pub(super) alpha: X,
     pub(super) beta: X,
 }
 
-/// Code in place of a friction coefficient: the contact stops sticking only by opening, because its friction is zero or infinite.
+/// Stored in place of a coefficient of friction that is zero or infinite: such a contact stops sticking only by opening.
 pub(super) const OPENS_ONLY: f64 = -1.0;
-/// Code in place of a friction coefficient: the contact never leaves. It is bonded, or kept closed with zero or infinite friction.
+/// Stored in place of a coefficient of friction for a contact that never stops sticking: it is bonded, or kept closed with zero or infinite friction.
 pub(super) const STAYS: f64 = 0.0;
 
 impl<X: Packed> StickingCone<X> {
-    /// The cone of a friction coefficient, or of one of the two codes.
+    /// The cone for a stored coefficient of friction, or for one of the two codes in its place.
     #[inline(always)]
     pub(super) fn of(friction: X) -> Self {
         let (zero, one) = (X::all(0.0), X::all(1.0));
@@ -48,7 +48,7 @@ impl<X: Packed> StickingCone<X> {
 pub(super) struct Crossing<X: Packed> {
     /// `n - |t|` at τ = 0.
     pub(super) margin: X,
-    /// The rate `|t'| - n'` at which the margin closes for large τ.
+    /// The rate `|t'| - n'` at which the margin falls for large τ.
     pub(super) closing: X,
     pub(super) a: X,
     pub(super) b: X,
@@ -62,7 +62,7 @@ pub(super) struct Crossing<X: Packed> {
 }
 
 impl<X: Packed> Crossing<X> {
-    /// The crossing of the line with (n, t) at τ = 0 and the rates (n', t').
+    /// The crossing of the line that has (n, t) at τ = 0 and the rates (n', t').
     #[inline(always)]
     pub(super) fn new<const C: usize>((n, t): (X, &[X; C]), (dn, dt): (X, &[X; C])) -> Self {
         let zero = X::all(0.0);
@@ -83,8 +83,7 @@ impl<X: Packed> Crossing<X> {
         Self { margin, closing, a, b, c, root, friction, friction_rate }
     }
 
-    /// The larger root, where the line leaves the cone. It has the two forms `c / (√Δ - b)` and `(√Δ + b) / a`; the one without cancellation is
-    /// taken.
+    /// The larger root, where the line leaves the cone. Of its two forms `c / (√Δ - b)` and `(√Δ + b) / a` it uses the one in which nothing cancels.
     #[inline(always)]
     pub(super) fn last(&self) -> X {
         let Self { a, b, c, root, .. } = *self;

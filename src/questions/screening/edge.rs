@@ -1,4 +1,4 @@
-//! The contact that stops sticking first, at the edge of its cone.
+//! The margin of the contact that leaves its cone first, and the derivatives of this margin.
 
 use super::block::{Commanded, MOST_SCREENED, count};
 use super::cone::StickingCone;
@@ -7,20 +7,20 @@ use super::lanes::{Packed, dot};
 use super::screened::Screened;
 use crate::numerics::tolerances::NEGLIGIBLE;
 
-/// The margin `m = α F_n - β |F_t|` that vanishes first, and its derivatives. Arrays are zero at all contacts but the leaving one; all is NaN where
-/// no contact leaves.
+/// The margin `m = α F_n - β |F_t|` of the contact that leaves first, at the load factor at which it vanishes. Arrays over contacts are zero for all
+/// other contacts. All numbers are NaN where no contact leaves.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LeavingEdge<const C: usize, X: Packed> {
     /// The load factor at which the margin vanishes.
     pub(super) factor: X,
     /// The index of the leaving contact; -1 where there is none.
     pub(super) contact: X,
-    /// `∂m/∂F`, along the normal and across it. Used as a command it gives the forces from which the derivatives of m follow.
+    /// `∂m/∂F` along the normal and, in `tangential`, across it. Used as a command, it gives forces from which all derivatives of m follow.
     normal: [X; MOST_SCREENED],
     tangential: [[X; MOST_SCREENED]; C],
     /// `∂m/∂μ`.
     pub(super) by_friction: [X; MOST_SCREENED],
-    /// The rate m' along the load.
+    /// The derivative m' by the load factor.
     pub(super) rate: X,
     /// Positive if the least load factor has a kink at these data, so that derivatives are one-sided.
     pub(super) kink: X,
@@ -41,8 +41,8 @@ impl<const C: usize, X: Packed> LeavingEdge<C, X> {
         }
     }
 
-    /// Advances `forces` to the load factor at which the first contact leaves. The edge is that of contact `which` if this contact leaves there, else
-    /// that of the first contact that leaves.
+    /// Advances `forces` to the load factor at which the first contact leaves. If contact `which` leaves there, its margin is taken, else that of the
+    /// first contact that leaves.
     #[inline(always)]
     pub(super) fn reach(
         &mut self,
@@ -92,7 +92,7 @@ impl<const C: usize, X: Packed> LeavingEdge<C, X> {
         }
     }
 
-    /// `∂m/∂F` as commands of the fingers.
+    /// `∂m/∂F` in the form of commands of the fingers, for one more solution of the springs.
     #[inline(always)]
     pub(super) fn probe(&self, contacts: usize) -> Commanded<'_, C, X> {
         let contacts = count(contacts);

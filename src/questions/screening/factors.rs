@@ -1,12 +1,12 @@
-//! Factors `T = L D Lᵀ` of symmetric matrices, lane by lane.
+//! Factors `T = L D Lᵀ` of symmetric matrices, one matrix in each lane.
 
 use super::lanes::Packed;
 use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 
-/// The factors of a matrix, with room for `R` rows.
+/// The factors of one matrix in each lane, with room for `R` rows.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LaneFactors<const R: usize, X: Packed> {
-    /// L below the diagonal, and D⁻¹ on it; zero in place of 1/d where the pivot vanishes up to rounding.
+    /// L below the diagonal, and D⁻¹ on it. Where a pivot d vanishes up to rounding, zero stands for 1/d.
     pub(super) entries: [[X; R]; R],
     /// Positive if some pivot vanishes up to rounding.
     pub(super) free: X,
@@ -18,8 +18,8 @@ impl<const R: usize, X: Packed> LaneFactors<R, X> {
         Self { entries: [[X::all(0.0); R]; R], free: X::all(0.0) }
     }
 
-    /// Factorises in place the matrix of `rows` rows whose entries on and below the diagonal are stored. `last_is_free` means that the last pivot is
-    /// known to vanish.
+    /// Factorises in place a matrix of `rows` rows whose entries on and below the diagonal are stored. `last_is_free` says that the last pivot is
+    /// known to be zero up to rounding.
     #[inline(always)]
     pub(super) fn factorize(&mut self, rows: usize, last_is_free: bool) {
         let (zero, one) = (X::all(0.0), X::all(1.0));
@@ -27,11 +27,11 @@ impl<const R: usize, X: Packed> LaneFactors<R, X> {
         let mut free = zero;
         for column in 0..rows {
             let whole = t[column][column];
-            // Columns to the left hold L already.
+            // The columns to the left of `column` hold L already.
             let mut scaled = [zero; R];
             let mut pivot = whole;
             for k in 0..column {
-                // t[k][k] holds 1/d_k; L_ck d_k is stored above the diagonal.
+                // Here t[k][k] holds 1/d_k, and the entry above the diagonal holds L_ck d_k for column c.
                 scaled[k] = t[k][column];
                 pivot -= t[column][k] * scaled[k];
             }
@@ -73,7 +73,7 @@ impl<const R: usize, X: Packed> LaneFactors<R, X> {
         q
     }
 
-    /// `1/d` of a row.
+    /// `1/d` of the pivot of a row, zero if the pivot vanishes.
     #[inline(always)]
     pub(super) fn one_over_pivot(&self, row: usize) -> X {
         self.entries[row][row]

@@ -1,8 +1,8 @@
-//! One contact: its springs, and the wrench and displacement at the end of its arm.
+//! One contact of a finger: its springs, and forces and displacements in coordinate axes.
 
 use super::lanes::{Packed, dot};
 
-/// One contact of each scene.
+/// One contact of the grasp in each lane.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LaneFinger<const C: usize, X: Packed> {
     pub(super) normal: [X; C],
@@ -17,7 +17,7 @@ pub(super) struct LaneFinger<const C: usize, X: Packed> {
 pub(super) struct Force<const C: usize, X: Packed> {
     pub(super) normal: X,
     pub(super) tangential: [X; C],
-    /// Bound of its rounding, N.
+    /// Bound of the rounding error of the force, N.
     pub(super) rounding: X,
 }
 
@@ -60,7 +60,7 @@ pub(super) fn displacement<const C: usize, X: Packed>(arm: &[X; C], q: &[X; 6]) 
     u
 }
 
-/// The force, or a displacement in its place, in coordinate axes.
+/// Converts a force, or a displacement, from the parts along and across the normal n to coordinate axes.
 #[inline(always)]
 pub(super) fn world<const C: usize, X: Packed>(n: &[X; C], force: &Force<C, X>) -> [X; C] {
     let mut world = force.tangential;
@@ -75,7 +75,7 @@ pub(super) fn world<const C: usize, X: Packed>(n: &[X; C], force: &Force<C, X>) 
     world
 }
 
-/// The force of a contact whose springs are stretched by `s`, in coordinate axes.
+/// The force of a contact whose springs are stretched by `s`; s has coordinate axes.
 #[inline(always)]
 pub(super) fn stretched<const C: usize, X: Packed>(finger: &LaneFinger<C, X>, s: &[X; C]) -> Force<C, X> {
     let [normal, tangential] = finger.springs;

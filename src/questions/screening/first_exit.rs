@@ -1,4 +1,4 @@
-//! Where forces that grow in proportion to the load leave their friction cones.
+//! The load factor at which the first contact force leaves its friction cone, if forces change in proportion to the load.
 
 use super::block::{Block, MOST_POINTS, count};
 use super::cone::{Crossing, StickingCone};
@@ -11,15 +11,15 @@ use super::verdict::{Start, verdicts};
 use crate::numerics::Vectors;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 
-/// Where one contact leaves its cone.
+/// The load factor at which one contact leaves its cone, and its margin before.
 struct Exit<X: Packed> {
-    /// The load factor at which it leaves; infinite if it never does, a code if that is not known.
+    /// The load factor at which it leaves: infinite if it never does, [`UNCLEAR`] if rounding decides.
     factor: X,
-    /// The margin to the edge of the cone at load factor zero.
+    /// The margin at load factor zero.
     margin: X,
-    /// The rounding of that margin.
+    /// Bound of the rounding error of that margin.
     rounding: X,
-    /// Minus infinity where squares over- or underflow, else zero.
+    /// Minus infinity where squares of forces over- or underflow, so that nothing is known; else zero.
     lost: X,
 }
 
@@ -63,15 +63,15 @@ fn exit<const C: usize, X: Packed>(
     Exit { factor, margin, rounding: weight * base.of[contact].rounding, lost }
 }
 
-/// The load factor at which the margin vanishes, if it does so at a clear rate. It is infinite if the rate is zero up to rounding, and a code if the
-/// rate is not clear.
+/// The load factor at which a margin vanishes that falls at the rate `closing`; `noise` is the rounding of this rate. It is infinite if the rate is
+/// zero up to rounding, and [`UNCLEAR`] if rounding would show in the factor.
 #[inline(always)]
 fn known<X: Packed>(factor: X, closing: X, noise: X) -> X {
     let factor = closing.above(X::all(SHARP_MARGIN) * noise, factor, X::all(UNCLEAR));
     closing.above(noise, factor, X::all(f64::INFINITY))
 }
 
-/// The verdicts on the scenes of a block, from the forces at load factor zero and their rates.
+/// The verdicts on the grasps of a block, from their forces at load factor zero and the rates of forces by the load factor.
 #[inline(never)]
 pub(super) fn judge<V: Vectors, const C: usize, X: Packed>(
     v: V,
@@ -103,7 +103,8 @@ fn judged<const C: usize, X: Packed>(
         start.add(exit.margin, exit.rounding, exit.lost);
     }
     let until = X::all(1.0 + SOLVED_ROUNDING) * first;
-    // A finger of several points leaves if one of its points leaves by then.
+    // A finger with several points leaves as soon as one of them does. `until` allows for rounding, so that contacts which leave together are all
+    // listed.
     let (mut leaving, mut leaves, mut finger) = (zero, zero, X::all(1.0));
     for i in 0..contacts {
         leaves = factors[i].above(until, leaves, finger);

@@ -1,11 +1,11 @@
-//! The first slip of one grasp, at a load factor or an angle.
+//! The first slip of one grasp as a number, and its verdict.
 
 use core::fmt;
 
 use super::block::MOST_POINTS;
 use crate::prelude::*;
 
-/// The first slip of one grasp encoded as numbers, so that kernels select it without a branch.
+/// The first slip of one grasp, encoded in numbers so that kernels can select among answers without a branch.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct SlipCode {
     /// The load factor or the angle (rad), infinite if no contact leaves, or one of the codes below.
@@ -14,11 +14,11 @@ pub(super) struct SlipCode {
     pub(super) leaving: f64,
 }
 
-/// Code for [`ScreeningVerdict::NotSticking`].
+/// Stands for [`ScreeningVerdict::NotSticking`] in place of a load factor.
 pub(super) const NOT_STICKING: f64 = -1.0;
-/// Code for [`ScreeningVerdict::GivesWay`].
+/// Stands for [`ScreeningVerdict::GivesWay`].
 pub(super) const GIVES_WAY: f64 = -2.0;
-/// Code for [`ScreeningVerdict::Unclear`]; NaN means the same.
+/// Stands for [`ScreeningVerdict::Unclear`]; NaN does, too.
 pub(super) const UNCLEAR: f64 = -3.0;
 
 /// How the screening of one grasp ended.
@@ -48,7 +48,7 @@ pub enum ScreeningVerdict {
 }
 
 impl SlipCode {
-    /// The answer before a kernel has written one.
+    /// The value in memory before a kernel has written an answer.
     pub(super) const UNKNOWN: Self = Self { code: UNCLEAR, leaving: 0.0 };
 
     pub(super) fn verdict(self) -> ScreeningVerdict {
@@ -66,7 +66,7 @@ impl SlipCode {
     }
 
     pub(super) fn holds_up_to(self, place: f64) -> bool {
-        // All codes are negative.
+        // The codes for other verdicts are negative.
         place >= 0.0 && place <= self.code
     }
 

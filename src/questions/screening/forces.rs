@@ -1,26 +1,26 @@
-//! The forces of all contacts, one scene in each lane.
+//! The forces of all contacts, for the grasp in each lane.
 
 use super::block::{Layout, MOST_SCREENED};
 use super::finger::Force;
 use super::lanes::Packed;
 
-/// The forces of all contacts, or their rates, with room for five contacts, or for as many as the array `A` holds.
+/// The forces of all contacts, or their rates by the load factor. The array has room for five contacts, or as many as `A` holds.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Forces<const C: usize, X: Packed, A: ?Sized = [Force<C, X>; MOST_SCREENED]> {
-    /// The part of the load that the forces leave unbalanced; NaN if there are no such forces.
+    /// The part of the load that the forces leave unbalanced, relative to the forces; NaN if no forces were found.
     pub(super) unbalanced: X,
     /// Positive if the load works on a motion that no contact resists.
     pub(super) free: X,
-    /// The motion of the object about the centroid of its contacts, where forces are found by motions.
+    /// The motion of the object about the centroid of its contacts, if forces were found by this motion.
     pub(super) motion: [X; 6],
     pub(super) of: A,
 }
 
-/// The forces of any number of contacts: kernels are compiled once for all of them.
+/// The forces of any number of contacts. Kernels take this type, so that they are compiled once for all numbers of contacts.
 pub(super) type AnyForces<const C: usize, X> = Forces<C, X, [Force<C, X>]>;
 
 impl<const C: usize, X: Packed, const M: usize> Forces<C, X, [Force<C, X>; M]> {
-    /// Zero forces without rounding.
+    /// Zero forces, without rounding error.
     pub(super) fn none() -> Self {
         let zero = X::all(0.0);
         Self { unbalanced: zero, free: zero, motion: [zero; 6], of: [Force::none(); M] }
@@ -43,7 +43,7 @@ impl<const C: usize, X: Packed> AnyForces<C, X> {
         self.of.fill(Force::none());
     }
 
-    /// Adds the forces `others` of `contacts` contacts to these; the rounding of these is multiplied by `rounding` first.
+    /// Adds the forces `others` of `contacts` contacts to these. Before, the rounding bounds of these are multiplied by `rounding`.
     #[inline(always)]
     pub(super) fn add_to(&mut self, contacts: usize, others: &Self, rounding: f64) {
         for (sum, other) in self.of.iter_mut().zip(&others.of).take(contacts) {
@@ -60,7 +60,7 @@ impl<const C: usize, X: Packed> AnyForces<C, X> {
         self.free = others.free + self.free;
     }
 
-    /// Multiplies the rounding of all forces by a factor.
+    /// Multiplies the rounding bounds of all forces by a factor.
     #[inline(always)]
     pub(super) fn scale_rounding(&mut self, factor: f64) {
         for force in &mut self.of {

@@ -1,4 +1,4 @@
-//! The derivatives of one load factor, in a row of numbers.
+//! The derivatives of one load factor, written as a row of numbers.
 
 use super::answer_slots::AnswerSlots;
 use super::block::{Block, Layout, MOST_SCREENED, count};
@@ -10,7 +10,8 @@ use super::method::Method;
 use super::moved::{ObjectMotion, worked};
 use super::screened::Screened;
 
-/// Offsets in a row: the answer of screening, then each field contact by contact, then the load.
+/// Where a row has what: first the answer of screening, then the derivatives by points, normals and so on, each contact by contact, last those by the
+/// load.
 pub(super) struct GradientRow<const C: usize>;
 
 impl<const C: usize> GradientRow<C> {
@@ -40,10 +41,10 @@ impl<const C: usize> GradientRow<C> {
     }
 }
 
-/// The length of the longest row, of five contacts in space.
+/// The number of entries of the longest row: that of five contacts in space.
 const LONGEST_ROW: usize = GradientRow::<3>::numbers(MOST_SCREENED);
 
-/// The quantities that derivatives are products of; see [`super::gradient`].
+/// The forces and motions whose products are the derivatives; see [`super::gradient`].
 pub(super) struct Slopes<'a, const C: usize, X: Packed> {
     pub(super) method: Method,
     pub(super) edge: &'a LeavingEdge<C, X>,
@@ -55,7 +56,7 @@ pub(super) struct Slopes<'a, const C: usize, X: Packed> {
 }
 
 impl<const C: usize, X: Packed> Slopes<'_, C, X> {
-    /// Computes the row of each scene of a block and stores it.
+    /// Computes the row of the grasp in each lane and stores it.
     #[inline(always)]
     pub(super) fn tell(&self, block: &Block<'_, C, X>, told: &mut AnswerSlots<'_, f64, X>) {
         let contacts = count(block.contacts);
@@ -67,7 +68,7 @@ impl<const C: usize, X: Packed> Slopes<'_, C, X> {
             self.contact(block, i, scale, &mut row);
             row[GradientRow::<C>::friction(contacts) + i] = scale * by_friction[i];
         }
-        // The motion (v, ω̄) is taken to the origin, the point that moments of loads refer to.
+        // The motion (v, ω̄) of [`super::gradient`] is moved to the origin, to which moments of loads refer.
         let virtually = self.motions[1];
         let mut turn = [X::all(0.0); C];
         turn.copy_from_slice(&virtually.turn[..C]);
@@ -96,7 +97,7 @@ impl<const C: usize, X: Packed> Slopes<'_, C, X> {
         }
     }
 
-    /// Writes the derivatives by the data of one contact.
+    /// Writes the derivatives by the data of contact i.
     #[inline(always)]
     fn contact(&self, block: &Block<'_, C, X>, i: usize, scale: X, row: &mut [X; LONGEST_ROW]) {
         let (zero, contacts) = (X::all(0.0), count(block.contacts));
@@ -109,8 +110,8 @@ impl<const C: usize, X: Packed> Slopes<'_, C, X> {
             Method::Motions => [give(k_n), give(k_t)],
         };
         if const { C == 2 } && self.method == Method::Edges {
-            // If one contact of a pair has no friction, commands leave no forces; c_n = 0 marks such a pair. P is then zero, and the compliances
-            // serve for the motion of the object alone.
+            // In a pair of which one contact has no friction, commands cause no forces. A normal compliance of zero marks such a pair; then P is
+            // zero, and compliances serve only to compute the motion of the object.
             let squeezes = k_n.above(zero, scale, zero);
             answered.normal = squeezes * answered.normal;
             for entry in &mut answered.tangential {

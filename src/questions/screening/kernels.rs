@@ -1,4 +1,4 @@
-//! The compiled kernels of screening: once for the plane and once for space, in this crate.
+//! The functions ("kernels") that answer the questions of screening: compiled once for the plane and once for space, in this crate.
 //!
 //! A program that links the library knows the number of axes as a parameter of types. Functions with such parameters would be compiled again in every
 //! such program, for minutes. They are therefore called by pointer.
@@ -17,7 +17,7 @@ use super::watch::{Measured, Watched};
 use crate::error::Error;
 use crate::grasp::Contact;
 
-/// All questions of screening, in the plane or in space.
+/// The functions for all questions of screening, in the plane or in space.
 pub(super) struct Kernels<const C: usize> {
     pub(super) prepare: fn(&[Contact<C>]) -> Result<OneGrasp<C>, Error>,
     pub(super) pull: Kernel<C, Pull<C>>,
@@ -28,13 +28,13 @@ pub(super) struct Kernels<const C: usize> {
     pub(super) watch: fn(&OneGrasp<C>, &Measured<'_, C>) -> Watched,
 }
 
-/// One question, for one grasp and for a batch.
+/// The functions that answer one question: for one grasp, and for a part of a batch.
 pub(super) struct Kernel<const C: usize, Q: ScreeningQuestion<C>> {
     pub(super) one: fn(&OneGrasp<C>, &Q, &mut [Q::Answer]),
     pub(super) many: fn(BatchPart<'_, C, Q>),
 }
 
-// Each is a static of its own, so that a program for a small controller links only the one that it uses.
+// Plane and space have a static each, so that a program for a small controller links only the one that it uses.
 static PLANE: Kernels<2> = Kernels::new();
 static SPACE: Kernels<3> = Kernels::new();
 
@@ -60,7 +60,7 @@ impl<const C: usize, Q: ScreeningQuestion<C>> Kernel<C, Q> {
         Self { one: OneGrasp::ask, many: screen }
     }
 
-    /// The answer to a question with one answer per scene.
+    /// Asks one grasp a question that has a single answer.
     #[inline]
     pub(super) fn ask(&self, grasp: &OneGrasp<C>, question: &Q) -> Q::Answer {
         let mut answer = [Q::UNKNOWN];

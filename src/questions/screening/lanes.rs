@@ -1,4 +1,4 @@
-//! One number of each of several scenes, in the lanes of a vector.
+//! Vectors of numbers with one number ("lane") for each of several grasps.
 //!
 //! With `simd` everything here is inlined into its callers. A function that is not inlined would be compiled for the instruction set that every
 //! processor has, instead of the wider vectors of its caller. Without `simd` inlining would only lengthen compilation.
@@ -8,10 +8,10 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use crate::numerics::square_root;
 
-/// Number of lanes: scenes side by side in a block of a batch.
+/// Number of lanes: so many grasps of a batch lie side by side in a block.
 pub(super) const LANES: usize = if cfg!(feature = "simd") { 8 } else { 4 };
 
-/// A number of one scene, or one number of each of several. Each lane is computed as if it stood alone.
+/// A number of one grasp, or a vector with one number for each of several. Each lane is computed as if it stood alone.
 pub(super) trait Packed:
     Copy
     + Debug
@@ -23,16 +23,16 @@ pub(super) trait Packed:
     + AddAssign
     + SubAssign
 {
-    /// A value of any type for each scene.
+    /// A list with a value of any type for each lane.
     type Each<T: Copy>: Copy + AsRef<[T]>;
 
-    /// The same number in every lane.
+    /// The vector with the same number in every lane.
     fn all(value: f64) -> Self;
-    /// A value for each scene, computed from its lane.
+    /// The list of a value for each lane, computed from the index of the lane.
     fn each<T: Copy>(of: impl FnMut(usize) -> T) -> Self::Each<T>;
-    /// Packs the numbers of the scenes.
+    /// The vector of these numbers, one for each lane.
     fn of(numbers: Self::Each<f64>) -> Self;
-    /// The number that belongs to the scene in this lane.
+    /// The number in this lane.
     fn lane(self, lane: usize) -> f64;
     fn abs(self) -> Self;
     fn sqrt(self) -> Self;
@@ -109,8 +109,8 @@ impl Packed for f64 {
     }
 }
 
-/// One number of each of [`LANES`] scenes. Every operation is a loop over the lanes, which the compiler turns into vector instructions. The alignment
-/// keeps these from straddling lines of the cache.
+/// One number for each of [`LANES`] grasps. Every operation is a loop over the lanes, which the compiler turns into vector instructions. The
+/// alignment keeps such a vector within one line of the cache.
 #[derive(Debug, Clone, Copy)]
 #[repr(align(32))]
 pub(super) struct Lanes([f64; LANES]);
@@ -253,7 +253,7 @@ pub(super) fn dot<X: Packed, const C: usize>(a: &[X; C], b: &[X; C]) -> X {
     sum
 }
 
-/// Vector product in space.
+/// The vector product in space, in every lane.
 #[inline(always)]
 pub(super) fn cross<const C: usize, X: Packed>(a: &[X; C], b: &[X; C]) -> [X; C] {
     let mut product = *a;

@@ -1,9 +1,9 @@
-//! The least factor of the commands that holds a list of loads.
+//! The least factor of the commands with which a grasp holds each load of a list.
 //!
-//! With the commands times s and a load the forces at a contact are `F + s F'`. With n and t for `α F_n` and `β F_t` the margin `n - |t|` is concave
-//! in s. It is not negative from where the line enters the cone to where it leaves: an interval of factors, perhaps empty. The answer is the least
-//! common point of the intervals of all contacts and loads. In the plane a margin is the least of two straight lines; in space both ends are roots of
-//! one quadratic, see [`Crossing`].
+//! With the commands times s and a load the force at a contact is `F + s F'`. Let n and t be `α F_n` and `β F_t` as in [`StickingCone`]; the margin
+//! `n - |t|` is concave in s. So it is not negative in an interval of factors s, perhaps empty: from where the line of forces enters the cone to
+//! where it leaves. The answer is the least common point of the intervals of all contacts and loads. In the plane a margin is the least of two
+//! straight lines; in space both ends are roots of one quadratic equation, see [`Crossing`].
 
 use super::block::count;
 use super::cone::{Crossing, StickingCone};
@@ -14,10 +14,10 @@ use super::tolerances::{LEAST_PRODUCT, MOST_PRODUCT, SHARP_MARGIN};
 use super::verdict::balanced;
 use crate::numerics::Vectors;
 
-/// Code: no factor suffices. The other codes are those of a first slip.
+/// Stands for "no factor suffices" in place of a factor. The other codes are those of `first_slip`.
 pub(super) const NO_FACTOR: f64 = -1.0;
 
-/// An interval of sufficient factors, with error bounds of both ends.
+/// The factors with which one contact sticks under one load: an interval, with error bounds of both ends.
 struct Interval<X: Packed> {
     first: X,
     first_off: X,
@@ -25,7 +25,7 @@ struct Interval<X: Packed> {
     last_off: X,
 }
 
-/// A margin without squeeze and its gain per unit of the factor, with the rounding of both.
+/// A margin without commands (`value`) and its gain per unit of the factor, each with a bound of its rounding.
 struct Margin<X: Packed> {
     value: X,
     gain: X,
@@ -34,14 +34,14 @@ struct Margin<X: Packed> {
 }
 
 impl<X: Packed> Margin<X> {
-    /// The interval in which a straight margin is not negative.
+    /// The interval in which this margin, linear in the factor, is not negative.
     #[inline(always)]
     fn straight(&self) -> Interval<X> {
         let (zero, infinite) = (X::all(0.0), X::all(f64::INFINITY));
         let Self { value, gain, noise, gain_noise } = *self;
         let root = -(value / gain);
         let off = |at: X, rate: X| (noise + at * gain_noise) / rate;
-        // A margin that is negative without squeeze vanishes at `root` if squeeze raises it.
+        // A margin that is negative without commands becomes zero at `root`, provided that the commands raise it.
         let entered = gain.above(gain_noise, root, infinite);
         let first = self.broken(entered, zero);
         let first_off = self.broken(gain.above(gain_noise, off(root, gain), zero), zero);
@@ -52,13 +52,13 @@ impl<X: Packed> Margin<X> {
         Interval { first, first_off, last, last_off }
     }
 
-    /// `yes` if the margin is broken without any squeeze, else `no`.
+    /// Selects `yes` if the margin is negative without commands, beyond its rounding; else `no`.
     #[inline(always)]
     fn broken(&self, yes: X, no: X) -> X {
         (-self.noise).above(self.value, yes, no)
     }
 
-    /// The interval in which the margin of a round cone is not negative.
+    /// The interval in which this margin of a round cone is not negative.
     #[inline(always)]
     fn round<const C: usize>(
         &self,
@@ -67,20 +67,20 @@ impl<X: Packed> Margin<X> {
     ) -> Interval<X> {
         let (zero, infinite) = (X::all(0.0), X::all(f64::INFINITY));
         let Self { noise, gain_noise, .. } = *self;
-        // The deepest point inside the cone of a line that enters and leaves.
+        // The factor at which a line that enters and leaves the cone is deepest inside.
         let deepest = line.b / line.a;
         let mut at = *t;
         for axis in 0..C {
             at[axis] = t[axis] + deepest * dt[axis];
         }
         let depth = n + deepest * dn - dot(&at, &at).sqrt();
-        // A line that passes inside by less may miss the cone, and the answer is unclear.
+        // A line that is inside by less than this may in truth miss the cone; then the answer is unclear.
         let needed = X::all(4.0) * (noise + deepest * gain_noise);
         let crossing = line.closing.above(gain_noise, X::all(1.0), zero);
         let unknown = X::all(f64::NAN);
         let through = |yes, no| depth.above(needed, yes, (-depth).above(needed, no, unknown));
-        // A margin that closes for large factors is positive on a bounded interval or nowhere. Any other margin stays positive once it is positive.
-        // Where rounding decides between the two, the result is clear only if the commands cause no force at all.
+        // If the margin falls for large factors, it is positive on a bounded interval or nowhere. Otherwise it stays positive once it is. If rounding
+        // hides which of the two is the case, the interval is known only where the commands cause no force at all.
         let rate = dn.abs().max(line.friction_rate);
         let idle = rate.above(gain_noise, unknown, infinite);
         let (first, last) = (line.first(), line.last());
@@ -90,7 +90,7 @@ impl<X: Packed> Margin<X> {
         let first_off = (noise + first * gain_noise) / slope;
         let is_entered = X::all(f64::MAX);
         let first_off = entered.above(is_entered, zero, first_off);
-        // At the apex only the rates count.
+        // If the line begins at the apex of the cone, only its direction matters.
         let weight = n.abs() + line.friction;
         let left = weight.above(noise, last.max(zero), zero);
         let chord = self.broken(depth / (last - deepest), self.value / last);
@@ -108,16 +108,16 @@ impl<X: Packed> Margin<X> {
     }
 }
 
-/// The conditions of all contacts on the factor, gathered so far.
+/// The conditions on the factor, of all contacts and loads so far.
 pub(super) struct LeastFactor<X: Packed> {
-    /// The largest lower end of all intervals: as computed, and its lower and upper error bounds.
+    /// The largest lower end of all intervals: as computed, then its lower and upper error bound.
     first: X,
     first_sure: X,
     first_most: X,
-    /// The lower and upper error bounds of the least upper end of all intervals.
+    /// The lower and upper error bound of the least upper end of all intervals.
     last_sure: X,
     last_most: X,
-    /// Positive if some condition is unclear.
+    /// Positive if rounding decides about some condition, so that the answer is unclear.
     doubt: X,
     /// Positive if a load works on a motion that no contact resists.
     free: X,
@@ -142,7 +142,7 @@ impl<X: Packed> LeastFactor<X> {
         }
     }
 
-    /// Adds the conditions of all contacts under one load, from the forces of the commands and of all else.
+    /// Adds the conditions of all contacts under one load. `forces` has the forces that the commands cause, then those of the load and clearances.
     #[inline(never)]
     pub(super) fn under<V: Vectors, const C: usize>(
         &mut self,
@@ -195,11 +195,11 @@ impl<X: Packed> LeastFactor<X> {
         self.doubt += balanced(commands.unbalanced + others.unbalanced, zero, one);
     }
 
-    /// Intersects the interval so far with that of one margin.
+    /// Intersects the interval so far with that of one more margin.
     #[inline(always)]
     fn narrow(&mut self, margin: &Margin<X>, interval: &Interval<X>, binding: X) {
-        // A margin whose shortfall is from a quarter of the bound of its rounding to four times this bound is unclear. The rounding of ordinary sums
-        // stays below that range.
+        // `noise` bounds the rounding of a margin. A negative margin between a quarter of this bound and four times it is unclear. The true rounding
+        // of ordinary sums stays below a quarter.
         let (short, about) = (-margin.value, X::all(4.0));
         let doubt = (about * margin.noise).above(short, X::all(1.0), X::all(0.0));
         self.doubt += (about * short).above(margin.noise, doubt, X::all(0.0));
@@ -213,7 +213,7 @@ impl<X: Packed> LeastFactor<X> {
         self.know([first, first_off, last.abs(), last_off]);
     }
 
-    /// Raises a doubt unless all sizes are numbers and not negative. Comparisons would ignore NaN.
+    /// Makes the answer unclear if one of these numbers is negative or NaN. Comparisons elsewhere would ignore NaN.
     #[inline(always)]
     fn know<const K: usize>(&mut self, sizes: [X; K]) {
         for size in sizes {
@@ -221,7 +221,7 @@ impl<X: Packed> LeastFactor<X> {
         }
     }
 
-    /// The factors or codes, and their binding contacts and loads.
+    /// For each grasp the least factor, or a code where there is none; and the contact and load that determine it, as in `binding`.
     #[inline(always)]
     pub(super) fn least(&self) -> (X, X) {
         let (zero, unclear) = (X::all(0.0), X::all(UNCLEAR));

@@ -1,25 +1,28 @@
-//! Choice between edges and motions for grasps of three contacts in space.
+//! How forces are found in grasps of three contacts in space: along the edges of their triangle, or by the motion of the object.
 //!
-//! Along edges a first set of forces balances the load, and compliances then add forces along the edges. Where the triangle is slim, the first set is
-//! larger than the result. Where compliances differ much, a soft contact keeps a small difference of large forces. Such grasps are solved by motions.
-//! So are contacts without friction, whose compliance is infinite. The choice is made once, when a grasp is prepared. Batches read it from their
-//! data, so that an answer does not depend on neighbouring lanes.
+//! Along edges a first set of forces balances the load; forces along the edges are then added until compliances fit. In a slim triangle the first set
+//! is larger than the result and costs digits. Where compliances differ much, a soft contact is left with a small difference of large forces. Such
+//! grasps are solved by the motion of the object, and so are contacts without friction, whose compliance is infinite.
+//!
+//! The choice is made once, when a grasp is prepared. Batches read it from their data, so that an answer does not depend on the grasps in
+//! neighbouring lanes.
 
 use super::block::{AnyScene, Block, Layout, Sizes};
 use super::lanes::Packed;
 use super::triangle::{self, N, Triangle, others};
 
-/// A method for the forces of a scene.
+/// How the forces of a grasp are found.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Method {
-    /// Compliances, and forces along edges.
+    /// From compliances, by forces along the edges between contacts.
     Edges,
-    /// Stiffnesses, and motions of the object.
+    /// From stiffnesses, by the motion of the object.
     Motions,
 }
 
 impl Method {
-    /// Which scenes use this method. Pairs in the plane use edges, triangles in space the method chosen for them, all others motions.
+    /// For each lane, whether the grasp in it uses this method. Pairs in the plane use edges, triangles in space the method chosen for each, all
+    /// others motions.
     #[inline(always)]
     pub(super) fn of<const C: usize, X: Packed>(self, block: &Block<'_, C, X>) -> X::Each<bool> {
         let edges = self == Self::Edges;
@@ -31,19 +34,19 @@ impl Method {
     }
 }
 
-/// Whether the forces follow from the line through two contacts in the plane.
+/// Whether these are grasps of two contacts in the plane, whose forces follow from the line through both.
 #[inline(always)]
 pub(super) fn is_a_pair<const C: usize, X: Packed>(block: &Block<'_, C, X>) -> bool {
     C == 2 && block.contacts == 2
 }
 
-/// Whether the forces may be found along the edges of a triangle.
+/// Whether these are grasps of three contacts in space, whose forces may be found along the edges of the triangle.
 #[inline(always)]
 pub(super) fn is_a_triangle<const C: usize, X: Packed>(block: &Block<'_, C, X>) -> bool {
     C == 3 && block.contacts == triangle::N
 }
 
-/// Replaces stiffnesses by compliances where forces are to be found along edges. Non-zero sizes mark this choice.
+/// Chooses the method for a triangle. If it is the one by edges, stiffnesses are replaced by compliances, and [`Sizes`] above zero mark the choice.
 pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
     let stiff = scene.block().springs().map(|row| [row[0], row[1], row[2]]);
     let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
@@ -56,8 +59,8 @@ pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
         }
     }
     let sizes = sizes(&scene.block());
-    // With a larger ratio the force of a soft contact would lose more than three digits; with a smaller one
-    // more grasps would take twice the time.
+    // Compliances may differ by this ratio. If larger, the force of a soft contact would lose more than three digits. If smaller, more grasps would
+    // need the other method, which takes twice the time.
     if most <= 1e3 * least && sizes.force > 0.0 {
         scene.measure(&sizes);
         return;
@@ -69,13 +72,14 @@ pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
     }
 }
 
-/// Scales of the rounding along edges; moment and force are zero where it would be too large.
+/// The sizes of terms along edges, which bound the rounding. Those of moment and force are zero where rounding would be too large for this method.
 fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     let mut triangle = Triangle::none();
     triangle.ready(scene);
     let length = triangle.edge.map(|edge| edge.iter().map(|x| x * x).sum::<f64>().sqrt());
     let [c_n, c_t] = scene.springs();
-    // A bound of the forces along edges that forces P cause, by absolute values: `|N| |A⁻¹| |Nᵀ| C P`.
+    // A bound of the forces along edges that forces P of size one cause: `|N| |A⁻¹| |Nᵀ| C P` by absolute values, in the notation of
+    // [`super::triangle`].
     let mut gives = 1.0;
     for k in 0..N {
         let mut unit = [0.0; N];
@@ -90,8 +94,8 @@ fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     let height = triangle.one_over_square.sqrt();
     let moment = longest * height * gives;
     let centre: f64 = triangle.centre.iter().map(|x| x.abs()).sum();
-    // With larger forces along edges, slowly closing margins would be called unclear; with a smaller limit more grasps would take twice the time. An
-    // equilateral triangle of equal springs has the value seven.
+    // The limit of these forces. If larger, margins that fall slowly would be unclear. If smaller, more grasps would need the other method, which
+    // takes twice the time. An equilateral triangle of equal springs has the value seven.
     let tame = triangle.factors.free == 0.0 && moment * longest <= 1e3;
     let tamed = |size: f64| if tame { size } else { 0.0 };
     Sizes {
@@ -113,7 +117,7 @@ mod tests {
     type OneScene = super::super::block::OneScene<3>;
     type Row = Layout<3>;
 
-    /// Contacts around a triangle, narrower than an even one by the factor `narrow`, with stiffnesses spread over `decades` decades.
+    /// Three contacts whose positions along two axes are multiplied by `narrow`, with stiffnesses spread over `decades` decades.
     fn scene(draw: &mut Draw, narrow: f64, decades: f64) -> OneScene {
         let mut made = OneScene::new(3);
         let scene: &mut AnyScene<3> = &mut made;
@@ -125,7 +129,7 @@ mod tests {
                 *scene.at(Row::POINT + axis, i) = width * (0.2 * draw.normal() - inward[axis] / length) + 0.5;
                 *scene.at(Row::NORMAL + axis, i) = inward[axis] / length;
             }
-            // The shear command lies across the normal.
+            // The command across the normal.
             let shear = 0.1 * draw.normal();
             *scene.at(Row::SHEARED, i) = shear * *scene.at(Row::NORMAL + 1, i);
             *scene.at(Row::SHEARED + 1, i) = -(shear * *scene.at(Row::NORMAL, i));
@@ -137,7 +141,7 @@ mod tests {
         made
     }
 
-    /// The largest difference of two sets of forces, relative to the sum of the bounds of both.
+    /// The largest difference of two sets of forces, relative to the sum of both rounding bounds.
     fn off(forces: &Forces<3, f64>, others: &Forces<3, f64>, part: f64) -> f64 {
         let mut off = 0.0_f64;
         for i in 0..3 {
@@ -160,7 +164,7 @@ mod tests {
         [loaded, squeezed]
     }
 
-    /// The percentage of a thousand scenes that use edges; both methods must agree on their forces.
+    /// The percentage of a thousand random grasps that are solved along edges. Asserts that both methods agree on their forces.
     fn by_edges(narrow: f64, decades: f64) -> u32 {
         let mut draw = Draw::new([3, narrow.to_bits(), decades.to_bits()]);
         let (mut count, mut worst) = (0, 0.0_f64);
@@ -192,7 +196,7 @@ mod tests {
         assert!(by_edges(1e-4, 0.0) == 0 && by_edges(1.0, 12.0) < 5);
     }
 
-    /// A tangential stiffness of zero is an infinite compliance, so that motions are used.
+    /// Without friction the tangential stiffness is zero and the compliance infinite, so the motion of the object is used.
     #[test]
     fn without_friction_by_motions() {
         let mut scene = scene(&mut Draw::new([0; 3]), 1.0, 0.0);

@@ -1,7 +1,7 @@
-//! Displacements of the object at its contacts while every contact sticks.
+//! Displacements of the object at its contacts while every contact sticks, from forces that were found in compliances.
 //!
-//! Where forces are found in compliances, the springs give the displacement of the object at each contact, `u = a - C F`. The difference of
-//! displacements along an edge e is `ω × e`, from which the rotation follows.
+//! The springs give the displacement of the object at each contact, `u = a - C F`, with the command a, the compliance C and the force F.
+//! Displacements at both ends of an edge e differ by `ω × e`, from which the rotation ω follows.
 
 use super::block::{Block, Commanded, MOST_SCREENED};
 use super::finger::{Force, world};
@@ -51,8 +51,8 @@ impl<const C: usize, X: Packed> ObjectMotion<C, X> {
         );
     }
 
-    /// Computes the motion of an object held by three contacts in space: `ω = (m·d₂ e₁ - m·d₁ e₂ + ½ (e₂·d₁ - e₁·d₂) m) / |m|²` with `d = ω × e` of two
-    /// edges.
+    /// Computes the motion of an object held by three contacts in space: `ω = (m·d₂ e₁ - m·d₁ e₂ + ½ (e₂·d₁ - e₁·d₂) m) / |m|²`. Here d₁, d₂ are the
+    /// differences of displacements along two edges e₁, e₂, and m is their vector product.
     #[inline(never)]
     pub(super) fn of_a_triangle<V: Vectors>(
         &mut self,

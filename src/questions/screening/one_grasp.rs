@@ -15,7 +15,7 @@ use crate::error::{Error, Field};
 use crate::grasp::{Contact, Hold};
 use crate::numerics::Compiled;
 
-/// The data of one grasp that do not depend on the load.
+/// The data of one grasp that do not depend on the load, computed once.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct OneGrasp<const C: usize> {
     pub(super) scene: OneScene<C>,
@@ -39,11 +39,11 @@ impl<const C: usize> OneGrasp<C> {
         Ok(grasp)
     }
 
-    /// Answers a question; `answers` has as many slots as the question has answers.
+    /// Answers a question. `answers` has as many entries as the question has answers.
     pub(super) fn ask<Q: ScreeningQuestion<C>>(&self, question: &Q, answers: &mut [Q::Answer]) {
         let block = AnyScene::block(&self.scene);
         let (ready, squeezed) = (&self.ready, &self.squeezed);
-        // Forces that a question does not use are optimised away.
+        // The compiler removes those arrays of forces that a question does not use.
         let [mut a, mut b, mut c] = [Forces::<C, f64>::none(); 3];
         let mut told = AnswerSlots::new(answers, [true], [0, 1], Q::answers(block.contacts));
         let scenes = Scenes { vectors: Compiled, block, ready, first: 0, squeezed };
@@ -58,7 +58,7 @@ impl<const C: usize> OneGrasp<C> {
     }
 }
 
-/// Checks contacts and stores their numbers, in compliances where forces are to be found along edges.
+/// Checks contacts and stores their data. Where forces are found along edges between contacts, stiffnesses are replaced by compliances.
 pub(super) fn write_all<const C: usize>(
     scene: &mut AnyScene<C>,
     contacts: &[Contact<C>],
@@ -66,7 +66,7 @@ pub(super) fn write_all<const C: usize>(
     let mut before: Option<(&Contact<C>, SMatrix<f64, C, C>)> = None;
     for (index, contact) in contacts.iter().enumerate() {
         contact.check(index)?;
-        // The points of a pad share their frame.
+        // Neighbouring points of a pad have the same frame, which is computed once.
         let same =
             before.filter(|(other, _)| other.normal == contact.normal && other.tangent == contact.tangent);
         let frame = same.map_or_else(|| contact.frame(index), |(_, frame)| Ok(frame))?;
@@ -84,7 +84,7 @@ pub(super) fn write_all<const C: usize>(
     Ok(())
 }
 
-/// Stores the numbers of a contact with this frame.
+/// Stores the data of one contact, whose frame is known.
 fn write<const C: usize>(
     scene: &mut AnyScene<C>,
     index: usize,
@@ -115,10 +115,10 @@ fn write<const C: usize>(
     a[0] = 0.0;
     if C == 3 {
         let n = frame.column(0);
-        // A command along the coordinate axes is not turned into the frame and back.
+        // If the command was given along the coordinate axes, it is not rotated into the frame and back, which would round it.
         a = contact.commanded_in_world().map_or_else(|| frame * a, |u| u - n * n.dot(u));
     } else {
-        // Across the normal, the direction is (n_y, -n_x), whichever way the caller's tangent points.
+        // The tangent here is always (n_y, -n_x), whichever of the two tangents the caller's frame has.
         let turned = frame[(0, 1)] * frame[(1, 0)] - frame[(1, 1)] * frame[(0, 0)];
         a.swap_rows(0, 1);
         a[0] *= turned.signum();

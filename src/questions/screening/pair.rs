@@ -27,7 +27,7 @@ use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 /// Replaces stiffnesses by compliances.
 ///
 /// A contact without friction has an infinite tangential compliance: the condition on λ reads `F_t = 0` there, and all its other terms vanish. Two
-/// such contacts hold nothing. Neither does one whose normal points along the line, because the object turns about the other contact. In these cases
+/// such contacts hold no load. Neither does one whose normal points along the line, because the object turns about the other contact. In these cases
 /// the compliances are NaN.
 pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
     let block = scene.block();
@@ -58,7 +58,7 @@ pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
     scene.measure(&sizes);
 }
 
-/// Scales of the rounding of forces of a pair with compliances.
+/// The sizes of terms by which the rounding of forces is bounded, for a pair with compliances.
 fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     let pair = Pair::new(scene);
     let [x, y] = [0, 1].map(|axis| scene.points()[axis][1] - scene.points()[axis][0]);
@@ -75,20 +75,20 @@ fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     Sizes { commands, moment, force: moment * (x.abs() + y.abs()) + gives }
 }
 
-/// Two contacts and the line through them. Arrays have an entry for each contact.
+/// A pair of contacts and the line through both. Arrays have an entry for each contact.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pair<X: Packed> {
     normal: [[X; 2]; 2],
     midpoint: [X; 2],
-    /// Components of `p_i` along normals and tangents.
+    /// Components of the vector `p_i` along the normal and, in the next field, along the tangent of contact i.
     n: [X; 2],
     t: [X; 2],
-    /// Components of `C_i p_i` along normals and tangents.
+    /// Components of `C_i p_i` along the normal and the tangent.
     u: [X; 2],
     v: [X; 2],
     one_over_give: X,
     one_over_square: X,
-    /// `Σ p_i·C_i p_i⊥` and `Σ p_i·a_i`: stretch of the line for s = 1, and the part of it that the commands take up, each in m times |p|.
+    /// By how much the line is stretched for s = 1, `Σ p_i·C_i p_i⊥`, and how much of that the commands take up, `Σ p_i·a_i`; both in m times |p|.
     sheared: X,
     commanded: X,
     sizes: Sizes<X>,
@@ -134,7 +134,7 @@ impl<X: Packed> Pair<X> {
         }
     }
 
-    /// Scale of the rounding of the forces that commands cause.
+    /// The size of terms in the forces that commands cause; it bounds their rounding.
     #[inline(always)]
     fn size_of<const C: usize>(&self, length: X, asked: &Commanded<'_, C, X>) -> X {
         let mut commands = X::all(0.0);
@@ -194,12 +194,12 @@ impl<X: Packed> Pair<X> {
         );
     }
 
-    /// Forces of a load alone.
+    /// Forces that a load alone causes.
     #[inline(always)]
     fn loaded<const C: usize>(&self, load: &[X; 6], forces: &mut AnyForces<C, X>) {
         let zero = [X::all(0.0); 2];
         let s = (load[2] - (self.midpoint[0] * load[1] - self.midpoint[1] * load[0])) * self.one_over_square;
-        // Half of the load, with the opposite sign.
+        // Minus half of the load's force.
         let (x, y) = (X::all(-0.5) * load[0], X::all(-0.5) * load[1]);
         let (mut halves, mut given) = ([zero; 2], zero);
         for i in 0..2 {
@@ -217,7 +217,7 @@ impl<X: Packed> Pair<X> {
         (forces.unbalanced, forces.free) = (X::all(0.0), X::all(0.0));
     }
 
-    /// Forces of commands alone, which act along the line through both contacts.
+    /// Forces that commands alone cause. They act along the line through both contacts.
     #[inline(always)]
     fn squeezed<const C: usize>(
         &self,
@@ -241,7 +241,7 @@ impl<X: Packed> Pair<X> {
     }
 }
 
-/// `p_i·a_i`, the command of a finger along the line through both contacts.
+/// `p_i·a_i`: the command of finger i along the line through both contacts.
 #[inline(always)]
 fn taken<const C: usize, X: Packed>(i: usize, commands: &Commanded<'_, C, X>, (n, t): (X, X)) -> X {
     commands.pressed[i] * n + commands.sheared[0][i] * t

@@ -1,19 +1,20 @@
-//! Two contacts in space: the order of coordinates in which their free motion, the rotation about the line between them, has the last pivot.
+//! Two contacts in space leave a free motion: the rotation about the line between them. This file reorders coordinates so that its pivot is the last
+//! one.
 //!
-//! That pivot vanishes up to rounding. If the rotation about the axis nearest to the line comes last, no other pivot is small. Rounding then does not
-//! decide which motion is free.
+//! That pivot vanishes up to rounding. If the rotation about the coordinate axis nearest to the line comes last, no other pivot is small. Thus
+//! rounding does not decide which motion is free.
 
 use super::lanes::Packed;
 
-/// The exchange of the rotation about the axis nearest to the line with the last coordinate.
+/// Exchanges the rotation about the coordinate axis nearest to the line between two contacts with the last coordinate.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct AlongTheLine<X: Packed> {
-    /// Positive where the nearest axis is the first, and where it is the second.
+    /// Positive in the first entry where the nearest axis is the first one, in the second where it is the second.
     is: [X; 2],
 }
 
 impl<X: Packed> AlongTheLine<X> {
-    /// The exchange for the line between two points.
+    /// The exchange for the line between these two points.
     #[inline(always)]
     pub(super) fn between<const C: usize>(points: &[&[X]; C]) -> Self {
         let (zero, one) = (X::all(0.0), X::all(1.0));
@@ -22,7 +23,7 @@ impl<X: Packed> AlongTheLine<X> {
         Self { is: [is_x, z.above(y, zero, one - is_x)] }
     }
 
-    /// Exchanges both coordinates in a matrix whose entries on and below the diagonal are stored.
+    /// Exchanges the two coordinates in a matrix of which only entries on and below the diagonal are stored.
     #[inline(always)]
     pub(super) fn exchange(&self, t: &mut [[X; 6]; 6]) {
         for (k, is) in (3..).zip(self.is) {
@@ -39,7 +40,7 @@ impl<X: Packed> AlongTheLine<X> {
         }
     }
 
-    /// A load or a motion with both coordinates exchanged. A second exchange restores it.
+    /// A load or a motion with the two coordinates exchanged. A second exchange restores it.
     #[inline(always)]
     pub(super) fn exchanged(&self, w: &[X; 6]) -> [X; 6] {
         let mut exchanged = *w;

@@ -1,4 +1,4 @@
-//! Many scenes of equally many contacts, several side by side in each block.
+//! Many grasps with the same number of contacts; several lie side by side in each block.
 
 use super::batch_part::BatchPart;
 use super::block::{AnyScene, Block, Layout, MOST_POINTS, WideScene};
@@ -38,13 +38,13 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 pub struct PointBatch<const C: usize> {
     contacts: usize,
-    /// Bit i is one if contact i is the last point of its finger, in every scene.
+    /// Bit i is set if contact point i is the last one of its finger; this is the same in every grasp.
     ends: u64,
-    /// The numbers of all blocks in order, laid out as in [`Block`].
+    /// The data of all blocks one after the other, each laid out as in [`Block`].
     numbers: Vec<Lanes>,
     parted: Vec<Lanes>,
     len: usize,
-    /// Memory for a scene before it is appended.
+    /// Memory for the data of a grasp before they are appended.
     scene: Option<Box<WideScene<C>>>,
 }
 
@@ -83,7 +83,7 @@ impl<const C: usize> PointBatch<C> {
         let is_written = write_all(scene, contacts).is_ok();
         let scene = scene.block();
         let fingers = (scene.ends << (u64::BITS as usize - contacts.len())).count_ones();
-        // A number of a lane has one bit for each finger.
+        // Which fingers leave is stored in one floating-point number, one bit for each finger, so their number is limited.
         let fits = fingers < f64::MANTISSA_DIGITS && (self.is_empty() || self.ends == scene.ends);
         if is_written && fits {
             self.push_scene(&scene);
@@ -111,7 +111,7 @@ impl<const C: usize> PointBatch<C> {
         self.len = 0;
     }
 
-    /// Appends a scene.
+    /// Appends a grasp, given as a block of one lane.
     pub(super) fn push_scene(&mut self, scene: &Block<'_, C, f64>) {
         let lane = self.len % LANES;
         self.ends = scene.ends;
@@ -120,7 +120,7 @@ impl<const C: usize> PointBatch<C> {
             if lane == 0 {
                 numbers.resize(numbers.len() + of_scene.len(), Lanes::all(0.0));
             }
-            // Unused lanes of the last block repeat the last scene.
+            // Unused lanes of the last block repeat the last grasp.
             let block = numbers.len() - of_scene.len();
             for (number, of_scene) in numbers[block..].iter_mut().zip(of_scene) {
                 number.fill(lane, *of_scene);
@@ -129,14 +129,14 @@ impl<const C: usize> PointBatch<C> {
         self.len += 1;
     }
 
-    /// Parts of at most `blocks` blocks, each with the slots for its answers.
+    /// Divides the batch into parts of at most `blocks` blocks, each with the places for its answers.
     pub(super) fn parts<'a, Q: ScreeningQuestion<C>>(
         &'a self,
         questions: &'a [Q],
         blocks: usize,
         answers: &'a mut Vec<Q::Answer>,
     ) -> impl Iterator<Item = BatchPart<'a, C, Q>> {
-        // Every slot is written later, so that old answers need not be wiped.
+        // Kernels write every answer, so that old ones in reused memory need not be cleared.
         let of_grasp = questions.len() * Q::answers(self.contacts);
         answers.resize(self.len * of_grasp, Q::UNKNOWN);
         let (blocks, numbers, parted) =

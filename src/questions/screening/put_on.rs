@@ -1,4 +1,4 @@
-//! Loads put on the grasps of a batch, each grasp with its own load: the first slip, and the rotation of the object up to the whole load.
+//! Loads that are put on the grasps of a batch, a load of its own on each: the first slip, and how far the object rotates up to the whole load.
 
 use super::answer_slots::AnswerSlots;
 use super::block::Layout;
@@ -18,23 +18,23 @@ use crate::contact::ZERO_SLACK;
 use crate::numerics::Vectors;
 use crate::prelude::*;
 
-/// Loads, one for each scene of a batch.
+/// The question how each grasp of a batch bears its own load; there is one load for each grasp.
 pub(crate) struct PutOn<const C: usize> {
     pub(crate) pulls: Vec<Pull<C>>,
-    /// Whether the rotation of the object is asked for, too.
+    /// Whether the rotation of the object is wanted, too.
     pub(crate) turns: bool,
 }
 
-/// A load put on one grasp, as long as every contact sticks.
+/// What happens as a load is put on one grasp, as long as every contact sticks.
 #[derive(Clone, Copy)]
 pub(crate) struct WhileSticking {
     pub(crate) first: Screened,
-    /// The larger of the rotations at rest and under the whole load, rad; NaN where it is not determined, or was not asked for.
+    /// The larger of the rotations at rest and under the whole load, rad; NaN where the position is not determined, or the rotation was not wanted.
     pub(crate) turn: f64,
 }
 
 impl<const C: usize> PutOn<C> {
-    /// The answers for the scenes of a batch, on one thread.
+    /// The answers for all grasps of a batch, on one thread.
     pub(crate) fn answers(self, batch: &PointBatch<C>) -> Vec<WhileSticking> {
         let mut answers = Vec::new();
         if self.pulls.len() != batch.len() {
@@ -44,7 +44,7 @@ impl<const C: usize> PutOn<C> {
         answers
     }
 
-    /// One component of a load in each lane.
+    /// One component of the loads, for the grasp in each lane.
     #[inline(always)]
     fn lanes<X: Packed>(&self, first: usize, component: impl Fn(&Pull<C>) -> f64) -> X {
         let last = self.pulls.len() - 1;
@@ -80,7 +80,7 @@ impl<const C: usize> ScreeningQuestion<C> for PutOn<C> {
             for k in 0..Layout::<C>::COORDINATES {
                 more[k] += at_rest[k];
             }
-            // Comparisons ignore NaN; the added term carries it into the answer.
+            // `max` ignores NaN. Adding zero times `start` makes `turn` NaN if `start` is.
             turn = start.max(scenes.turned(&more, base)) + zero * start;
         }
         let first = first.as_ref();
@@ -89,7 +89,7 @@ impl<const C: usize> ScreeningQuestion<C> for PutOn<C> {
 }
 
 impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
-    /// The angle by which the object is turned under the commands and a load, given the `forces` of both.
+    /// The rotation of the object under the commands and a load, given the contact forces of both together.
     #[inline(always)]
     fn turned(&self, load: &[X; 6], forces: &AnyForces<C, X>) -> X {
         let mut moved = ObjectMotion::none();

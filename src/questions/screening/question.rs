@@ -1,4 +1,4 @@
-//! A question about the scenes of a block.
+//! A question of screening, and the grasps of which it is asked.
 
 use super::answer_slots::AnswerSlots;
 use super::block::{Block, Commanded, MOST_SCREENED};
@@ -10,27 +10,27 @@ use crate::contact::ZERO_SLACK;
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
 
-/// Prepared scenes, one in each lane. They are borrowed because they are too large to be moved for every block.
+/// The grasps of a block with prepared springs, one in each lane. They are borrowed because they are too large to be moved for every block.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Scenes<'a, V, const C: usize, X: Packed> {
     pub(super) vectors: V,
     pub(super) block: Block<'a, C, X>,
     pub(super) ready: &'a StickingSprings<C, X>,
-    /// Index of the scene in the first lane.
+    /// Index in the batch of the grasp in the first lane.
     pub(super) first: usize,
-    /// Forces of the commands less the clearances, without load.
+    /// The forces that the commands, less the clearances, cause without a load.
     pub(super) squeezed: &'a AnyForces<C, X>,
 }
 
-/// Working memory for the forces of a question, created once for all blocks.
+/// Working memory for the forces that a question needs, created once for all blocks.
 pub(crate) type Room<'a, const C: usize, X> = [&'a mut AnyForces<C, X>; 3];
 
-/// A question that every scene of a batch gets alike.
+/// A question that is asked of every grasp of a batch.
 pub(crate) trait ScreeningQuestion<const C: usize>: Sync + Sized {
     type Answer: Copy + Send;
-    /// The answer before the question has been asked.
+    /// The value in memory before an answer has been written.
     const UNKNOWN: Self::Answer;
-    /// The number of answers of a scene with `contacts` contacts, stored side by side.
+    /// The number of answers that a grasp with `contacts` contacts gives, stored side by side.
     fn answers(_contacts: usize) -> usize {
         1
     }
@@ -44,7 +44,7 @@ pub(crate) trait ScreeningQuestion<const C: usize>: Sync + Sized {
 }
 
 impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
-    /// The forces of a load alone.
+    /// The forces that a load alone causes; all grasps have the same load.
     #[inline(always)]
     pub(super) fn under(&self, load: &Wrench<C>, forces: &mut AnyForces<C, X>) {
         let mut lanes = [X::all(0.0); 6];
@@ -54,20 +54,20 @@ impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
         self.under_lanes(&lanes, forces);
     }
 
-    /// The forces of a load alone, which may differ from scene to scene.
+    /// The forces that a load alone causes; each grasp has its own load.
     #[inline(always)]
     pub(super) fn under_lanes(&self, load: &[X; 6], forces: &mut AnyForces<C, X>) {
         self.ready.load(self.vectors, &self.block, load, forces);
     }
 
-    /// The forces of the commands and a load together.
+    /// The forces that the commands and a load cause together.
     #[inline(always)]
     pub(super) fn squeezed_under(&self, load: &Wrench<C>, forces: &mut AnyForces<C, X>) {
         self.under(load, forces);
         forces.add_to(self.block.contacts, self.squeezed, ON_THE_EDGE / ZERO_SLACK);
     }
 
-    /// The forces of the commands alone, and those of the clearances alone, both with the rounding of loads.
+    /// The forces that the commands alone cause, and those that the clearances alone cause. Their rounding is bounded as strictly as that of loads.
     #[inline(always)]
     pub(super) fn apart(&self, [commands, clearances]: [&mut AnyForces<C, X>; 2]) {
         let [commanded, clearance] = self.block.parted();
@@ -77,7 +77,7 @@ impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
             largest = largest.max(clearance.abs());
             *overlap = -*clearance;
         }
-        // Without clearances the forces of the commands are those computed before, to the last bit.
+        // Without clearances these forces are `squeezed`, which are copied so that answers agree to the last bit.
         commands.copy_from(self.squeezed);
         clearances.clear();
         if !largest.is_all(0.0) {
@@ -87,7 +87,7 @@ impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
             };
             squeeze(commanded, self.block.commands().sheared, commands);
             squeeze(&overlaps[..contacts], [&[X::all(0.0); MOST_SCREENED][..contacts]; C], clearances);
-            // Clearances stretch springs alone and drive no free motion. Where their forces cancel, `free` would come from rounding.
+            // Clearances only stretch springs and do no work on a free motion. Where their forces cancel, `free` would be positive by rounding.
             clearances.free = X::all(0.0);
         }
         for forces in [commands, clearances] {

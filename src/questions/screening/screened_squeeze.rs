@@ -8,9 +8,9 @@ use super::least_factor::NO_FACTOR;
 /// The least squeeze of one grasp under a list of loads, or the reason why screening does not know it.
 #[derive(Clone, Copy, PartialEq)]
 pub struct ScreenedSqueeze {
-    /// The factor, or one of the codes of `least_factor` and `first_slip`.
+    /// The least factor, or one of the codes in `least_factor` and `first_slip` for the other verdicts.
     pub(super) code: f64,
-    /// The binding contact and load, `8 load + contact`.
+    /// The contact and the load that determine the factor, encoded as `8 load + contact`.
     pub(super) binding: f64,
 }
 
@@ -34,7 +34,7 @@ pub enum SqueezeVerdict {
 }
 
 impl ScreenedSqueeze {
-    /// The answer before a kernel has written one.
+    /// The value in memory before a kernel has written an answer.
     pub(super) const UNKNOWN: Self = Self { code: UNCLEAR, binding: 0.0 };
 
     /// How the screening ended.

@@ -1,4 +1,4 @@
-//! Forces of sticking contacts under loads and commands.
+//! Forces of sticking contacts under loads and commands, by one of three methods.
 
 use super::balance::RigidBody;
 use super::block::{Block, Commanded, Layout};
@@ -10,23 +10,23 @@ use super::pair::Pair;
 use super::triangle::Triangle;
 use crate::numerics::Vectors;
 
-/// The commands of the fingers and the load that move the object.
+/// What moves the object: the commands of the fingers and the load.
 pub(super) struct Cause<'a, const C: usize, X: Packed> {
     pub(super) commands: Commanded<'a, C, X>,
-    /// The load on each scene: force in N, then moments about the origin in N m. In the plane the last three are zero.
+    /// The load on the grasp in each lane: force in N, then moments about the origin in N m. In the plane the last three are zero.
     pub(super) load: [X; 6],
 }
 
-/// The prepared springs of scenes, without a load, for one of three methods. Conditions on constants keep pairs in space and triangles in the plane,
-/// which do not exist, from being compiled.
+/// What one of three methods computes of springs once, before a load is known. Conditions on constants keep pairs in space and triangles in the
+/// plane, which the first two methods do not have, from being compiled.
 #[derive(Debug, Clone, Copy)]
 #[allow(clippy::large_enum_variant)] // none is ever moved about alone
 pub(super) enum StickingSprings<const C: usize, X: Packed> {
-    /// Closed form for a pair in the plane.
+    /// The closed form for two contacts in the plane.
     Pair(Pair<X>),
-    /// Forces along the edges of a triangle in space.
+    /// Forces along the edges between three contacts in space.
     Triangle(Triangle<C, X>),
-    /// Factorised stiffness of the object.
+    /// The motion of the object, by its factorised stiffness matrix.
     RigidBody(RigidBody<C, X>),
 }
 
@@ -40,7 +40,7 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         }
     }
 
-    /// The method in use; a scene that needs another one is skipped.
+    /// The method of these springs; a grasp that needs the other one is skipped.
     pub(super) fn method(&self) -> Method {
         match self {
             Self::Pair(_) | Self::Triangle(_) => Method::Edges,
@@ -57,7 +57,7 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         }
     }
 
-    /// Forces of a load alone, with the fingers at rest, at the contacts of the block.
+    /// The forces at the contacts that a load alone causes, with the fingers at rest.
     pub(super) fn load<V: Vectors>(
         &self,
         v: V,
@@ -73,7 +73,8 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         }
     }
 
-    /// Forces of commands alone, the object without load: the commands of the block less its clearances, or `others`.
+    /// The forces that commands alone cause, without a load on the object. The commands are those of the grasps in this block, less clearances, or
+    /// `others`.
     pub(super) fn squeeze<V: Vectors>(
         &self,
         v: V,
@@ -92,7 +93,7 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         }
     }
 
-    /// Only the rotation of [`Self::moved`]. It is known already where forces were found by motions.
+    /// As [`Self::moved`], but only the rotation. It is known already if forces were found by the motion of the object.
     #[inline(always)]
     pub(super) fn turned<V: Vectors>(
         &self,
@@ -105,11 +106,11 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         let Self::RigidBody(body) = self else { return self.moved(v, block, cause, forces, moved) };
         let coordinates = Layout::<C>::COORDINATES;
         moved.turn[..coordinates - C].copy_from_slice(&forces.motion[C..coordinates]);
-        // A free motion leaves the position of the object undetermined.
+        // If a motion is free, the position of the object is not determined.
         moved.turn[0] = body.free().above(X::all(0.0), X::all(f64::NAN), moved.turn[0]);
     }
 
-    /// The motion of the object under commands and a load, given the `forces` that both bring about together.
+    /// The motion of the object under commands and a load; `forces` are the contact forces of both together.
     pub(super) fn moved<V: Vectors>(
         &self,
         v: V,

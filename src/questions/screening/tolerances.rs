@@ -1,15 +1,15 @@
-//! The numbers by which screening tells a sure answer from an unclear one.
+//! At which numbers screening calls an answer unclear.
 //!
-//! All of them are dimensionless. Screening makes single passes, so an answer that would need a refinement is called unclear.
+//! All of them are dimensionless. Screening computes each answer in a single pass; where that would need a refinement, the verdict is unclear.
 
 /// A contact may be on the edge of its cone if its margin at load factor zero is below this fraction of the forces.
 ///
 /// If smaller, rounding would decide whether it sticks. If larger, more grasps would be unclear.
 pub(super) const ON_THE_EDGE: f64 = 1e-12;
 
-/// If motions are free and more than this fraction of the load stays unbalanced, the load works on them.
+/// If more than this fraction of the load stays unbalanced, and some motion is free, the load works on that motion.
 ///
-/// If the load does not work on them, only rounding stays unbalanced. If larger, a load that drives the object away weakly would be called unclear.
+/// Of a load that does not work on it, only rounding stays unbalanced. If larger, a load that drives the object away weakly would be called unclear.
 pub(super) const WORKS_ON_FREE_MOTION: f64 = 1e-6;
 
 /// Forces whose residual exceeds this fraction of the load are refined. Rounding alone leaves about 1e-15.
@@ -17,9 +17,9 @@ pub(super) const WORKS_ON_FREE_MOTION: f64 = 1e-6;
 /// If smaller, refinement would gain nothing. If larger, forces would lose digits to a soft contact beside a stiff one.
 pub(super) const IMPROVABLE: f64 = 1e-14;
 
-/// A margin must close at least at this multiple of the rounding of its rate.
+/// A margin must fall with the load at a rate of at least this multiple of the rounding of the rate.
 ///
-/// A slower one closes at a factor of fewer than six digits, and the verdict is unclear. If larger, more grasps would be unclear.
+/// A slower margin vanishes at a load factor of fewer than six digits, and the verdict is unclear. If larger, more grasps would be unclear.
 pub(super) const SHARP_MARGIN: f64 = 1e6;
 
 /// Lower bound of `|F| |F'|` for margins in space: below it squares underflow and lose their digits, and the answer is unclear.

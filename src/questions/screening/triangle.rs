@@ -41,13 +41,13 @@ pub(super) const N: usize = 3;
 pub(super) struct Triangle<const C: usize, X: Packed> {
     pub(super) edge: [[X; C]; N],
     pub(super) centre: [X; C],
-    /// m and `|m|⁻²`.
+    /// The normal m of the triangle, and `|m|⁻²`.
     pub(super) across: [X; C],
     pub(super) one_over_square: X,
-    /// `n_i·e_j` of the edge that ends at contact i, and `n_i·e_k` of the edge that begins there.
+    /// The products `n_i·e_j` and, in the next field, `n_i·e_k` of the normal of contact i with the edges that end and begin there.
     ends: [X; N],
     begins: [X; N],
-    /// Stretch of the edges by the tangential compliances: `pushed` under equal unit forces along an edge, `turned` under forces `P_i = e_i`.
+    /// How the tangential compliances stretch the edges: `pushed` under equal unit forces along an edge, `turned` under forces `P_i = e_i`.
     pushed: [X; N],
     turned: [X; N],
     pub(super) factors: LaneFactors<N, X>,
@@ -98,7 +98,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         *self = Self { edge, centre, across, one_over_square, ends, begins, pushed, turned, factors };
     }
 
-    /// Forces of a load alone.
+    /// Forces that a load alone causes.
     #[inline(always)]
     fn loaded(&self, block: &Block<'_, C, X>, load: &[X; 6], forces: &mut AnyForces<C, X>) {
         let (normals, springs) = (block.normals(), block.springs());
@@ -138,7 +138,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         self.forces(block, &lambda, Some((&borne, &pressed)), X::all(ZERO_SLACK) * size, forces);
     }
 
-    /// Scale of the rounding of the forces that commands cause.
+    /// The size of terms in the forces that commands cause; it bounds their rounding.
     #[inline(always)]
     pub(super) fn size_of(&self, asked: &Commanded<'_, C, X>) -> X {
         let (mut stiffness, mut commands) = (X::all(0.0), X::all(0.0));
@@ -152,7 +152,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         stiffness * commands
     }
 
-    /// Forces of commands alone: those of the block, or `others`.
+    /// Forces that commands alone cause: the commands of the grasps in this block or, if given, `others`.
     #[inline(always)]
     fn squeezed(
         &self,
@@ -173,7 +173,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         self.forces(block, &lambda, None, X::all(ON_THE_EDGE) * size, forces);
     }
 
-    /// Stretch of the edges if the contacts move by `way` along their normals.
+    /// By how much the edges are stretched if each contact moves by its entry of `way` along its normal.
     #[inline(always)]
     fn along_normals(&self, way: &[X]) -> [X; N] {
         let mut given = [X::all(0.0); N];
@@ -184,7 +184,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         given
     }
 
-    /// Stores the sum of the forces along the edges and of `borne`, given with its normal parts, which balances the load.
+    /// Stores the forces of all contacts: those along the edges, plus the forces `borne`, which balance the load.
     #[inline(always)]
     fn forces(
         &self,
@@ -220,7 +220,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
             }
             forces.of[i].normal = normal;
             forces.of[i].rounding = rounding;
-            // Comparisons ignore NaN; the added term carries it into `unbalanced`.
+            // Comparisons ignore NaN. Adding zero times the force makes `unbalanced` NaN if the force is.
             forces.unbalanced += X::all(0.0) * normal;
         }
     }

@@ -1,16 +1,16 @@
-//! Where forces leave their friction cones as the load turns.
+//! The angle at which the first contact force leaves its friction cone while the load turns.
 //!
-//! With n and t for `α F_n` and `β F_t` of a contact the margin is `n - |t|`, a function of the angle θ of the load. Angles are compared by their
-//! cotangents `u = cot(θ/2)`, which fall from +∞ to -∞ over a full turn. In the plane each margin is `c + a cos θ + b sin θ`, and its first root
-//! solves a quadratic equation:
+//! Let n and t be `α F_n` and `β F_t` of a contact, as in [`StickingCone`]. Its margin is `n - |t|`, a function of the angle θ of the load. Angles
+//! are compared by their cotangents `u = cot(θ/2)`, which fall from +∞ to -∞ over a full turn. In the plane each margin is `c + a cos θ + b sin θ`,
+//! and its first root solves a quadratic equation:
 //!
 //! ```text
 //! (c + a) u² + 2 b u + (c - a) = 0,   u = (√Δ - b) / (c + a) = (a - c) / (√Δ + b),   Δ = a² + b² - c²
 //! ```
 //!
-//! Of the two forms the one without cancellation is taken; at the root the margin falls by √Δ per radian. In space bounds of n and |t| show for most
+//! Of the two forms it uses the one without cancellation; at the root the margin falls by √Δ per radian. In space bounds of n and |t| show for most
 //! contacts that they do not leave. For each of the others the first root of `n² - |t|²`, an equation of degree four, is found as in
-//! [`Grasp::onset_of_turn`], one scene at a time. Newton's method on the margin then supplies the last digits.
+//! [`Grasp::onset_of_turn`], one grasp at a time. Newton's method on the margin then supplies the last digits.
 //!
 //! [`Grasp::onset_of_turn`]: crate::ask::Grasp::onset_of_turn
 
@@ -29,29 +29,30 @@ use crate::contact::ZERO_SLACK;
 use crate::numerics::tolerances::{ROUNDED_SUM, SOLVED_ROUNDING};
 use crate::numerics::{Harmonic, Turning, Vectors};
 
-/// Where a margin first falls below zero.
+/// The first angle at which a margin falls below zero.
 struct MarginZero<X: Packed> {
-    /// cot(θ/2): the larger, the earlier; minus infinity if the margin does not fall below zero.
+    /// cot(θ/2) of the angle: the larger, the earlier. Minus infinity if the margin does not fall below zero.
     cotangent: X,
     /// Bound of the error of the angle, rad.
     off: X,
-    /// Positive if the result is unclear.
+    /// Positive if rounding decides about this root, so that the answer is unclear.
     doubt: X,
 }
 
 impl<X: Packed> MarginZero<X> {
-    /// A root at `cotangent`, where the margin falls by `slope` per radian; `bend` bounds the change of this slope per radian.
+    /// A root at `cotangent`, where the margin falls by `slope` per radian. `bend` bounds the change of this slope per radian, `noise` the rounding
+    /// of the margin.
     #[inline(always)]
     fn at(cotangent: X, slope: X, bend: X, noise: X) -> Self {
         let (zero, one) = (X::all(0.0), X::all(1.0));
-        // A margin must be able to fall a hundred times its rounding below zero before it can bend back:
-        // otherwise rounding could create or lose roots.
+        // The margin must fall below zero by at least a hundred times its rounding before it can rise again. Otherwise rounding could create or hide
+        // a root.
         let deep = (slope * slope).above(X::all(2.0 * 100.0) * noise * bend, zero, one);
         let sharp = slope.above(X::all(SHARP_MARGIN) * noise * cotangent, zero, one);
         Self { cotangent, off: noise / slope, doubt: deep + sharp }
     }
 
-    /// This root, or no root where `size` is larger than `bound`.
+    /// No root in lanes where `size` is larger than `bound`, this root in all others.
     #[inline(always)]
     fn unless(self, size: X, bound: X) -> Self {
         let never = X::all(f64::NEG_INFINITY);
@@ -73,7 +74,7 @@ impl<X: Packed> MarginZero<X> {
     }
 }
 
-/// n and t of one contact as functions of the angle, and the rounding of the margin.
+/// The numbers n and t of one contact as functions of the angle, and a bound of the rounding of its margin.
 struct Waves<const C: usize, X: Packed> {
     n: Harmonic<X>,
     t: Harmonic<[X; C]>,
@@ -93,7 +94,7 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         }
     }
 
-    /// n and t with their rates, at the angle with this cosine and sine.
+    /// The values of n and t and their derivatives by the angle, at the angle with this cosine and sine.
     #[inline(always)]
     fn at(&self, cos: X, sin: X) -> [(X, [X; C]); 2] {
         let Harmonic { constant, cosine, sine } = &self.t;
@@ -117,7 +118,7 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         n - if const { C == 2 } { t[0].abs() } else { dot(&t, &t).sqrt() }
     }
 
-    /// The first root of the margin.
+    /// The first root of the margin of this contact.
     #[inline(always)]
     fn fall(&self, cone: &StickingCone<X>, sticking: X) -> MarginZero<X> {
         if const { C == 2 } {
@@ -141,13 +142,13 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         }
     }
 
-    /// The first root for a round cone with friction, in scenes that stick at angle zero.
+    /// The first root of the margin for a round cone with friction, in grasps that stick at angle zero.
     #[inline(always)]
     fn round_fall(&self, cone: &StickingCone<X>, sticking: X) -> MarginZero<X> {
         let zero = X::all(0.0);
         let [t0, tc, ts] = [&self.t.constant, &self.t.cosine, &self.t.sine];
         let swing = (self.n.cosine * self.n.cosine + self.n.sine * self.n.sine).sqrt();
-        // The longest half axis of the ellipse that friction runs along.
+        // As the load turns, t runs along an ellipse; this is its longest half axis.
         let (c, s) = (dot(tc, tc), dot(ts, ts));
         let (less, twice) = (c - s, X::all(2.0) * dot(tc, ts));
         let half = X::all(0.5) * (c + s + (less * less + twice * twice).sqrt());
@@ -167,7 +168,7 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         }
         let bend = swing + turning;
         let (mut cotangent, mut slope, mut left) = (found, zero, zero);
-        // From an error of 1e-7 the second step leaves only rounding.
+        // The start has an error of about 1e-7, so that the second step of Newton's method leaves only rounding.
         let newton_steps = 2;
         for step in 0..=newton_steps {
             let (u, one) = (cotangent, X::all(1.0));
@@ -185,7 +186,8 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         MarginZero { doubt: fall.doubt + off_the_root, ..fall }.unless(-found, X::all(f64::MAX))
     }
 
-    /// cot(θ/2) where `n² - |t|²` of one scene first falls to the bound of its rounding; minus infinity if it does not.
+    /// The first angle at which the squared margin `F_n² μ² - |F_t|²` of this contact falls to the bound of its rounding, as cot(θ/2), for the grasp
+    /// in this lane; minus infinity if it does not.
     fn root_of_square(&self, lane: usize, size: f64) -> f64 {
         let of = |x: &X| x.lane(lane) / size;
         let number = self.n.map(of);
@@ -195,7 +197,7 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         square.first_cotangent().unwrap_or(f64::NEG_INFINITY)
     }
 
-    /// Zero if squares of these forces keep their digits, else minus infinity.
+    /// Minus infinity if squares of these forces over- or underflow, so that nothing is known; else zero.
     #[inline(always)]
     fn lost(&self, cone: &StickingCone<X>) -> X {
         let mut size = X::all(0.0);
@@ -223,7 +225,7 @@ fn straight<X: Packed>(margin: &Harmonic<X>, noise: X) -> MarginZero<X> {
     MarginZero::at(u, root, swing, noise).unless(c, swing + noise)
 }
 
-/// The verdicts on the scenes of a block up to the angle `most` (rad; infinite for a full turn), from their forces as functions of the angle.
+/// The verdicts on the grasps of a block, from their forces as functions of the angle. The load turns up to `most`, rad, infinite for a full turn.
 #[inline(never)]
 pub(super) fn judge<V: Vectors, const C: usize, X: Packed>(
     v: V,
@@ -250,7 +252,7 @@ fn judged<const C: usize, X: Packed>(
     for i in 0..contacts {
         let cone = StickingCone::of(friction[i]);
         let waves = Waves::new(&cone, i, forces);
-        // A contact that may be on the edge at angle zero is judged with the rounding of a load that grows.
+        // The rounding at angle zero is bounded as generously as under a growing load, where a contact may be on the edge of its cone.
         let rounding = X::all(ON_THE_EDGE / ZERO_SLACK) * waves.noise;
         start.add(waves.margin(), rounding, waves.lost(&cone));
     }

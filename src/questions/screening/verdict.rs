@@ -1,30 +1,30 @@
-//! The verdict on a grasp from the results of its contacts.
+//! The verdict on a grasp from the margins of its contacts.
 
 use super::first_slip::{GIVES_WAY, NOT_STICKING, SlipCode, UNCLEAR};
 use super::lanes::Packed;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 
-/// The state of scenes at load factor or angle zero.
+/// The state of the grasp in each lane at load factor or angle zero.
 pub(super) struct Start<X: Packed> {
-    /// The least distance of a contact force to the edge of its cone, among contacts whose squared forces neither over- nor underflow.
+    /// The least margin of all contacts but those whose squared forces over- or underflow.
     margin: X,
-    /// The least of these distances less their rounding.
+    /// The least margin, each less the bound of its rounding.
     sure: X,
-    /// Minus infinity where squared forces of some contact over- or underflow, so that no verdict is certain; else zero.
+    /// Minus infinity where squared forces of some contact over- or underflow, so that the verdict is unclear; else zero.
     lost: X,
     /// Positive if the load works on a motion that no contact resists.
     pub(super) free: X,
 }
 
 impl<X: Packed> Start<X> {
-    /// The state before any contact is added.
+    /// The state before any contact has been added.
     #[inline(always)]
     pub(super) fn new(free: X) -> Self {
         let infinite = X::all(f64::INFINITY);
         Self { margin: infinite, sure: infinite, lost: X::all(0.0), free }
     }
 
-    /// Adds a contact with this margin and its rounding.
+    /// Adds a contact with this margin and the bound of its rounding.
     #[inline(always)]
     pub(super) fn add(&mut self, margin: X, rounding: X, lost: X) {
         self.margin = self.margin.min(margin - lost);
@@ -32,15 +32,15 @@ impl<X: Packed> Start<X> {
         self.lost = self.lost.min(lost);
     }
 
-    /// The least margin of all contacts less its rounding; minus infinity where nothing is certain of some contact.
+    /// The least margin less its rounding; minus infinity where nothing is known of some contact.
     #[inline(always)]
     pub(super) fn sure(&self) -> X {
         self.sure + self.lost
     }
 }
 
-/// The verdicts. The load factor or angle at which contacts leave first (infinite, or a code) is valid if all of them stick at the start and forces
-/// balance.
+/// The verdicts. `first` is the load factor or angle at which contacts leave first, infinite, or a code. It counts only if all contacts stick at the
+/// start and the forces balance the load.
 #[inline(always)]
 pub(super) fn verdicts<A: Copy, X: Packed>(
     (first, leaving): (X, X),
@@ -50,12 +50,13 @@ pub(super) fn verdicts<A: Copy, X: Packed>(
     answer: impl Fn(SlipCode) -> A,
 ) -> X::Each<A> {
     let (zero, &Start { margin, sure, free, .. }) = (X::all(0.0), start);
-    // Without forces `sure` is NaN and makes the code NaN. A contact that never leaves has a margin of exactly zero.
+    // Without valid forces `sure` is NaN, and so becomes the code. A contact that never leaves has a margin of exactly zero.
     let code = first + X::all(0.0) * sure;
     let code = (-start.sure()).above(zero, X::all(UNCLEAR), code);
     let code = balanced(unbalanced, code, X::all(UNCLEAR));
     let code = freed.above(zero, X::all(GIVES_WAY), code);
-    // The rounding of the least margin is at most `margin - sure`.
+    // The bound of the rounding of the least margin is at most `margin - sure`. A margin that is negative beyond it means that a contact does not
+    // stick.
     let code = (sure - margin).above(margin, X::all(NOT_STICKING), code);
     let code = free.above(zero, X::all(GIVES_WAY), code);
     X::each(|lane| answer(SlipCode { code: code.lane(lane), leaving: leaving.lane(lane) }))

@@ -114,14 +114,14 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
     }
 }
 
-/// Measured forces, along the coordinate axes, and the expected load.
+/// Measured contact forces along the coordinate axes, and the load that is expected to come.
 pub(super) struct Measured<'a, const C: usize> {
     forces: &'a [[f64; C]],
     to_come: &'a Wrench<C>,
 }
 
 impl<const C: usize> Measured<'_, C> {
-    /// Splits the forces into parts along and across the normals, with an error bound of 1e-12 relative to each force.
+    /// Splits the measured forces into parts along and across the normals, with rounding bounds of 1e-12 of each force.
     #[inline(always)]
     fn write<X: Packed>(&self, normals: [&[X]; C], measured: &mut AnyForces<C, X>) {
         measured.clear();

@@ -10,7 +10,8 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// Units for forces, N, and for gaps and slips, m: the largest force of a cycle, and the stretch of the softest springs under it.
+/// Units in which states of a cycle are compared. Forces are divided by the largest force of the cycle (N); gaps and slips by the stretch of the
+/// softest spring under that force (m).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Scale {
     pub(super) force: f64,
@@ -50,7 +51,7 @@ impl Cycle {
         Some((cycle, others))
     }
 
-    /// Appends the next cycle, so that this cycle and the next count as one.
+    /// Joins the next cycle to this one, so that both count as one cycle.
     pub(super) fn append(&mut self, next: &Self) {
         self.record.append(&next.record);
         self.scale = Scale {
@@ -60,27 +61,27 @@ impl Cycle {
         self.to = next.to.clone();
     }
 
-    /// Forces and gaps of a state as numbers without unit. Gaps that stay open during the whole cycle count as zero.
+    /// The forces and gaps of a state, divided by the units of [`Scale`]. Gaps that stay open during the whole cycle count as zero.
     pub(super) fn numbers(&self, place: &CycleState) -> DVector<f64> {
         place.numbers(&self.scale, &|i| self.record.open[i].is_some())
     }
 
-    /// The change of forces and gaps from the beginning of the cycle to its end, without unit.
+    /// The change of forces and gaps from the beginning of the cycle to its end, in units of [`Scale`].
     pub(super) fn difference(&self) -> DVector<f64> {
         self.numbers(&self.to) - self.numbers(&self.from)
     }
 
-    /// The largest change of forces and gaps in the cycle, in units of the scale.
+    /// The largest entry of [`Self::difference`].
     pub(super) fn change(&self) -> f64 {
         self.difference().amax()
     }
 
-    /// The largest change with which a cycle counts as one that repeats itself.
+    /// The change of forces and gaps up to which the cycle counts as repeating itself.
     pub(super) fn same(&self) -> f64 {
         SAME_CYCLE.max(self.record.step_error)
     }
 
-    /// The number of further cycles like this one until an open contact would close. `None` if no gap shrinks.
+    /// The number of further cycles like this one before an open gap has closed. `None` if no gap shrinks.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -112,7 +113,7 @@ impl Cycle {
     }
 }
 
-/// The largest force of a cycle, and the stretch of the softest springs under it.
+/// The units in which states of this cycle are compared.
 fn scale_of(engine: &Engine, record: &CycleRecord, at: &CycleState) -> Scale {
     let softness = |(site, force): (&Site, &SVector<f64, 3>)| {
         let size = force.norm();

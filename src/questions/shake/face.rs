@@ -1,4 +1,4 @@
-//! Conversion of answers about repeated loads between the engine's three components and the `C` components of callers.
+//! Conversion of answers about repeated loads between the engine's vectors of three components and the callers' vectors of `C` components.
 
 use super::shakedown::{BindingContact, Shakedown};
 use super::verdict::{Repeats, Shaken};

@@ -66,18 +66,18 @@ struct Shaking<'g, 's> {
     base: Wrench<3>,
     rest: CycleState,
     cycles: Cycles<'g>,
-    /// The states between the last cycles with the same events.
+    /// The states between cycles whose events were all the same, up to the present state.
     places: Vec<CycleState>,
     /// Whether each contact or drive has slid so far.
     slid: Vec<bool>,
     round: Round,
-    /// The period in cycles.
+    /// The period of the limit cycle, as a number of cycles of the load.
     every: usize,
-    /// Number of cycles with the same events as the one before.
+    /// Number of successive cycles with the same events as the cycle before.
     alike: usize,
-    /// Number of cycles that were followed, including trials.
+    /// Number of cycles whose path was computed, including trials of extrapolated states.
     followed: usize,
-    /// Number of cycles that have passed, including skipped ones.
+    /// Number of load cycles from rest to the present state, including cycles that extrapolation skipped.
     cycles_gone: usize,
 }
 
@@ -102,7 +102,8 @@ impl<'g> Shaking<'g, '_> {
                     self.every = many;
                     return self.answer(repeats, (change, 0.0), Some(&cycle.to));
                 };
-                // Until a contact closes, every further cycle, or every group of `many` cycles, repeats this one.
+                // Forces repeat, but an open gap shrinks in every cycle. Until it closes, all cycles (or groups of `many` cycles) are alike, so they
+                // are skipped.
                 let there = closed.to.moved_on(&closed.from, more as f64);
                 if more > 0
                     && let Some(further) = self.cycles.beginning_at(&there, self.settings)
@@ -118,7 +119,8 @@ impl<'g> Shaking<'g, '_> {
             if walked_out.is_none() && self.has_walked_out(&cycle) {
                 let repeats = self.repeats_from(&cycle, Some(self.cycles_gone));
                 walked_out = Some(self.answer(repeats, (change, 0.0), Some(&cycle.to)));
-                // A steady walk would be a better answer, so that some further cycles are followed.
+                // The object has walked out while forces still change. A walk with constant forces would be a better answer, so a few more cycles are
+                // followed.
                 most_cycles = most_cycles.min(self.followed + 2 * KEPT_STATES);
             }
             let is_alike = last.as_ref().is_some_and(|last| last.record.is_like(&cycle.record));
@@ -128,8 +130,7 @@ impl<'g> Shaking<'g, '_> {
             }
             self.places.push(cycle.to.clone());
             self.places.drain(..self.places.len().saturating_sub(KEPT_STATES));
-            // The limit is extrapolated after three cycles with the same events, and again after each three
-            // more.
+            // Extrapolation is tried once three cycles in succession had the events of the cycle before, and again after every three more.
             if self.alike > 0 && self.alike.is_multiple_of(3) {
                 match self.extrapolate(&cycle) {
                     Ahead::To { limit, ratio, error } => {
@@ -150,7 +151,7 @@ impl<'g> Shaking<'g, '_> {
         walked_out.unwrap_or_else(|| self.answer(Repeats::Undecided { doubt: None }, (change, 0.0), None))
     }
 
-    /// Continues from another state, `passed` cycles later.
+    /// Continues from this state, which the grasp reaches `passed` cycles after the present one.
     fn restart_from(&mut self, state: CycleState, passed: usize) {
         self.places = vec![state];
         self.round = Round::new();
@@ -158,10 +159,11 @@ impl<'g> Shaking<'g, '_> {
         self.cycles_gone += passed;
     }
 
-    /// Extrapolates cycles that all have the same events.
+    /// Looks ahead from cycles that all have the same events: to the limit of their states, or else over many cycles at once.
     ///
-    /// The states from which these events follow form a convex set, and changes die out from the last state to the extrapolated one. If the events are
-    /// the same at both, they are the same at all states in between. Two events that only swap their order do not change the map.
+    /// The states from which the same events follow form a convex set. Extrapolated states lie on the way from the last state to the limit. If the
+    /// events are the same at both ends, they are the same in between. Two events that only swap their order do not change the map from state to
+    /// state.
     fn extrapolate(&mut self, last: &Cycle) -> Ahead<'g> {
         let places = self.places.clone();
         let numbers: Vec<_> = mapped(&places, &|place| last.numbers(place));
@@ -169,11 +171,12 @@ impl<'g> Shaking<'g, '_> {
             return Ahead::NotKnown;
         };
         let near = if last.record.step_error > 0.0 { NEAR_THE_LIMIT_ON_ARCS } else { NEAR_THE_LIMIT };
-        // If an earlier trial this close to the limit failed, the next one is closer.
+        // At a change per cycle of `near` a state counts as next to the limit. It shrinks with the present change, so that a trial after a failed one
+        // is closer.
         let near = near.min(1e-3 * last.change()).max(last.same());
         let farthest = recurrence.cycles_until(near);
         let mut passed = farthest;
-        // The least number of cycles that a trial looks ahead.
+        // A trial looks at least this many cycles ahead, unless the limit is nearer.
         let fewest = 4;
         loop {
             let (state, predicted) = recurrence.after(passed);
@@ -195,25 +198,26 @@ impl<'g> Shaking<'g, '_> {
                     }
                     return Ahead::Further { cycle: Box::new(cycle), cycles: Box::new(cycles), passed };
                 }
-                // A trial after a failure is a quarter as far ahead.
+                // After a failure the next trial looks a quarter as many cycles ahead.
                 _ if passed >= 4 * fewest => passed /= 4,
                 _ => return Ahead::NotKnown,
             }
         }
     }
 
-    /// The cycle at the limit of the states, if it repeats itself.
+    /// The cycle that begins at the limit of the states. `None` if there is no limit, or that cycle does not repeat itself.
     fn limit(&mut self, recurrence: &Recurrence<'_>, last: &Cycle) -> Option<Cycle> {
         self.followed += 1;
         let there = recurrence.fixed_point().filter(|_| recurrence.ratio() < 1.0)?;
         let (limit, _) = Cycle::beginning_at(self.engine, &self.cycles, &there, self.settings)?;
-        // If friction falls, events at the limit may differ from those just before it.
+        // If friction falls once contacts slide, events at the limit may differ from those just before it. Then the limit is not the fate of the
+        // grasp.
         let happens_there = limit.from.weaker.is_empty() || limit.record.is_like(&last.record);
         let is_one = limit.change() <= last.same() && limit.cycles_until_closing().is_none();
         (happens_there && is_one).then_some(limit)
     }
 
-    /// Whether the object has walked farther than its size, where motions are no longer small.
+    /// Whether the object has walked farther than the distance of its contacts, so that its motion is no longer small.
     fn has_walked_out(&self, cycle: &Cycle) -> bool {
         let is_out = |moved: &BodyMotion<3>| moved.speed() > moved.reach && moved.reach > 0.0;
         cycle.walks() && self.moves(&self.rest, &cycle.to).iter().any(is_out)
@@ -223,7 +227,7 @@ impl<'g> Shaking<'g, '_> {
         self.slid.iter_mut().enumerate().for_each(|(i, slid)| *slid |= cycle.slides(i));
     }
 
-    /// The verdict where the path ends within a cycle.
+    /// The verdict where the path ends within this cycle.
     fn repeats_at_end(&self, cycle: usize) -> Repeats<3> {
         match self.cycles.end() {
             Some(PathEnd::Lost(loss)) => {
@@ -240,7 +244,8 @@ impl<'g> Shaking<'g, '_> {
         self.engine.wholes().with(is_meant)
     }
 
-    /// The verdict from a cycle that repeats itself. `number` counts it from rest; it is `None` for the limit of a sequence of cycles.
+    /// The verdict from a cycle that repeats itself. `number` is its place among the cycles from rest. It is `None` for a cycle at the extrapolated
+    /// limit.
     fn repeats_from(&self, cycle: &Cycle, number: Option<usize>) -> Repeats<3> {
         let (slides, dissipated) = (self.parts(&|i| cycle.slides(i)), cycle.record.dissipated);
         if !(0..self.slid.len()).any(|i| cycle.slides(i)) {
@@ -261,7 +266,7 @@ impl<'g> Shaking<'g, '_> {
         self.engine.each_moves(&(&to.twist - &from.twist))
     }
 
-    /// The answer, with the motion at the state `at`, or at the end of the path.
+    /// The answer, with the object's motion from rest to the state `at`; without `at`, to the end of the path.
     fn answer(&self, repeats: Repeats<3>, (change, ratio): (f64, f64), at: Option<&CycleState>) -> Shaken<3> {
         let here = self.cycles.cycle_state();
         let moved = at.or(here.as_ref()).map(|at| self.moves(&self.rest, at)).unwrap_or_default();
@@ -280,7 +285,7 @@ impl<'g> Shaking<'g, '_> {
     }
 }
 
-/// The extrapolation of cycles with the same events.
+/// What extrapolation found.
 enum Ahead<'g> {
     /// The cycles converge to one that repeats itself.
     To {

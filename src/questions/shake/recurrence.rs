@@ -13,20 +13,21 @@ use crate::load_path::CycleState;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::prelude::*;
 
-/// The states between the last cycles, and the last change as a combination of those before it.
+/// The last states, and the linear combination of earlier changes that gives the last change.
 pub(super) struct Recurrence<'p> {
-    /// The last states, one more than changes.
+    /// The last states, in order. `changes` holds the difference of each two neighbours, so it has one entry less.
     places: &'p [CycleState],
     changes: Vec<DVector<f64>>,
-    /// Coefficients of the changes before the last that combine to the last.
+    /// Coefficients c of the combination: the last change is the sum of all changes before it, each times its c.
     coefficients: Vec<f64>,
 }
 
 impl<'p> Recurrence<'p> {
-    /// The recurrence with the fewest modes that gives the last change up to `error`; `None` if these cycles do not determine one.
+    /// The recurrence with the fewest modes that reproduces the last change up to `error`; `None` if up to eight modes do not, or there are too few
+    /// states.
     pub(super) fn of(places: &'p [CycleState], numbers: &[DVector<f64>], error: f64) -> Option<Self> {
         let n = places.len();
-        // If more than eight modes contribute, cycles are followed until some modes have died out.
+        // If more than eight modes contribute, the caller follows further cycles until some modes have died out.
         (1..=8.min(n.saturating_sub(2))).find_map(|modes| {
             let places = &places[n - modes - 2..];
             let changes: Vec<_> = numbers[n - modes - 2..].windows(2).map(|two| &two[1] - &two[0]).list();
@@ -40,13 +41,14 @@ impl<'p> Recurrence<'p> {
         })
     }
 
-    /// The ratio of the last change to the one before.
+    /// The ratio of the last change to the one before, by norms.
     pub(super) fn ratio(&self) -> f64 {
         let last = self.changes.len() - 1;
         self.changes[last].norm() / self.changes[last - 1].norm()
     }
 
-    /// The number of cycles until changes are at most `small`, from their ratio. It is at most a million, and a million if changes do not shrink.
+    /// The number of cycles after which changes are at most `small`, if each shrinks by [`Self::ratio`]. It is about a million at most, also if
+    /// changes do not shrink.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to a million")]
     pub(super) fn cycles_until(&self, small: f64) -> usize {
         let last = self.changes[self.changes.len() - 1].amax();
@@ -55,13 +57,13 @@ impl<'p> Recurrence<'p> {
         if self.ratio() < 1.0 { cycles.clamp(0.0, farthest as f64).ceil() as usize } else { farthest }
     }
 
-    /// The limit of the states.
+    /// The state to which the recurrence converges; `None` if it determines no limit.
     pub(super) fn fixed_point(&self) -> Option<CycleState> {
         let rest = 1.0 - self.coefficients.iter().sum::<f64>();
         if rest.abs() <= SOLVED_ROUNDING {
             return None;
         }
-        // A change leads from its state to the next one, so that weights belong to the later state.
+        // A change is the difference of two states. Its coefficient weights the later of the two, so the first state has weight zero.
         let mut weights = vec![0.0];
         weights.extend(self.coefficients.iter().map(|c| -c / rest));
         weights.push(1.0 / rest);
@@ -93,7 +95,7 @@ impl<'p> Recurrence<'p> {
         let from = &self.places[self.places.len() - 1];
         let mut sum = from.clone();
         for (place, weight) in self.places.iter().zip(weights) {
-            // Differences from the last state avoid rounding in the parts that all states share.
+            // The weights add up to one, so the differences from the last state are combined. Thus parts that all states share are not rounded.
             let add = |a: &mut f64, b: f64, base: f64| *a += weight * (b - base);
             for i in 0..sum.forces.len() {
                 for axis in 0..3 {
@@ -124,7 +126,7 @@ fn power_and_sum(a: &DMatrix<f64>, n: usize) -> (DMatrix<f64>, DMatrix<f64>) {
 }
 
 impl CycleState {
-    /// Forces and gaps as numbers without unit, and which contacts slide with kinetic friction; gaps of the contacts `aside` are zero.
+    /// Forces and gaps in units of `scale`, and which contacts slide with kinetic friction. Gaps of contacts for which `aside` is true count as zero.
     pub(super) fn numbers(&self, scale: &Scale, aside: &dyn Fn(usize) -> bool) -> DVector<f64> {
         let mut numbers = Vec::new();
         for force in &self.forces {
@@ -139,7 +141,7 @@ impl CycleState {
         DVector::from_vec(numbers)
     }
 
-    /// This state, extrapolated by `times` the change from `from` to here; forces stay constant.
+    /// This state, moved on by `times` the change of gaps, slips and motion from the state `from` to this one; forces stay as they are.
     pub(super) fn moved_on(&self, from: &Self, times: f64) -> Self {
         let mut there = self.clone();
         there.slips.iter_mut().zip(&from.slips).for_each(|(slip, before)| *slip += (*slip - before) * times);

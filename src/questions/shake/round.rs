@@ -5,23 +5,23 @@
 
 use super::cycle::Cycle;
 
-/// The cycles since the earlier state with which new ones are compared.
+/// The cycles since the reference state, the earlier state with which the end of each new cycle is compared.
 #[derive(Debug)]
 pub(super) struct Round {
-    /// These cycles joined to one.
+    /// These cycles joined to one; `many` is their number.
     all: Option<Cycle>,
     many: usize,
-    /// Number of cycles after which this earlier state is replaced.
+    /// Once there are this many cycles, the latest state becomes the reference state.
     most: usize,
 }
 
 impl Round {
-    /// Without any cycle yet.
+    /// No cycles yet; the first one sets the reference state.
     pub(super) fn new() -> Self {
         Self { all: None, many: 0, most: 1 }
     }
 
-    /// Adds a cycle. If it ends at the state of comparison, returns all cycles since then, joined to one, and their number.
+    /// Adds a cycle. If it ends at the reference state, returns all cycles since then, joined to one, and their number.
     pub(super) fn closed_by(&mut self, cycle: &Cycle) -> Option<(&Cycle, usize)> {
         if self.many == self.most {
             (self.all, self.many, self.most) = (None, 0, 2 * self.most);

@@ -1,10 +1,12 @@
-//! Size of repeated loads up to which some slips could keep all contacts from sliding: the static theorem of shakedown.
+//! The static theorem of shakedown: how large may repeated loads be, if some slips shall keep every contact from sliding under all of them?
 //!
 //! While all contacts are closed and stick with constant slips s, forces under `W₀ + λ W_k` are `F(W₀) + λ F(W_k) - P s`. F is the elastic answer,
-//! and P the forces of slips. If the grasp comes to rest under all loads of a cycle, its slips keep all contact forces inside their cones. Thus the
-//! greatest λ with such s, by a linear program, is an upper bound for rest; its multipliers prove that no slips do better. If slips change no normal
-//! force, the bound is reached: the grasp does come to rest (Melan's theorem for friction), unless friction falls as contacts slide. Elsewhere the
-//! path decides, which [`shake`](super) follows.
+//! and P the forces of slips. If the grasp comes to rest under all loads of a cycle, its slips keep all contact forces inside their cones. So a
+//! linear program for the greatest λ with such an s gives an upper bound: beyond it the grasp never comes to rest. Its multipliers prove that no
+//! slips do better.
+//!
+//! If slips change no normal force, the grasp does come to rest up to this λ (Melan's theorem for friction), unless friction falls as contacts slide.
+//! Otherwise it depends on the order of the loads, which [`shake`](super) follows.
 
 use nalgebra::{DMatrix, Matrix, SVector};
 
@@ -37,8 +39,8 @@ pub struct Shakedown<const C: usize> {
     pub binding: Vec<BindingContact>,
     /// Whether slips change normal forces. If not, the grasp comes to rest under loads up to `factor`; otherwise it may not.
     pub slips_change_normal_forces: bool,
-    /// Whether some contacts have [less friction](crate::grasp::Contact::kinetic) once they slide. They may then slide past the slips that would keep
-    /// them at rest.
+    /// Whether some contacts have [less friction](crate::grasp::Contact::kinetic) once they slide. Such a contact may slide past the slips at which
+    /// it would stay at rest.
     pub friction_falls: bool,
     /// Whether friction is that of a polygon around its round cone. The factor is then only an upper bound, even if slips change no normal force.
     pub around_the_round_cone: bool,
@@ -135,14 +137,15 @@ impl Engine {
     }
 }
 
-/// The linear program: the greatest λ >= 0 with `b + λ a + S s >= 0`, scaled to numbers near one.
+/// The linear program: the greatest λ >= 0 with `b + λ a + S s >= 0`. Row by row b has the forces at rest, a those of one load, and S those of unit
+/// slips. All are scaled to numbers near one.
 struct Program {
-    /// The load of each row, 0 for that at rest, and its contact or drive.
+    /// For each row, the number of its load (0 for the load at rest) and the index of its contact or drive.
     of: Vec<(usize, usize)>,
     b: Vec<f64>,
     a: Vec<f64>,
     s: DMatrix<f64>,
-    /// Units of the load factor, and of each slip.
+    /// The values of λ and of each slip that count as 1 in the scaled program.
     units: (f64, Vec<f64>),
 }
 
@@ -160,7 +163,7 @@ impl Program {
         let units: Vec<f64> = mapped(slips, &|forces| force / or_one(size(forces)));
         let (mut of, mut b, mut a, mut rows) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for k in 0..=under.len() {
-            // The conditions of a polygonal cone are linear rows.
+            // All cones are polygons here, so that every condition is a linear row.
             for (i, edges) in edges.iter().enumerate() {
                 let Edges::Rows(facets) = edges else { continue };
                 for row in facets {
@@ -180,9 +183,9 @@ impl Program {
     /// The factor, the slips and the multipliers of the rows; `None` if no slips hold the load at rest, or because of rounding.
     fn solved(&self) -> Option<(f64, Vec<f64>, Vec<f64>)> {
         let (rows, slips) = self.s.shape();
-        // Loads held up to this multiple count as held at any factor.
+        // λ is bounded so that the program has a solution. Loads held up to this multiple count as held at any size.
         let farthest = 1e6;
-        // The unknowns are λ, and the slips in either direction; the last row bounds λ.
+        // The unknowns are at least 0: λ, and each slip as the difference of two of them. The last row bounds λ.
         let columns = 1 + 2 * slips;
         let entry = |r: usize, k: usize| match k {
             0 if r == rows => -1.0,

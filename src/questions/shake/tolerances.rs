@@ -1,6 +1,6 @@
-//! The changes per cycle below which a cycle repeats itself, or is near its limit.
+//! Up to which change per cycle a cycle repeats itself, or is near its limit.
 //!
-//! All of them are relative to the largest force and to the largest stretch of springs.
+//! All changes are relative: forces to the largest force, gaps to the stretch of the softest spring under it.
 
 /// Relative difference of forces and gaps at both ends of a cycle, up to which the cycle repeats itself: rounding.
 ///

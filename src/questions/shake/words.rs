@@ -11,7 +11,7 @@ use crate::numerics::mapped;
 use crate::prelude::*;
 use crate::words::{Words, listed};
 
-/// Inertia is not part of a path; sentences about a walk or about sliding to and fro say so.
+/// The caution added to sentences about a walk or about sliding to and fro, because load paths leave inertia out.
 const SLOWLY: &str = "Good for slow shaking: inertia acts only as far as the loads contain it";
 
 impl<const C: usize> fmt::Display for Shaken<C> {

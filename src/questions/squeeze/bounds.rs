@@ -54,7 +54,7 @@ impl<const C: usize> Bounds<C> {
 }
 
 impl Bounds<3> {
-    /// Refuses bounds below zero or beyond 1e50, and more or fewer commands than contacts.
+    /// Refuses bounds below zero or beyond 1e50, and a list of bounds of commands that is not as long as the list of contacts.
     pub(super) fn check(&self, grasp: &Engine) -> Result<(), Error> {
         let allowed = "from 0 to 1e50";
         let is_bad = |x: &&f64| !(**x >= 0.0 && is_moderate(**x));

@@ -1,4 +1,4 @@
-//! Conversion of questions and answers about squeezes between the engine's three components and the `C` components of callers.
+//! Conversion of questions and answers about squeezes between the engine's vectors of three components and the callers' vectors of `C` components.
 
 use super::bounds::Bounds;
 use super::least_onset::LeastOnset;

@@ -1,7 +1,7 @@
 //! The least onset of sliding over all commands and loads within bounds, exactly.
 //!
-//! While all contacts stick, forces are linear in commands and loads. A condition `a·F >= 0` is worst at one corner of the box for all
-//! factors τ >= 0. The sign of each datum's own contribution determines that corner:
+//! While all contacts stick, forces are linear in commands and loads. Data within their bounds form a box. For all load factors τ >= 0 a condition
+//! `a·F >= 0` is worst at the same corner of this box, which the sign of each datum's own contribution determines:
 //!
 //! ```text
 //! F(τ) = F⁰ + Σ δ_p c_p + τ (F¹ + Σ ε_q c_q),   |δ_p| <= b_p,   |ε_q| <= b_q:       δ_p = -b_p sign(a·c_p),   ε_q alike
@@ -61,7 +61,7 @@ enum Datum {
     Direction(usize),
 }
 
-/// Changes of the forces by one datum that is off by its bound.
+/// The changes of all contact forces if one datum is off by its bound.
 struct Share {
     datum: Datum,
     bound: f64,
@@ -114,7 +114,7 @@ impl Engine {
         })
     }
 
-    /// The commands and the ramp of a corner.
+    /// The commands and the ramp at the corner of the box of data where each datum is off by its bound times its sign.
     fn case(&self, ramp: &Ramp<3>, shares: &[Share], signs: &[f64]) -> (Vec<SVector<f64, 3>>, Ramp<3>) {
         let space = self.space();
         let mut commands: Vec<_> = mapped(self.contacts(), &Contact::commanded);
@@ -132,7 +132,7 @@ impl Engine {
     }
 }
 
-/// Changes of the forces by each datum with a bound.
+/// A [`Share`] for each datum with a bound above zero.
 fn shares(sticking: &StickingResponse, bounds: &Bounds<3>) -> Result<Vec<Share>, Motion<3>> {
     let space = sticking.grasp.space();
     let nothing = Vector::zeros();
@@ -158,7 +158,7 @@ fn shares(sticking: &StickingResponse, bounds: &Bounds<3>) -> Result<Vec<Share>,
     Ok(shares)
 }
 
-/// The force of a contact at a corner of the box, and its rate.
+/// The force of a contact at a corner of the box of data, as a linear function of the load factor.
 fn corner([base, rate]: [&ContactForces; 2], shares: &[Share], signs: &[f64], contact: usize) -> Line {
     let mut line = Line {
         force: base.of[contact],

@@ -53,7 +53,8 @@ impl Engine {
             Err(motion) => return Ok(LeastSqueeze::GivesWay { motion }),
         };
         let (mut factor, mut binding) = (0.0, None);
-        // Each cut raises the factor, with quadratic convergence; beyond this number cuts only follow rounding.
+        // Each round imposes one more condition and so raises the factor, with quadratic convergence. Beyond this many rounds only rounding could
+        // change it.
         for _ in 0..1000 {
             let Some((contact, Condition { row, value, load, .. })) = parts.broken(factor) else {
                 return Ok(LeastSqueeze::Factor { factor, binding });

@@ -7,7 +7,7 @@ use crate::grasp::{Engine, Wrench};
 use crate::load_path::Turn;
 use crate::prelude::*;
 
-/// A set of loads.
+/// The loads that a grasp must hold.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Loads<const C: usize> {
@@ -22,7 +22,7 @@ pub enum Loads<const C: usize> {
         /// The point at which the force acts, m.
         point: [f64; C],
     },
-    /// A load that turns, over a full turn or up to its last angle.
+    /// A load that turns, through a full turn or up to its last angle.
     Turn(Turn<C>),
 }
 

@@ -1,4 +1,4 @@
-//! Conditions that are broken under a set of loads at a factor of the squeeze.
+//! Finds the sticking conditions that are broken under a set of loads, if all commands are multiplied by a factor.
 
 use nalgebra::SVector;
 
@@ -9,7 +9,8 @@ use crate::grasp::{Motion, Wrench};
 use crate::numerics::{Each, Harmonic, IntoList, Vector, mapped, moved, summed};
 use crate::prelude::*;
 
-/// A condition `row·F >= 0`, its value under a load, and the size of the summed forces, which bounds their rounding.
+/// The condition `row·F >= 0` of a contact, with the value of `row·F` under `load`. `size` is the sum of the sizes of the summed forces, which bounds
+/// their rounding.
 pub(super) struct Condition {
     pub(super) row: SVector<f64, 3>,
     pub(super) value: f64,
@@ -17,12 +18,13 @@ pub(super) struct Condition {
     pub(super) load: Wrench<3>,
 }
 
-/// Forces contact by contact, of the whole squeeze and of the loads without squeeze.
+/// The contact forces as a sum: those by the commands (the squeeze), which a factor multiplies, and those by the loads alone.
 pub(super) struct Parts<'l> {
     loads: &'l Loads<3>,
     edges: Vec<Edges>,
     squeeze: ContactForces,
-    /// Forces under each load of a list, by the three parts of a turn, or under the base load of forces of any direction.
+    /// Forces without commands. Of a list of loads one entry a load; of a turning load those of its constant, cosine and sine part; of a force of any
+    /// direction those under the base load.
     base: Vec<ContactForces>,
     influences: Vec<Influence>,
 }
@@ -55,7 +57,7 @@ impl<'l> Parts<'l> {
         Ok(Self { loads, edges: sticking.edges, squeeze, base, influences })
     }
 
-    /// The broken condition at a factor that needs the most additional squeeze, with its contact.
+    /// Among the conditions that are broken if the commands are multiplied by `factor`, the one that needs the largest factor, with its contact.
     pub(super) fn broken(&self, factor: f64) -> Option<(usize, Condition)> {
         let mut most: Option<(f64, usize, Condition)> = None;
         for contact in 0..self.edges.len() {
@@ -73,13 +75,14 @@ impl<'l> Parts<'l> {
         most.map(|(_, contact, condition)| (contact, condition))
     }
 
-    /// The gain of a condition's value by the whole squeeze; zero where it is only rounding.
+    /// How much the commands at factor 1 add to `row·F`, the value of a condition of sticking; zero if that is only rounding.
     pub(super) fn gain(&self, contact: usize, row: &SVector<f64, 3>) -> f64 {
         let gain = row.dot(&self.squeeze.of[contact]);
         if gain.abs() > ZERO_SLACK * row.norm() * self.squeeze.sizes[contact] { gain } else { 0.0 }
     }
 
-    /// The conditions of a contact with the least values: under each load of a list, under the worst force for each facet, at angles of a turn.
+    /// The conditions of a contact that are nearest to being broken: one under each load of a list, for each facet under the worst force of any
+    /// direction, or at the worst angles of a turning load.
     fn worst(&self, contact: usize, factor: f64) -> Vec<Condition> {
         let edges = &self.edges[contact];
         let (squeeze, pressed) = (self.squeeze.of[contact] * factor, self.squeeze.sizes[contact] * factor);

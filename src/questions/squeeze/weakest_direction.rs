@@ -82,7 +82,7 @@ impl Engine {
     }
 }
 
-/// The least force known so far.
+/// The least force known so far that makes a contact slide, and its contact.
 struct Least {
     size: f64,
     direction: SVector<f64, 3>,
@@ -90,7 +90,8 @@ struct Least {
 }
 
 impl Least {
-    /// Lowers the force to the least that breaks a condition of a contact. Returns whether that was found within the allowed number of cutting planes.
+    /// Lowers the least force to that at which this contact leaves its cone, if that is smaller. Returns whether the allowed number of cutting planes
+    /// was enough.
     fn lowered_to(
         &mut self,
         site: usize,
@@ -108,20 +109,21 @@ impl Least {
             }
             self.size
         };
-        // First cuts: all facets, or on a round cone those towards and against the friction force, and across it.
+        // The first cutting planes are all facets of a polygonal cone. Of a round cone they are four: towards, against and across the friction force.
         let begin = force[2].atan2(force[1]);
         let quarters = |quarter: u8| begin + f64::from(quarter) * FRAC_PI_2;
         let mut size = cut(edges.rows(&|_| (0..4).map(quarters).list()));
-        // Each further cut lowers the force, with quadratic convergence; beyond this number cuts only follow rounding.
+        // Each further cutting plane lowers the force, with quadratic convergence. Beyond this many only rounding could change it.
         for _ in 0..200 {
-            // A force that changes no condition at four angles changes none, as three vectors determine the change at every angle.
+            // The gradient of the condition at angle φ of the round cone is a + b cos φ + c sin φ. If it vanishes at four angles, it vanishes at all
+            // of them, and no force makes this contact slide.
             if size.is_infinite() {
                 return true;
             }
             let before = size;
             size = cut(edges.on_a_sphere(force, &influence.of, size));
             if size >= before {
-                // What remains is rounding error.
+                // If a further cutting plane does not lower the force, the two differ only by rounding.
                 return true;
             }
         }

@@ -23,7 +23,7 @@ impl Engine {
         Ok(separating_motion(&problem).map(|v| v.as_slice().to_vec()))
     }
 
-    /// The work of this load and of the constant loads along a motion from [`Self::unbalanced_along`].
+    /// The total work of this load and of the constant loads along `motion`, which [`Self::unbalanced_along`] found.
     pub(crate) fn work_along(&self, load: &Wrench<3>, motion: &[f64]) -> Result<f64, Error> {
         let load = self.load_alone(load, "load")?;
         Ok(load.dot(&Vector::from_fn(self.size(), |k| motion.get(k).copied().unwrap_or(0.0))))

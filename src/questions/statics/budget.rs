@@ -1,4 +1,4 @@
-//! Bounds of the normal forces, and the scale that makes forces and moments comparable.
+//! The budget that bounds the normal forces, and the scale that makes forces and moments comparable.
 
 use nalgebra::SVector;
 
@@ -8,9 +8,9 @@ use crate::grasp::Contact;
 /// Bounds of the normal forces, and thus of friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Budget {
-    /// Each contact may press with this force, N, as every finger can. The wrenches are sums of the contacts' wrenches (L∞).
+    /// Each contact may press with this force, N, independently of the others. The possible wrenches are sums of the contacts' wrenches (L∞).
     Each(f64),
-    /// All contacts together may press with this force, N. The wrenches are the convex hull of the contacts' wrenches (L1).
+    /// The normal forces of all contacts may add up to this force, N. The possible wrenches are the convex hull of the contacts' wrenches (L1).
     Total(f64),
 }
 

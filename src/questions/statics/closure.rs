@@ -3,9 +3,9 @@
 //! A grasp is closed if its friction cones together reach every wrench: then forces *strictly inside* all cones balance each other, and no motion is
 //! free. For several bodies the wrenches are those on all of them at once, and a motion has a part for each.
 //!
-//! Take a force along the normal at every contact. Forces that balance their sum are sought in the cones (see `proofs/wrench_cone`). If there are
-//! none, the remainder is a motion against which no force works. Otherwise all forces together are projected onto forces that balance each other to
-//! the last digit, and must then lie clearly inside.
+//! Take a unit force along the normal at every contact, and seek forces in the cones that balance the sum of these (see `proofs/wrench_cone`). If
+//! there are none, the remainder is a motion against which no force works. Otherwise all these forces together are projected onto forces that balance
+//! each other to the last digit, and must then lie clearly inside the cones.
 //!
 //! J. K. Salisbury and B. Roth, *Kinematic and force analysis of articulated mechanical hands*, 1983; A. Bicchi, *On the closure properties of
 //! robotic grasping*, 1995.
@@ -52,7 +52,7 @@ impl Engine {
         let problem = self.without_load(settings);
         let axes = |(i, local): (usize, LocalLaw<'_>)| (0..local.springs.axes()).map(move |axis| (i, axis));
         let axes: Vec<_> = problem.locals().enumerate().flat_map(axes).list();
-        // Without a load every contact has a cone of forces, so that the generators exist.
+        // Without load and commands the forces of every contact form a cone, so that each has generators.
         let straight = straight_generators(&problem).unwrap_or_default();
         let inside = |forces: &[SVector<f64, 3>]| {
             problem.locals().zip(forces).all(|(local, force)| {
@@ -76,8 +76,8 @@ impl Engine {
         self.whatever_vacuums_hold(closure, "form_closure")
     }
 
-    /// Contacts that hold all loads alone also hold them with a vacuum. Otherwise the vacuum holds some loads that the contacts do not, which is an
-    /// error here.
+    /// Refuses an answer that a vacuum might change. If the contacts alone can balance every load, they can do so with a vacuum, too. Otherwise the
+    /// vacuum holds some loads that the contacts do not, so the question has no answer here.
     fn whatever_vacuums_hold(
         &self,
         closure: Closure<3>,
@@ -89,7 +89,8 @@ impl Engine {
         }
     }
 
-    /// The closure of cones with straight and round generators, whose forces act along these axes of the contacts.
+    /// Decides closure for cones that are spanned by `straight` generators, and by `round` ones, which depend on a direction. Forces have only the
+    /// components in `axes`, each a contact and one of its axes. `inside` checks that forces are strictly inside their cones.
     fn closure(
         &self,
         axes: &[(usize, usize)],
@@ -131,13 +132,13 @@ impl Engine {
         if inside(&internal) { Closure::Closed { internal } } else { Closure::Boundary }
     }
 
-    /// An open grasp, with a motion against which nothing works.
+    /// An open grasp, with a motion against which no contact force works.
     fn open(&self, motion: &Vector) -> Closure<3> {
         let outside = self.outside_coordinates(motion);
         Closure::Open { motion: Twist::among(self.space(), &outside), bodies: self.body_motions(&outside) }
     }
 
-    /// A unit wrench along every normal.
+    /// The wrench of a unit force along the normal of each contact.
     fn normals(&self) -> impl Iterator<Item = Generator> {
         let sites = self.sites().iter().enumerate();
         sites.map(|(contact, site)| Generator::along(contact, site, unit(0)))

@@ -1,4 +1,4 @@
-//! Conversion of questions and answers of statics between the engine's three components and the `C` components of callers.
+//! Conversion of questions and answers of statics between the engine's vectors of three components and the callers' vectors of `C` components.
 
 use super::budget::WrenchScale;
 use super::closure::Closure;

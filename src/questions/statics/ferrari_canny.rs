@@ -11,7 +11,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Vector, largest_ball, simplex};
 use crate::search::Settings;
 
-/// Largest load in any direction that some contact forces can balance.
+/// The largest load that some contact forces can balance whatever its direction: bounds of the measure ε, and the weakest direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct WrenchBall<const C: usize> {
@@ -44,7 +44,7 @@ impl Engine {
         Ok(WrenchBall { at_least, at_most, weakest: set.outside(-direction) })
     }
 
-    /// The wrenches of forces within a budget.
+    /// The wrenches that contact forces within this budget can exert, in this scale.
     pub(super) fn wrench_set(
         &self,
         budget: Budget,

@@ -64,7 +64,7 @@ impl Engine {
 }
 
 impl<const C: usize> LoadLimit<C> {
-    /// Factors for a load `size` times as large.
+    /// Converts factors on a unit load to factors on a load that is `size` times as large.
     fn over(self, size: f64) -> Self {
         match self {
             Self::Factor { at_least, at_most, forces, motion } => {
@@ -75,10 +75,11 @@ impl<const C: usize> LoadLimit<C> {
     }
 }
 
-/// Distance from `base` along the unit vector `rate` at which the ray leaves the set.
+/// The factors by which the unit load `rate` may grow on top of `base` before their sum leaves the set of wrenches that can be balanced.
 fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLimit<3> {
     set.flat = simplex(size, &|v: &Vector| set.support(v)).err().unwrap_or_default();
-    // The set now has some thickness in directions without any force; a load must have no part in them.
+    // `flat` are directions in which no contact force acts. The set is widened there so that the search works. A load with a component in them cannot
+    // be balanced.
     let unheld = |load: &Vector| {
         let mut part = Vector::zeros();
         for v in &set.flat {
@@ -104,7 +105,7 @@ fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLi
     let plane = |normal: &Vector| normal.dot(&(support(normal) - base)) / normal.dot(rate);
     let (mut at_most, mut normal) = (plane(rate), rate.clone());
     let mut last: Option<(f64, RayExit)> = None;
-    // On round cones each plane doubles the number of correct digits, so that only rounding leads to a hundred planes.
+    // On round cones each plane doubles the number of correct digits. Without rounding the search ends long before a hundred planes.
     for _ in 0..100 {
         let Some(there) = shoot(&(base + rate * at_most)) else { break };
         let (inside, nearer) = (there.stretch <= 1.0 + SOLVED_ROUNDING, plane(&there.normal));
@@ -120,7 +121,7 @@ fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLi
     if at_most <= SOLVED_ROUNDING * base.norm().max(support(rate).norm()) {
         return LoadLimit::Factor { at_least: 0.0, at_most: 0.0, forces: at_begin, motion };
     }
-    // The last load that a ray reaches inside the set, reduced by as little as rounding allows.
+    // The lower bound is the largest factor whose load was found inside the set. Where none was, the upper bound is reduced by ever larger fractions.
     let reached = |(factor, crossing): &(f64, RayExit)| crossing.stretch <= 1.0 && *factor <= at_most;
     let nearer = [1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-6, 1e-3].iter().filter_map(|part| {
         let factor = at_most * (1.0 - part);
@@ -134,7 +135,8 @@ fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLi
     }
 }
 
-/// Forces of a target: from the vertices around the crossing of its ray, and from the middle of the simplex.
+/// Forces that balance the load to which a ray was shot. They combine the forces of the vertices around the crossing and, for the rest, the mean of
+/// those of the simplex.
 fn forces(set: &WrenchSet, simplex: &[Vertex], crossing: &RayExit) -> Vec<SVector<f64, 3>> {
     let rest = (1.0 - crossing.shares.iter().sum::<f64>()) / simplex.len() as f64;
     let points = crossing.vertices.iter().zip(crossing.shares.iter().copied());

@@ -13,20 +13,20 @@ use crate::numerics::{Map, Vector, mapped, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Forces of one contact per newton along its normal.
+/// The forces that one contact may exert per newton along its normal.
 enum Cone {
     Round(Coulomb),
     Corners(Vec<SVector<f64, 3>>),
 }
 
 struct Pushing {
-    /// Map from a force in the contact frame to its wrench, with moments in the scale of the set.
+    /// Maps a force in the contact frame to its wrench, with moments divided by the length of the [`WrenchScale`].
     map: Map,
     cone: Cone,
 }
 
 impl Pushing {
-    /// The force with the most work on a motion, per newton along the normal, and that work.
+    /// The force of this contact that does most work along the motion `v`, per newton along the normal, and that work.
     fn most(&self, v: &Vector) -> (SVector<f64, 3>, f64) {
         let u = self.map.tr_mul(v);
         match &self.cone {
@@ -44,15 +44,15 @@ impl Pushing {
     }
 }
 
-/// The set of wrenches, in its scale.
+/// The wrenches that contact forces within a budget can exert, with moments divided by the length of `scale`.
 pub(super) struct WrenchSet {
     space: Space,
     contacts: Vec<Pushing>,
     budget: Budget,
     scale: WrenchScale<3>,
-    /// Pull of the vacuums, which does not depend on the forces.
+    /// Wrench of the suction cups' vacuum, which does not depend on the contact forces.
     vacuum: Vector,
-    /// Directions in which no contact force acts; the set gets some thickness there.
+    /// Directions in which no contact force acts. The set is widened along them, so that it has an interior.
     pub(super) flat: Vec<Vector>,
 }
 
@@ -95,7 +95,7 @@ impl WrenchSet {
         Ok(Self { vacuum: set.inside(&grasp.with_vacuum(&Wrench::ZERO)), ..set })
     }
 
-    /// The forces of the support point in a direction.
+    /// The contact forces of the support point in direction `v`.
     pub(super) fn forces(&self, v: &Vector) -> Vec<SVector<f64, 3>> {
         let (Budget::Each(bound) | Budget::Total(bound)) = self.budget;
         let mut forces = Vec::with_capacity(self.contacts.len());
@@ -118,7 +118,7 @@ impl WrenchSet {
         forces
     }
 
-    /// The support point in a direction.
+    /// The support point in direction `v`: the wrench of the set that does most work along it.
     pub(super) fn support(&self, v: &Vector) -> Vector {
         let (Budget::Each(bound) | Budget::Total(bound)) = self.budget;
         let mut sum = self.vacuum.clone();
@@ -131,21 +131,22 @@ impl WrenchSet {
         sum
     }
 
-    /// A wrench of the question, in the scale of the set.
+    /// Converts a wrench of the user to the origin and scale of the set.
     pub(super) fn inside(&self, wrench: &Wrench<3>) -> Vector {
         let about = SVector::from(self.scale.about);
         let moved = self.space.moved_wrench(&-about, &wrench.coordinates(self.space));
         scaled(self.space, moved, 1.0 / self.scale.length)
     }
 
-    /// A wrench in the scale of the set, in the user's coordinates.
+    /// Converts a wrench in the scale of the set to the user's coordinates.
     pub(super) fn outside(&self, wrench: Vector) -> Wrench<3> {
         let about = SVector::from(self.scale.about);
         let wrench = scaled(self.space, wrench, self.scale.length);
         Wrench::among(self.space, &self.space.moved_wrench(&about, &wrench))
     }
 
-    /// The motion with which a wrench has the power `direction · w`, where w is that wrench in the scale of the set.
+    /// The user's motion that belongs to a direction of the set: a wrench does the work `direction · w` along it, where w is that wrench in the scale
+    /// of the set.
     pub(super) fn motion(&self, direction: Vector) -> Twist<3> {
         let about = SVector::from(self.scale.about);
         let direction = scaled(self.space, direction, 1.0 / self.scale.length);

@@ -1,10 +1,11 @@
-//! Panics while a question is answered. A panic is a fault of this library; it becomes an error of that question, and all other questions are answered.
+//! Panics while a question is answered. A panic is a fault of this library. It becomes an error of that question, and all other questions are still
+//! answered.
 
 use super::in_order::map_in_order;
 use crate::error::Error;
 use crate::prelude::*;
 
-/// The answers to a question about each item, in the order of the items. An error or a panic of one item does not stop the others.
+/// The answer to a question about each item, in the order of the items. An error or a panic about one item does not stop the others.
 pub(crate) fn each_answered<T: Sync, R: Send>(
     items: &[T],
     ask: &(dyn Fn(&T) -> Result<R, Error> + Sync),

@@ -1,4 +1,4 @@
-//! Forces of contacts that keep their states, for each source of force, with their changes by errors of the data.
+//! Contact forces as a sum over sources (commands, components of the load), each with its changes if the data are off. Contacts keep their states.
 
 use core::slice::from_ref;
 
@@ -13,16 +13,17 @@ use crate::numerics::{Each, IntoList, Size, Vector, largest, numbered};
 use crate::object::PieceState;
 use crate::prelude::*;
 
-/// Forces of all contacts and drives (gaps where these are open) due to one source: for the data as given, and their changes by each datum.
+/// The forces of all contacts and drives that one source causes, for the data as given, and how each uncertain datum changes them. An open contact
+/// has its gap in the place of its force.
 #[derive(Debug, Clone)]
 pub(super) struct Course {
     pub(super) known: Vec<SVector<f64, 3>>,
-    /// For each datum, its effect on each contact or drive.
+    /// For each uncertain datum, the change of the force on each contact or drive, as a polynomial.
     pub(super) off: Vec<Vec<Effect>>,
 }
 
 impl Course {
-    /// Adds `times` times another course.
+    /// Adds `times` times the forces of another source.
     pub(super) fn add(&mut self, times: f64, other: &Self) {
         self.known.iter_mut().zip(&other.known).for_each(|(sum, more)| *sum += more * times);
         for (sum, more) in self.off.iter_mut().flatten().zip(other.off.iter().flatten()) {
@@ -30,7 +31,7 @@ impl Course {
         }
     }
 
-    /// The course of a load, from those of its components.
+    /// The forces that a load causes, from those that one unit of each of its components causes.
     pub(super) fn of(by_component: &[Self], space: Space, load: &Wrench<3>) -> Self {
         let none = by_component[0].off.iter().map(|sites| vec![Effect::default(); sites.len()]);
         let mut sum = Self { known: vec![SVector::zeros(); by_component[0].known.len()], off: none.list() };
@@ -40,13 +41,13 @@ impl Course {
         sum
     }
 
-    /// The largest force for the data as given.
+    /// The largest of these forces for the data as given.
     pub(super) fn largest(&self) -> f64 {
         largest(&self.known, &Matrix::norm)
     }
 }
 
-/// The courses of two kinds of sources while no contact slides: commands together with constant loads, and one unit of each component of the load.
+/// A [`Course`] for each source while no contact slides: first commands together with constant loads, then one unit of each component of the load.
 pub(super) fn courses(
     response: &StickingResponse<'_>,
     cone: Cone,
@@ -71,7 +72,7 @@ pub(super) fn courses(
     Ok(courses)
 }
 
-/// Forces or gaps by commands and constant loads, then by each component of the load.
+/// The forces by each source: first by commands together with constant loads, then by one unit of each component of the load.
 fn by_source(response: &StickingResponse<'_>) -> Vec<Vec<SVector<f64, 3>>> {
     let grasp = response.grasp;
     let mut sources = vec![forces_or_gaps(response, &grasp.offsets(), &grasp.load_unchecked(&Wrench::ZERO))];
@@ -82,7 +83,7 @@ fn by_source(response: &StickingResponse<'_>) -> Vec<Vec<SVector<f64, 3>>> {
     sources
 }
 
-/// Forces of all sites, of open ones the gaps, with these offsets under a load in inside coordinates.
+/// The forces of all contacts and drives under these offsets and this load (in the engine's coordinates). An open contact has its gap instead.
 pub(super) fn forces_or_gaps(
     response: &StickingResponse<'_>,
     offsets: &[SVector<f64, 3>],
@@ -97,7 +98,7 @@ pub(super) fn forces_or_gaps(
     forces
 }
 
-/// One newton or newton metre of a component.
+/// The load of 1 N or 1 N m along one component.
 pub(super) fn unit(space: Space, component: usize) -> Wrench<3> {
     Wrench::among(space, &Vector::unit(Size::of(space.of_the_object()), component))
 }

@@ -1,4 +1,4 @@
-//! The data that are not known exactly, one by one.
+//! The data of a grasp that are not known exactly, one by one.
 
 use super::off::{ContactErrors, factor};
 use super::uncertainty::Uncertainty;
@@ -7,16 +7,16 @@ use crate::grasp::{ContactPoints, Engine};
 use crate::numerics::unit;
 use crate::prelude::*;
 
-/// One datum, with its error of one σ.
+/// One uncertain datum, with its error of one standard deviation σ.
 #[derive(Debug, Clone)]
 pub(super) enum UncertainDatum {
-    /// Errors of all points of a contact.
+    /// A datum that all points of this contact share, with their errors.
     OfContact(usize, ContactErrors),
-    /// The logarithm of the stiffness of a joint.
+    /// The stiffness of this joint, with the σ of its logarithm.
     OfJoint(usize, f64),
 }
 
-/// The engine with each of these data off by its number of σ.
+/// The engine after each of these data is changed by its entry of `z`, in standard deviations.
 pub(super) fn with_errors(of: &Engine, data: &[UncertainDatum], z: &[f64]) -> Result<Engine, Error> {
     let mut errors = vec![ContactErrors::default(); of.wholes().len()];
     for (datum, z) in data.iter().zip(z) {
@@ -40,7 +40,8 @@ pub(super) fn with_errors(of: &Engine, data: &[UncertainDatum], z: &[f64]) -> Re
 }
 
 impl Engine {
-    /// The uncertain data that change forces while contacts stick. Friction does not, and the load is one factor on all forces that it causes.
+    /// The uncertain data that change forces while contacts stick. Friction does not change them. An uncertain load is treated apart, since one
+    /// factor multiplies all forces that it causes.
     pub(super) fn data(&self, uncertainty: &Uncertainty) -> Vec<UncertainDatum> {
         let Uncertainty { stiffness, squeeze, position, normal, .. } = *uncertainty;
         let none = ContactErrors::default();

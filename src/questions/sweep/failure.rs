@@ -1,8 +1,8 @@
 //! The probability that a contact leaves its cone under one load, where data are uncertain.
 //!
-//! A facet with the reliability β, its margin in standard deviations, fails with probability `Φ(-β)`, which
-//! [`second_order`](super::second_order) corrects. On the round cone the facet turns by θ, and
-//! so does the gradient u(θ) of its margin, of length one. The probability of a failure at any θ is at most
+//! A facet of the cone has a margin; its distance from failure in standard deviations is the reliability β. It fails with probability `Φ(-β)`, which
+//! [`second_order`](super::second_order) corrects. On the round cone the facet is chosen by the angle θ of its direction. The gradient u(θ) of its
+//! margin by the data, scaled to length one, turns with θ. The probability that the contact fails at any θ is at most
 //!
 //! ```text
 //! Φ(-β(θ₀)) + ∫ φ(β) E[(X' - β')₊] dθ,      X' normal, mean 0, deviation |u'|
@@ -22,7 +22,7 @@ use crate::contact::{Edges, round_rows};
 use crate::numerics::{Harmonic, normal_tail};
 use crate::prelude::*;
 
-/// Adds the events in which a contact leaves its state under a load. `margin` is memory.
+/// Adds to `events` the failures of this contact under a load. `margin` is scratch memory.
 pub(super) fn failures(
     (contact, edges): (usize, &Edges),
     here: &UncertainForce<'_>,
@@ -30,7 +30,7 @@ pub(super) fn failures(
     margin: &mut FacetMargin,
     events: &mut Failures,
 ) {
-    // The point of failure of another facet is no good start for this one.
+    // Each search starts from the known data, because the point of failure of another facet is a bad start.
     match edges {
         Edges::Rows(rows) => {
             for (k, row) in rows.iter().enumerate() {
@@ -42,7 +42,7 @@ pub(super) fn failures(
         Edges::Round { limit } => {
             let around = round_rows(*limit);
             let (worst, least) = worst_around(&here.first_order(), &around);
-            // Three standard deviations beyond those in reserve, the first-order probability is at most a thousandth of the allowed one.
+            // At a reliability of three more than the required one, failures are a thousand times rarer than allowed. To first order is then enough.
             if least <= 0.0 || least > here.sigmas + 3.0 {
                 events.add_alone(if least <= 0.0 { 1.0 } else { normal_tail(least) });
                 return;
@@ -55,7 +55,7 @@ pub(super) fn failures(
     }
 }
 
-/// The facets of a contact, of a round cone the one that most probably fails to first order.
+/// The facets of a contact that can fail. Of a round cone it is the one facet that most probably fails to first order.
 pub(super) fn facets(edges: &Edges, here: &UncertainForce<'_>) -> Vec<SVector<f64, 3>> {
     match edges {
         Edges::Rows(rows) => rows.clone(),
@@ -66,7 +66,7 @@ pub(super) fn facets(edges: &Edges, here: &UncertainForce<'_>) -> Vec<SVector<f6
     }
 }
 
-/// Failure probability of the contact under one load, with its force linearised in the data: a starting value for the search.
+/// The failure probability of a contact under one load, with its force linearised in the data. The search for the load starts with it.
 pub(super) fn roughly(edges: &Edges, here: &UncertainForce<'_>) -> f64 {
     let first_order = here.first_order();
     match edges {
@@ -77,7 +77,7 @@ pub(super) fn roughly(edges: &Edges, here: &UncertainForce<'_>) -> f64 {
     }
 }
 
-/// The direction in which a round cone most probably fails to first order, rad, and the reliability there.
+/// Of a round cone, the direction in which the contact most probably fails to first order, rad, and the reliability β there.
 fn worst_around(first_order: &FirstOrder, around: &Harmonic<SVector<f64, 3>>) -> (f64, f64) {
     let mut worst = (0.0, f64::INFINITY);
     for k in 0..AROUND_A_CONE {
@@ -90,7 +90,8 @@ fn worst_around(first_order: &FirstOrder, around: &Harmonic<SVector<f64, 3>>) ->
     worst
 }
 
-/// Failure probability of a contact on a round cone, which most probably fails at the angle `worst` with the first-order reliability `least`.
+/// The failure probability of a contact on a round cone: Rice's bound around the angle `worst`, where it most probably fails. `least` is the
+/// first-order reliability there.
 fn failure_of_round(
     around: &Harmonic<SVector<f64, 3>>,
     here: &UncertainForce<'_>,
@@ -100,8 +101,8 @@ fn failure_of_round(
     let first_order = here.first_order();
     let roughly = |angle: f64| first_order.reliability(&around.at(angle));
     let narrower = 0.75;
-    // The range of angles whose density counts; it is narrow where reliability grows steeply.
-    // The integral ends where the density is its maximum times exp(-9).
+    // The integral extends to where the normal density has fallen to exp(-9) of its maximum. That range is narrow where β grows steeply with the
+    // angle.
     let enough = (least * least + 2.0 * 9.0).sqrt();
     let mut half = PI;
     while half > TAU / AROUND_A_CONE as f64
@@ -113,8 +114,7 @@ fn failure_of_round(
     margin.start_over(here.changes.len());
     here.find(0, &around.at(worst - half), margin);
     let mut sum = margin.fails();
-    // The density falls at both ends like a normal density, so that the error of twelve midpoints is
-    // negligible.
+    // The integrand falls at both ends like a normal density, so twelve midpoints make a negligible error.
     let summed = 12_u32;
     let width = 2.0 * half / f64::from(summed);
     for k in 0..summed {

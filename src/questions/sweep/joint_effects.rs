@@ -1,4 +1,4 @@
-//! The joint effect of several data on a force: the force with all of them off at once, less the sum of their changes one by one.
+//! The joint effect of several data on a force: its change if all of them are off at once, less the sum of its changes if they are off one by one.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -13,9 +13,9 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Draw, IntoList, dot, numbered};
 use crate::prelude::*;
 
-/// Number of random sets of errors, one standard deviation each, from which the size of joint effects is estimated.
+/// Number of random sets of errors, each of one standard deviation per datum, from which the size of joint effects is estimated.
 ///
-/// If larger, each reserve takes more equilibria. If smaller, the estimate is less certain.
+/// If larger, each reserve needs more equilibria. If smaller, the estimate is less certain.
 const PROBES: u64 = 8;
 
 /// The grasp whose data are uncertain, for its exact forces with several data off at once.
@@ -30,7 +30,7 @@ pub(super) struct OffTogether {
 }
 
 impl OffTogether {
-    /// The force of a site with these errors of the data, in standard deviations. `None` where errors leave the range of a datum.
+    /// The exact force on a contact or drive if the data have the errors `z`, in standard deviations. `None` where a datum leaves its allowed range.
     fn force(&self, i: usize, load: &Wrench<3>, z: &[f64]) -> Option<SVector<f64, 3>> {
         let grasp = with_errors(&self.grasp, &self.data, z).ok()?;
         let response = StickingResponse::in_states(&grasp, self.cone, &self.states);
@@ -38,7 +38,8 @@ impl OffTogether {
         Some(forces_or_gaps(&response, &grasp.offsets(), &grasp.load_unchecked(&load))[i])
     }
 
-    /// The joint effects at the points of failure of all facets of a site under a load, zero of facets that fail more rarely than `rare`.
+    /// The joint effect for each facet of a contact, at the facet's point of failure under a load. It is taken as zero for facets whose failure
+    /// probability is below `rare`.
     pub(super) fn of_facets(
         &self,
         (i, edges): (usize, &Edges),
@@ -59,9 +60,10 @@ impl OffTogether {
             let beyond =
                 |z: &[f64]| self.force(i, load, z).map_or(SVector::zeros(), |force| force - here.at(z));
             let force = beyond(&margin.fails_at);
-            // Nearer than a standard deviation an effect is rounding.
+            // If the point of failure is nearer than one standard deviation, dividing by its distance would only amplify rounding.
             let bend = force * (2.0 / dot(&margin.fails_at, &margin.fails_at).max(1.0));
-            // With random signs v, the square of `vᵀCv` is on average twice the sum of the squares of C.
+            // C holds the second derivatives of the force by two data. For random signs v, the mean square of `vᵀCv` is twice the sum of the squares
+            // of C.
             let mut squares = SMatrix::zeros();
             for probe in 0..PROBES {
                 let mut signs = Draw::new([probe, 0, 0]);
@@ -69,7 +71,7 @@ impl OffTogether {
                 for z in &mut z {
                     *z = signs.sign();
                 }
-                // Friction has no joint effect on a force.
+                // The last datum is friction, which does not change the force.
                 z.push(0.0);
                 let twice = beyond(&z) * 2.0;
                 squares += twice * twice.transpose() * (0.5 / PROBES as f64);

@@ -1,15 +1,16 @@
-//! The margin of one facet under one load, and the distance from the known data at which it fails.
+//! The margin of one facet of a friction cone under one load, and how far the data may be off before it vanishes.
 //!
 //! ```text
 //! m(z) = μ exp(σ z_f) F_n(z) - h·F_t(z),      F(z) = F + Σ_i Δ_i(z_i)
 //! ```
 //!
 //! Here μ is the coefficient of friction with the deviation σ of its logarithm, h the unit vector of the facet, and z the errors of the data, in
-//! standard deviations. The change Δ_i of the force by one datum is a polynomial through evaluated changes. Friction multiplies the normal force
-//! exactly. Joint effects of the other data beyond the sum are taken at the point of failure, as a constant force. The reliability β is the distance
-//! of the nearest z at which the margin vanishes (Hasofer and Lind, Exact and invariant second-moment code format, 1974). Steps towards it are
-//! shortened until a merit function of distance and margin falls (Zhang and Der Kiureghian, Two improved algorithms for reliability analysis, 1995).
-//! No step goes beyond the distance at which the failure probability is negligible.
+//! standard deviations. The change Δ_i of the force by one datum is a polynomial through exact forces at a few errors. The joint effect of several
+//! data is computed at the point of failure and added as a constant force.
+//!
+//! The reliability β is the distance of the nearest z at which the margin vanishes, the point of failure (Hasofer and Lind, Exact and invariant
+//! second-moment code format, 1974). Steps towards it are shortened until a merit function of distance and margin falls (Zhang and Der Kiureghian,
+//! Two improved algorithms for reliability analysis, 1995). No step goes beyond the distance at which the failure probability is negligible.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -18,13 +19,13 @@ use crate::numerics::tolerances::SUFFICIENT_DECREASE;
 use crate::numerics::{Each, by_axis, dot, normal_density, normal_tail};
 use crate::prelude::*;
 
-/// The effect of a datum is evaluated at these multiples of `sigmas`, the standard deviations in reserve.
+/// Exact forces are computed with each datum off by these multiples of `sigmas`, the standard deviations that the user wants in reserve.
 pub(super) const LOOKED_AT: [f64; 4] = [-1.0, -0.5, 0.5, 1.0];
 
-/// Effect of a datum on a force: coefficients of `Σ c_k x^k`, k from 1, where x is the error of the datum over `sigmas`.
+/// The change of a force by one datum: coefficients of `Σ c_k x^k`, k from 1. Here x is the error in standard deviations, divided by `sigmas`.
 pub(super) type Effect = [SVector<f64, 3>; LOOKED_AT.len()];
 
-/// The polynomial through the changes of a force that were evaluated at the multiples [`LOOKED_AT`] of `sigmas`.
+/// The polynomial through the changes of a force at the multiples [`LOOKED_AT`] of `sigmas`.
 pub(super) fn effect([low, half_low, half_high, high]: [SVector<f64, 3>; 4]) -> Effect {
     let (even, half_even) = (0.5 * (high + low), 0.5 * (half_high + half_low));
     let (odd, half_odd) = (0.5 * (high - low), 0.5 * (half_high - half_low));
@@ -33,48 +34,48 @@ pub(super) fn effect([low, half_low, half_high, high]: [SVector<f64, 3>; 4]) -> 
     [odd - third, even - fourth, third, fourth]
 }
 
-/// The joint effect of all data on a force at a point of failure z, beyond the sum of their changes.
+/// The joint effect of all data on a force at a point of failure z: its exact change less the sum of its changes by one datum each.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct JointEffect {
     pub(super) force: SVector<f64, 3>,
-    /// Second derivative of the joint effect along z: twice the effect over |z|².
+    /// Second derivative of the joint effect along the direction of z: twice the effect divided by |z|².
     pub(super) bend: SVector<f64, 3>,
-    /// Sums over all pairs of data of products of second derivatives: of two components of the force.
+    /// For each two components of the force, the sum over all pairs of data of the product of their second derivatives.
     pub(super) squares: SMatrix<f64, 3, 3>,
 }
 
-/// The force of a contact under one load, with known data, and its changes by each datum.
+/// The force on a contact under one load: for the known data, and its change by each uncertain datum.
 pub(super) struct UncertainForce<'a> {
     pub(super) force: SVector<f64, 3>,
     pub(super) changes: &'a [Effect],
-    /// For each facet its joint effect, for a round cone one; an empty list stands for none.
+    /// The joint effect of all data on this force, for each facet; one for a round cone. An empty list means that joint effects are neglected.
     pub(super) joint: &'a [JointEffect],
-    /// The standard deviations in reserve.
+    /// The standard deviations that the user wants in reserve.
     pub(super) sigmas: f64,
     /// Standard deviation σ of the logarithm of friction.
     pub(super) friction: f64,
 }
 
-/// One margin, as memory for successive margins: each search starts from the last point of failure.
+/// The search for the point of failure of one facet, and its result. The memory serves for one facet after the other.
 #[derive(Debug)]
 pub(super) struct FacetMargin {
-    /// The present point of the search, at its end the point of failure: data in the order of the changes, friction last.
+    /// The present point z of the search, in the end the point of failure: the data in the order of `changes`, then friction.
     pub(super) fails_at: Vec<f64>,
-    /// The point from which the last step began.
+    /// The point z before the last step.
     from: Vec<f64>,
-    /// Coefficients of the effect of each datum on both parts of the margin: the normal part, which friction multiplies, and the rest.
+    /// The polynomials by which each datum changes the margin, in two parts: that of the normal force, which friction multiplies, and the rest.
     pub(super) parts: Vec<[[f64; 2]; LOOKED_AT.len()]>,
-    /// The point of the last linearisation.
+    /// The point z at which `gradient` and `steepness` (its norm) were computed.
     pub(super) linearised_at: Vec<f64>,
     pub(super) gradient: Vec<f64>,
     pub(super) steepness: f64,
     reliability: f64,
-    /// The failure probability over `Φ(-β)`.
+    /// The correction by [`second_order`](super::second_order): the failure probability divided by `Φ(-β)`.
     curved: f64,
 }
 
 impl UncertainForce<'_> {
-    /// The linearisation of the force about the known data, which all facets share.
+    /// The force and its covariance to first order about the known data; all facets share them.
     pub(super) fn first_order(&self) -> FirstOrder {
         let mut spread = SMatrix::zeros();
         for [slope, ..] in self.changes {
@@ -84,12 +85,12 @@ impl UncertainForce<'_> {
         FirstOrder { force: self.force, spread, friction: self.friction }
     }
 
-    /// The force with known data, plus the joint effect at the point of failure of facet number `row`.
+    /// The force for the known data, plus the joint effect that belongs to facet number `row`.
     fn known(&self, row: usize) -> SVector<f64, 3> {
         self.joint.get(row).map_or(self.force, |joint| self.force + joint.force)
     }
 
-    /// The force with these errors of the data, without their joint effect.
+    /// The force if the data have the errors z, without their joint effect.
     pub(super) fn at(&self, z: &[f64]) -> SVector<f64, 3> {
         let mut force = self.force;
         for (change, z) in self.changes.iter().zip(z) {
@@ -100,8 +101,8 @@ impl UncertainForce<'_> {
         force
     }
 
-    /// Finds the nearest point at which the margin of facet number `row` vanishes. A margin that vanishes nowhere within the largest distance has that distance as its
-    /// reliability.
+    /// Finds the smallest errors z of the data at which the margin of facet number `row` vanishes. If there are none within the largest distance that
+    /// counts, that distance is its reliability.
     pub(super) fn find(&self, row: usize, facet: &SVector<f64, 3>, margin: &mut FacetMargin) {
         if margin.fails_at.len() != self.changes.len() + 1 {
             margin.start_over(self.changes.len());
@@ -110,7 +111,7 @@ impl UncertainForce<'_> {
         margin.parts.extend(self.changes.iter().map(|change| change.each_ref().each(|c| parts(facet, c))));
         let known = parts(facet, &self.known(row));
         margin.curved = 1.0;
-        // Failures five standard deviations beyond those in reserve are too rare to count.
+        // At a reliability of five more than the required one, failures are too rare to count.
         let farthest = self.sigmas + 5.0;
         let mut value = self.linearise(known, rubs(facet), margin);
         let mut arrived = false;
@@ -130,7 +131,7 @@ impl UncertainForce<'_> {
                 moved = f64::max(moved, (step * g - *z).abs());
                 *z = step * g;
             }
-            // Limit of the step at convergence, in standard deviations.
+            // The search has converged once a step changes no datum by a thousandth of its standard deviation.
             arrived = moved < 1e-3;
             if arrived {
                 break;
@@ -139,7 +140,8 @@ impl UncertainForce<'_> {
         }
         let mut nearest = dot(&margin.fails_at, &margin.fails_at).sqrt();
         if !arrived {
-            // The search has not converged: the smaller of its distance and that of the linearisation at the known data is the safe choice.
+            // The search has not converged. Of its present distance and the first-order reliability the smaller one is taken, which is the safe
+            // choice.
             margin.start_over(self.changes.len());
             let value = self.linearise(known, rubs(facet), margin);
             nearest = nearest.min(ratio(value, margin.steepness).abs());
@@ -156,7 +158,7 @@ impl UncertainForce<'_> {
         }
     }
 
-    /// Shortens the last step until the merit function `½|z|² + c |m|` falls. Returns the margin there, where it is linearised.
+    /// Shortens the last step until the merit function `½|z|² + c |m|` falls. Returns the margin there, and keeps its gradient.
     fn shortened(
         &self,
         known: [f64; 2],
@@ -165,7 +167,7 @@ impl UncertainForce<'_> {
         (value, along): (f64, f64),
     ) -> f64 {
         let [from, to] = [&margin.from, &margin.fails_at].each(|z| dot(z, z));
-        // The weight c, large enough that a step to the zero of the linearised margin lowers the merit function.
+        // The weight c of the merit function is large enough for it to fall along a step to the zero of the linearised margin.
         let dear = 2.0 * from.max(to).sqrt() / margin.steepness;
         let here = 0.5 * from + dear * value.abs();
         let [towards, rises] =
@@ -175,7 +177,7 @@ impl UncertainForce<'_> {
         loop {
             let there = self.linearise(known, rubs, margin);
             let left = 0.5 * dot(&margin.fails_at, &margin.fails_at) + dear * there.abs();
-            // A step shortened to a hundredth is accepted in any case.
+            // A step that has been shortened to a hundredth is accepted even if the merit function does not fall.
             if left <= here - SUFFICIENT_DECREASE * part * promised || part <= 1e-2 {
                 return there;
             }
@@ -211,7 +213,8 @@ impl UncertainForce<'_> {
         factor * normal + other
     }
 
-    /// The mean number of crossings `φ(β) E[(X' - β')₊]` per unit of the angle θ, see [`super::failure`], while the row changes at the rate `turned`.
+    /// The mean number of crossings `φ(β) E[(X' - β')₊]` per unit of the angle θ, see [`super::failure`]. `turned` is the derivative of the facet by
+    /// θ.
     pub(super) fn crossings(&self, margin: &FacetMargin, turned: &SVector<f64, 3>) -> f64 {
         if margin.steepness == 0.0 {
             return 0.0;
@@ -237,16 +240,16 @@ impl UncertainForce<'_> {
     }
 }
 
-/// Forces to first order about the known data, the same for all facets.
+/// The force and its covariance, to first order about the known data.
 pub(super) struct FirstOrder {
     force: SVector<f64, 3>,
-    /// Covariance of the force, without the part due to uncertain friction.
+    /// Covariance of the force by all uncertain data except friction.
     spread: SMatrix<f64, 3, 3>,
     friction: f64,
 }
 
 impl FirstOrder {
-    /// The reliability β to first order.
+    /// The reliability β of a facet to first order: its margin over the standard deviation of that margin.
     pub(super) fn reliability(&self, facet: &SVector<f64, 3>) -> f64 {
         let by_friction = if rubs(facet) { self.friction * facet[0] * self.force[0] } else { 0.0 };
         let variance = facet.dot(&(self.spread * facet)) + by_friction * by_friction;
@@ -254,13 +257,13 @@ impl FirstOrder {
     }
 }
 
-/// The parts of `row·F` from the normal component of a force and from the others.
+/// The product `row·F` in two parts: that of the normal component, which friction multiplies, and the rest.
 fn parts(row: &SVector<f64, 3>, force: &SVector<f64, 3>) -> [f64; 2] {
     let normal = row[0] * force[0];
     [normal, row.dot(force) - normal]
 }
 
-/// An effect with its derivatives, continued linearly outside the evaluated range.
+/// Value and derivatives of an [`Effect`] at one error. Outside the range of exact forces the polynomial is continued linearly.
 pub(super) struct ContinuedEffect {
     value: f64,
     pub(super) slope: f64,
@@ -286,7 +289,7 @@ impl Default for FacetMargin {
 }
 
 impl FacetMargin {
-    /// The next search starts from the known data; `data` is their number without friction.
+    /// Lets the next search start from the known data, z = 0; `data` is the number of data without friction.
     pub(super) fn start_over(&mut self, data: usize) {
         self.fails_at.clear();
         self.fails_at.resize(data + 1, 0.0);
@@ -297,7 +300,7 @@ impl FacetMargin {
         self.reliability
     }
 
-    /// The failure probability.
+    /// The failure probability of the facet, corrected to second order.
     pub(super) fn fails(&self) -> f64 {
         (normal_tail(self.reliability) * self.curved).min(1.0)
     }

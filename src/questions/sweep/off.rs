@@ -42,9 +42,9 @@ impl ContactErrors {
     }
 }
 
-/// `exp(log)`.
+/// The factor by which a datum changes whose logarithm is off by `log`.
 pub(super) fn factor(log: f64) -> f64 {
-    // No datum may become zero or infinite, which would change its meaning. Data that are too large or too small are refused later.
+    // The factor is clamped: a datum that became zero or infinite would change its meaning. Data out of range are refused later.
     let least = 1e-200_f64;
     log.exp().clamp(least, least.recip())
 }

@@ -19,7 +19,7 @@ pub struct Reserve<const C: usize> {
     sigmas: f64,
 }
 
-/// The grasp under the base load.
+/// What holds under the base load: everything sticks, some contact slides, or it is not known.
 #[derive(Debug, Clone)]
 enum AtBase {
     Sticks(Box<StuckGrasp>),
@@ -64,7 +64,7 @@ impl Engine {
         sigmas: f64,
         settings: &Settings,
     ) -> Result<Reserve<3>, Error> {
-        // Beyond, the failure probability is below 1e-15, which rounding hides.
+        // A reserve of more than eight standard deviations means a failure probability below 1e-15, which rounding hides.
         if !(sigmas > 0.0 && sigmas <= 8.0) {
             let what = "standard deviations in reserve";
             return Err(Error::Argument { what, value: sigmas, allowed: "above 0, at most 8" });

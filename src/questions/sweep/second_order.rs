@@ -1,17 +1,17 @@
 //! The failure probability of a facet to second order in the data.
 //!
-//! Near the point of failure z the margin m is expanded to second order; H is its second derivative, g its gradient, n = g / |g|. Where the margin
-//! curves upwards across n, failures are rarer than `Φ(-β)` by (Hohenbichler and Rackwitz, Improvement of second-order reliability estimates by
-//! importance sampling, 1988)
+//! Near the point of failure z the margin m is expanded to second order; H is its second derivative, g its gradient, n = g / |g|. If the margin
+//! curves upwards across n, failures are rarer than `Φ(-β)` by the factor (Hohenbichler and Rackwitz, Improvement of second-order reliability
+//! estimates by importance sampling, 1988)
 //!
 //! ```text
 //! det(A on the complement of n)^(-1/2),      A = 1 + ψ H / |g|,      ψ = φ(β) / Φ(-β)
 //! ```
 //!
-//! H has a diagonal D, the row of friction, and joint effects C of two other data. Without C, `det(A on the complement of n) = det(A) nᵀA⁻¹n` is a
-//! sum over the data. C itself is not computed. To first order nᵀCn is enough: since C has no diagonal, its trace on the complement of n is `-nᵀCn`,
-//! and the determinant is multiplied by `1 - ψ nᵀCn / |g|`. To second order it is multiplied by `exp(-ψ² |C|² / 2|g|²)`, where |C|² is the sum
-//! of the squares of all entries. A part of them lies along n, which is safe.
+//! H consists of a diagonal D, the row of friction, and the joint effects C of two other data each. Without C,
+//! `det(A on the complement of n) = det(A) nᵀA⁻¹n` is a sum over the data. The matrix C itself is not computed. To first order nᵀCn is enough: since
+//! C has no diagonal, its trace on the complement of n is `-nᵀCn`, and the determinant is multiplied by `1 - ψ nᵀCn / |g|`. To second order it is
+//! multiplied by `exp(-ψ² |C|² / 2|g|²)`, where |C|² is the sum of the squares of all entries. This includes entries along n, which errs on the safe side.
 
 use super::margin::{ContinuedEffect, FacetMargin};
 use super::tolerances::LEAST_CURVED;
@@ -20,8 +20,8 @@ use crate::numerics::{Each, normal_density, normal_tail};
 use crate::prelude::*;
 
 impl FacetMargin {
-    /// The failure probability over `Φ(-β)` of a margin that is linearised at its point of failure, and positive for the known data. `joint` gives
-    /// nᵀCn and |C|² where friction is multiplied by its argument.
+    /// The failure probability divided by `Φ(-β)`, for a margin that is linearised at its point of failure and positive for the known data. `joint`
+    /// gives nᵀCn and |C|² of the formulas above if friction is multiplied by its argument.
     pub(super) fn curved(
         &self,
         rubs: bool,
@@ -36,7 +36,7 @@ impl FacetMargin {
             _ => (0.0, 1.0),
         };
         let mut product = 1.0;
-        // nᵢ²/Aᵢᵢ, nᵢ bᵢ/Aᵢᵢ and bᵢ²/Aᵢᵢ, summed over the data; b is the row of friction in A.
+        // Sums over the data of nᵢ²/Aᵢᵢ, nᵢ bᵢ/Aᵢᵢ and bᵢ²/Aᵢᵢ; b is the row of friction in A.
         let (mut squares, mut mixed, mut of_friction) = (0.0, 0.0, 0.0);
         for ((coefficients, z), g) in self.parts.iter().zip(&self.linearised_at).zip(&self.gradient) {
             let [normal, other] =
@@ -66,7 +66,7 @@ mod tests {
     use super::super::margin::{Effect, FacetMargin, UncertainForce};
     use crate::numerics::{normal_density, normal_tail};
 
-    /// The failure probability of the facet (1/2, -1), and that to first order; the error of each datum is in units of three deviations.
+    /// The failure probability of the facet (1/2, -1) of a cone, and that to first order. The polynomials count errors in units of three deviations.
     fn fails(force: [f64; 3], changes: &[Effect], friction: f64) -> (f64, f64) {
         let here = UncertainForce { force: SVector::from(force), changes, joint: &[], sigmas: 3.0, friction };
         let mut margin = FacetMargin::default();
@@ -74,14 +74,14 @@ mod tests {
         (margin.fails(), normal_tail(margin.reliability()))
     }
 
-    /// `∫ φ(z) P(z) dz` by midpoints: the probability of a failure whose probability is P(z) if one datum is off by z.
+    /// `∫ φ(z) P(z) dz` by midpoints: the total probability of failure if it is P(z) once one datum is known to be off by z.
     fn averaged(given: &dyn Fn(f64) -> f64) -> f64 {
         let (steps, width) = (4000, 4e-3);
         let at = |k: i32| f64::from(2 * k + 1 - steps) * 0.5 * width;
         (0..steps).map(|k| width * normal_density(at(k)) * given(at(k))).sum()
     }
 
-    /// Friction and a normal force that is linear in a datum: `exp(0.2 z_f) (10 + 1.5 z) / 2 = 2`.
+    /// The normal force is linear in a datum, and friction multiplies it: the margin vanishes where `exp(0.2 z_f) (10 + 1.5 z) / 2 = 2`.
     #[test]
     fn friction_curves_a_margin() {
         let mut change = Effect::default();
@@ -93,7 +93,7 @@ mod tests {
         assert!(first_order < 0.9 * exact, "{first_order}");
     }
 
-    /// A friction force that is linear in a datum and quadratic in another one: `z₁ + c z₂² = 3`.
+    /// The friction force is linear in one datum and quadratic in another: the margin vanishes where `z₁ + c z₂² = 3`.
     #[test]
     fn a_datum_curves_a_margin() {
         for curved in [-0.1, 0.05, 0.1] {

@@ -1,8 +1,8 @@
-//! Contacts that all stick under a base load, and the probability that one of them leaves on the way to a further load on top of it.
+//! A grasp in which all contacts stick under a base load, and the probability that one of them fails before a further load on top of it is applied.
 //!
-//! While all stick, forces are linear in the load, and margins are concave functions of it. So if all contacts stick at both ends of the way, they
-//! stick in between. [`failure`](super::failure) gives the probability that a contact leaves at an end, [`union`](super::union) bounds the probability
-//! that any does.
+//! While all stick, forces are linear in the load, and margins are concave functions of it. So if all contacts stick at both ends of the way from the
+//! base load to the whole load, they stick in between. [`failure`](super::failure) gives the probability that a contact fails at an end;
+//! [`union`](super::union) bounds the probability that any does.
 
 use super::courses::Course;
 use super::failure::{failures, roughly};
@@ -16,13 +16,14 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{Each, IntoList, dot, largest, normal_tail};
 use crate::prelude::*;
 
-/// Rounds in which joint effects and points of failure are computed in turn, the first from points of failure without joint effects.
+/// The joint effects of data are computed at points of failure, which depend on joint effects in turn. So both are computed this many times, the
+/// first time without joint effects.
 const ROUNDS: usize = 2;
 
-/// For each site and each of its facets, the joint effect of all data on the force.
+/// For each contact or drive and each of its facets, the joint effect of all data on the force.
 type JointEffects = Vec<Vec<JointEffect>>;
 
-/// A load on top of the base load.
+/// A load on top of the base load: `factor` times `direction`, whose unit causes the forces `rate`.
 #[derive(Clone, Copy)]
 struct Further<'a> {
     direction: &'a Wrench<3>,
@@ -30,25 +31,25 @@ struct Further<'a> {
     factor: f64,
 }
 
-/// A grasp that sticks under its base load.
+/// A grasp in which everything sticks under the base load, with forces by each source and failures under that load.
 #[derive(Debug, Clone)]
 pub(super) struct StuckGrasp {
     off: OffTogether,
     edges: Vec<Edges>,
-    /// For each site its contact, by its first point, whose friction all its points share; a drive by itself.
+    /// Which sites share one coefficient of friction: for each point of a contact the index of its first point; for a drive its own index.
     contacts: Vec<usize>,
     /// The load under which everything sticks.
     base_load: Wrench<3>,
-    /// Forces by each component of the load.
+    /// For each component of the load, the forces that one unit of it causes.
     by_component: Vec<Course>,
-    /// `base`: all forces under the base load. `by_base_load`: the part of them that this load alone causes.
+    /// `base` has all forces under the base load; `by_base_load` only those that the load itself causes, not the commands.
     base: Course,
     by_base_load: Course,
-    /// Joint effects under the base load, and failures there.
+    /// The joint effects under the base load, and the failures under it.
     joint_at_base: JointEffects,
     fails_at_base: Failures,
     sigmas: f64,
-    /// σ of friction, and the relative growth of the load at each multiple in `LOOKED_AT`.
+    /// `friction` is the σ of friction. `load` is the relative growth of an uncertain load at each multiple in [`LOOKED_AT`].
     friction: f64,
     load: [f64; LOOKED_AT.len()],
     /// Work of each component of the load on the motions that nothing resists.
@@ -56,7 +57,7 @@ pub(super) struct StuckGrasp {
 }
 
 impl StuckGrasp {
-    /// From the courses of commands and of each component of the load.
+    /// Computes joint effects and failures under the base load. `courses` has the forces by commands, then by each component of the load.
     pub(super) fn new(
         off: OffTogether,
         edges: Vec<Edges>,
@@ -98,12 +99,12 @@ impl StuckGrasp {
         sticking
     }
 
-    /// The allowed failure probability.
+    /// The allowed failure probability, less a share that is kept for neglected effects.
     fn allowed(&self) -> f64 {
         (1.0 - NEGLECTED_SHARE) * normal_tail(self.sigmas)
     }
 
-    /// Joint effects at the points of failure that have the joint effects `before`.
+    /// The joint effects at the points of failure, which are computed with the joint effects `before`.
     fn joint(&self, more: Option<Further<'_>>, before: &JointEffects) -> JointEffects {
         let load = more.map_or(self.base_load, |more| self.base_load + *more.direction * more.factor);
         let mut memory = Vec::new();
@@ -123,7 +124,7 @@ impl StuckGrasp {
             return 0.0;
         }
         let rate = Course::of(&self.by_component, self.off.grasp.space(), direction);
-        // Reliabilities are nearly linear in the load factor, unlike probabilities.
+        // The search compares reliabilities, because they are nearly linear in the load factor; probabilities are not.
         let allowed = reliability(self.allowed());
         let further = |factor: f64| Further { direction, rate: &rate, factor };
         if allowed >= reliability(self.fails_at_base.any(&Failures::default())) {
@@ -135,9 +136,9 @@ impl StuckGrasp {
         }
         let start = here.max(f64::MIN_POSITIVE) / growth;
         let roughly = |factor: f64| allowed - reliability(self.roughly(further(factor)));
-        // A load has no limit if its forces may exceed the forces under the base load by this factor.
+        // If no failure is found up to forces this many times those under the base load, the load factor has no limit.
         let far = 1e6;
-        // Forces linearised in the data give a starting value.
+        // A search with forces linearised in the data gives the starting value.
         let guess = root(&roughly, (start, f64::NAN), far * start, 1e-3);
         let guess = if guess > 0.0 && guess.is_finite() { guess } else { start };
         // Relative step of the difference quotient that gives the initial slope.
@@ -156,7 +157,7 @@ impl StuckGrasp {
         most
     }
 
-    /// Sum of the first-order failure probabilities of all contacts under the load times this factor.
+    /// The sum of the first-order failure probabilities of all contacts under this load.
     fn roughly(&self, more: Further<'_>) -> f64 {
         let mut memory = Vec::new();
         let mut sum = 0.0;
@@ -166,7 +167,7 @@ impl StuckGrasp {
         sum
     }
 
-    /// The failures under the base load or, if given, another load on top of it.
+    /// The failures of all contacts under the base load; with `more`, under that further load on top of it.
     fn failures(&self, more: Option<Further<'_>>, joint: &JointEffects) -> Failures {
         let (mut margin, mut memory, mut events) = (FacetMargin::default(), Vec::new(), Failures::default());
         for (i, edges) in self.edges.iter().enumerate() {
@@ -176,7 +177,7 @@ impl StuckGrasp {
         events
     }
 
-    /// The force of a contact under the base load plus, if given, a factor times another load, with its changes by the data.
+    /// The force of a contact and its changes by the data, under the base load and, if given, a further load on top of it.
     fn spread<'m>(
         &self,
         i: usize,
@@ -201,14 +202,14 @@ impl StuckGrasp {
     }
 }
 
-/// Approximately the β of a failure probability `Φ(-β)`, and as nearly linear in the load factor; only differences are used.
+/// About the β for which `Φ(-β)` is this failure probability. Only differences are used, and they are as nearly linear in the load factor.
 fn reliability(fails: f64) -> f64 {
-    // Probabilities below 1e-300 count as 1e-300.
+    // Smaller probabilities count as 1e-300, so that the logarithm is finite.
     (-2.0 * fails.clamp(1e-300, 1.0).ln()).sqrt()
 }
 
-/// The root of an increasing function that is negative at zero, to the relative accuracy `precise`. The lower end of the last bracket is returned, or
-/// infinity without a root up to `end`. Secant steps start from a guess and a slope (NaN if unknown), and stay within the bracket.
+/// The root of an increasing function that is negative at zero, to the relative accuracy `precise`: the lower end of the last bracket. It is infinite
+/// if there is no root up to `end`. Secant steps start from a guess and a slope (NaN if unknown) and stay within the bracket.
 fn root(f: &dyn Fn(f64) -> f64, (guess, mut slope): (f64, f64), end: f64, precise: f64) -> f64 {
     let (mut low, mut high) = (0.0, f64::INFINITY);
     let (mut at, mut last) = (guess, None);
@@ -229,12 +230,13 @@ fn root(f: &dyn Fn(f64) -> f64, (guess, mut slope): (f64, f64), end: f64, precis
             slope = (value - before) / (at - from);
         }
         last = Some((at, value));
-        // Secants are slow where a function is far from linear, so that every other later step bisects.
+        // Secant steps are slow where a function is far from linear, so from the twelfth step on every second one is a bisection.
         let halves = step >= 12 && step % 2 == 0;
         let next = if halves { f64::NAN } else { at - value / slope };
         let near = 0.5 * precise * at;
         at = if next.is_finite() {
-            // A margin of half the accuracy at both ends of the bracket: where a secant step hits the root, the next step is the last.
+            // A step stays half the required accuracy away from both ends of the bracket. So when a secant step hits the root, the next step closes
+            // the bracket.
             next.min(high - near).min(4.0 * at).max(low + near).max(0.1 * at)
         } else if high.is_finite() {
             0.5 * (low + high)

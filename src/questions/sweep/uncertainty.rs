@@ -124,7 +124,7 @@ impl Uncertainty {
     /// ```
     #[must_use]
     pub fn load_factor(&self, number: u64) -> f64 {
-        // The load's stream of random numbers, beyond the numbers of all contacts.
+        // Random numbers of the load come from a stream of their own, whose number no contact has.
         factor(self.load * Draw::new([self.seed, number, u64::MAX]).normal())
     }
 }
@@ -140,7 +140,7 @@ impl Engine {
             let [friction, stiffness, squeeze] =
                 [uncertainty.friction, uncertainty.stiffness, uncertainty.squeeze]
                     .each(|sigma| sigma * draw.normal());
-            // Drawn last, and also with σ = 0, so that the other data do not depend on these σ.
+            // These numbers are drawn last, and also if σ = 0. So samples of the other data do not change with these σ.
             let mut displaced = |sigma: f64| by_axis(|_| sigma * draw.normal());
             let (moved, tilt) = (displaced(uncertainty.position), displaced(uncertainty.normal));
             ContactErrors { friction, stiffness, squeeze, moved, tilt }

@@ -1,45 +1,45 @@
-//! The probability that any of several conditions fails, whose margins are correlated.
+//! An upper bound of the probability that any of several conditions fails, if their margins are correlated.
 //!
-//! For events E_i and a tree of pairs (Hunter, An upper bound for the probability of a union, 1976)
+//! For failures E_i and a tree that connects them by pairs (Hunter, An upper bound for the probability of a union, 1976)
 //!
 //! ```text
 //! P(∪ E_i) <= Σ P(E_i) - Σ P(E_i ∩ E_j),      second sum over the pairs of the tree
 //! ```
 //!
-//! The least bound has the tree with the greatest sum. To first order margins are normal, with the correlation of their gradients at their points of
-//! failure.
+//! The bound is least for the tree with the greatest second sum. To first order margins are normal, with the correlation of their gradients at their
+//! points of failure.
 
 use super::margin::FacetMargin;
 use crate::numerics::{IntoList, dot, normal_tail, normal_tail_of_both};
 use crate::prelude::*;
 
-/// Events of failure, under one load or under several.
+/// Possible failures of contacts, under one load or under several.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Failures {
     frequent: Vec<Failure>,
-    /// Sum of the probabilities of events that are too rare to be compared with others.
+    /// Sum of the probabilities of failures that are too rare for their correlation with others to count.
     rare: f64,
 }
 
-/// One event of failure.
+/// One possible failure: the margin of one facet vanishes.
 #[derive(Debug, Clone)]
 struct Failure {
     probability: f64,
     reliability: f64,
-    /// `Φ(-β)`.
+    /// The failure probability to first order, `Φ(-β)`.
     first_order: f64,
-    /// The contact whose friction is the last datum.
+    /// The contact whose friction the last entry of the gradient belongs to.
     contact: usize,
-    /// Gradient of the margin by the data, of length one.
+    /// Gradient of the margin by the data, scaled to length one.
     gradient: Vec<f64>,
 }
 
 impl Failures {
-    /// Adds an event: the failure of a margin of this contact. On a round cone the margin is that of the facet that most probably fails. An
-    /// event that is rarer than `rare` is not compared with others.
+    /// Adds a possible failure of this contact. On a round cone `margin` is that of the facet that most probably fails. If it is rarer than `rare`,
+    /// its correlation with others is neglected.
     pub(super) fn add(&mut self, probability: f64, margin: &FacetMargin, contact: usize, rare: f64) {
         let reliability = margin.reliability();
-        // Beyond the mean every bound is far above an allowed probability.
+        // A negative reliability means that the contact fails more often than not; then any bound is far above the allowed probability.
         if probability < rare || !(0.0..1e3).contains(&reliability) {
             self.rare += probability;
             return;
@@ -49,17 +49,17 @@ impl Failures {
         self.frequent.push(Failure { probability, reliability, first_order, contact, gradient });
     }
 
-    /// Adds an event that is not compared with others.
+    /// Adds a failure whose correlation with others is neglected.
     pub(super) fn add_alone(&mut self, probability: f64) {
         self.rare += probability;
     }
 
-    /// Upper bound of the probability that any of these or of the other events happens.
+    /// An upper bound of the probability that any of these failures, or of `others`, happens.
     pub(super) fn any(&self, others: &Self) -> f64 {
         let mut left: Vec<(f64, &Failure)> =
             self.frequent.iter().chain(&others.frequent).map(|of| (0.0, of)).list();
         let mut sum = self.rare + others.rare;
-        // Prim's method: the event with the greatest joint probability with the tree joins it.
+        // Prim's method grows the tree: the next failure to join is the one with the greatest joint probability with a failure in it.
         while let Some(next) = (0..left.len()).max_by(|a, b| left[*a].0.total_cmp(&left[*b].0)) {
             let (both, joins) = left.swap_remove(next);
             sum += joins.probability - both;
@@ -72,9 +72,9 @@ impl Failures {
 }
 
 impl Failure {
-    /// The probability of both events.
+    /// The probability that both failures happen.
     fn with(&self, other: &Self) -> f64 {
-        // Friction is the same datum for points of one contact alone.
+        // Only two points of one contact share their friction; that of different contacts is independent.
         let data = self.gradient.len() - usize::from(self.contact != other.contact);
         let correlation = dot(&self.gradient[..data], &other.gradient[..data]);
         let first_order = normal_tail_of_both([self.reliability, other.reliability], correlation);
@@ -88,7 +88,7 @@ mod tests {
     use super::*;
     use crate::numerics::normal_density;
 
-    /// Events with the margins `β - √ρ z₀ - √(1 - ρ) zᵢ` of as many contacts.
+    /// Failures of as many contacts with these reliabilities, every two of them with the correlation ρ: their margins are `β - √ρ z₀ - √(1 - ρ) zᵢ`.
     fn alike(reliabilities: &[f64], rho: f64) -> Failures {
         let mut all = Failures::default();
         for (i, reliability) in reliabilities.iter().enumerate() {
@@ -125,7 +125,7 @@ mod tests {
             for rho in [0.0, 0.3, 0.6, 0.9, 0.99, 0.9999] {
                 let all = alike(reliabilities, rho);
                 let (bound, exact) = (all.any(&Failures::default()), exact(reliabilities, rho));
-                // The joint probability of two has an error of a few 1e-3 of the smaller one where ρ is near 1.
+                // For two failures the bound is exact, but for an error of a few 1e-3 of the smaller probability where ρ is near 1.
                 let most = if reliabilities.len() == 2 { exact } else { sum.min(1.0) };
                 assert!(
                     bound > 0.999 * exact && bound < 1.001 * most,
@@ -134,7 +134,7 @@ mod tests {
                 assert!(bound < 1.001 * last, "{reliabilities:?} {rho}");
                 last = bound;
             }
-            // Where all depend on one datum, the most probable event contains all others.
+            // If all margins depend on one datum alone, the most probable failure contains all others.
             let most = reliabilities.iter().map(|b| normal_tail(*b)).fold(0.0, f64::max);
             assert!(last < 1.1 * most, "{reliabilities:?}: {last} {most}");
         }
