@@ -77,8 +77,9 @@ impl Workspace {
         let units = self.path.scaling.row_unit.iter().enumerate();
         self.path.d.clear();
         self.path.d.extend(
-            // 2^e times the balanced unit, with e between −3 and 3. Smaller, the paths stay close to the first one; larger, the problems are
-            // badly scaled. No two attempts share generic numbers, since no dense problem has that many rows.
+            // Entry i of d is 2^e units of the balanced row, with e between −3 and 3. In a narrower range the paths would stay close to the first
+            // one; in a wider one the problems would be badly scaled. No two attempts use the same values of [`generic`], since no dense problem has
+            // that many rows.
             units.map(|(i, unit)| unit * (6.0 * (generic(attempt * 1_000_003 + i) - 1.0)).exp2()),
         );
         let limit = settings.retry_limit(lcp.len(), self.path.pivots);
@@ -91,7 +92,7 @@ impl Workspace {
         Some(failure)
     }
 
-    /// Stores the first solution of the enumeration; `Some(())` if there is none.
+    /// Stores the first solution that enumeration finds; returns `Some(())` if it finds none.
     fn take_enumerated(&mut self, lcp: &Lcp, settings: &Settings) -> Option<()> {
         let all = enumerate::all_solutions(lcp, settings);
         let Some(solution) = all.solutions.into_iter().next() else { return Some(()) };

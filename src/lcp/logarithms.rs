@@ -9,7 +9,7 @@ use crate::prelude::*;
 /// Above 1023 the product could overflow; smaller, more logarithms are needed.
 const MULTIPLIED: usize = 512;
 
-/// Σ log₂|M_ij| and the number of terms, for each row or for each column.
+/// For each row, or for each column, Σ log₂|M_ij| over its entries that are neither zero nor subnormal, and their number.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Logarithms {
     pub(super) sum: Vec<f64>,
@@ -66,7 +66,7 @@ impl Logarithms {
         refill(&mut self.count, n, 0.0);
     }
 
-    /// Adds the logarithm of the product of mantissas to the sum, before the product overflows.
+    /// Adds the logarithm of the product of mantissas to the sum and sets the product to 1, before it overflows.
     fn put_away(&mut self, i: usize) {
         self.sum[i] += self.mantissas[i].log2();
         self.mantissas[i] = 1.0;

@@ -2,13 +2,14 @@
 
 use crate::prelude::*;
 
-/// The entries of [M, q] that are counted by [`counts`], column by column: as a list of rows, or tested in place.
+/// The entries of [M, q] that are neither zero nor subnormal, column by column. They are called counted entries: as a list of rows, or found by
+/// testing each entry.
 pub(super) enum Pattern<'a> {
     Listed(&'a [u32]),
     InPlace { n: usize, m: &'a [f64], q: &'a [f64] },
 }
 
-/// The counted entries of one column.
+/// The counted entries of one column: their rows, or the whole column.
 pub(super) enum Column<'a> {
     Listed(&'a [u32]),
     InPlace(&'a [f64]),
@@ -57,7 +58,7 @@ impl<'a> Pattern<'a> {
 }
 
 impl Column<'_> {
-    /// The sum of ρ_i over the rows i of the entries.
+    /// The sum of ρ_i over the rows i of the counted entries.
     pub(super) fn sum(&self, rho: &[f64]) -> f64 {
         match self {
             Self::Listed(list) => list.iter().map(|i| rho[*i as usize]).sum(),
@@ -65,7 +66,7 @@ impl Column<'_> {
         }
     }
 
-    /// Adds the number `what` to `to[i]` for each row i of the entries.
+    /// Adds the number `what` to `to[i]` for each row i of a counted entry.
     pub(super) fn add(&self, what: f64, to: &mut [f64]) {
         match self {
             Self::Listed(list) => list.iter().for_each(|i| to[*i as usize] += what),

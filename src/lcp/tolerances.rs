@@ -62,7 +62,7 @@ pub(super) const ELIMINATED_PIVOT: f64 = 1e-14;
 /// Smaller, good points of ill-conditioned problems are refused; larger, points pass that ignore q.
 pub(crate) const BACKWARD_ERROR: f64 = 1e-6;
 
-/// q is lost in rounding if it is below this fraction of the terms of M z in every row: some hundred thousand roundings.
+/// The solution does not depend on q, up to rounding, if q is below this fraction of the terms of M z in every row: some hundred thousand roundings.
 ///
 /// A singular basis whose determinant is computed as 1e-16 gives a z of 1e14. To rounding, that z satisfies 0 ≤ z ⟂ M z + q ≥ 0 for every q.
 /// Problems of condition 1e10 are not affected; larger, they would be refused.
@@ -112,9 +112,7 @@ pub(super) const MOST_PAIRED_ROWS: usize = 48;
 /// 2⁵³, the largest denominator tried for the ratios of a proof: beyond it not all integers are doubles.
 pub(super) const LARGEST_WHOLE: f64 = 9_007_199_254_740_992.0;
 
-/// Relative reduction of the bounds of a nearly proved contradiction, to cover their own rounding.
-///
-/// Smaller, a bound may claim too much; larger, it is weaker than necessary.
+/// The lower bound on z that goes with a nearly proved contradiction is reduced by this fraction, to cover its own rounding.
 pub(super) const BOUND_ROUNDING: f64 = 1e-14;
 
 /// Magnitude of the terms of a row below which products may have underflowed or lost digits. Such rows are summed again without rounding.
