@@ -66,7 +66,7 @@ impl Workspace {
         self.conclude(lcp, residuals, settings)
     }
 
-    /// Replaces the point by the spare point if `accept` holds for the largest residual of the spare point.
+    /// Replaces the workspace's point by its `spare` point, if `accept` holds for the largest residual of the latter.
     fn take_spare(&mut self, lcp: &Lcp, residuals: &mut Residuals, accept: impl Fn(f64) -> bool) {
         let spare = self.spare.evaluate(lcp);
         if accept(spare.max()) {

@@ -183,7 +183,7 @@ fn is_one_point(a: &DVector<f64>, b: &DVector<f64>) -> bool {
     let size = a.amax().max(b.amax());
     a.iter().zip(b).all(|(a, b)| {
         let difference = (a - b).abs();
-        // The first test covers two bases of condition 1e7; the second covers entries that are zero up to rounding.
+        // The first test allows for the errors of bases with condition numbers up to 1e7, the second for entries that are zero up to rounding.
         difference <= NEGLIGIBLE * a.abs().max(b.abs()) || difference <= SOLVED_ROUNDING * size
     })
 }

@@ -72,7 +72,7 @@ impl Workspace {
         Some(Outcome::Infeasible(Certificate { y, pivots: self.path.pivots }))
     }
 
-    /// Follows a path with another covering vector, then a path from a basis with one or two z's.
+    /// Follows a path with another covering vector, then a path from a basis in which one or two z's are basic.
     fn retry(&mut self, lcp: &Lcp, settings: &Settings, attempt: usize) -> Option<Unsolved> {
         let units = self.path.scaling.row_unit.iter().enumerate();
         self.path.d.clear();
@@ -109,9 +109,9 @@ impl Workspace {
     }
 }
 
-/// A basis with one or two z's as the start of a path, for problems whose paths from the slack basis end in rays.
+/// A basis in which one or two z's are basic, as the start of a path, for problems whose paths from the slack basis end in rays.
 ///
-/// The matrix [0, A; Bᵀ, 0] of a bimatrix game has no other regular bases with few z's. Each attempt uses another first index.
+/// The matrix [0, A; Bᵀ, 0] of a bimatrix game has no other regular bases with few basic z's. Each attempt uses another index of the first z.
 fn small_basis(lcp: &Lcp, attempt: usize) -> Option<[usize; 2]> {
     let n = lcp.len();
     let i = attempt.wrapping_mul(7).wrapping_add(attempt / n) % n;

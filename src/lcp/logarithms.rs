@@ -1,7 +1,7 @@
 //! Sums of the logarithms of the entries of a matrix, at the cost of a few integer additions per entry.
 
 use super::memory::refill;
-use super::pattern::counts;
+use super::pattern::is_nonzero;
 use crate::prelude::*;
 
 /// The number of mantissas, each below 2, that are multiplied before a logarithm of the product is taken.
@@ -48,7 +48,7 @@ impl Logarithms {
     /// Adds q as one more column of the matrix.
     pub(super) fn append(q: &[f64], rows: &mut Self, columns: &mut Self) {
         let (mut sum, mut count) = (0.0, 0.0);
-        for (i, q) in q.iter().enumerate().filter(|(_, q)| counts(**q)) {
+        for (i, q) in q.iter().enumerate().filter(|(_, q)| is_nonzero(**q)) {
             let logarithm = q.abs().log2();
             sum += logarithm;
             count += 1.0;

@@ -32,7 +32,7 @@ pub(super) struct Scaling {
     gamma: Vec<f64>,
     rows: Logarithms,
     columns: Logarithms,
-    /// Row indices, column after column, of the entries of [M, q] that scaling counts: those that are neither zero nor subnormal.
+    /// Row indices of the nonzero entries of [M, q] that scaling uses, column after column.
     pattern: Vec<u32>,
     residual: Vec<f64>,
     direction: Vec<f64>,

@@ -62,7 +62,7 @@ impl<const C: usize> Drawn<'_, C> {
         last.unwrap_or((self.legs.len().saturating_sub(1), 1.0))
     }
 
-    /// Positions on the axis, and the equilibria there.
+    /// Equilibria along the path, each with its position on the horizontal axis.
     pub(super) fn states(&self, path: &LoadPath<C>, events: &[Event<C>]) -> Vec<(f64, Equilibrium<C>)> {
         let (last, end) = self.reach(path);
         let on_leg = |leg: usize| {

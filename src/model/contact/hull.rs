@@ -234,8 +234,8 @@ impl LocalLaw<'_> {
         rays
     }
 
-    /// Two narrower labels that together allow the same states. The place of the cut is where the stretch and force, a point of the hull,
-    /// violate the law. `None` if the label cannot be divided.
+    /// Two narrower labels that together allow the same states as `label`. `stretch` and `force` are a point of its hull; the cut is placed where
+    /// they violate the law. `None` if the label cannot be divided.
     pub(crate) fn divide(
         &self,
         label: &Label,

@@ -54,7 +54,7 @@ impl<'c> LocalLaw<'c> {
         Self { springs, law, polygon, friction, on_round_cone, infinite_friction_has_edges }
     }
 
-    /// The cone whose facets are the contact's, with a finite coefficient if infinite friction has facets.
+    /// The friction cone to which the contact's facets belong. Infinite friction that has facets is replaced by a very large finite coefficient.
     pub(crate) fn cone(&self) -> Coulomb {
         if self.infinite_friction_has_edges { self.friction.with_edges(self.springs) } else { self.friction }
     }

@@ -1,4 +1,4 @@
-//! The part of a grasp that a hand contributes.
+//! Joints, tendons and drives of a hand, as a grasp uses them; and its bodies, if there are several.
 
 use alloc::sync::Arc;
 use core::fmt;
