@@ -17,7 +17,7 @@ pub(crate) fn is_moderate(x: f64) -> bool {
     x.abs() <= LARGEST
 }
 
-/// An error if the index of a contact is not below their number.
+/// Returns an error if the index of a contact is not below `count`, the number of contacts.
 pub(crate) fn check_contact(contact: usize, count: usize) -> Result<(), Error> {
     if contact < count {
         return Ok(());

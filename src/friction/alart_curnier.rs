@@ -75,7 +75,7 @@ impl<'a, const C: usize> Anchored<'a, C> {
             let size =
                 |i: usize| part::<C>(anchor, i).norm().max(rho[i] * part::<C>(&terms, i).amax()).powi(2);
             let largest = (0..rho.len()).map(|i| size(i) / rho[i]).fold(0.0, f64::max);
-            // Least size of a contact, relative to the largest one, for the weights by contact.
+            // Weights by contact divide by the size of a contact, taken as at least this fraction of the largest one.
             let faintest = 1e-6;
             let weight = |i: usize| 1.0 / size(i).max(faintest * faintest * largest * rho[i]);
             numbered(rho.len(), &weight)

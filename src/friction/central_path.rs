@@ -73,8 +73,8 @@ pub(super) fn follow<const C: usize>(
     // above 0.9.
     while tau * factor > 1e-16 * energy && (factor < 0.9 || factor == 1.0) {
         let smoothed = Smoothed { problem, blocks, rho: &rho, tau: tau * factor };
-        // A point is on the path if the root mean square of its residuals is below this fraction of √τ. Smaller, steps are repeated that the
-        // next τ makes obsolete; larger, the path is lost.
+        // A point is on the path if the root mean square of its residuals is below this fraction of √τ. If smaller, steps are repeated that the next
+        // τ makes obsolete; if larger, the path is lost.
         let enough = 0.1 * (count * smoothed.tau).sqrt();
         let patience = Patience { steps: 50, enough, rounding: 0.0, shortest: 1e-3, leaps: 0 };
         let (place, steps) = descend(&smoothed, order, r.clone(), patience);

@@ -93,7 +93,7 @@ impl<const C: usize> FrictionProblem<C> {
                     let cause = BreakdownCause::NoConvergence { residual, contact: island[contact] };
                     unsolved = unsolved.or(Some(Outcome::Breakdown { pivots, cause }));
                 }
-                // A ray of one island is not a ray of the whole problem.
+                // A ray of one island's complementarity problem is not a ray of the whole problem, and is not returned.
                 Outcome::Ray(ray) => {
                     let cause = BreakdownCause::NoConvergence { residual: f64::INFINITY, contact: island[0] };
                     unsolved = unsolved.or(Some(Outcome::Breakdown { pivots: ray.pivots, cause }));

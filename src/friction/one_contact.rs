@@ -48,7 +48,7 @@ pub(super) fn answer<const C: usize>(
             return None;
         }
     }
-    // Where no force is finite, it lies outside by an unknown amount.
+    // A force that overflows counts as infinitely far outside the cone.
     let mut left = |kappa: f64| slide.at(kappa).map_or(f64::INFINITY, |r| miss(&r));
     let bracket = [(least, left(least)), (most, left(most))];
     let mut r = slide.at(regula_falsi(bracket, 0.0, &mut left)?)?;

@@ -115,7 +115,7 @@ impl<'a, const C: usize> Polygons<'a, C> {
     }
 }
 
-/// Converts the certificate of a polygon's problem from weights of rows to weights of contacts.
+/// Converts the certificate of a polygon's problem, with a weight for each row, to one with a weight for each contact.
 fn weighed<const C: usize>(outcome: Outcome<Solution>, polygon: &FacetedProblem<C>) -> Outcome<Solution> {
     let weigh =
         |certificate: Certificate| Certificate::new(polygon.normals(&certificate.y), certificate.pivots);

@@ -74,7 +74,8 @@ impl<const C: usize> FrictionProblem<C> {
         self.solve_island(&blocks, settings, (&all, watch))
     }
 
-    /// Solves one island, or a problem that is a single island. `names` are the contacts' indices in the caller's problem, for progress reports.
+    /// Solves one [island](super::islands), or a problem that is a single island. `names` are the contacts' indices in the caller's problem, for
+    /// progress reports.
     pub(super) fn solve_island<'a>(
         &'a self,
         blocks: &'a Blocks<C>,
@@ -136,7 +137,7 @@ impl<const C: usize> FrictionProblem<C> {
             polygon = Some(last);
         }
         match polygon {
-            // In the plane the polygon is the cone.
+            // In the plane the polygon is the cone itself, so its outcome is that of the problem.
             Some(polygon) if C == 2 => self.proved(polygon),
             _ => {
                 let (residual, worst) = [polygons.least, (approach.best.residual, approach.best.worst)]

@@ -5,46 +5,46 @@
 
 /// Residual, relative to the norm of its terms, at which a round of anchored steps has converged.
 ///
-/// Smaller, rounds that stop at rounding count as failed, and the proximal term grows; larger, later rounds start from worse forces.
+/// If smaller, rounds that stop at rounding count as failed, and the proximal term grows; if larger, later rounds start from worse forces.
 pub(super) const ROUND_CONVERGED: f64 = 1e-14;
 
-/// Residual below which forces are polished, and below which residuals are weighted contact by contact.
+/// Residual below which forces are polished, and below which residuals are weighted contact by contact instead of as energy.
 ///
-/// Smaller, unnecessary rounds precede the polish; larger, polishing starts where Newton's method does not converge.
+/// If smaller, unnecessary rounds precede the polish; if larger, polishing starts where Newton's method does not converge.
 pub(super) const WORTH_POLISHING: f64 = 1e-6;
 
 /// Least weight δ of the proximal term in the linear equations, in units of the contact's own compliance. It makes the equations of redundant
 /// contacts regular.
 ///
-/// It costs undetermined force components half their digits, determined ones none. Smaller, equations become singular.
+/// It costs undetermined force components half their digits, determined ones none. If smaller, equations become singular.
 pub(super) const LEAST_ANCHOR: f64 = 1e-12;
 
 /// Relative increase of the diagonal blocks along the central path, in units of 1/ρ, which regularises redundant contacts.
 ///
-/// Smaller, equations are singular inside the cones; larger, the forces at the end of the path belong to another problem.
+/// If smaller, equations are singular inside the cones; if larger, the forces at the end of the path belong to another problem.
 pub(super) const SHIFTED_BLOCK: f64 = 1e-9;
 
 /// Root mean square of the residuals, relative to √τ, up to which a point counts as on the path around folds.
 ///
-/// Smaller, each step needs more corrections; larger, the path jumps to another branch.
+/// If smaller, each step needs more corrections; if larger, the path jumps to another branch.
 pub(super) const ON_CENTRAL_PATH: f64 = 1e-2;
 
 /// Pivot, relative to the largest, below which an unknown is not changed: the forces of redundant contacts are not determined.
 ///
-/// Smaller, undetermined forces follow rounding; larger, determined forces of soft contacts are not updated.
+/// If smaller, undetermined forces follow rounding; if larger, determined forces of soft contacts are not updated.
 pub(super) const UNDETERMINED_FORCE: f64 = 1e-12;
 
 /// Relative excess of friction over μ r_N from which a force counts as outside the cone.
 ///
-/// Smaller, the rounding of a projection counts as outside; larger, visible violations remain.
+/// If smaller, the rounding of a projection counts as outside; if larger, visible violations remain.
 pub(super) const OUTSIDE_CONE: f64 = 1e-13;
 
 /// Relative rounding error assumed in a proof: of sums rounded once, and of a few further operations.
 ///
-/// Smaller, a proof could be wrong; larger, proofs with contacts at the edge of their cones are refused.
+/// If smaller, a proof could be wrong; if larger, proofs with contacts at the edge of their cones are refused.
 pub(super) const PROOF_ROUNDING: f64 = 8.0 * 1e-15;
 
 /// Largest number of rows of a complementarity problem with polygons for which the facets are tried first.
 ///
-/// Up to this size Lemke's method takes milliseconds, and in the plane it decides the problem. Larger, it takes longer than Newton's method.
+/// Up to this size Lemke's method takes milliseconds, and in the plane it decides the problem. If larger, it takes longer than Newton's method.
 pub(super) const MOST_ROWS_FACETS_FIRST: usize = 160;

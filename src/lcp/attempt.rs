@@ -35,7 +35,7 @@ impl Workspace {
         settings.check(&lcp.q).err().map(|cause| Outcome::Breakdown { pivots: 0, cause })
     }
 
-    /// Stores the covering vector d, scaled to balanced rows, in the path.
+    /// Stores the covering vector d in the path, multiplied by the factors that balance the rows.
     fn cover(&mut self, settings: &Settings) {
         let path = &mut self.path;
         match &settings.covering {
@@ -72,7 +72,7 @@ impl Workspace {
         settings: &Settings,
         limit: usize,
     ) -> Option<Unsolved> {
-        // Each repetition costs one factorisation. A path that fails three times has met a nearly singular basis.
+        // Each round costs one factorisation. A path whose end is infeasible three times has met a nearly singular basis.
         for _ in 0..3 {
             let Some(failure) = self.finish(lcp, settings) else {
                 self.sharpen(lcp, settings, limit);
@@ -86,9 +86,8 @@ impl Workspace {
         self.finish(lcp, settings)
     }
 
-    /// Continues from a solution whose w is more negative than rounding allows. The path there took nearly tied rows for ties, or small values
-    /// for noise. The continuation does neither, and the better of both points is kept. It is a second path, so settings without retries skip
-    /// it.
+    /// Improves a solution whose w is more negative than rounding allows. The path to it has treated nearly tied rows as ties, or small values as
+    /// noise. A second path continues from there and does neither; the better of both points is kept. Settings without retries skip this.
     fn sharpen(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) {
         let coarse = match self.residuals {
             Some(r) if r.negative_w > residual_rounding(lcp.len()) && settings.retries > 0 => r,

@@ -19,7 +19,7 @@ pub(super) fn ray(lcp: &Lcp, path: &LemkePath, entering: LemkeVariable) -> Optio
     if let LemkeVariable::Z(e) = entering {
         rates[e] = 1.0;
     }
-    // A negative rate of this size would invalidate a proof, a positive one would add noise to it.
+    // Rates up to this size, and negative ones, are rounding and count as zero; a negative rate would invalidate a proof.
     let noise = SOLVED_ROUNDING * largest(&path.dictionary.u).max(1.0);
     for (basic, u) in path.dictionary.basic.iter().zip(&path.dictionary.u) {
         match *basic {
@@ -30,7 +30,7 @@ pub(super) fn ray(lcp: &Lcp, path: &LemkePath, entering: LemkeVariable) -> Optio
     }
     let in_units_of = |factors: &[f64]| vector_of(lcp.len(), &|i| rates[i] * factors[i]);
     let mut direction = in_units_of(&path.scaling.column);
-    // A Farkas vector weights rows, so it is converted with the units of rows.
+    // A Farkas vector has an entry for each row, so it is converted with the factors that balance the rows.
     let y = in_units_of(&path.scaling.row);
     if let Some(infeasible) = lcp.farkas_proof(&y) {
         return Some(infeasible.after(path.pivots));

@@ -48,7 +48,8 @@ impl Workspace {
         self.path.read_point(&mut self.point.z);
         let residuals = self.point.evaluate(lcp);
         let mut residuals = self.refine(lcp, residuals);
-        // A basic variable that is zero in exact arithmetic is computed as noise. It is set to zero if the residuals are as good without it.
+        // A basic variable that is zero in exact arithmetic is computed as noise. It is set to zero if that does not increase the residuals beyond
+        // rounding.
         if (0..n).any(|j| self.vanishing[j] && self.point.z[j] > 0.0) {
             let kept = self.point.z.iter().zip(&self.vanishing).map(|(z, out)| if *out { 0.0 } else { *z });
             self.spare.z.clear();
@@ -65,7 +66,7 @@ impl Workspace {
         self.conclude(lcp, residuals, settings)
     }
 
-    /// Replaces the point by the spare point if `accept` holds for the largest residual of the spare point.
+    /// Replaces the workspace's point by its `spare` point, if `accept` holds for the largest residual of the latter.
     fn take_spare(&mut self, lcp: &Lcp, residuals: &mut Residuals, accept: impl Fn(f64) -> bool) {
         let spare = self.spare.evaluate(lcp);
         if accept(spare.max()) {
@@ -76,8 +77,8 @@ impl Workspace {
 
     /// Marks the basic z's that are zero up to rounding.
     ///
-    /// Such a z is small relative to the terms from which it was computed. It may also be small relative to the largest z, if the point without
-    /// all such z's is as good. The second test finds z's whose terms are all noise.
+    /// Such a z is small relative to the terms from which it was computed. It may also be small relative to the largest z, if the residuals stay as
+    /// small with all such z's set to zero. The second test finds z's whose terms are all noise.
     fn mark_vanishing(&mut self, lcp: &Lcp) {
         let n = lcp.len();
         refill(&mut self.vanishing, n, false);
@@ -139,7 +140,7 @@ impl Workspace {
         residuals
     }
 
-    /// Corrects the basic values for the defect of the point: the w_i of active rows, which should vanish.
+    /// Corrects the basic values for the defect of the point. The defect of a row with basic z_i is its w_i, which should vanish.
     fn correct_values(&mut self) {
         let path = &mut self.path;
         self.defect.clear();
@@ -156,7 +157,7 @@ impl Workspace {
         }
     }
 
-    /// Sets z_i to zero if z_i is basic and w_i is not zero although the residuals are small. Such a z_i is smaller than the rounding of every
+    /// Sets z_i to zero if z_i is basic but w_i is not zero, although the residuals are small. Such a z_i contributes less than rounding to every
     /// row. Returns whether any z_i was set.
     fn settle_pairs(&mut self, settings: &Settings) -> bool {
         let mut changed = false;

@@ -58,7 +58,7 @@ pub(super) struct Dictionary {
     slot: Vec<Option<usize>>,
     /// The stored columns, one after another.
     columns: Vec<f64>,
-    /// Values of the basic variables.
+    /// Values of the basic variables, row by row.
     pub(super) x: Vec<f64>,
     /// The perturbation column, which breaks ties: the effect on the basic variables of adding p to q.
     pub(super) p: Vec<f64>,
@@ -68,12 +68,12 @@ pub(super) struct Dictionary {
     pub(super) u: Vec<f64>,
     /// The covering vector d.
     pub(super) d: Vec<f64>,
-    /// The entering column before elimination, followed by a zero.
+    /// The column of M, or d, whose effect is computed by (1), followed by a zero.
     entering: Vec<f64>,
     /// For each row, the index i of its basic slack w_i; n if its basic variable is no slack.
     slack: Vec<usize>,
     next: Vec<f64>,
-    /// For each stored column, its factor g of u in the update, and its factor c in the next entering column.
+    /// For each stored column D_v, its factor in the update `D_v += g u`, and its factor in the sum of the next entering column.
     g: Vec<f64>,
     c: Vec<f64>,
 }
@@ -116,7 +116,7 @@ impl Dictionary {
         if let LemkeVariable::W(i) = variable { self.slot[i] } else { None }
     }
 
-    /// Computes the column of a nonbasic variable in `u`.
+    /// Computes the column of a nonbasic variable into `u`.
     pub(super) fn enter(&mut self, variable: LemkeVariable, m: &[f64], scaling: &Scaling) {
         if let Some(slot) = self.slot_of(variable) {
             let at = slot * self.n;
@@ -141,13 +141,13 @@ impl Dictionary {
         self.eliminate(effect);
     }
 
-    /// Evaluates the right-hand side of (1) in y; its first term is in `next`, the factors of the second in `c`.
+    /// Evaluates (1) into y, from `next` and `c` as [`Self::spread`] leaves them.
     fn eliminate(&self, y: &mut [f64]) {
         y.copy_from_slice(&self.next);
         wide(Combine::<false> { columns: &self.columns, n: self.n, c: &self.c, y });
     }
 
-    /// Sets the levels of values that were computed as the effect of the right-hand side q, to the sums of the magnitudes of all terms.
+    /// Sets `level` for values that were computed as the effect of the right-hand side q: to the sums of the magnitudes of all their terms.
     pub(super) fn sum_terms(&mut self, q: &[f64]) {
         self.c.clear();
         self.c.extend(self.kept.iter().map(|i| q[*i]));
@@ -181,7 +181,7 @@ impl Dictionary {
         }
     }
 
-    /// Loads column e of the balanced M, or d, and prepares both terms of (1) for the current basis.
+    /// Loads column e of the balanced M, or d, and prepares (1) for it with [`Self::spread`].
     fn load(&mut self, variable: LemkeVariable, m: &[f64], scaling: &Scaling) {
         if let LemkeVariable::Z(e) = variable {
             let column = &m[e * self.n..(e + 1) * self.n];
@@ -195,7 +195,7 @@ impl Dictionary {
         self.spread();
     }
 
-    /// Prepares (1): its first term in `next`, the factors of the second in `c`.
+    /// Prepares (1) for the loaded column: its first term in `next`, the factors M_ie of its second term in `c`.
     fn spread(&mut self) {
         for (to, i) in self.next.iter_mut().zip(&self.slack) {
             *to = self.entering[*i];
@@ -259,7 +259,7 @@ impl Dictionary {
         let inverse = 1.0 / pivot;
         self.step(r, pivot);
 
-        // With row r of each column set to 0 and that of u set to 1, row r needs no special case in the update.
+        // In row r the update `D_v += g u` must give g alone. With row r of each column set to 0 and that of u set to 1 it needs no special case.
         self.u[r] = 1.0;
         let factor = -self.p[r] * inverse;
         self.p[r] = 0.0;

@@ -86,7 +86,7 @@ pub(super) fn all_solutions(lcp: &Lcp, settings: &Settings) -> AllSolutions {
     search.found
 }
 
-/// A solution at a vertex of a piece with a singular block, for problems in which linear programming has found none; n is at most
+/// A solution at a vertex of the solution set of a singular basis, for problems in which linear programming has found none. n is at most
 /// [`MOST_ROWS_WITH_VERTICES`](super::tolerances::MOST_ROWS_WITH_VERTICES).
 pub(super) fn at_corner(lcp: &Lcp, settings: &Settings) -> Option<Solution> {
     let n = lcp.len();
@@ -127,7 +127,8 @@ impl Search<'_> {
 
     /// The basic values with those set to zero that are zero up to rounding.
     ///
-    /// Otherwise the sign of such noise would decide in rows whose other terms are all zero. If a value was no noise, the residuals show that.
+    /// Otherwise the sign of such noise would decide the sign of w in rows whose other terms are all zero. If a value was no noise, the residuals
+    /// become large without it.
     fn without_noise(&self, alpha: &[usize], basic: &DVector<f64>) -> DVector<f64> {
         let size = |j: usize| basic[j].abs() / self.scaling.column[alpha[j]];
         let largest = (0..alpha.len()).map(size).fold(0.0, f64::max);
@@ -182,7 +183,7 @@ fn is_one_point(a: &DVector<f64>, b: &DVector<f64>) -> bool {
     let size = a.amax().max(b.amax());
     a.iter().zip(b).all(|(a, b)| {
         let difference = (a - b).abs();
-        // The first test covers two bases of condition 1e7; the second covers entries that are zero up to rounding.
+        // The first test allows for the errors of bases with condition numbers up to 1e7, the second for entries that are zero up to rounding.
         difference <= NEGLIGIBLE * a.abs().max(b.abs()) || difference <= SOLVED_ROUNDING * size
     })
 }

@@ -1,4 +1,4 @@
-//! Proofs, without rounding, that complementary bases have no solution.
+//! Proofs, without rounding, that no solution belongs to a complementary basis.
 //!
 //! The points of a basis α form the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }. By Farkas' lemma the piece is empty if there is a v
 //! with
@@ -20,7 +20,7 @@ use crate::numerics::{IntoList, chosen, increasing, mapped, matrix_of, vector_of
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// Whether every complementary basis is proved to have no solution. It tries 2ⁿ bases, so n must be small.
+/// Whether it is proved of every complementary basis that no solution belongs to it. The function tries 2ⁿ bases, so n must be small.
 pub(super) fn every_basis(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> bool {
     let n = lcp.len();
     let (m, q) = scaling.balanced(&lcp.m, &lcp.q);
@@ -35,7 +35,7 @@ struct Judge<'a> {
     lcp: &'a Lcp,
     scaling: &'a Scaling,
     settings: &'a Settings,
-    /// Balanced M; `q` is the balanced q.
+    /// The matrix M with rows and columns balanced; `q` is balanced likewise.
     m: DMatrix<f64>,
     q: DVector<f64>,
 }
@@ -45,14 +45,14 @@ impl Judge<'_> {
         self.by_one_row(alpha) || self.by_broken_conditions(alpha) || self.by_linear_program(alpha)
     }
 
-    /// Whether one row is contradictory: q_i < 0 while row i has no positive entry in the columns α. For i in α the same holds with both signs
-    /// changed.
+    /// Whether one row alone excludes the basis: q_i < 0, and row i has no positive entry in the columns α. For i in α, where w_i = 0, the same holds
+    /// with both signs changed.
     fn by_one_row(&self, alpha: &[usize]) -> bool {
         let hopeless = |i: usize, sign: f64| self.lcp.is_hopeless(i, sign, alpha.iter().copied());
         (0..self.q.len()).any(|i| hopeless(i, 1.0)) || alpha.iter().any(|i| hopeless(*i, -1.0))
     }
 
-    /// Tries rows of the inverse of a regular block, for the three conditions that its point violates most.
+    /// Tries rows of the inverse of a regular block as v, for the three conditions that the point of the basis violates most.
     fn by_broken_conditions(&self, alpha: &[usize]) -> bool {
         let (n, size) = (self.q.len(), alpha.len());
         let block = matrix_of(size, size, &|i, j| self.m[(alpha[i], alpha[j])]);

@@ -1,8 +1,8 @@
 //! Proofs by Farkas' lemma, without rounding, that no z ≥ 0 satisfies M z + q ≥ 0.
 //!
-//! A vector y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0 is such a proof, since z ≥ 0 and M z + q ≥ 0 would imply yᵀ(M z + q) ≥ 0. The y at the end of a path
-//! or of a linear program is rounded, which invalidates it where (Mᵀy)_j must be exactly zero. The entries of the exact y usually have the
-//! ratios of small integers, so integers are tried in its place. Where (Mᵀy)_j may be negative, a linear program with a margin makes it so.
+//! A vector y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0 is such a proof, since z ≥ 0 and M z + q ≥ 0 would imply yᵀ(M z + q) ≥ 0. The y at the end of a path or of
+//! a linear program is rounded, which invalidates it where (Mᵀy)_j must be exactly zero. The entries of the exact y usually have the ratios of small
+//! integers, so integers are tried in its place. Where the exact (Mᵀy)_j may be negative, a linear program with a margin keeps it away from zero.
 
 use core::cmp::Ordering;
 
@@ -111,8 +111,8 @@ impl Lcp {
             })
     }
 
-    /// Whether row i is negative (sign 1) or positive (sign −1) for every z ≥ 0 whose nonzero entries are in these columns. It is if q_i has
-    /// that sign and no entry of the row has the other.
+    /// Whether row i is negative (sign 1) or positive (sign −1) for every z ≥ 0 whose nonzero entries are in these columns. It is negative if q_i < 0
+    /// and no entry of the row in these columns is positive, and the other way round.
     pub(super) fn is_hopeless(
         &self,
         row: usize,
@@ -153,7 +153,7 @@ fn times(column: &[f64], y: &DVector<f64>) -> ExactSum {
 pub(super) fn cleaned(y: &DVector<f64>) -> impl Iterator<Item = DVector<f64>> {
     let noise = ZERO_VALUE * y.amax();
     let mut all = vec![y.clone(), y.map(|y| if y.abs() <= noise { 0.0 } else { y })];
-    // The rounding of the path is not known, so the smallest one that leads to a proof is used.
+    // The rounding errors that the path has left are not known, so the candidates are tried with increasing errors.
     for rounding in [1e-14, 1e-11, 1e-8] {
         all.extend(whole_within(y, rounding));
     }

@@ -40,7 +40,7 @@ impl Lcp {
     /// A Farkas vector of the rows i and k. The ratio y_k / y_i must lie between bounds, one from each column and from q.
     fn two_rows(&self, i: usize, k: usize) -> Option<DVector<f64>> {
         let n = self.len();
-        // Each bound is stored as (y_i, y_k), so that the products that must cancel do so exactly.
+        // Each bound is stored as a pair (y_i, y_k). Where products of y with M must cancel they then do so exactly.
         let (mut least, mut most) = ((1.0, 0.0), (0.0, 1.0));
         let ratio = |(y_i, y_k): (f64, f64)| y_k / y_i;
         for j in 0..=n {

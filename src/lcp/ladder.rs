@@ -72,13 +72,14 @@ impl Workspace {
         Some(Outcome::Infeasible(Certificate { y, pivots: self.path.pivots }))
     }
 
-    /// Follows a path with another covering vector, then a path from a basis with one or two z's.
+    /// Follows a path with another covering vector, then a path from a basis in which one or two z's are basic.
     fn retry(&mut self, lcp: &Lcp, settings: &Settings, attempt: usize) -> Option<Unsolved> {
         let units = self.path.scaling.row_unit.iter().enumerate();
         self.path.d.clear();
         self.path.d.extend(
-            // 2^e times the balanced unit, with e between −3 and 3. Smaller, the paths stay close to the first one; larger, the problems are
-            // badly scaled. No two attempts share generic numbers, since no dense problem has that many rows.
+            // Entry i of d is 2^e units of the balanced row, with e between −3 and 3. In a narrower range the paths would stay close to the first
+            // one; in a wider one the problems would be badly scaled. No two attempts use the same values of [`generic`], since no dense problem has
+            // that many rows.
             units.map(|(i, unit)| unit * (6.0 * (generic(attempt * 1_000_003 + i) - 1.0)).exp2()),
         );
         let limit = settings.retry_limit(lcp.len(), self.path.pivots);
@@ -91,7 +92,7 @@ impl Workspace {
         Some(failure)
     }
 
-    /// Stores the first solution of the enumeration; `Some(())` if there is none.
+    /// Stores the first solution that enumeration finds; returns `Some(())` if it finds none.
     fn take_enumerated(&mut self, lcp: &Lcp, settings: &Settings) -> Option<()> {
         let all = enumerate::all_solutions(lcp, settings);
         let Some(solution) = all.solutions.into_iter().next() else { return Some(()) };
@@ -108,9 +109,9 @@ impl Workspace {
     }
 }
 
-/// A basis with one or two z's as the start of a path, for problems whose paths from the slack basis end in rays.
+/// A basis in which one or two z's are basic, as the start of a path, for problems whose paths from the slack basis end in rays.
 ///
-/// The matrix [0, A; Bᵀ, 0] of a bimatrix game has no other regular bases with few z's. Each attempt uses another first index.
+/// The matrix [0, A; Bᵀ, 0] of a bimatrix game has no other regular bases with few basic z's. Each attempt uses another index of the first z.
 fn small_basis(lcp: &Lcp, attempt: usize) -> Option<[usize; 2]> {
     let n = lcp.len();
     let i = attempt.wrapping_mul(7).wrapping_add(attempt / n) % n;

@@ -81,7 +81,7 @@ impl LemkePath {
         self.dictionary.pivot(entering, row, m, &self.scaling)
     }
 
-    /// The blocking row of the ratio test for the entering variable, from a sufficiently accurate dictionary.
+    /// The blocking row of the ratio test for the entering variable. The dictionary is first made accurate enough to rely on it.
     ///
     /// A dictionary is recomputed first if it has drifted from the data, if its column has overflowed, or if it offers no pivot. It is also
     /// recomputed if it offers only a doubtful pivot, unless one step of refinement changes its column by at most [`DRIFTED`].
@@ -121,7 +121,8 @@ impl LemkePath {
                 continue;
             }
             if row.is_some() && pivot <= certain {
-                // The pivot is small relative to the column, but perhaps not relative to the terms of its own row.
+                // The pivot is small relative to its column, but may be reliable relative to the terms of its own row. Only entries that are noise
+                // beside these terms are set to zero.
                 self.dictionary.clear_noise(entering, settings.pivot_tolerance);
                 let firm = blocking_row(&self.dictionary, certain, certain, role, settings);
                 if firm.is_some_and(|firm| !doubtful_row_breaks(&self.dictionary, certain, firm, role)) {

@@ -20,9 +20,8 @@ pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option
         return Some(Outcome::Infeasible(Certificate { y, pivots: 0 }));
     }
     let (a, b) = scaling.balanced(&lcp.m, &lcp.q);
-    // Large problems get only one program. They end as nearly infeasible if rounding invalidates its proof, since an exact proof would cost
-    // several more large programs.
-    // Each margin costs one more path on 2 n + 1 rows, and larger data usually contain rounding errors themselves.
+    // Large problems get only one program, since each further margin costs one more path on 2 n + 1 rows. If rounding invalidates its proof they end
+    // as nearly infeasible; larger data usually contain rounding errors themselves.
     let margins = if n <= 64 { &MARGINS[..] } else { &MARGINS[..1] };
     let mut nearly = None;
     for y in contradictions(&a, &b, margins, settings) {
@@ -104,7 +103,7 @@ fn least_violation(
     settings: &Settings,
 ) -> Option<LinearProgram> {
     let columns = a.ncols();
-    // A column of zeros allows no margin.
+    // The cost −δ of a column of zeros would make the program unbounded, so such a column has no margin.
     let cost = |j: usize| match j {
         j if j == columns => 1.0,
         j if a.column(j).iter().all(|a| *a == 0.0) => 0.0,

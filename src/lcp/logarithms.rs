@@ -1,15 +1,15 @@
 //! Sums of the logarithms of the entries of a matrix, at the cost of a few integer additions per entry.
 
 use super::memory::refill;
-use super::pattern::counts;
+use super::pattern::is_nonzero;
 use crate::prelude::*;
 
 /// The number of mantissas, each below 2, that are multiplied before a logarithm of the product is taken.
 ///
-/// Above 1023 the product could overflow; smaller, more logarithms are needed.
+/// Above 1023 the product could overflow; if it is smaller, more logarithms are needed.
 const MULTIPLIED: usize = 512;
 
-/// Σ log₂|M_ij| and the number of terms, for each row or for each column.
+/// For each row, or for each column, Σ log₂|M_ij| over its entries that are neither zero nor subnormal, and their number.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Logarithms {
     pub(super) sum: Vec<f64>,
@@ -48,7 +48,7 @@ impl Logarithms {
     /// Adds q as one more column of the matrix.
     pub(super) fn append(q: &[f64], rows: &mut Self, columns: &mut Self) {
         let (mut sum, mut count) = (0.0, 0.0);
-        for (i, q) in q.iter().enumerate().filter(|(_, q)| counts(**q)) {
+        for (i, q) in q.iter().enumerate().filter(|(_, q)| is_nonzero(**q)) {
             let logarithm = q.abs().log2();
             sum += logarithm;
             count += 1.0;
@@ -66,7 +66,7 @@ impl Logarithms {
         refill(&mut self.count, n, 0.0);
     }
 
-    /// Adds the logarithm of the product of mantissas to the sum, before the product overflows.
+    /// Adds the logarithm of the product of mantissas to the sum and sets the product to 1, before it overflows.
     fn put_away(&mut self, i: usize) {
         self.sum[i] += self.mantissas[i].log2();
         self.mantissas[i] = 1.0;

@@ -24,8 +24,8 @@ pub enum Outcome<S = Solution> {
     /// The given data may have a z ≥ 0 with M z + q ≥ 0, but only a large one: [`Lcp::least_feasible`](super::Lcp::least_feasible) bounds it
     /// from below. For computed data, stronger conclusions are rarely possible.
     NearlyInfeasible(Certificate),
-    /// None of the 2ⁿ complementary bases has a solution for the given M and q: each is excluded by a vector that was checked without rounding.
-    /// No Farkas certificate was found, so some z ≥ 0 with M z + q ≥ 0 probably exists.
+    /// The problem has no solution. None belongs to any of the 2ⁿ complementary bases for the given M and q: each is excluded by a vector that was
+    /// checked without rounding. No Farkas certificate was found, so some z ≥ 0 with M z + q ≥ 0 probably exists.
     NoBasis {
         /// Pivots made.
         pivots: usize,

@@ -180,7 +180,7 @@ impl<'a> Parametric<'a> {
         self.end.as_ref()
     }
 
-    /// Rates of z and τ per unit increase of the entering variable, in the caller's units.
+    /// Rates of z and τ per unit increase of the entering variable, in the caller's units: dz and dτ.
     fn rates(&self) -> (DVector<f64>, f64) {
         let path = &self.workspace.path;
         let mut rate = Vec::new();
@@ -213,7 +213,7 @@ impl<'a> Parametric<'a> {
         match leaving {
             LemkeVariable::W(i) => Ok(self.breakpoint(Variable::W(i))),
             LemkeVariable::Z(i) => Ok(self.breakpoint(Variable::Z(i))),
-            // The parameter is exempt from the ratio test, so it cannot leave.
+            // The path's parameter takes no part in the ratio test, so it cannot leave.
             LemkeVariable::Covering => Err(PathEnd::Breakdown(BreakdownCause::SingularBasis)),
         }
     }
@@ -231,8 +231,8 @@ impl<'a> Parametric<'a> {
             rate /= tau_rate;
         }
         self.basis.toggle(leaving.index());
-        // Each basis has one piece of the path, and in exact arithmetic the path returns only to its start. Rounding, or a start at which
-        // variables are zero, may lead into a loop from outside.
+        // In exact arithmetic each basis has one piece of the path, so a path that closes returns to its start. Rounding, or a start at which
+        // variables are zero, may lead into a loop that does not contain the start.
         let begun = self.start.solution().is_some_and(|start| start.basis == self.basis);
         self.closed = begun || self.remembered == self.basis;
         if self.breakpoints.is_power_of_two() {

@@ -18,10 +18,10 @@ pub(super) struct LemkePath {
     pub(super) pivots: usize,
     /// Number of pivots since the dictionary was last computed from the data.
     pub(super) age: usize,
-    /// The perturbation of each variable while the dictionary is recomputed.
+    /// The perturbation of each variable, kept while the dictionary is recomputed.
     pub(super) saved: Vec<f64>,
     pub(super) members: Vec<LemkeVariable>,
-    /// Rows of the slack basis whose slacks leave it while the dictionary is computed anew.
+    /// Rows whose slacks become nonbasic while the dictionary is recomputed, starting from the slack basis.
     pub(super) leaving: Vec<usize>,
     pub(super) defect: Vec<f64>,
     pub(super) terms: Vec<f64>,
@@ -59,7 +59,7 @@ impl LemkePath {
         self.age = 0;
     }
 
-    /// Converts one number per row, that of its basic variable, to z in the caller's units. Returns the number that belongs to z₀ if z₀ is
+    /// Converts numbers given for each row, and thus for its basic variable, to a vector z in the caller's units. Returns the number of z₀ if z₀ is
     /// basic.
     pub(super) fn unknowns(&self, rows: &[f64], z: &mut Vec<f64>) -> Option<f64> {
         refill(z, self.q.len(), 0.0);

@@ -1,37 +1,37 @@
-//! Iteration over the nonzero entries of [M, q].
+//! Iteration over the nonzero entries of [M, q]. Subnormal entries count as zero.
 
 use crate::prelude::*;
 
-/// The entries of [M, q] that are counted by [`counts`], column by column: as a list of rows, or tested in place.
+/// The nonzero entries of [M, q], column by column: as a list of their rows, or found by testing each entry.
 pub(super) enum Pattern<'a> {
     Listed(&'a [u32]),
     InPlace { n: usize, m: &'a [f64], q: &'a [f64] },
 }
 
-/// The counted entries of one column.
+/// The nonzero entries of one column: a list of their rows, or the whole column, whose entries are tested.
 pub(super) enum Column<'a> {
     Listed(&'a [u32]),
     InPlace(&'a [f64]),
 }
 
 impl<'a> Pattern<'a> {
-    /// The entries of [M, q], n rows stored by columns; `counted` is the number of counted entries of each column.
+    /// The nonzero entries of [M, q], n rows stored by columns; `nonzero` is their number in each column.
     ///
-    /// Few entries are listed. Many are faster to test in place than to look up in a list.
-    pub(super) fn of(n: usize, m: &'a [f64], q: &'a [f64], counted: &[f64], list: &'a mut Vec<u32>) -> Self {
-        let total: f64 = counted.iter().sum();
+    /// A few entries are listed. Many are faster to test in place than to look up in a list.
+    pub(super) fn of(n: usize, m: &'a [f64], q: &'a [f64], nonzero: &[f64], list: &'a mut Vec<u32>) -> Self {
+        let total: f64 = nonzero.iter().sum();
         if 4.0 * total >= (n * n) as f64 {
             return Self::InPlace { n, m, q };
         }
         list.clear();
         list.reserve(n * n / 4 + n);
         for column in m.chunks_exact(n).chain(core::iter::once(q)) {
-            list.extend((0_u32..).zip(column).filter(|(_, m)| counts(**m)).map(|(i, _)| i));
+            list.extend((0_u32..).zip(column).filter(|(_, m)| is_nonzero(**m)).map(|(i, _)| i));
         }
         Self::Listed(list)
     }
 
-    /// Calls `visit` with index, count and entries of each column of [M, q] that has counted entries.
+    /// Calls `visit` with the index of each column of [M, q] that has nonzero entries, with their number, and with the entries.
     #[inline]
     pub(super) fn for_each(&self, counts: &[f64], mut visit: impl FnMut(usize, f64, &Column)) {
         match self {
@@ -57,7 +57,7 @@ impl<'a> Pattern<'a> {
 }
 
 impl Column<'_> {
-    /// The sum of ρ_i over the rows i of the entries.
+    /// The sum of ρ_i over the rows i of the nonzero entries.
     pub(super) fn sum(&self, rho: &[f64]) -> f64 {
         match self {
             Self::Listed(list) => list.iter().map(|i| rho[*i as usize]).sum(),
@@ -65,7 +65,7 @@ impl Column<'_> {
         }
     }
 
-    /// Adds the number `what` to `to[i]` for each row i of the entries.
+    /// Adds the number `what` to `to[i]` for each row i of a nonzero entry.
     pub(super) fn add(&self, what: f64, to: &mut [f64]) {
         match self {
             Self::Listed(list) => list.iter().for_each(|i| to[*i as usize] += what),
@@ -74,30 +74,30 @@ impl Column<'_> {
     }
 }
 
-/// Whether an entry is counted: it is neither zero nor subnormal.
-pub(super) fn counts(m: f64) -> bool {
+/// Whether an entry is neither zero nor subnormal.
+pub(super) fn is_nonzero(m: f64) -> bool {
     m.abs() >= f64::MIN_POSITIVE
 }
 
-/// The sum of ρ_i over the rows i of a column's counted entries.
+/// The sum of ρ_i over the rows i in which a column has a nonzero entry.
 fn sum_where(column: &[f64], rho: &[f64]) -> f64 {
     let mut lanes = [0.0; 4];
     let mut columns = column.chunks_exact(4);
     let mut rhos = rho.chunks_exact(4);
     for (m, rho) in (&mut columns).zip(&mut rhos) {
         for lane in 0..4 {
-            lanes[lane] += if counts(m[lane]) { rho[lane] } else { 0.0 };
+            lanes[lane] += if is_nonzero(m[lane]) { rho[lane] } else { 0.0 };
         }
     }
     for (m, rho) in columns.remainder().iter().zip(rhos.remainder()) {
-        lanes[0] += if counts(*m) { *rho } else { 0.0 };
+        lanes[0] += if is_nonzero(*m) { *rho } else { 0.0 };
     }
     (lanes[0] + lanes[1]) + (lanes[2] + lanes[3])
 }
 
-/// Adds the number `what` to `to[i]` for each row i of a column's counted entries.
+/// Adds the number `what` to `to[i]` for each row i in which a column has a nonzero entry.
 fn add_where(column: &[f64], what: f64, to: &mut [f64]) {
     for (to, m) in to.iter_mut().zip(column) {
-        *to += if counts(*m) { what } else { 0.0 };
+        *to += if is_nonzero(*m) { what } else { 0.0 };
     }
 }

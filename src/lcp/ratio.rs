@@ -22,7 +22,7 @@ pub(super) enum Covering {
 
 /// The row whose basic variable reaches zero first as the entering variable increases; `None` if none ever does.
 ///
-/// Only rows with u_i < −`noise` are considered. Among tied rows, those with u_i < −`certain` are preferred.
+/// u is the entering column. Only rows with u_i < −`noise` are considered. Among tied rows, those with u_i < −`certain` are preferred.
 pub(super) fn blocking_row(
     dictionary: &Dictionary,
     noise: f64,
@@ -31,7 +31,7 @@ pub(super) fn blocking_row(
     settings: &Settings,
 ) -> Option<usize> {
     let least = -noise;
-    // The parameter of a family is exempt, since its value may have any sign.
+    // The parameter of a family may have any sign, so its row does not block.
     let exempt = if role == Covering::Parameter {
         dictionary.basic.iter().position(|basic| *basic == LemkeVariable::Covering)
     } else {
@@ -84,10 +84,10 @@ pub(super) fn blocking_row(
     best.map(|(row, ..)| row)
 }
 
-/// Whether the step to the row `firm` violates a doubtful row, one with −`certain` ≤ u_i < 0.
+/// Whether the step that the row `firm` allows violates a doubtful row. A row is doubtful if −`certain` ≤ u_i < 0, so that u_i may be noise.
 ///
-/// A row is violated if its value becomes negative by more than its own rounding error, or that of the largest value. If no row is violated, it
-/// does not matter whether a doubtful row, whose u_i may be noise, blocks first.
+/// A row is violated if its value becomes negative by more than its own rounding error, or that of the largest value. If no row is violated, it does
+/// not matter whether a doubtful row blocks first.
 pub(super) fn doubtful_row_breaks(
     dictionary: &Dictionary,
     certain: f64,
@@ -106,7 +106,7 @@ pub(super) fn doubtful_row_breaks(
 
 /// min x_i / −u_i over the rows with u_i < `least`, where negative x_i count as 0.
 ///
-/// The loop is free of branches, half of which would be mispredicted.
+/// The loop has no branches, since half of them would be mispredicted.
 struct ShortestStep<'a> {
     x: &'a [f64],
     u: &'a [f64],

@@ -92,7 +92,7 @@ impl LemkePath {
         Ok(())
     }
 
-    /// Corrects the values by the effect of the last computed defect, and recomputes their levels of rounding.
+    /// Corrects the basic values by the effect of the last computed defect, and recomputes `level`, which scales their rounding.
     pub(super) fn correct(&mut self) {
         self.dictionary.sum_terms(&self.terms);
         let mut effect = core::mem::take(&mut self.terms);
@@ -103,7 +103,7 @@ impl LemkePath {
         self.terms = effect;
     }
 
-    /// Recomputes the values of the current dictionary for a new right-hand side.
+    /// Recomputes the basic values of the current dictionary for a new right-hand side.
     pub(super) fn recompute_values(&mut self) {
         let mut x = core::mem::take(&mut self.dictionary.x);
         self.dictionary.effect(&self.q, &mut x);
@@ -114,14 +114,15 @@ impl LemkePath {
     /// Prepares z₀ to enter the current complementary basis. z₀ covers only the rows that are infeasible by more than `noise` times their
     /// largest term. Returns whether there are any.
     ///
-    /// In the dictionary, the column of z₀ has one unit in these rows and 0 in the others; d is the covering vector that gives this column.
+    /// In the dictionary, the column of z₀ then has one balanced unit in these rows and 0 in the others. d becomes the covering vector to which this
+    /// column belongs.
     pub(super) fn cover_violations(&mut self, m: &[f64], noise: f64) -> bool {
         let n = self.q.len();
         let dictionary = &mut self.dictionary;
         refill(&mut self.d, n, 0.0);
         let mut violated = false;
         for row in 0..n {
-            // One unit of the exactly balanced problem, as in every covering vector.
+            // One unit of the problem balanced by exact factors, as in every covering vector.
             let unit = match dictionary.basic[row] {
                 LemkeVariable::W(i) => self.scaling.row_unit[i],
                 LemkeVariable::Z(j) => self.scaling.column_unit(j),
@@ -181,7 +182,8 @@ fn index(variable: LemkeVariable, n: usize) -> usize {
     }
 }
 
-/// Adds the columns of all basic variables in q + M z + d z₀ − w, each times its number, to `sum`, and their magnitudes to `terms`.
+/// Adds to `sum` the columns of all basic variables in q + M z + d z₀ − w, each times the number given for its row. Adds the magnitudes of these
+/// products to `terms`.
 fn add_basic_columns(
     sum: &mut [f64],
     terms: &mut [f64],
@@ -195,7 +197,7 @@ fn add_basic_columns(
     }
 }
 
-/// Adds the column of one variable, times its number, to `sum`, and its magnitude to `terms`.
+/// Adds to `sum` the column of one variable, times a number, and to `terms` its magnitudes.
 fn add_column(
     sum: &mut [f64],
     terms: &mut [f64],

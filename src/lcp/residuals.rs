@@ -54,8 +54,8 @@ impl fmt::Display for Residuals {
     }
 }
 
-/// Whether a point with these residuals and terms does not depend on q: a very different q would have passed as well. `row` holds the factors
-/// that balance the rows.
+/// Whether a point with these residuals and terms solves a problem with a very different q as well, so that it says nothing about this one. `row`
+/// holds the factors that balance the rows.
 pub(super) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f64]) -> bool {
     let balanced = |v: &[f64]| v.iter().zip(row).fold(0.0_f64, |size, (v, row)| size.max(v.abs() * row));
     let missed = residuals.max();

@@ -26,13 +26,13 @@ use nalgebra::{DMatrix, DVector};
 pub(super) struct Scaling {
     pub(super) row: Vec<f64>,
     pub(super) column: Vec<f64>,
-    /// Size of one unit of the exactly balanced row i in the row balanced by powers of two: row_i / 2^ρ_i.
+    /// Size of one unit of the row balanced by the exact factor 2^ρ_i, in the row balanced by a power of two: row_i / 2^ρ_i.
     pub(super) row_unit: Vec<f64>,
     rho: Vec<f64>,
     gamma: Vec<f64>,
     rows: Logarithms,
     columns: Logarithms,
-    /// Row indices of the counted entries, column after column.
+    /// Row indices of the nonzero entries of [M, q] that scaling uses, column after column.
     pattern: Vec<u32>,
     residual: Vec<f64>,
     direction: Vec<f64>,
@@ -60,7 +60,7 @@ impl Scaling {
         self.round();
     }
 
-    /// Solves the least-squares problem over the counted entries of [M, q].
+    /// Solves the least-squares problem over the nonzero entries of [M, q].
     fn solve_for_pattern(&mut self, n: usize, m: &[f64], q: &[f64]) {
         Logarithms::append(q, &mut self.rows, &mut self.columns);
         let mut list = core::mem::take(&mut self.pattern);
@@ -86,9 +86,9 @@ impl Scaling {
         refill(&mut self.direction, n, 0.0);
         refill(&mut self.image, n, 0.0);
         let mut before = 0.0;
-        // Contact problems need about ten steps of conjugate gradients. On chains the influence of the ends arrives later, but is small by then.
+        // Problems of contacts need about ten steps of conjugate gradients. Long chains need more, but the later steps change little.
         for _ in 0..24 {
-            // Preconditioned by the number of entries of each row.
+            // The residual of each row is preconditioned by the number of entries of the row.
             let mut size = 0.0;
             let mut worst = 0.0_f64;
             for (r, count) in self.residual.iter().zip(&self.rows.count) {
@@ -123,7 +123,7 @@ impl Scaling {
         }
     }
 
-    /// Size of one unit of the exactly balanced z_j in the z_j balanced by powers of two: 2^γ_j / column_j.
+    /// Size of one unit of the z_j balanced by the exact factor 2^γ_j, in the z_j balanced by a power of two: 2^γ_j / column_j.
     pub(super) fn column_unit(&self, j: usize) -> f64 {
         (self.gamma[j] - self.gamma[j].round()).exp2()
     }

@@ -16,7 +16,7 @@ pub struct Solution {
     /// Slacks w = M z + q (n entries, none negative; exactly zero where z_i is basic).
     #[cfg_attr(feature = "serde", serde(serialize_with = "super::written::list"))]
     pub w: DVector<f64>,
-    /// The basic z_i.
+    /// The complementary basis to which the solution belongs: the set of the basic z_i.
     pub basis: Basis,
     /// Residuals at z, recomputed from the given M and q before entries of w are set to zero.
     pub residuals: Residuals,
@@ -36,7 +36,7 @@ pub struct SolutionView<'a> {
     pub z: &'a [f64],
     /// Slacks w = M z + q (n entries, none negative; exactly zero where z_i is basic).
     pub w: &'a [f64],
-    /// The basic z_i.
+    /// The complementary basis to which the solution belongs: the set of the basic z_i.
     pub basis: &'a Basis,
     /// Residuals at z, recomputed from the given M and q; see [`Residuals`].
     pub residuals: Residuals,

@@ -31,14 +31,15 @@ pub(super) fn of_piece<'a>(lcp: &'a Lcp, alpha: &'a [usize]) -> impl Iterator<It
     })
 }
 
-/// A Farkas vector among the edges of { y ≥ 0, Mᵀy ≤ 0 }, as computed or with a margin that covers rounding.
+/// A Farkas vector among the edges of the cone { y ≥ 0, Mᵀy ≤ 0 }, as computed or moved inside the cone by a margin that covers rounding.
 pub(super) fn farkas(lcp: &Lcp, scaling: &Scaling) -> Option<DVector<f64>> {
     let n = lcp.len();
     let (m, q) = scaling.balanced(&lcp.m, &lcp.q);
     let load = if q.amax() > 0.0 { q.amax() } else { 1.0 };
     subsets(n).filter(|rows| !rows.is_empty()).find_map(|rows| {
         let k = rows.len();
-        // The columns are those of M, and q as the last one. One sum fewer is zero than there are rows.
+        // An edge is found by its k nonzero entries and the sums of columns that vanish there, one fewer than k. The columns are those of M, and q as
+        // the last one.
         subsets(n + 1).filter(|columns| columns.len() + 1 == k).find_map(|columns| {
             let column = |j: usize, row: usize| if j < n { m[(row, j)] } else { q[row] / load };
             MARGINS.into_iter().find_map(|margin| {

@@ -23,7 +23,7 @@ pub(crate) fn in_text_of<T>(space: Space, act: impl FnOnce() -> T) -> T {
     act()
 }
 
-/// While this value lives, its text is read or written; dropping it restores the space of the surrounding text.
+/// Keeps the space of the surrounding text, which it restores when it is dropped.
 struct TextOf {
     outer: Option<Space>,
 }

@@ -2,7 +2,7 @@
 
 /// Relative difference up to which a sentence treats two forces, amounts or lengths as equal. Six digits do not show it.
 ///
-/// Smaller, a sentence repeats a number. Larger, it hides a difference that its digits would show.
+/// If smaller, a sentence repeats a number. If larger, it hides a difference that its digits would show.
 pub(crate) const ALIKE_IN_WORDS: f64 = 1e-6;
 
 /// Longest list of names that is written in full. A longer one would bury the number that the sentence reports.

@@ -69,7 +69,7 @@ impl Report<'_> {
         self.load(load) + &self.and_on_bodies(loads.map(|load| (&*load.body, &load.load)))
     }
 
-    /// The state at the end of a path, and what lies beyond a loss.
+    /// Prints the equilibrium at the end of a path and, where the path loses its equilibrium, what lies beyond.
     fn end_of_path<const C: usize>(&mut self, end: &PathOutcome<C>) -> io::Result<()> {
         match end {
             PathOutcome::Completed { state } => self.state(state.as_deref()),

@@ -9,7 +9,7 @@ use grasp_lcp::squeeze::Loads;
 
 use crate::arguments::{SoughtQuantity, Wanted};
 
-/// Loads with the load at rest, and with the loads of other bodies that grow with them.
+/// The loads of a scene's question: the load at rest, the loads beside it, and loads of other bodies that grow with these.
 pub(crate) struct SceneLoads<const C: usize> {
     pub(crate) base: Wrench<C>,
     pub(crate) loads: Loads<C>,

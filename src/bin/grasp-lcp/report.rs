@@ -80,7 +80,7 @@ impl Report<'_> {
         Ok(())
     }
 
-    /// Tables and details below the first line of an answer.
+    /// Prints the tables and details below the first line of an answer.
     fn details<const C: usize>(&mut self, question: &Question<C>, answer: &Answer<C>) -> io::Result<()> {
         match (question, answer) {
             (_, Answer::Hold(answer)) => {
@@ -132,18 +132,18 @@ impl Report<'_> {
         }
     }
 
-    /// The neighbourhood of a loss that the proof covers.
+    /// Prints how far around the place of a loss it is proved that no other equilibrium exists.
     fn proved<const C: usize>(&mut self, verdict: &Verdict<C>) -> io::Result<()> {
         let near = verdict.lost.as_ref().and_then(|lost| lost.nothing_near);
         let digits = self.style.precision();
-        // A radius of the size of an atom is not worth a sentence.
+        // A radius of the size of an atom or less says nothing useful.
         match near.filter(|near| near.translation > 1e-10) {
             Some(near) => self.line(&format!("proved: {near:.digits$}")),
             None => Ok(()),
         }
     }
 
-    /// The table of a state, if there is one.
+    /// Prints the table of an equilibrium, if there is one.
     pub(crate) fn state<const C: usize>(&mut self, state: Option<&Equilibrium<C>>) -> io::Result<()> {
         state.map_or(Ok(()), |state| self.table(state))
     }
@@ -185,7 +185,7 @@ impl Report<'_> {
         Ok(())
     }
 
-    /// Prints the contacts that stop sticking, with their motion.
+    /// Prints the contacts, joints and tendons that change their state at an onset, and the directions in which contacts slide.
     fn leaving<const C: usize, At>(&mut self, event: &OnsetAt<C, At>) -> io::Result<()> {
         let digits = self.style.precision();
         if self.style.points {
@@ -209,7 +209,7 @@ impl Report<'_> {
         Ok(())
     }
 
-    /// Prints the contacts that slide beyond an onset, if the grasp then has an equilibrium.
+    /// Prints which contacts slide just beyond the load at which the first contact stops sticking, if the grasp has an equilibrium there.
     fn sliding_beyond<const C: usize>(&mut self, next: &Beyond<C>, state: &Equilibrium<C>) -> io::Result<()> {
         let Beyond::Continues(next) = next else { return Ok(()) };
         let slides = |i: &usize| matches!(next.states.get(*i), Some(ContactState::Sliding { .. }));

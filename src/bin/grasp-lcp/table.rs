@@ -84,7 +84,7 @@ fn heads<const C: usize>(pads: bool) -> Vec<String> {
     first.iter().chain(moments).chain(last).map(|head| (*head).to_owned()).collect()
 }
 
-/// Writes forces of one table; rounding errors become zero.
+/// Writes the forces of one table; those that are only rounding errors become zero.
 #[derive(Clone, Copy)]
 struct Cleaned {
     words: Words,

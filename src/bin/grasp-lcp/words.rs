@@ -2,7 +2,7 @@
 
 use grasp_lcp::words::Words;
 
-/// Printed for kinds of answers that a later version of the library may add.
+/// The text for answers of a kind that this program does not know, since a later version of the library may add kinds.
 pub(crate) const NO_WORDS: &str = "an answer for which this program has no words yet; --json prints it";
 
 /// The form of answers.

@@ -22,7 +22,7 @@ impl Actuators {
         Self { joints, tendons: numbered(tendons, &|t| grasp.label_of(HandPart::Tendon(t))) }
     }
 
-    /// Joints and tendons at their limit; joints with their centres, if these are known.
+    /// Joints and tendons whose torque or tension is at its limit, with the centres of joints where these are known.
     pub(super) fn that_yield<const C: usize>(
         &self,
         state: &Equilibrium<C>,

@@ -27,7 +27,7 @@ pub(super) fn draw_series(paper: &mut Sheet, canvas: &Canvas, series: &ChartSeri
     }
 }
 
-/// Draws points of a series that are joined.
+/// Draws the points of one unbroken piece of a series, and the line through them.
 fn draw_piece(paper: &mut Sheet, places: &[Place], stroke: Stroke, color: Rgb) {
     match stroke {
         Stroke::Line | Stroke::Marked | Stroke::Directed => paper.line(places, color, 2.0),
@@ -49,16 +49,16 @@ fn draw_piece(paper: &mut Sheet, places: &[Place], stroke: Stroke, color: Rgb) {
     }
 }
 
-/// An arrow in the middle of a piece of a line that is long enough.
+/// An arrow in the middle of one segment of a line, if the segment is long enough.
 fn draw_arrow(paper: &mut Sheet, a: Place, b: Place, color: Rgb) {
     let (x, y) = (b.0 - a.0, b.1 - a.1);
     let size = x.hypot(y);
-    // A shorter piece of a line has no room for an arrow.
+    // A shorter segment has no room for an arrow, pixels.
     if size < 14.0 {
         return;
     }
     let middle = (f64::midpoint(a.0, b.0), f64::midpoint(a.1, b.1));
-    // Parts of the piece: length and half the width of an arrow.
+    // Length and half the width of the arrow, as fractions of the segment.
     let (long, wide) = (11.0 / size, 4.5 / size);
     let corner =
         |along: f64, across: f64| (middle.0 + x * along - y * across, middle.1 + y * along + x * across);
@@ -95,7 +95,7 @@ pub(super) fn rectangle(a: Place, b: Place) -> [Place; 4] {
     [a, (b.0, a.1), b, (a.0, b.1)]
 }
 
-/// A light ground for letters, with a line around it.
+/// Draws a light background for a text between two opposite corners, with a line around it. The last argument has the opacities of both.
 pub(super) fn draw_ground(paper: &mut Sheet, a: Place, b: Place, [ground, around]: [f64; 2]) {
     let corners = rectangle(a, b);
     paper.area(&corners, WHITE.mix(ground));

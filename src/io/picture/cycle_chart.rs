@@ -99,7 +99,7 @@ pub fn charts_of_cycles<const C: usize>(
 struct Rubbing {
     /// Largest slip from the start, mm.
     farthest: f64,
-    /// Position on the axis, slip in millimetres, and friction in newtons.
+    /// Points of the curves: position on the axis of cycles, slip in mm, and friction in N.
     curve: Vec<(f64, f64, f64)>,
 }
 

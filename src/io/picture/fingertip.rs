@@ -38,7 +38,7 @@ impl ContactPoints {
         self.range.len() > 1
     }
 
-    /// Whether a point in this state gets a dot: of more than sixteen points only those that do not stick.
+    /// Whether a point with this state gets a dot. Of a contact with more than sixteen points only those that do not stick get one.
     pub(super) fn shows(&self, word: &str) -> bool {
         self.range.len() <= 16 || word != "sticking"
     }

@@ -12,8 +12,8 @@ pub(super) type PushedContact<const C: usize> = (SVector<f64, C>, SVector<f64, C
 pub(super) fn metres_per_newton<const C: usize>(pushes: &[PushedContact<C>], size: f64, largest: f64) -> f64 {
     let inwards = |(at, normal, force): &PushedContact<C>| {
         let depth = pushes.iter().map(|(other, ..)| normal.dot(&(other - at))).fold(0.0, f64::max);
-        // With 0.48 of the depth, the arrows of two opposing normal forces do not meet. Contacts with a depth below 1e-3 of the
-        // size lie side by side, and their depth is a rounding error.
+        // The depth is how far the contacts reach along the normal of this one. With 0.48 of it, the arrows of two opposing normal forces do not
+        // meet. Contacts with a depth below 1e-3 of the size lie side by side, and their depth is a rounding error.
         if depth > 1e-3 * size && *force > 0.0 { 0.48 * depth / force } else { f64::INFINITY }
     };
     let inside = least(pushes, &inwards);

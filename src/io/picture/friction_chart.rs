@@ -62,7 +62,7 @@ impl<const C: usize> Drawn<'_, C> {
         last.unwrap_or((self.legs.len().saturating_sub(1), 1.0))
     }
 
-    /// Positions on the axis, and the equilibria there.
+    /// Equilibria along the path, each with its position on the horizontal axis.
     pub(super) fn states(&self, path: &LoadPath<C>, events: &[Event<C>]) -> Vec<(f64, Equilibrium<C>)> {
         let (last, end) = self.reach(path);
         let on_leg = |leg: usize| {
@@ -122,7 +122,8 @@ impl<const C: usize> Drawn<'_, C> {
     }
 }
 
-/// Friction forces of a fingertip's points over the sum of their limits μ F_n; 1 if all of them slide, NaN if undefined.
+/// The fraction of its friction that a fingertip uses: the friction forces of its points over the sum of their limits μ F_n. It is 1 if all points
+/// slide, and NaN if undefined.
 fn part_used<const C: usize>(tip: &ContactPoints, contacts: &[Contact<C>], state: &Equilibrium<C>) -> f64 {
     let (answers, contacts) = (&state.contacts[tip.range.clone()], &contacts[tip.range.clone()]);
     // The ratio is meaningless if the forces are rounding errors.
@@ -148,7 +149,7 @@ fn part_used<const C: usize>(tip: &ContactPoints, contacts: &[Contact<C>], state
     if all > 0.0 { used / all } else { f64::NAN }
 }
 
-/// The curves to draw, and words for the others.
+/// The curves that a chart draws, and a sentence about the contacts without one.
 struct Shared {
     drawn: Vec<ChartSeries>,
     left_out: Vec<String>,

@@ -6,13 +6,13 @@ use super::window::Window;
 use super::words::{lines, shortened};
 use crate::numerics::{largest, mapped, summed};
 
-/// The middle of a rectangle, and its width and height, pixels.
+/// The rectangle of a name: its middle, and its width and height, pixels.
 type Plate = (Place, (f64, f64));
 
 /// Distance of a name from its point, pixels, beyond which a line joins them; a name farther away could be that of another point.
 const NEAR: f64 = 16.0;
 
-/// Cost of a name beside its point from which it covers too much, so that places farther away are tried: an arrow, or the edges of a cone.
+/// If a name beside its point covers strokes whose cost is above this, places farther away are tried. An arrow or the edges of a cone cost so much.
 const COVERS_MUCH: f64 = 60.0;
 
 pub(super) struct Labels {
@@ -59,7 +59,8 @@ impl Labels {
         self.left_out += 1;
     }
 
-    /// The best place beside the point, or anywhere where that covers much, with a line to a point that is not near; `None` if the paper is full.
+    /// The best place of a name: beside its point or, where that covers too many strokes, anywhere on the paper. A line joins a name to a point that
+    /// is not near. `None` if the paper is full.
     fn place(&mut self, paper: &mut Sheet, point: Place, size: (f64, f64)) -> Option<Place> {
         let beside = self.best(point, self.plates_beside(point, size));
         let is_clear = |plate: &Plate| self.cost(point, plate) <= COVERS_MUCH;
@@ -80,7 +81,7 @@ impl Labels {
         Some(plate.0)
     }
 
-    /// The rectangle with the least cost among those that touch no other name.
+    /// The rectangle with the least cost among those that overlap no other name.
     fn best(&self, point: Place, plates: Vec<Plate>) -> Option<Plate> {
         let free = plates.into_iter().filter(|plate| !self.overlaps(plate));
         let best = free.map(|plate| (self.cost(point, &plate), plate)).min_by(|a, b| a.0.total_cmp(&b.0));

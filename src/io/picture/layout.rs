@@ -1,13 +1,13 @@
 //! Sizes and places of what is drawn, one list for each kind of figure.
 //!
-//! Lengths are in pixels. Lengths of marks in a grasp are fractions of its span, so that they scale with it.
+//! Lengths are in pixels unless they are said to be fractions of the span of a grasp, its largest extent along an axis.
 
 use super::palette::Rgb;
 use super::sheet::Place;
 
-/// Marks that planar and spatial pictures of a grasp share.
+/// Sizes of marks that planar and spatial pictures of a grasp share.
 pub(super) struct MarkLayout {
-    /// Length of a cone relative to the arrow of the normal force in it.
+    /// Length of a friction cone, as a multiple of the arrow of the normal force in it.
     pub(super) cone: f64,
     /// Least length of an arrow of the load; a shorter one would hardly be visible.
     pub(super) shortest_load: f64,
@@ -20,11 +20,11 @@ pub(super) struct MarkLayout {
 pub(super) const MARKS: MarkLayout =
     MarkLayout { cone: 1.15, shortest_load: 18.0, moment_arc: 30.0, most_named: 30 };
 
-/// A grasp in the plane.
+/// Sizes in the picture of a grasp in the plane.
 pub(super) struct PlanarLayout {
     /// Height of letters, pixels.
     pub(super) letters: f64,
-    /// Length of a finger behind its contact, and distance of its name from the contact, as fractions of the span.
+    /// Length of a finger behind its contact, which is also the distance of its name from the contact, as a fraction of the span.
     pub(super) finger: f64,
     /// Largest number of fingertips whose names are written with state and force.
     pub(super) most_told: usize,
@@ -32,7 +32,7 @@ pub(super) struct PlanarLayout {
 
 pub(super) const PLANAR: PlanarLayout = PlanarLayout { letters: 15.0, finger: 0.08, most_told: 12 };
 
-/// A grasp in space.
+/// Sizes in the picture of a grasp in space.
 pub(super) struct SpatialLayout {
     /// Length of a finger behind its contact, as a fraction of the span.
     pub(super) finger: f64,
@@ -40,11 +40,11 @@ pub(super) struct SpatialLayout {
     pub(super) slip: f64,
     /// Half the length of the axis of a free motion, as a fraction of the span.
     pub(super) axis: f64,
-    /// Radius of a contact.
+    /// Radius of the dot of a contact.
     pub(super) contact: f64,
-    /// Radius of a point of a soft fingertip.
+    /// Radius of the dot of a point of a soft fingertip.
     pub(super) soft_point: f64,
-    /// Lengths of dashes and gaps of the displaced outline.
+    /// Lengths of the dashes and of the gaps between them in the outline of the moved object.
     pub(super) moved_dashes: (f64, f64),
 }
 
@@ -77,32 +77,39 @@ pub(super) struct LegendLayout {
     pub(super) left: f64,
     /// Length of the samples of lines and arrows.
     pub(super) sample: f64,
-    /// Height of a line, and the space between entries.
+    /// Height of a line of the legend.
     pub(super) line: f64,
+    /// Space between two entries.
     pub(super) between: f64,
 }
 
 pub(super) const LEGEND: LegendLayout = LegendLayout { left: 624.0, sample: 40.0, line: 18.0, between: 7.0 };
 
-/// A chart with two axes.
+/// Sizes in a chart with two axes.
 pub(super) struct ChartLayout {
     /// Size of one chart.
     pub(super) size: Place,
-    /// Letter heights of the title, of axes and legend, of labels of events, and of plaques and notes.
+    /// Height of letters of the title.
     pub(super) title: f64,
+    /// Height of letters of axes and legend.
     pub(super) letters: f64,
+    /// Height of letters of labels of events.
     pub(super) label: f64,
+    /// Height of letters of notes, and of labels on a light background.
     pub(super) plaque: f64,
-    /// Line height of a note.
+    /// Line height of the note below a chart.
     pub(super) note_line: f64,
     /// Largest number of series whose legend is inside the chart; otherwise names are written beside the chart.
     pub(super) most_inside: usize,
-    /// Largest number of letters of a name beside the chart, of a name in the legend inside it, and of a name at a mark.
+    /// Largest number of letters of a name beside the chart.
     pub(super) longest_beside: usize,
+    /// Largest number of letters of a name in the legend inside the chart.
     pub(super) longest_inside: usize,
+    /// Largest number of letters of a name at a mark.
     pub(super) mark_letters: usize,
-    /// Largest number of names in a list of curves that are not drawn, and largest number of letters of each.
+    /// Largest number of names in a list of curves that are not drawn.
     pub(super) listed_names: usize,
+    /// Largest number of letters of a name in that list.
     pub(super) listed_letters: usize,
 }
 
@@ -121,13 +128,14 @@ pub(super) const CHART: ChartLayout = ChartLayout {
     listed_letters: 60,
 };
 
-/// A chart over directions in the plane.
+/// Sizes in a chart over directions in the plane.
 pub(super) struct PolarLayout {
     pub(super) middle: Place,
-    /// Radius of the rim.
+    /// Radius of the rim of the chart.
     pub(super) radius: f64,
-    /// Left edge of the legend, and length of its samples.
+    /// Left edge of the legend.
     pub(super) legend: f64,
+    /// Length of the samples of curves in the legend.
     pub(super) sample: f64,
     /// Least angle between two directions, rad, at which two texts fit beside each other.
     pub(super) beside: f64,
@@ -136,16 +144,18 @@ pub(super) struct PolarLayout {
 pub(super) const POLAR: PolarLayout =
     PolarLayout { middle: (330.0, 340.0), radius: 225.0, legend: 630.0, sample: 22.0, beside: 0.12 };
 
-/// A map over directions in space: two discs, and a colour scale beside them.
+/// Sizes in a map over directions in space: two discs, one for each hemisphere, and a colour scale beside them.
 pub(super) struct SphereLayout {
     pub(super) wide: f64,
-    /// Radius of the discs, and their middles.
+    /// Radius of both discs.
     pub(super) radius: f64,
+    /// Middles of both discs.
     pub(super) discs: [Place; 2],
-    /// Height of the first line of notes.
+    /// Vertical position of the first line of notes below the map.
     pub(super) foot: f64,
-    /// Colours of directions with an infinite value, and of directions without a value.
+    /// Colour of directions with an infinite value.
     pub(super) unbounded: Rgb,
+    /// Colour of directions without a value.
     pub(super) missing: Rgb,
 }
 

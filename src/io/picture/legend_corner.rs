@@ -11,7 +11,7 @@ pub(super) fn legend_width(series: &[ChartSeries], longest: usize) -> f64 {
     52.0 + 9.0 * most_letters(series, longest) as f64
 }
 
-/// The letters of the longest name, and at most `longest`.
+/// Number of letters of the longest name, at most `longest`.
 pub(super) fn most_letters(series: &[ChartSeries], longest: usize) -> usize {
     series.iter().map(|series| series.name.chars().count().min(longest)).max().unwrap_or(0)
 }

@@ -179,7 +179,7 @@ impl Painting {
     }
 }
 
-/// Places on a line about 3 pixels apart, each with its share of the line's area, the cost of covering it.
+/// Places about 3 pixels apart on a line. Each has the cost of covering it: its share of the line's area.
 fn along(from: Place, to: Place, width: f64) -> impl Iterator<Item = (Place, f64)> {
     let (x, y) = (to.0 - from.0, to.1 - from.1);
     let size = x.hypot(y);

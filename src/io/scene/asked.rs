@@ -100,7 +100,7 @@ impl Setup<3> {
         }
     }
 
-    /// Refuses faults that can be found without building a grasp for each layout.
+    /// Refuses faults of a question `identify` that can be found without building a grasp for each of its layouts.
     pub(super) fn check_identify(&self, asked: &Identify<3>) -> Result<(), Error> {
         if !asked.layouts.is_empty() && (self.is_held_by_a_hand() || !self.bodies.is_empty()) {
             return Err(LAYOUTS_OF_HANDS);

@@ -5,7 +5,7 @@ use crate::grasp::{ArmMotion, Payload, Space, Wrench};
 use crate::numerics::Each;
 use crate::serial::{Few, Given, Number};
 
-/// What a load without a mass needs for its acceleration.
+/// The fault of an acceleration without a mass; its message also says where the mass may be left out.
 pub(super) const ALONE: &str = "needs a `mass` beside it; without one it is that of all bodies by their own masses, in a scene with \"gravity\" and \"shared_by_mass\": true";
 
 /// The rotation of the arm.

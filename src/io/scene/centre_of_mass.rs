@@ -19,7 +19,7 @@ pub(super) fn with_centre_of_mass(text: &[u8]) -> Option<Vec<u8>> {
     serde_json::to_vec(&scene).ok().filter(|_| is_written)
 }
 
-/// The mass of all bodies and its centre, in the unit of the text.
+/// The mass of all bodies together and its centre, in the unit of the scene's text.
 struct AllBodies {
     mass: f64,
     centre: Vec<f64>,

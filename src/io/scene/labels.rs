@@ -22,13 +22,13 @@ impl SceneNames<'_> {
         *contact = self.label(contact.index);
     }
 
-    /// An equilibrium in its written form.
+    /// An equilibrium as answers of a scene contain it, with the labels of the scene.
     pub(super) fn equilibrium(&self, mut state: Equilibrium<3>) -> Equilibrium<3> {
         state.contacts.iter_mut().for_each(|contact| self.name(&mut contact.contact));
         state.written()
     }
 
-    /// An outcome in its written form.
+    /// An outcome as answers of a scene contain it, with the labels of the scene and without the work done.
     pub(super) fn outcome(&self, mut outcome: Outcome<3>) -> Outcome<3> {
         match &mut outcome {
             Outcome::Equilibrium(state) => **state = self.equilibrium(state.as_ref().clone()),
@@ -38,7 +38,8 @@ impl SceneNames<'_> {
         outcome
     }
 
-    /// An outcome in its written form, with the accuracy of an equilibrium, and whether working precision distinguishes each contact state.
+    /// An outcome as the answer to `solve` contains it. An equilibrium also has its accuracy, and says for each contact whether working precision
+    /// distinguishes its state.
     pub(super) fn solved(&self, mut outcome: Outcome<3>) -> Outcome<3> {
         if let Outcome::Equilibrium(state) = &mut outcome {
             state.accuracy = self.0.accuracy(state);

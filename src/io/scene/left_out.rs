@@ -135,7 +135,7 @@ impl Setup<3> {
         setup
     }
 
-    /// The numbers of an answer that trials compare.
+    /// The numbers of an answer that are compared between trials with different stiffnesses.
     fn figures(&self, grasp: &Grasp<3>, question: &Question<3>) -> Result<Vec<f64>, Error> {
         let known = |answer: Option<bool>| answer.map_or(2.0, f64::from);
         let (whole, grasp) = (grasp, &self.grasp_asked(grasp, question)?);

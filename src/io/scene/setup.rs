@@ -146,7 +146,7 @@ impl<'de, const C: usize> Deserialize<'de> for Setup<C> {
 }
 
 impl<const C: usize> From<&Grasp<C>> for Setup<C> {
-    /// A setup with every contact as a point, and without questions.
+    /// The setup of a grasp: every contact is a point contact, and there are no questions.
     fn from(grasp: &Grasp<C>) -> Self {
         Self::new(grasp.contacts().iter().cloned().map(Fingertip::from))
     }

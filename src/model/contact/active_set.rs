@@ -43,11 +43,11 @@ impl ActiveSet {
         force.norm() <= WEIGHTLESS * force_size
     }
 
-    /// Adds the facets, or the apex, of these exits.
+    /// Adds to the set the facet, or the apex, that each of these exits reaches.
     pub(crate) fn add_exits(&mut self, axes: usize, state: &State, exits: &[Exit]) {
         for exit in exits {
-            // A facet of zero marks an exit at which the normal force or the gap vanishes. Normals that differ only by rounding are one facet:
-            // on the round cone a facet that is reached again has a slightly different direction.
+            // A zero vector in `Exit::facet` marks an exit at which the normal force or the gap vanishes. Normals that differ only by rounding are
+            // one facet: on the round cone a facet that is reached again has a slightly different direction.
             if state.is_open() || exit.facet.norm() == 0.0 {
                 self.apex = true;
             } else if !self.facets.iter().any(|facet| (facet - exit.facet).norm() <= NEGLIGIBLE) {
@@ -96,7 +96,8 @@ impl LocalLaw<'_> {
         ActiveSet { apex, facets: if on_the_edge { vec![friction.normalize()] } else { Vec::new() } }
     }
 
-    /// The sliding state that shares the force of a sticking contact on an edge of its cone; `None` away from an edge.
+    /// The sliding state with the same force as a sticking contact whose force lies on an edge of its cone; `None` if the force lies inside the cone
+    /// or at its apex.
     pub(crate) fn on_its_edge(&self, line: &Line) -> Option<State> {
         let ActiveSet { facets, apex } = self.active_set(line);
         if apex || facets.is_empty() {
@@ -180,14 +181,15 @@ impl LocalLaw<'_> {
         let across = (rate - p * p.dot(&rate)).norm();
         // At the end of a slip the margin and its rate are zero only to the accuracy of the integration steps.
         let on_the_edge = cone.round_margin(&line.force) <= NEGLIGIBLE * line.force_size * weight;
-        // If the rate across the friction direction is below this part, the force moves radially, outwards or inwards.
+        // If the rate across the friction direction is below this fraction, the force moves radially, outwards or inwards.
         on_the_edge
             && cone.facet_margin(&line.rate, &p) <= NEGLIGIBLE * line.rate_size * weight
             && across > 1e-6 * line.rate_size * weight
     }
 
-    /// Translates a state of the rates, whose facets are numbered within the edge, into a state of the whole law. On the round cone this is the
-    /// slide along that edge. `None` for facets that the law does not have.
+    /// Translates a state of the law of rates into a state of the whole law. [`Law::Edge`] numbers its facets by their place in its list, the whole
+    /// law by their place on the polygon. On the round cone the result is the slide along that edge. `None` for facets that the whole law does not
+    /// have.
     pub(crate) fn of_the_rates(&self, rates: &Law, state: State) -> Option<State> {
         let Law::Edge(edge) = rates else { return Some(state) };
         let [first, second] = state.own_facets(edge.len());
@@ -204,8 +206,8 @@ impl LocalLaw<'_> {
         Some(self.slipping_state(&facets))
     }
 
-    /// Translates a state of the whole law into a state of the rates, whose facets are numbered within the edge: the inverse of
-    /// [`Self::of_the_rates`]. `None` if the rates do not determine it.
+    /// Translates a state of the whole law into a state of the law of rates: the inverse of [`Self::of_the_rates`]. `None` if this law does not
+    /// determine the state.
     pub(crate) fn in_the_rates(&self, rates: &Law, state: State) -> Option<State> {
         if !state.slides() {
             return Some(state);
@@ -214,7 +216,7 @@ impl LocalLaw<'_> {
             // On the round cone the only facet of the edge is the direction of the slide.
             (Law::Edge(_), Mode::Round(_)) => return Some(Mode::Facet(0)),
             (Law::Edge(edge), _) => edge,
-            // The rates are bonded although the state slides: the contact has just stopped sliding.
+            // The rates obey the bonded law although the state slides: the contact has just stopped sliding.
             (Law::Bonded, _) => return Some(Mode::Sticking),
             // At the apex of a round cone the law of the rates contains no slip direction.
             (Law::Absent, _) | (Law::Cone { .. }, Mode::Round(_)) => return None,
@@ -226,7 +228,7 @@ impl LocalLaw<'_> {
         match (first, second) {
             (None, _) => Some(state),
             (Some(first), None) => (0_u16..).nth(at(first)?).map(Mode::Facet),
-            // The only corner of an edge is the corner between its two facets.
+            // An edge has at most two facets, so the corner between them is its only one.
             (Some(first), Some(second)) => at(first).and(at(second)).map(|_| Mode::Corner(0)),
         }
     }

@@ -173,7 +173,7 @@ impl LocalLaw<'_> {
 /// The secular equation 1/|S v| = 1/r, known from trust regions, is nearly linear in λ and concave. From any start the first Newton step lands
 /// left of the root. From there the steps increase towards the root and never pass it.
 fn slip_per_force(springs: &Compliance, trial: &SVector<f64, 3>, traction: f64, r: f64, near: f64) -> f64 {
-    // Least r, relative to the traction, at which S becomes negligible beside K. With r = 0 no λ would be large enough.
+    // If r is below this fraction of the traction, S is negligible beside K; it is not taken smaller. With r = 0 no finite λ would be large enough.
     let excess = traction / r.max(traction * 1e-200);
     if springs.is_isotropic() {
         return springs.deflection_along(1, excess - 1.0);

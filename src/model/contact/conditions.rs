@@ -1,4 +1,4 @@
-//! The inequalities that a state of a contact must satisfy, each with the size that scales its rounding.
+//! The inequalities that a state of a contact must satisfy, each with a size: the magnitude of its terms, which scales its rounding error.
 //!
 //! ```text
 //! open      gap = n·u_c - a_n                 >= 0

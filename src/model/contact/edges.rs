@@ -30,12 +30,12 @@ pub(crate) fn round_rows(limit: f64) -> Harmonic<SVector<f64, 3>> {
     Harmonic { constant: unit(0) * limit, cosine: -unit(1), sine: -unit(2) }
 }
 
-/// Whether a condition is violated by more than the rounding of terms of this size.
+/// Whether a condition is violated by more than rounding, where `size` is the magnitude of its terms.
 pub(crate) fn is_broken(value: f64, row: &SVector<f64, 3>, size: f64) -> bool {
     value < -ZERO_SLACK * row.norm() * size
 }
 
-/// Whether this condition involves friction, rather than the normal force alone.
+/// Whether this condition involves friction, and not the normal force or the gap alone.
 pub(crate) fn rubs(row: &SVector<f64, 3>) -> bool {
     row[1] != 0.0 || row[2] != 0.0
 }
@@ -77,7 +77,7 @@ impl Edges {
         }
     }
 
-    /// All rows. Of a round cone, the rows at the local minima of `value`, or four rows around the cone if it has none.
+    /// All rows. Of a round cone, the rows at the angles where `value` has a local minimum, or four rows around the cone if it has none.
     pub(crate) fn least(&self, value: &dyn Fn(&SVector<f64, 3>) -> f64) -> Vec<SVector<f64, 3>> {
         self.rows(&|around| {
             let angles = local_minima(&|angle| value(&around.at(angle)));
@@ -104,7 +104,7 @@ impl Edges {
         self.rows(&|around| {
             let mut turns = vec![0.0];
             for c in sides {
-                // μ c_n = c₁ cos φ + c₂ sin φ.
+                // A facet's product with c is zero where μ c_n = c₁ cos φ + c₂ sin φ.
                 let (towards, aside) = (c[2].atan2(c[1]), (around.constant.dot(c) / c[1].hypot(c[2])).acos());
                 // The angle is NaN if the sign never changes.
                 let both = [towards - aside, towards + aside].each(|x| x.rem_euclid(TAU));
@@ -116,7 +116,7 @@ impl Edges {
         })
     }
 
-    /// Angles up to `most` at which the force of a turning load violates a condition most.
+    /// For each condition the angle, up to `most`, at which the force of a turning load violates it most.
     pub(crate) fn on_a_turn(&self, force: &Harmonic<SVector<f64, 3>>, most: f64) -> Vec<f64> {
         let nothing = Harmonic::new([SVector::zeros(); 3]);
         let margins = match self {

@@ -60,7 +60,7 @@ impl Label {
         }
     }
 
-    /// Whether two labels together allow every state that this label allows.
+    /// Whether the two labels `halves` together allow every state that this label allows.
     pub(crate) fn is_covered_by(&self, halves: &[Self; 2]) -> bool {
         let joined = |parts: [&Sector; 2]| {
             parts[0]
@@ -234,8 +234,8 @@ impl LocalLaw<'_> {
         rays
     }
 
-    /// Two narrower labels that together allow the same states. The place of the cut is where the stretch and force, a point of the hull,
-    /// violate the law. `None` if the label cannot be divided.
+    /// Two narrower labels that together allow the same states as `label`. `stretch` and `force` are a point of its hull; the cut is placed where
+    /// they violate the law. `None` if the label cannot be divided.
     pub(crate) fn divide(
         &self,
         label: &Label,
@@ -279,7 +279,7 @@ impl LocalLaw<'_> {
                     return Some([Label::Sticking(sector), Label::Sliding(sector)]);
                 }
                 let part = if width > wide { 0.5 } else { 0.5 * (a + b) / width };
-                // Least part of a sector that a cut leaves on either side.
+                // Least fraction of a sector that a cut leaves on either side.
                 let least_part = 0.15;
                 let middle = sector.from + width * part.clamp(least_part, 1.0 - least_part);
                 let label =

@@ -54,7 +54,7 @@ impl<'c> LocalLaw<'c> {
         Self { springs, law, polygon, friction, on_round_cone, infinite_friction_has_edges }
     }
 
-    /// The cone whose facets are the contact's, with a finite coefficient if infinite friction has facets.
+    /// The friction cone to which the contact's facets belong. Infinite friction that has facets is replaced by a very large finite coefficient.
     pub(crate) fn cone(&self) -> Coulomb {
         if self.infinite_friction_has_edges { self.friction.with_edges(self.springs) } else { self.friction }
     }
@@ -77,7 +77,7 @@ impl<'c> LocalLaw<'c> {
         self.has_a_whole_cone() && self.friction.has_edges()
     }
 
-    /// Whether some force exceeds the contact's limits. A frictionless guide that is kept closed carries every force, like a bonded contact.
+    /// Whether some force lies outside the contact's cone. A frictionless guide that is kept closed carries every force, like a bonded contact.
     pub(crate) fn has_edges(&self) -> bool {
         !self.is_bonded() && (self.may_open() || !self.facets().is_empty())
     }
@@ -130,7 +130,7 @@ impl<'c> LocalLaw<'c> {
         }
     }
 
-    /// Whether two contacts with one polygon have the same facets in energy coordinates.
+    /// Whether two contacts with the same polygon have the same facets in energy units: equal springs and equal friction.
     pub(crate) fn has_the_facets_of(&self, other: &Self) -> bool {
         let alike = self.springs == other.springs && self.friction == other.friction;
         alike && self.has_a_whole_cone() && other.has_a_whole_cone()

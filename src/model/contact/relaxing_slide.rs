@@ -11,12 +11,12 @@
 //! with v_t' at the angle θ. Each of the two terms alone has a closed form. The first also gives `∫ p·K p ds = ∫ dτ/r`, which determines s:
 //!
 //! ```text
-//! drawn        tan(ψ/2) = tan(ψ₀/2) e^{-A s}, ψ = φ - θ
-//! squeezed     tan φ = tan φ₀ e^{2B s}
+//! under_stretch    tan(ψ/2) = tan(ψ₀/2) e^{-A s}, ψ = φ - θ
+//! squeezed         tan φ = tan φ₀ e^{2B s}
 //! ```
 //!
-//! Half a step `drawn`, a whole step `squeezed` and half a step `drawn` (Strang splitting) are correct to second order. They are exact for a
-//! constant normal force or equal springs. Sliding never stops: where its rate γ, with γ p·K p = p·K v_t' - r', vanishes, it increases by
+//! Half a step `under_stretch`, a whole step `squeezed` and half a step `under_stretch` (Strang splitting) are correct to second order. They are
+//! exact for a constant normal force or equal springs. Sliding never stops: where its rate γ, with γ p·K p = p·K v_t' - r', vanishes, it increases by
 //! `(p⊥·K v_t')²`.
 
 use crate::numerics::Each;
@@ -67,14 +67,14 @@ impl RelaxingSlide {
         self.tangential[0] * p[0] * p[0] + self.tangential[1] * p[1] * p[1]
     }
 
-    /// The direction after the length s, and the integral `∫ p·K p ds` up to there.
+    /// The direction after the increment s of the path parameter, and the integral `∫ p·K p ds` over it.
     fn split_step(&self, start: [f64; 2], s: f64) -> ([f64; 2], f64) {
         let (p, first) = self.under_stretch(start, 0.5 * s);
         let (p, second) = self.under_stretch(self.squeezed(p, s), 0.5 * s);
         (p, first + second)
     }
 
-    /// Direction and integral after the length s at a constant normal force.
+    /// Direction and integral after the increment s of the path parameter, at a constant normal force.
     fn under_stretch(&self, p: [f64; 2], s: f64) -> ([f64; 2], f64) {
         let [k1, k2] = self.tangential;
         let size = (self.stretched[0] * self.stretched[0] + self.stretched[1] * self.stretched[1]).sqrt();
@@ -95,7 +95,7 @@ impl RelaxingSlide {
         ([cos * e[0] - sin * e[1], sin * e[0] + cos * e[1]], integral)
     }
 
-    /// The direction after the length s under a constant tangential stretch, while the normal force changes.
+    /// The direction after the increment s of the path parameter under a constant tangential stretch, while the normal force changes.
     fn squeezed(&self, p: [f64; 2], s: f64) -> [f64; 2] {
         // Largest exponent. Beyond it no digit of the previous direction would remain; up to it squares do not overflow.
         let far = 300.0;

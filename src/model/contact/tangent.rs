@@ -5,8 +5,8 @@
 //! sliding     C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ
 //! ```
 //!
-//! The normal spring also changes friction, and a spring acts across the slip. A sum over many contacts adds dyad by dyad. A contact has at most
-//! as many dyads as C has columns, and each costs one multiplication per entry.
+//! The normal spring also changes friction, and a spring acts across the slip; P, κ and d are those of [`Edge`]. A sum over many
+//! contacts adds dyad by dyad. A contact has at most as many dyads as C has columns, and each costs one multiplication per entry.
 
 use nalgebra::{SMatrix, SVector};
 

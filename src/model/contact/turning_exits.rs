@@ -72,8 +72,8 @@ impl LocalLaw<'_> {
         exits
     }
 
-    /// The angle at which a sliding contact stops: the rate of a slip component that must not decrease becomes negative. The contact stays on
-    /// its facets.
+    /// The angle at which a sliding contact stops. There the rate of a slip component that must not decrease becomes negative. Until then the contact
+    /// stays on its facets.
     fn stops(
         &self,
         state: &State,
@@ -224,7 +224,8 @@ fn linear_exit(
     Some(TurningExit::Leaves(Exit { step, uncertainty, facet }))
 }
 
-/// Rounding error of a root: the function is known to `slack`, with this slope at the root and the curvature of a wave of this size.
+/// Rounding error of a root of a function of the load's angle. The function is known to `slack`; `slope` is its slope at the root, and `size` bounds
+/// its curvature.
 fn uncertainty(slack: f64, slope: f64, size: f64) -> f64 {
     (slack / slope.abs()).min((2.0 * slack / size).sqrt())
 }

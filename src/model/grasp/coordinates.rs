@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use crate::numerics::{Vector, WHOLE};
 use crate::prelude::*;
 
-/// Coordinates of the object, then of joints and other bodies. For a single object nothing is allocated.
+/// Coordinates of the object, then of joints and other bodies. Those of a single object need no allocation.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Coordinates {
     count: usize,
@@ -19,7 +19,7 @@ impl Coordinates {
         Self::of_in(coordinates, Vec::new())
     }
 
-    /// [`Self::of`], with the memory of an existing list.
+    /// [`Self::of`], which stores the coordinates beyond the first ones in the memory of the list `more`.
     pub(crate) fn of_in(coordinates: &Vector, mut more: Vec<f64>) -> Self {
         let all = coordinates.as_slice();
         let (in_place, others) = all.split_at(WHOLE.min(all.len()));
@@ -40,7 +40,7 @@ impl Coordinates {
         coordinates
     }
 
-    /// Moves the list out, so that its memory can be reused.
+    /// Moves the list of coordinates beyond the first ones out, so that its memory can be reused.
     pub(crate) fn take_list(&mut self) -> Vec<f64> {
         core::mem::take(&mut self.more)
     }

@@ -23,7 +23,7 @@ pub(crate) struct Engine {
     size: Size,
     pub(super) contacts: Vec<Contact<3>>,
     pub(super) sites: Vec<Site>,
-    /// The contacts, each with its points.
+    /// The points in `contacts` grouped to contacts as users count them.
     wholes: WholeContacts,
     /// Centroid of the contact points, m. The engine refers moments and rotations to it, so that a distant origin of the caller costs no digits.
     pub(super) origin: SVector<f64, 3>,
@@ -104,7 +104,7 @@ impl Engine {
         self.linkage().map_or(&[], |linkage| &linkage.centres)
     }
 
-    /// A grasp by contacts. Its origin is the centroid of the contacts for which `is_meant` is true.
+    /// A grasp by these contacts. Its origin is the centroid of the contacts for which `is_meant` is true.
     fn of(
         space: Space,
         size: Size,

@@ -50,7 +50,7 @@ pub(crate) trait Face: Sized + Clone + 'static {
     }
 }
 
-/// Casts a value to a type that is the same type under another name.
+/// Converts a value between two types that the caller knows to be the same, although the compiler does not.
 fn same<A: 'static, B: 'static>(value: A) -> B {
     let mut value = Some(value);
     let same = (&mut value as &mut dyn Any).downcast_mut::<Option<B>>().and_then(Option::take);
@@ -283,7 +283,7 @@ impl<const C: usize> Face for SVector<f64, C> {
     }
 }
 
-/// The frame of a contact in the caller's dimension.
+/// The frame of a contact with two columns and rows in the plane, three in space.
 pub(crate) fn frame_outside<const C: usize>(inside: &SMatrix<f64, 3, 3>) -> SMatrix<f64, C, C> {
     SMatrix::from_fn(|a, b| inside[(a, b)])
 }

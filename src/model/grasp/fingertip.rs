@@ -93,7 +93,8 @@ face_of_struct! {
     PatchPoint { offset, share }
 }
 
-/// Mirrors layers about the middle of a line, in ascending order: position in units of the half width, and share.
+/// Points across a line contact of half width 1, in ascending order: position, and share of the load. Each quadrature node of `layers`, given by its
+/// distance from the middle, becomes two points, one on either side.
 pub(super) fn along_a_line(layers: &[Layer]) -> Vec<(f64, f64)> {
     let mut all = Vec::with_capacity(2 * layers.len());
     for layer in layers.iter().rev() {
@@ -261,7 +262,7 @@ impl SoftFingertip<3> {
         Ok(indexed(&self.points, &child))
     }
 
-    /// A fingertip of the plane: points in ascending order along the tangent.
+    /// A fingertip of the plane with points in ascending order along the tangent, from the quadrature nodes of its half width.
     fn of_layers(width: f64, layers: &[Layer]) -> Result<Self, Error> {
         let radius = 0.5 * usable(width, "width")?;
         let place = |(at, share)| PatchPoint { offset: SVector::from([0.0, at * radius, 0.0]), share };
@@ -333,7 +334,7 @@ impl<const C: usize> SoftFingertip<C> {
 
 pub(super) fn usable(length: f64, what: &'static str) -> Result<f64, Error> {
     let usable = (1.0 / LARGEST..=LARGEST).contains(&length);
-    // Wording of the accepted range in messages.
+    // The accepted range, as messages name it.
     check(usable, what, length, "from 1e-50 to 1e50").map(|()| length)
 }
 

@@ -81,8 +81,8 @@ impl Words {
     fn motion_text(self, twist: &Twist<3>, points: Option<(SVector<f64, 3>, f64)>) -> String {
         let (along, omega) = twist.parts_in(self.space::<3>());
         let (mean, spread) = points.unwrap_or((along, 0.0));
-        // The displacement due to rotation counts as rounding below the fraction NEGLIGIBLE of the mean displacement.
-        // Displacement, m, below which a point counts as at rest; it is smaller than an atomic nucleus.
+        // The object turns if rotation moves its points by more than the fraction NEGLIGIBLE of their mean displacement, and by more than this
+        // displacement, m, which is smaller than an atomic nucleus.
         let nowhere: f64 = 1e-15;
         let turns =
             omega.size() > 0.0 && (points.is_none() || spread > nowhere.max(NEGLIGIBLE * mean.norm()));
@@ -125,7 +125,7 @@ impl Words {
 
     /// Directions of the bodies that move: "wedge moving along −x, block moving along +y".
     fn directions_of(self, bodies: &[BodyMotion<3>]) -> String {
-        // Contact points on the axis of a rotation do not move.
+        // If all contact points lie on axes of rotation, no point moves, and bodies are compared by their rotations.
         let still = largest(bodies, &BodyMotion::speed) == 0.0;
         let speed =
             |motion: &BodyMotion<3>| if still { motion.twist.parts().1.size() } else { motion.speed() };

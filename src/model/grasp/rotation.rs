@@ -100,8 +100,7 @@ impl Space {
         map
     }
 
-    /// The grasp map about `origin` with arms in units of `length`, and its rounding error: the exact map for this point and frame minus the
-    /// rounded map.
+    /// The grasp map about `origin` with arms in units of `length`, rounded, and the difference of the exact map from it for this point and frame.
     pub(super) fn grasp_map_in_twice(
         self,
         size: Size,

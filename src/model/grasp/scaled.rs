@@ -1,4 +1,4 @@
-//! The parts of a grasp that press, and copies of the grasp with the press of one part scaled.
+//! The parts of a grasp that press, and copies of the grasp in which one part presses more or less.
 
 use super::engine::Engine;
 use super::whole_contact::ContactPoints;
@@ -60,8 +60,9 @@ impl Engine {
         loaded.map(|(name, _)| name.to_string()).list()
     }
 
-    /// Looks up the part with this name, and returns a copy of the grasp in which its press is multiplied by `factor`. The press is the load of
-    /// a body without its weight; the command, force and vacuum of a contact or a link; or the command and the constant torque of a joint.
+    /// Looks up the part with this name, and returns a copy of the grasp in which its load or command is multiplied by `factor`. For each kind of
+    /// part this is the load of a body without its weight; the command, force and vacuum of a contact or a link; or the command and the constant
+    /// torque of a joint.
     ///
     /// # Errors
     /// [`Error::Part`] if no part has this name, or the part does not press; [`Error::Argument`] if the factor is out of range.

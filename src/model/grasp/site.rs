@@ -1,4 +1,4 @@
-//! One site: a contact, or a drive of a hand.
+//! One site: a contact, or a drive of a hand. The engine treats both as points with springs and a contact law.
 
 use crate::numerics::{Map, Size, Vector, WHOLE};
 use alloc::sync::Arc;
@@ -134,7 +134,7 @@ impl Site {
         self.support = Support::of(space, &mut self.map, &mut self.map_rest);
     }
 
-    /// Entries of a column of G_i within a range of coordinates, and their rounding errors.
+    /// Entries of a column of G_i within a range of coordinates, and the rounding errors of these entries.
     #[inline(always)]
     pub(crate) fn column_in_twice(&self, axis: usize, range: Range<usize>) -> (&[f64], &[f64]) {
         (self.map.column_within(axis, range.clone()), self.map_rest.column_within(axis, range))

@@ -11,7 +11,7 @@ use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::words::listed;
 
-/// Message of a lost vacuum: "cup opens all around, and its vacuum is gone".
+/// Sentence for suction cups that have opened: "cup opens all around, and its vacuum is gone".
 pub(crate) fn vacuum_is_gone(cups: &[WholeContact]) -> String {
     let [opens, its] = if cups.len() == 1 { ["opens", "its"] } else { ["open", "their"] };
     format!("{} {opens} all around, and {its} vacuum is gone", listed(cups))

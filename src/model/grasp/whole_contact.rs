@@ -1,4 +1,4 @@
-//! Contacts as users count them: a soft fingertip is one contact with several points.
+//! Contacts as users count them, called whole contacts: a soft fingertip is one contact with several points.
 
 use alloc::borrow::Cow;
 use alloc::sync::Arc;
@@ -113,7 +113,7 @@ impl WholeContacts {
         &self.0[self.0.partition_point(|contact| contact.range.end <= point)]
     }
 
-    /// The contacts with points for which `is_meant` is true, in order.
+    /// The contacts that have a point for which `is_meant` is true, in order, each with the number of such points.
     pub(crate) fn with(&self, is_meant: &dyn Fn(usize) -> bool) -> Vec<WholeContact> {
         picked(self, &|contact| {
             let points = contact.range.clone().filter(|i| is_meant(*i)).count();

@@ -14,7 +14,7 @@ pub(crate) struct JointGroup {
 
 /// How joints of a finger move a contact.
 pub(crate) enum Mover {
-    /// The first joints of the finger move the contact; the number counts them.
+    /// The contact is on the link behind this number of joints, and only these joints of the finger move it.
     Link(usize),
     /// For each joint the velocity of the contact point (rows 0 to 2) and the angular velocity of the link (rows 3 to 5).
     Jacobian(DMatrix<f64>),
@@ -106,7 +106,7 @@ impl Robot {
         (fixed, fingers)
     }
 
-    /// The joint whose coordinate moves this one, and the factor between both displacements.
+    /// The independent joint that a joint follows, and the factor between both displacements; for an independent joint itself and 1.
     fn coordinate(&self, joint: usize) -> (usize, f64) {
         self.joints[joint].mimics.map_or((joint, 1.0), |mimics| (mimics.joint, mimics.factor))
     }
@@ -127,7 +127,7 @@ impl Robot {
         finger.joints.iter().map(joint).collect()
     }
 
-    /// The dependence of a contact on the joints of its finger.
+    /// How the joints of its finger move a contact.
     pub(crate) fn mover(&self, finger: &JointGroup, link: usize, contact: &Contact<3>) -> Mover {
         let movers = self.movers_of(link);
         if finger.joints.starts_with(&movers) {

@@ -1,4 +1,4 @@
-//! Collision shapes of links, converted to triangle meshes that touch like jaws.
+//! Collision shapes of links, converted to triangle meshes that can touch a part.
 
 use core::f64::consts::{PI, TAU};
 use std::path::Path;

@@ -20,7 +20,7 @@ pub struct Touch {
     contact: Contact<3>,
 }
 
-/// A point of the pad that meets the part.
+/// A point of the pad, with the place where it meets the part.
 struct Meeting<'p> {
     point: &'p PadPoint,
     hit: Hit,
@@ -35,8 +35,8 @@ impl Touch {
         Self { pad, contact }
     }
 
-    /// The contacts at which the pad touches the part, as points of one fingertip. `pressed_with` and commands apply to the pad as a whole. The
-    /// clearance of the contact is a gap in front of the foremost point.
+    /// The contacts at which the pad touches the part, as points of one fingertip. `pressed_with` and commands apply to the pad as a whole. A
+    /// clearance given for the contact is added in front of the point that touches first.
     ///
     /// # Errors
     /// [`Error::Misses`] if no point of the pad meets the part, or if some start inside it. [`Error::Contact`] with index 0 for data out of
@@ -62,7 +62,7 @@ impl Touch {
             contact.clearance + if behind <= near { 0.0 } else { behind }
         };
         let (closing, first_tangent) = (frame.column(0).into_owned(), frame.column(1).into_owned());
-        // Normals of faces at right angles to the closing direction equal it up to rounding.
+        // If a face is normal to the closing direction up to rounding, its normal is set to this direction.
         let straightened =
             |normal: &Vector3<f64>| if (normal - closing).norm() <= FLUSH { closing } else { *normal };
         let mut points = Vec::with_capacity(meetings.len());
@@ -100,7 +100,7 @@ impl Touch {
         let touching = gaps.iter().copied().fold(f64::INFINITY, f64::min) + near;
         let mut steepest = 0.0_f64;
         for ((point, meeting), gap) in points.iter_mut().zip(&meetings).zip(&gaps) {
-            // Before a point touches, its motion along the surface stretches no tangential spring.
+            // A point that has not touched yet stretches no tangential spring by moving along the surface.
             let slope = closing - point.normal * point.normal.dot(&closing);
             *point = point.clone().command_world(along - slope * advance.min(*gap).max(0.0));
             if *gap < advance.max(touching) {

@@ -60,7 +60,7 @@ impl Part {
                 continue;
             }
             let orientation = normal[0].signum();
-            // Whether a ray passes an edge on the inner side, or closer than `near`, in the plane normal to the rays.
+            // Whether a ray passes on the inner side of an edge, or outside it by less than `near`, seen along the rays.
             let inside = |p: &Vector3<f64>, q: &Vector3<f64>, ray: &Vector3<f64>| {
                 let (along, to) = ((q[1] - p[1], q[2] - p[2]), (ray[1] - p[1], ray[2] - p[2]));
                 orientation * (along.0 * to.1 - along.1 * to.0) >= -near * along.0.hypot(along.1)

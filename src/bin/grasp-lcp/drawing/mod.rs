@@ -34,12 +34,12 @@ pub(crate) fn draw(scene: &Scene, pictures: &Pictures) -> Result<(), Failure> {
 #[cfg(feature = "mesh")]
 const SHARP: f64 = 0.5;
 
-/// The end of a picture's file name: for later questions than the first `_` and the number, then `besides`, then `.svg`.
+/// The end of a picture's file name: `_` and the number of the question, left out for the first question; then `besides` and `.svg`.
 fn ending(number: usize, besides: &str) -> String {
     if number == 1 { format!("{besides}.svg") } else { format!("_{number}{besides}.svg") }
 }
 
-/// Removes and returns the first line of the answer: the reason why there is no equilibrium to show.
+/// Removes and returns the first line of an answer, which says why there is no equilibrium to show.
 fn said_first(says: &mut Vec<String>) -> String {
     if says.is_empty() { String::new() } else { says.remove(0) }
 }

@@ -135,7 +135,7 @@ fn shaken<const C: usize>(shaken: Shaken<C>) -> Shown<C> {
     }
 }
 
-/// The grasp with the needed amount, in the equilibrium under the load that uses most of it.
+/// The grasp with the needed amount, in its equilibrium under the most demanding load of the question.
 fn needed<const C: usize>(grasp: &Grasp<C>, need: &Need<C>, needed: &Needed) -> Result<Shown<C>, Failure> {
     let (amount, label) = match &needed.amount {
         Amount::Bound { does, .. } => (Some(*does), "with what it needs"),

@@ -152,7 +152,7 @@ impl Drawing<'_> {
         self.save("_map.svg", map, weak)
     }
 
-    /// Draws the force with standard deviations in reserve.
+    /// Draws the force that keeps the given number of standard deviations in reserve.
     fn of_reserves(&self, grid: SphereGrid, held: Vec<f64>) -> Result<(), Failure> {
         let sigmas = self.unsure.sigmas;
         let title = format!("{}: onset of sliding with {sigmas}σ in reserve", self.title);

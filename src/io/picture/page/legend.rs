@@ -98,7 +98,7 @@ fn entry(sample: Sample, words: &str) -> Entry {
 
 /// A round force or moment and its arrow, at a scale of `pixels` pixels per unit.
 fn scale(pixels: f64, width: f64, heads: usize, unit: &str) -> Option<Entry> {
-    // The arrow of a scale is at most 100 pixels long.
+    // The arrow that shows the scale is at most 100 pixels long.
     let shown = 100.0 / pixels;
     (pixels > 0.0 && shown > 0.0 && shown.is_finite()).then(|| {
         let round = round_down(shown);

@@ -7,7 +7,7 @@ use crate::picture::error::PictureError;
 use crate::picture::palette::{Rgb, hex};
 use nalgebra::Vector3;
 
-/// The parts of a picture that the page shows or hides.
+/// Parts of a picture that a reader of the page can show or hide.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum MarkLayer {
     Forces,

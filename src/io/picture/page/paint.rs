@@ -59,7 +59,8 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
                 let corners =
                     corners.iter().map(|corner| eye.to_view(corner)).map(|point| (point.x, point.y));
                 let corners = hull(corners.list());
-                // Bodies are behind all other marks. Faces hide contours, of which only the outer half, outside all bodies, remains visible.
+                // Bodies are behind all other marks. Faces are painted over contours. Only the outer half of a contour, outside all bodies, remains
+                // visible.
                 painting.contour(corners.clone(), CONTOUR, 2.4, f64::NEG_INFINITY);
                 painting.area(corners, FACE.into(), f64::MIN);
             }

@@ -40,8 +40,8 @@ impl Engine {
         inside
     }
 
-    /// Moments about the origin of a contact's `force` at `point`, in the engine's coordinates. The components of the force itself are zero. The
-    /// result measures how rounding of the contact point affects rotations.
+    /// Moments of a contact's `force` at `point` on each body, about the origin, in the engine's coordinates; entries of forces are zero. They
+    /// measure how rounding of the contact point affects rotations.
     pub(crate) fn moments_of(
         &self,
         contact: usize,
@@ -71,8 +71,8 @@ impl Engine {
         moments
     }
 
-    /// These bodies with all loads in proportion to a question's force along the first axis. Per newton of that force, each body carries its
-    /// constant load plus its share of `base`; no constant load remains. `None` for a single object.
+    /// A grasp of the same bodies whose loads all grow in proportion to the first force component of a question's load. Per newton of it each body
+    /// carries its constant load plus its share of `base`; no constant load remains. `None` for a single object.
     pub(crate) fn growing_from_nothing(&self, base: &Wrench<3>) -> Option<Self> {
         let bodies = self.bodies()?;
         let shared = bodies.shared(base);

@@ -30,7 +30,7 @@ pub(crate) struct BodyPlace {
 pub(super) enum Sharing {
     /// One body carries the whole load.
     OnObject,
-    /// For each body its fraction of the load, and the point where its force acts, m.
+    /// For each body the fraction of the load that it carries, and the point where its force acts, m.
     ByParts(Vec<(f64, SVector<f64, 3>)>),
     /// Each body carries its entry of `loads`, times the ratio of the question's load to `one`.
     Together { one: Wrench<3>, loads: Vec<Wrench<3>> },
@@ -211,7 +211,7 @@ impl PlacedBodies {
         Self { loads, program_loads, ..self.clone() }
     }
 
-    /// Whether the load of a question is shared among the bodies.
+    /// Whether the load of a question acts on more than one body.
     pub(crate) fn is_shared(&self) -> bool {
         !matches!(self.sharing, Sharing::OnObject)
     }

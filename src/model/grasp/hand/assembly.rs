@@ -75,8 +75,8 @@ impl Hand<3> {
 }
 
 impl Assembly {
-    /// Chooses the reference length of each joint displacement, a power of two near the largest motion of a contact. Scaling by a power of two
-    /// causes no rounding.
+    /// Chooses the reference length of each joint displacement, a power of two near the largest displacement of a contact per unit of the joint.
+    /// Scaling by a power of two causes no rounding.
     fn measure(&mut self) -> Result<(), Error> {
         for k in 0..self.used {
             let mut longest = 0.0_f64;
@@ -94,8 +94,8 @@ impl Assembly {
             let object = self.object();
             self.lengths[object + k] = power_of_two(longest);
         }
-        // At this stage all drives are compliances of fingers: springs of 1 N/m over coordinates in m. They are rescaled to the new unit of
-        // length.
+        // At this stage the only drives are those of compliance matrices: springs of 1 N/m along coordinates in m. They are rescaled to the reference
+        // lengths of these coordinates.
         for drive in &mut self.drives {
             let k = drive.along.iamax();
             let length = self.lengths[k];
@@ -199,7 +199,7 @@ impl Assembly {
         })
     }
 
-    /// A spring over joints with these moment arms, in the engine's coordinates, and the power of two by which the arms were divided.
+    /// A spring that acts on joints with these moment arms, in the engine's coordinates, and the power of two by which the arms were divided.
     fn over(&self, arms: &[(usize, f64)], stiffness: f64) -> (Spring, f64) {
         let mut along = Vector::zeros();
         for &(j, arm) in arms {
@@ -234,9 +234,9 @@ impl Assembly {
             None => self.drives.push(drive),
             Some(Limit::Slips(_)) => self.drives.push(Drive { role: Role::Slips, ..drive }),
             Some(Limit::Saturates(_)) => {
-                // Two springs in series, with one more coordinate between them. The first carries the upper bound minus the force, the second
-                // the force minus the lower bound, and neither can pull. Both bounds also act as constant forces, so that the force of the pair
-                // is the drive's.
+                // A saturating drive becomes two springs in series, with one more coordinate between them. The first carries the upper bound minus
+                // the drive's force, the second the force minus the lower bound, and neither can pull. Both bounds also act as constant forces, so
+                // that both springs together exert the drive's force.
                 let mut between = Vector::zeros();
                 between[self.object() + self.used] = 1.0;
                 self.used += 1;
@@ -284,7 +284,7 @@ impl Assembly {
     }
 }
 
-/// A spring of one axis in the engine's coordinates.
+/// A spring of one axis in the engine's coordinates; its force acts along `along`.
 struct Spring {
     along: Vector,
     stiffness: f64,

@@ -41,7 +41,7 @@ impl Assembly {
                 ContactMover::Link(link) => self.on_link(*link, finger, (&contact, index), first)?,
             };
             columns.extend(self.on_slide(finger, (&contact, index), &frame)?);
-            // The compliance that contacts share gets coordinates that belong to no joint.
+            // The part V of the compliance matrix, which couples the contacts, gets coordinates that belong to no joint.
             for (k, column) in own.iter().enumerate() {
                 let along = of_axes(axes, |a| column[axes * place + a]);
                 columns.push((self.used + k, frame * along));
@@ -57,7 +57,7 @@ impl Assembly {
         Ok(())
     }
 
-    /// Motion of a contact on a link with each joint before that link, from the joints' axes and directions.
+    /// Motion of a contact on a link, per unit motion of each joint between palm and link, from the joints' axes and directions.
     fn on_link(
         &mut self,
         link: usize,
@@ -88,7 +88,7 @@ impl Assembly {
         Ok(columns)
     }
 
-    /// Adds to the commands of contacts the displacement by which the shared compliance yields to the forces of `pressed_with`.
+    /// Adds to the commands of contacts with a shared compliance the displacement by which that compliance yields to the forces of `pressed_with`.
     fn press_on_compliance(&mut self, finger: &Finger<3>, own: &[DVector<f64>]) {
         let (axes, first) = (self.space.axes(), self.contacts.len() - finger.contacts.len());
         for column in own {
@@ -138,7 +138,7 @@ impl Assembly {
     }
 }
 
-/// Columns of a Jacobian that the user gave.
+/// Columns of a contact's motion from a Jacobian that the user gave.
 fn given(
     matrix: &DMatrix<f64>,
     (finger, first): (&Finger<3>, usize),

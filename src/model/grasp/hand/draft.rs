@@ -12,7 +12,8 @@ use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::words::printable;
 
-/// Motion of one contact along the coordinate axes: index of a coordinate, counted after the object's, and displacement per unit of it.
+/// Motion of one contact: pairs of a coordinate's index, counted after the object's coordinates, and of the contact's displacement per unit of it,
+/// along the coordinate axes.
 pub(in crate::model::grasp) type Columns = Vec<(usize, SVector<f64, 3>)>;
 
 /// The parts of a grasp while it is assembled.
@@ -56,7 +57,7 @@ impl Assembly {
     }
 }
 
-/// The error for a matrix that is not positive semidefinite.
+/// The error for a matrix that is not symmetric positive semidefinite.
 pub(super) fn refuse<T>(fault: NotPositive, what: String, field: &'static str) -> Result<T, Error> {
     Err(match fault {
         NotPositive::Shape { rows, columns, size } => Error::Shape {

@@ -88,7 +88,7 @@ impl Drive {
         if !slips {
             return site;
         }
-        // The section of the square along its axis is [-1, 1], so the drive slips exactly at its bound.
+        // The square has its corners on the tangents, where |F_t| = μ F_n: the drive slips exactly at its bound.
         let square = || alloc::sync::Arc::new(Polygon::new(space, &PolygonCone::square()));
         (site.friction, site.polygon) = (Coulomb::new(1.0), (space == Space::Spatial).then(square));
         site
@@ -127,7 +127,7 @@ impl Drive {
         self.rest /= times;
     }
 
-    /// Ratio of the drive's stiffness to the owner's: 2 for each half of a saturating drive, since both halves are in series.
+    /// Ratio of the drive's stiffness to that of its joint or tendon: 2 for each half of a saturating drive, since both halves are in series.
     fn halves(&self) -> f64 {
         if matches!(self.role, Role::EndsAbove | Role::EndsBelow) { 2.0 } else { 1.0 }
     }
@@ -135,7 +135,7 @@ impl Drive {
     /// Derivative of the drive's force with respect to the stiffness of its joint or tendon, N m/rad or N/m, at constant stretch.
     pub(crate) fn by_stiffness(&self, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         let mut more = SVector::zeros();
-        // The elastic force of each half of a saturating drive is measured from its bound.
+        // The spring of either half carries its bound when the drive is unloaded, so the elastic force is the difference from it.
         let elastic = match self.role {
             Role::EndsAbove => force[0] - self.bound,
             Role::EndsBelow => force[0] - self.rest * self.stiffness,
@@ -145,7 +145,8 @@ impl Drive {
         more
     }
 
-    /// Derivatives with respect to the limit of the joint or tendon: of the drive's stretch, and of the constant force on the coordinates.
+    /// Derivatives with respect to the limit of the joint or tendon: of the drive's stretch, and of the constant generalised forces on the
+    /// coordinates.
     pub(crate) fn by_limit(&self) -> (SVector<f64, 3>, Vector) {
         let (mut stretch, per_force) = (SVector::zeros(), 1.0 / self.unit);
         let held = match self.role {

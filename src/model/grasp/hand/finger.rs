@@ -10,13 +10,13 @@ use crate::prelude::*;
 /// How a contact moves with the joints of its finger.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum ContactMover {
-    /// The first joints of the finger move the contact; the number counts them.
+    /// The contact is on the link behind this number of joints, and only these joints of the finger move it.
     Link(usize),
     /// This Jacobian, along the coordinate axes, gives the motion.
     World(DMatrix<f64>),
 }
 
-/// A contact and its dependence on the joints.
+/// A contact, and how the joints of its finger move it.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Carried<const C: usize> {
     pub(super) contact: Contact<C>,

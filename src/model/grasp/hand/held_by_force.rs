@@ -23,7 +23,7 @@ fn begins_a_slide<const C: usize>(contact: &Contact<C>) -> bool {
 }
 
 impl Assembly {
-    /// Motion of a contact with its slide, if it has a constant force. The force is added to the torque of the slide.
+    /// Motion of a contact with its slide, if it has a constant force. The force is added to the constant force on the slide.
     pub(super) fn on_slide(
         &mut self,
         finger: &Finger<3>,

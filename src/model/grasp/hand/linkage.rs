@@ -1,4 +1,4 @@
-//! The part of a grasp that a hand contributes.
+//! Joints, tendons and drives of a hand, as a grasp uses them; and its bodies, if there are several.
 
 use alloc::sync::Arc;
 use core::fmt;
@@ -14,7 +14,7 @@ use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::words::printable;
 
-/// Joints, tendons, drives and bodies of a grasp, in the engine's coordinates.
+/// Joints, tendons and drives behind the contacts of a grasp, and its bodies, in the engine's coordinates.
 #[derive(Debug, Clone)]
 pub(crate) struct Linkage {
     pub(crate) joints: Vec<Named>,
@@ -39,7 +39,7 @@ pub(crate) struct Linkage {
     pub(crate) commands: Vec<f64>,
 }
 
-/// Data of a joint or a tendon that answers use.
+/// Data of a joint or of a tendon, used in answers.
 #[derive(Debug, Clone)]
 pub(crate) struct Named {
     pub(crate) name: Option<Arc<str>>,

@@ -60,7 +60,7 @@ pub(super) fn squares(matrix: &DMatrix<f64>, size: usize) -> Result<Vec<DVector<
         }
         columns.push(column);
     }
-    // The diagonal of the remaining block is zero, so for a semidefinite matrix all its entries must be zero.
+    // The diagonal of the block that remains is zero, so for a semidefinite matrix all entries of the block must be zero.
     let beside = |i: usize, j: usize| rest[(i, j)].abs() / (whole[i] * whole[j]).sqrt();
     if left.iter().any(|&i| left.iter().any(|&j| beside(i, j) > NEGATIVE_REMAINDER)) {
         return Err(NotPositive::Eigenvalue(least_eigenvalue(matrix)));
