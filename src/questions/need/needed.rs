@@ -291,7 +291,7 @@ fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], is_proved: bool) -> A
 
 /// The normal force of each contact at rest with its squeeze multiplied by `squeeze`, N, and the joints and tendons whose drives are at their limit.
 ///
-/// If the contacts that are set press with nothing without a load, their forces are those beside the load at rest. A contact held by a force presses
+/// If the contacts that are set press with nothing but rounding without a load, their forces are those beside the load at rest. A contact held by a force presses
 /// with this force even if no equilibrium is known.
 fn presses(grasp: &Grasp<3>, squeeze: f64, base: Wrench<3>) -> Result<(Vec<Press>, Vec<String>), Error> {
     let squeezed = grasp.squeezed(squeeze)?;
@@ -312,7 +312,8 @@ fn presses(grasp: &Grasp<3>, squeeze: f64, base: Wrench<3>) -> Result<(Vec<Press
         let Outcome::Equilibrium(state) = squeezed.solve(load)? else { continue };
         let presses = list(&|i| state.contacts[i].force[0]);
         let mut set = presses.iter().filter(|press| press.is_set).peekable();
-        if *load != base && set.peek().is_some() && set.all(|press| press.force == 0.0) {
+        let nothing = NEGLIGIBLE * base.force_part().norm();
+        if *load != base && set.peek().is_some() && set.all(|press| press.force <= nothing) {
             continue;
         }
         // Contacts held by a constant force are at their limit by design and are not listed.
