@@ -20,9 +20,11 @@ pub(super) const AT_REST_AGAIN: f64 = 1e-3;
 /// lost.
 pub(super) const MOST_SNAPPING_STEPS: usize = 200;
 
-/// Most often that an object snaps over on a leg. One that sticks and snaps over again and again counts as lost then: each time the search for rates
-/// without a solution takes as long as a verdict.
-pub(super) const MOST_SNAPS: usize = 16;
+/// Most often that an object snaps over on a leg; beyond that it counts as lost. Steps of the load double where it sticks and snaps over again and
+/// again, so that twenty lead from the shortest to the whole leg, and forty more to a place where it is lost.
+///
+/// Each snap takes as long as a verdict: the search for rates without a solution.
+pub(super) const MOST_SNAPS: usize = 64;
 
 /// A step in which an object snaps over is taken where the imbalance after it differs from the expected one by less than this part of that before it.
 ///
