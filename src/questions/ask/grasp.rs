@@ -100,7 +100,7 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// The grasp of an engine, with links under the tensions that they have at rest.
-    fn installed_by(engine: Engine) -> Result<Self, Error> {
+    pub(super) fn installed_by(engine: Engine) -> Result<Self, Error> {
         Grasp::<3>::of(engine).installed().map(outside)
     }
 

@@ -294,7 +294,7 @@ fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], is_proved: bool) -> A
 /// If the contacts that are set press with nothing but rounding without a load, their forces are those beside the load at rest. A contact held by a force presses
 /// with this force even if no equilibrium is known.
 fn presses(grasp: &Grasp<3>, squeeze: f64, base: Wrench<3>) -> Result<(Vec<Press>, Vec<String>), Error> {
-    let squeezed = grasp.squeezed(squeeze)?;
+    let squeezed = grasp.squeezed_for_trial(squeeze)?;
     let list = |force: &dyn Fn(usize) -> f64| {
         let press = |contact: &ContactPoints| {
             let points = contact.range.clone();
