@@ -182,3 +182,33 @@ fn a_pull_that_gives_way() {
     let scene = Scene::from_json(away.as_bytes()).expect("a scene");
     assert_eq!(facts(&scene.answers().expect_err("it flies off")), ["belt", "tension", "100"]);
 }
+
+/// A spring presses an object onto a floor of the same stiffness, and half of its force is lost: `tension` is no remedy, since it pulls.
+#[test]
+fn a_push_that_gives_way() {
+    let pressed = r#"{"format": "grasp-lcp/1", "planar": {
+        "contacts": [{"name": "floor", "point": [0, 0], "normal": [0, 1], "friction": 0.5, "stiffness": 1e4}],
+        "links": [{"name": "plunger", "spring": {"from": [0, 1], "to": [0, 2]}, "stiffness": 1e4, "pretension": -100}],
+        "questions": [{"hold": {"load": {"force": [20, 0]}}}]}}"#;
+    let [warning] = &warnings(pressed)[..] else { panic!("one warning") };
+    let text = warning.to_string();
+    assert!(
+        text.starts_with("plunger pushes with 50 N at rest, not with 100 N") && !text.contains("`tension"),
+        "{text}"
+    );
+}
+
+/// Two blocks have masses, and the scene has no gravity.
+#[test]
+fn masses_without_gravity() {
+    let stack = |gravity: &str| {
+        format!(
+            r#"{{"format": "grasp-lcp/1", "planar": {{ {gravity} "bodies": [{{"name": "box", "mass": 2, "centre_of_mass": [0, 0.1]}}],
+            "contacts": [{{"point": [-0.1, 0], "normal": [0, 1], "on": "box", "friction": 0.5, "stiffness": 1e4}},
+                {{"point": [0.1, 0], "normal": [0, 1], "on": "box", "friction": 0.5, "stiffness": 1e4}}],
+            "questions": [{{"hold": {{"load": {{"force": [4, 0], "at": [0, 0.05]}}}}}}]}}}}"#
+        )
+    };
+    assert_eq!(warnings(&stack("")), [Warning::NoGravity]);
+    assert_eq!(warnings(&stack(r#""gravity": [0, -9.81],"#)), []);
+}

@@ -225,7 +225,7 @@ impl<'s, 'g> Flow<'s, 'g> {
 
     /// Indices of the load factor and of the first of the works in the list of variables; friction forces and twist come before.
     fn places(&self) -> [usize; 2] {
-        let load = self.begin.len() * (2) + self.size().count();
+        let load = 2 * self.begin.len() + self.size().count();
         [load, load + 1]
     }
 
@@ -235,7 +235,7 @@ impl<'s, 'g> Flow<'s, 'g> {
 
     /// The change of the twist since the start, from the list of variables.
     fn twist_change(&self, y: &[f64]) -> Vector {
-        let first = self.begin.len() * (2);
+        let first = 2 * self.begin.len();
         Vector::from_fn(self.size(), |k| y[first + k])
     }
 
@@ -309,7 +309,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         let count = self.size().count();
         let size = |k: usize| self.sizes[k] + length * self.point.rate_sizes[k];
         let [force, travel] = [0, 1].each(size);
-        let (of_frictions, others) = error.split_at(self.arc.sliding.len() * (2));
+        let (of_frictions, others) = error.split_at(2 * self.arc.sliding.len());
         let norm = |part: &[f64]| summed(part, &|e| e * e).sqrt();
         let of_forces = of_frictions.chunks_exact(2).map(norm).fold(0.0, f64::max);
         let with_sizes = of_frictions.chunks_exact(2).zip(&self.begin).zip(&self.vanishing);

@@ -207,9 +207,12 @@ impl Node {
         if nothing && (0..states.len()).all(comes_no_nearer) {
             return Found { forces: vec![SVector::zeros(); states.len()], states, ..found };
         }
+        // Motions whose lengths differ by less than this fraction are equal up to rounding. Of equal motions, the one counts in which no contact slides
+        // without force: its direction would be rounding.
+        let rubs = (0..states.len()).any(|i| states[i].is_open() && found.states[i].slides());
+        let most = if rubs { 1.0 + NEGLIGIBLE } else { 1.0 - NEGLIGIBLE };
         match try_states(rates, states) {
-            // Motions whose lengths differ by less than this fraction are equal up to rounding.
-            Judged::Holds(parted) if parted.twist.norm() < found.twist.norm() * (1.0 - NEGLIGIBLE) => parted,
+            Judged::Holds(parted) if parted.twist.norm() < found.twist.norm() * most => parted,
             _ => found,
         }
     }

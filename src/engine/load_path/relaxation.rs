@@ -134,7 +134,7 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
             angles.push(angle);
         }
         let way = self.arc.unscaled(damped.bordered.solve(&left, 0.0));
-        let (frictions, others) = side.split_at_mut(self.contacts.len() * (2));
+        let (frictions, others) = side.split_at_mut(2 * self.contacts.len());
         let entries = frictions.chunks_exact_mut(2).zip(&self.contacts).zip(&damped.sizes);
         for (((entry, turning), size), angle) in entries.zip(angles) {
             let [stretch, force] = self.arc.rates(turning.contact, &turning.tangent, &way);

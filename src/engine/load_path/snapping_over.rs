@@ -113,11 +113,28 @@ impl<'g> RestsAgain<'g> {
 
 /// The change of the load factor that puts forces out of balance by a small fraction of the largest force. `change` are the rates of the offsets and
 /// `rate` is that of the load.
+///
+/// The largest force counts as at least a thousandth of what the whole leg adds: without any force the change would be zero.
 pub(super) fn a_little(sites: &[Site], change: &[SVector<f64, 3>], mut rate: Vector, largest: f64) -> f64 {
     for (site, change) in sites.iter().zip(change) {
         site.map.push(&site.springs.force(change), &mut rate);
     }
-    LITTLE_BEYOND * largest / rate.norm()
+    LITTLE_BEYOND * (largest / rate.norm()).max(1e-3)
+}
+
+/// The snaps on a leg so far.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Snapped {
+    count: usize,
+    /// Load factor at which the object rested again after the last one.
+    at: f64,
+    /// Difference of the load factors at which the object rested again, and at which it snapped.
+    step: f64,
+}
+
+impl Snapped {
+    /// No snap yet.
+    pub(super) const NEVER: Self = Self { count: 0, at: f64::NAN, step: 0.0 };
 }
 
 /// Whether no body turns, and no contact moves, beyond the limits of small motions.
@@ -151,17 +168,33 @@ impl<'g> Pieces<'g> {
             || has_cups
             || self.factor >= 1.0
             || self.failed_jump.is_some()
-            || self.snaps >= MOST_SNAPS
+            || self.snapped.count >= MOST_SNAPS
         {
             return None;
         }
-        let state = self.state_before_event().or_else(|| self.present_state(journey))?;
         let Segment { grasp, change, course, .. } = &self.segment;
         let (load, rate) = (course.at(self.factor), course.rate_at(self.factor));
         // The load is included, since contacts may carry no force at all.
         let most = largest(&self.node.at.forces, &SVector::norm).max(load.norm());
-        let little = a_little(grasp.sites(), change, rate, most);
-        let beyond = (self.factor + little).min(1.0);
+        let least = a_little(grasp.sites(), change, rate, most);
+        // An object that sticks and snaps over again and again moves on by larger and larger steps of the load.
+        let is_again = self.factor - self.snapped.at <= self.snapped.step;
+        let mut step = if is_again { (2.0 * self.snapped.step).max(least) } else { least };
+        loop {
+            if let event @ Some(_) = self.snaps_within(step, journey) {
+                return event;
+            }
+            if step <= least {
+                return None;
+            }
+            step = (0.25 * step).max(least);
+        }
+    }
+
+    /// The event at which the object snaps over and rests again under a load whose factor is larger by `step`.
+    fn snaps_within(&mut self, step: f64, journey: &Journey<'g>) -> Option<Event<3>> {
+        let state = self.state_before_event().or_else(|| self.present_state(journey))?;
+        let beyond = (self.factor + step).min(1.0);
         let goal = self.segment.course.at(beyond);
         let rests = self.rests_again(beyond)?;
         let (leg, changes) = self.back_to_balance(rests, beyond);
@@ -178,7 +211,7 @@ impl<'g> Pieces<'g> {
             return None;
         };
         self.at_node = true;
-        self.snaps += 1;
+        self.snapped = Snapped { count: self.snapped.count + 1, at: beyond, step };
         Some(Event { jump: Some(Box::new(Jump { snaps: true, ..jump })), ..event })
     }
 

@@ -20,9 +20,11 @@ pub(super) const AT_REST_AGAIN: f64 = 1e-3;
 /// moves slowly away from the end of its path counts as lost.
 pub(super) const MOST_SNAPPING_STEPS: usize = 200;
 
-/// The largest number of times that an object snaps over on a leg. If it sticks and snaps over more often, the load counts as lost. Each time takes
-/// as long as a verdict, since the search for rates must fail.
-pub(super) const MOST_SNAPS: usize = 16;
+/// The largest number of times that an object snaps over on a leg. If it snaps over more often, the load counts as lost.
+///
+/// Steps of the load double where the object sticks and snaps over again and again: twenty lead from the shortest step to the whole leg, and forty
+/// more to the load at which it is lost. Each time takes as long as a verdict, since the search for rates must fail.
+pub(super) const MOST_SNAPS: usize = 64;
 
 /// While an object snaps over, a step is accepted if the imbalance after it differs from the expected one by less than this fraction of the imbalance
 /// before it.

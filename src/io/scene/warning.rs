@@ -29,6 +29,8 @@ use crate::words::{Words, listed, printable};
 pub enum Warning {
     /// A question begins without load, and no command, clearance or drive presses a contact on.
     NothingPresses,
+    /// Bodies have masses, but the scene has no gravity, and nothing else presses a contact on.
+    NoGravity,
     /// At rest a contact presses with another force than its `pressed_with`, which only sets the stretch of its spring before the object gives way.
     PressesOtherwise {
         /// The contact of the scene, from 0.
@@ -167,12 +169,22 @@ impl fmt::Display for Warning {
             Self::NothingPresses => f.write_str(
                 "no finger presses: every command is zero or missing, so that friction has nothing to act on; say `command` or `pressed_with`",
             ),
+            Self::NoGravity => f.write_str(
+                "bodies have a `mass`, but the scene has no `gravity`: nothing weighs, and nothing else presses",
+            ),
             Self::PressesOtherwise { name, told, force, .. } => write!(
                 f,
                 "{} presses with {} N at rest, not with {} N: `pressed_with` moves a spring, and the object gives way until forces agree",
                 printable(name),
                 words.number(*force),
                 words.number(*told)
+            ),
+            Self::PullsOtherwise { name, told, force, .. } if *told < 0.0 => write!(
+                f,
+                "{} pushes with {} N at rest, not with {} N: `pretension` acts before anything gives way; a larger one pushes with more",
+                printable(name),
+                words.number(-*force),
+                words.number(-*told)
             ),
             Self::PullsOtherwise { name, told, force, .. } => write!(
                 f,
@@ -347,7 +359,8 @@ impl Setup<3> {
         warnings.extend(self.badly_touching()?);
         warnings.extend(self.odd_loads());
         if self.nothing_presses(&grasp)? {
-            warnings.push(Warning::NothingPresses);
+            let weighs_nothing = self.gravity.is_none() && self.bodies.iter().any(|body| body.mass > 0.0);
+            warnings.push(if weighs_nothing { Warning::NoGravity } else { Warning::NothingPresses });
         }
         warnings.extend(self.otherwise_at_rest(&grasp)?);
         warnings.extend(self.same_names());

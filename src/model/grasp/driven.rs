@@ -80,10 +80,11 @@ impl Engine {
             contact.command *= factor;
             contact.force = contact.force.map(|force| force * factor);
             contact.suction *= factor;
+            contact.at_rest = contact.at_rest.map(|tension| tension * factor);
         }
         grasp.vacuum = Vacuum::of(grasp.space, &grasp.contacts, &grasp.sites);
         if let Some(linkage) = &mut grasp.linkage {
-            linkage.squeeze(grasp.space, factor);
+            linkage.squeeze(factor);
         }
         Ok(grasp)
     }

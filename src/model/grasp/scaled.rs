@@ -1,11 +1,11 @@
 //! The parts of a grasp that press, and copies of the grasp in which one part presses more or less.
 
 use super::engine::Engine;
+use super::hand::Linkage;
 use super::whole_contact::ContactPoints;
 use super::wrench::Wrench;
 use crate::error::{Error, MODERATE, is_moderate};
-use crate::numerics::IntoList;
-use crate::numerics::mapped;
+use crate::numerics::{IntoList, mapped};
 use crate::prelude::*;
 use crate::words::{listed, printable};
 
@@ -31,7 +31,8 @@ impl Engine {
             |contact: &&ContactPoints| self.contacts[contact.range.start].force.unwrap_or(0.0) != 0.0;
         let slides = self.wholes().iter().filter(is_pushed).count();
         self.linkage().is_some_and(|linkage| {
-            let held = linkage.joints.iter().filter(|joint| joint.held_torque != 0.0).count();
+            let parts = linkage.joints.iter().chain(&linkage.tendons);
+            let held = parts.filter(|part| part.held_torque != 0.0).count();
             held > slides || linkage.commands.iter().any(|command| *command != 0.0)
         })
     }
@@ -62,7 +63,7 @@ impl Engine {
 
     /// Looks up the part with this name, and returns a copy of the grasp in which its load or command is multiplied by `factor`. For each kind of
     /// part this is the load of a body without its weight; the command, force and vacuum of a contact or a link; or the command and the constant
-    /// torque of a joint.
+    /// torque or tension of a joint or a tendon.
     ///
     /// # Errors
     /// [`Error::Part`] if no part has this name, or the part does not press; [`Error::Argument`] if the factor is out of range.
@@ -87,12 +88,14 @@ impl Engine {
             let (mut size, mut presses) = (Some(0.0), false);
             for contact in &mut contacts[part.range.clone()] {
                 let force = contact
-                    .force
+                    .at_rest
+                    .or(contact.force)
                     .unwrap_or(contact.suction + contact.stiffness.series()[0] * contact.command[0]);
                 presses |= contact.command.amax() > 0.0 || force != 0.0;
                 size = size.filter(|_| contact.clearance == 0.0).map(|sum| sum + force);
                 contact.command *= factor;
                 contact.force = contact.force.map(|force| force * factor);
+                contact.at_rest = contact.at_rest.map(|tension| tension * factor);
                 contact.suction *= factor;
             }
             if presses {
@@ -102,20 +105,20 @@ impl Engine {
                 ));
             }
         }
-        if let Some(linkage) = self.linkage()
-            && let Some(joint) = linkage.joints.iter().position(|joint| joint.name.as_deref() == Some(name))
-            && (linkage.commands[joint] != 0.0 || linkage.joints[joint].held_torque != 0.0)
-        {
-            let mut grasp = self.clone();
-            if let Some(linkage) = &mut grasp.linkage {
-                linkage.hold_joint(grasp.space, joint, factor);
-                linkage.commands[joint] *= factor;
-            }
-            return Ok((of(false, None), grasp));
+        let mut grasp = self.clone();
+        if grasp.linkage.as_mut().is_some_and(|linkage| linkage.scale_named(name, factor)) {
+            let tendon = self.linkage().and_then(|linkage| {
+                linkage.tendons.iter().find(|tendon| tendon.name.as_deref() == Some(name))
+            });
+            let tension = tendon
+                .filter(|tendon| tendon.held_torque != 0.0)
+                .map(|tendon| (tendon.held_torque.abs(), "N"));
+            return Ok((of(false, tension), grasp));
         }
         let mut pressing = self.loaded_bodies();
         let labels = parts.iter().map(ContactPoints::text);
         pressing.extend(labels.filter(|label| label != name));
+        pressing.extend(self.linkage().map_or_else(Vec::new, Linkage::names_that_press));
         let all: Vec<_> = mapped(&pressing, &|name| printable(name));
         Err(Error::Part { name: name.to_owned(), allowed: listed(&all) })
     }

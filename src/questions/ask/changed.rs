@@ -17,6 +17,20 @@ impl<const C: usize> Grasp<C> {
         Ok(Self::of(engine?).with(&self.settings))
     }
 
+    /// A grasp with this changed engine, in which each link with a given tension pulls with it at rest again, and the settings of `self`.
+    fn changed_and_installed(&self, engine: Result<Engine, Error>) -> Result<Self, Error> {
+        Ok(Self::installed_by(engine?)?.with(&self.settings))
+    }
+
+    /// As [`Self::changed_and_installed`]. If the grasp cannot hold a tension at rest, the link keeps its pull before anything yields, and a trial finds
+    /// no rest either.
+    fn changed_for_trial(&self, engine: Engine) -> Result<Self, Error> {
+        match self.changed_and_installed(Ok(engine.clone())) {
+            Err(Error::Link { .. }) => self.changed(Ok(engine)),
+            installed => installed,
+        }
+    }
+
     /// This grasp with the body loads that acted at `equilibrium`; a load program may have applied some.
     pub(super) fn of_equilibrium(&self, equilibrium: &Equilibrium<C>) -> Self {
         let loads = &equilibrium.body_loads;
@@ -162,16 +176,21 @@ impl<const C: usize> Grasp<C> {
     /// `factor`.
     pub(crate) fn scaled(&self, part: &str, factor: f64) -> Result<(PressOfPart, Self), Error> {
         let (pressing, engine) = self.engine.scaled(part, factor)?;
-        Ok((pressing, self.changed(Ok(engine))?))
+        Ok((pressing, self.changed_for_trial(engine)?))
     }
 
-    /// This grasp with its squeeze multiplied by `factor`: commands of contacts, joints and tendons, torques that hold joints, forces that hold
-    /// contacts, and vacuums. Constant tensions of tendons stay.
+    /// [`Self::squeezed`] for a trial of an amount, which is made even if the grasp cannot hold a tension of a link.
+    pub(crate) fn squeezed_for_trial(&self, factor: f64) -> Result<Self, Error> {
+        self.changed_for_trial(self.engine.squeezed(factor)?)
+    }
+
+    /// This grasp with its squeeze multiplied by `factor`: commands of contacts, joints and tendons, constant torques of joints and tensions of
+    /// tendons, forces that hold contacts, vacuums, and the tensions with which [links](crate::grasp::Link::tension) pull at rest.
     ///
     /// # Errors
-    /// [`Error::Argument`] unless the factor is finite and at most 1e50.
+    /// [`Error::Argument`] unless the factor is finite and at most 1e50. [`Error::Link`] if the grasp cannot hold such a tension of a link.
     #[doc(alias = "grip force")]
     pub fn squeezed(&self, factor: f64) -> Result<Self, Error> {
-        self.changed(self.engine.squeezed(factor))
+        self.changed_and_installed(self.engine.squeezed(factor))
     }
 }

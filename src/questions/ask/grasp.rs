@@ -100,7 +100,7 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// The grasp of an engine. If links have a given tension, commands are set such that they have this tension at rest.
-    fn installed_by(engine: Engine) -> Result<Self, Error> {
+    pub(super) fn installed_by(engine: Engine) -> Result<Self, Error> {
         Grasp::<3>::of(engine).installed().map(outside)
     }
 

@@ -13,7 +13,8 @@ use crate::prelude::*;
 impl Grasp<3> {
     /// This grasp with commands of links such that each link with a given tension has that tension at rest.
     pub(super) fn installed(self) -> Result<Self, Error> {
-        let wanted = |contact: &crate::grasp::Contact<3>| contact.at_rest;
+        // A squeeze of zero leaves no tension, and no command.
+        let wanted = |contact: &crate::grasp::Contact<3>| contact.at_rest.filter(|tension| *tension > 0.0);
         let pressed: Vec<(usize, f64)> =
             self.contacts().iter().enumerate().filter_map(|(i, contact)| Some((i, wanted(contact)?))).list();
         if pressed.is_empty() {

@@ -39,7 +39,7 @@ impl Loading {
         let (friction, squeeze) = (1.0 - safety.lower[0], 1.0 - safety.lower[1]);
         let (mut times, mut base, mut loads) = (safety.load, need.base, need.loads.clone());
         let squeeze = if need.sought == Sought::Squeeze { squeeze * amount } else { squeeze };
-        let mut grasp = if squeeze == 1.0 { grasp.clone() } else { grasp.squeezed(squeeze)? };
+        let mut grasp = if squeeze == 1.0 { grasp.clone() } else { grasp.squeezed_for_trial(squeeze)? };
         match &need.sought {
             Sought::Squeeze => {}
             Sought::Friction { contacts } => {

@@ -292,10 +292,10 @@ fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], is_proved: bool) -> A
 
 /// The normal force of each contact at rest with its squeeze multiplied by `squeeze`, N. Also the joints and tendons whose drives are at their limit.
 ///
-/// If the contacts that are pressed by commands carry no force without a load, their forces are those under the load at rest. A contact held by a
+/// If the contacts that are pressed by commands carry no force but rounding without a load, their forces are those under the load at rest. A contact held by a
 /// given force presses with it even if no equilibrium is known.
 fn presses(grasp: &Grasp<3>, squeeze: f64, base: Wrench<3>) -> Result<(Vec<Press>, Vec<String>), Error> {
-    let squeezed = grasp.squeezed(squeeze)?;
+    let squeezed = grasp.squeezed_for_trial(squeeze)?;
     let list = |force: &dyn Fn(usize) -> f64| {
         let press = |contact: &ContactPoints| {
             let points = contact.range.clone();
@@ -313,7 +313,8 @@ fn presses(grasp: &Grasp<3>, squeeze: f64, base: Wrench<3>) -> Result<(Vec<Press
         let Outcome::Equilibrium(state) = squeezed.solve(load)? else { continue };
         let presses = list(&|i| state.contacts[i].force[0]);
         let mut set = presses.iter().filter(|press| press.is_set).peekable();
-        if *load != base && set.peek().is_some() && set.all(|press| press.force == 0.0) {
+        let nothing = NEGLIGIBLE * base.force_part().norm();
+        if *load != base && set.peek().is_some() && set.all(|press| press.force <= nothing) {
             continue;
         }
         // A contact that is held by a given force is always at its limit, so it is not listed.

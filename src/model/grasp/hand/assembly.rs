@@ -11,7 +11,7 @@ use super::positive::squares;
 use crate::error::{Error, LARGEST, is_moderate};
 use crate::grasp::bodies::{PlacedBodies, refuse_sides};
 use crate::grasp::engine::Engine;
-use crate::numerics::{IntoList, Size, Vector, mapped, paired};
+use crate::numerics::{IntoList, Size, Vector, mapped, numbered, paired};
 use crate::prelude::*;
 use crate::words::printable;
 
@@ -186,7 +186,8 @@ impl Assembly {
             return Self::fault(label, "arm over every joint", 0.0, "more than nothing over one of them");
         }
         let (spring, unit) = self.over(&arms, tendon.stiffness);
-        self.held_forces += &spring.along * (tendon.tension * unit);
+        let along = &spring.along * unit;
+        self.held_forces += &along * tendon.tension;
         if tendon.stiffness > 0.0 {
             let actuator = self.joints.len() + number;
             self.drive(Owner::Tendon(number), &spring, (actuator, 1.0 / unit), tendon.limit, tendon.pushes);
@@ -196,6 +197,7 @@ impl Assembly {
             limit: tendon.limit,
             kind: JointKind::Slides,
             held_torque: tendon.tension,
+            along,
         })
     }
 
@@ -261,14 +263,20 @@ impl Assembly {
         bodies: Option<PlacedBodies>,
     ) -> Result<Engine, Error> {
         let size = Size::of(self.object() + self.used);
-        let name = |joint: &Joint<3>| Named {
-            name: joint.name.clone(),
-            limit: joint.limit,
-            kind: joint.kind(),
-            held_torque: joint.torque,
+        let name = |number: usize| {
+            let (joint, k) = (&self.joints[number], self.object() + number);
+            let mut along = Vector::zeros();
+            along[k] = 1.0 / self.lengths[k];
+            Named {
+                name: joint.name.clone(),
+                limit: joint.limit,
+                kind: joint.kind(),
+                held_torque: joint.torque,
+                along,
+            }
         };
         let linkage = Linkage {
-            joints: mapped(&self.joints, &name),
+            joints: numbered(self.joints.len(), &name),
             tendons,
             lengths: Vector::from_fn(size, |k| self.lengths[k]),
             motions: self.motions,

@@ -9,8 +9,7 @@ use super::drive::{Drive, Owner};
 use super::joint::{JointKind, Limit};
 use crate::grasp::bodies::PlacedBodies;
 use crate::grasp::contact::Contact;
-use crate::numerics::Space;
-use crate::numerics::Vector;
+use crate::numerics::{IntoList, Space, Vector};
 use crate::prelude::*;
 use crate::words::printable;
 
@@ -48,6 +47,16 @@ pub(crate) struct Named {
     pub(crate) kind: JointKind,
     /// Constant torque or tension, N m or N.
     pub(crate) held_torque: f64,
+    /// Generalised force on the coordinates per unit of the torque or tension.
+    pub(crate) along: Vector,
+}
+
+impl Named {
+    /// Multiplies the constant torque or tension by `factor`, and adds the change to the generalised forces.
+    fn hold(&mut self, factor: f64, held_forces: &mut Vector) {
+        *held_forces += &self.along * ((factor - 1.0) * self.held_torque);
+        self.held_torque *= factor;
+    }
 }
 
 /// A joint or a tendon of a hand.
@@ -120,17 +129,33 @@ impl Linkage {
         linkage
     }
 
-    /// Multiplies commands and constant joint torques by `factor`.
-    pub(crate) fn squeeze(&mut self, space: Space, factor: f64) {
+    /// Multiplies all commands, constant torques and constant tensions by `factor`.
+    pub(crate) fn squeeze(&mut self, factor: f64) {
         self.commands.iter_mut().for_each(|command| *command *= factor);
-        (0..self.joints.len()).for_each(|joint| self.hold_joint(space, joint, factor));
+        for part in self.joints.iter_mut().chain(&mut self.tendons) {
+            part.hold(factor, &mut self.held_forces);
+        }
     }
 
-    /// Multiplies the constant torque of a joint by `factor`.
-    pub(crate) fn hold_joint(&mut self, space: Space, joint: usize, factor: f64) {
-        let (k, joint) = (space.of_the_object() + joint, &mut self.joints[joint]);
-        self.held_forces[k] += (factor - 1.0) * (joint.held_torque / self.lengths[k]);
-        joint.held_torque *= factor;
+    /// Multiplies the command and the constant torque or tension of the joint or tendon with this name by `factor`. Returns whether there is one that
+    /// presses.
+    pub(crate) fn scale_named(&mut self, name: &str, factor: f64) -> bool {
+        let mut presses = false;
+        for (part, command) in self.joints.iter_mut().chain(&mut self.tendons).zip(&mut self.commands) {
+            if part.name.as_deref() == Some(name) && (*command != 0.0 || part.held_torque != 0.0) {
+                *command *= factor;
+                part.hold(factor, &mut self.held_forces);
+                presses = true;
+            }
+        }
+        presses
+    }
+
+    /// Names of the joints and tendons with a command, a constant torque or a constant tension.
+    pub(crate) fn names_that_press(&self) -> Vec<String> {
+        let parts = self.joints.iter().chain(&self.tendons).zip(&self.commands);
+        let pressing = parts.filter(|(part, command)| **command != 0.0 || part.held_torque != 0.0);
+        pressing.filter_map(|(part, _)| part.name.as_deref().map(str::to_owned)).list()
     }
 
     /// Replaces the constant forces of the contacts `before` by those of the contacts `now`.
