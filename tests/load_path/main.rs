@@ -31,6 +31,7 @@ mod pushed_blocks;
 mod recontact;
 mod rings;
 mod round_cone;
+mod second_stop;
 mod sliding_arcs;
 mod small_steps;
 mod snapping_over;

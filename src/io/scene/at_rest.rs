@@ -132,7 +132,7 @@ fn jams(grasp: &Grasp<3>, load: Wrench<3>) -> Result<bool, Error> {
         return Ok(false);
     }
     // With a friction coefficient of 3 or more, a load that presses on contacts jams the object and is held.
-    let rough = grasp.with_friction(|_, mu| if mu > 0.0 { mu.max(3.0) } else { mu })?;
+    let rough = grasp.not_installed_with_friction(&|_, mu| if mu > 0.0 { mu.max(3.0) } else { mu })?;
     let verdict = rough.hold(Ramp::load(Wrench::ZERO, load))?;
     Ok(verdict.lost.map_or(verdict.held_to > 0.0, |lost| lost.factor > 0.0))
 }

@@ -17,18 +17,10 @@ impl<const C: usize> Grasp<C> {
         Ok(Self::of(engine?).with(&self.settings))
     }
 
-    /// A grasp with this changed engine, in which each link with a given tension pulls with it at rest again, and the settings of `self`.
-    fn changed_and_installed(&self, engine: Result<Engine, Error>) -> Result<Self, Error> {
-        Ok(Self::installed_by(engine?)?.with(&self.settings))
-    }
-
-    /// As [`Self::changed_and_installed`]. If the grasp cannot hold a tension at rest, the link keeps its pull before anything yields, and a trial finds
-    /// no rest either.
-    fn changed_for_trial(&self, engine: Engine) -> Result<Self, Error> {
-        match self.changed_and_installed(Ok(engine.clone())) {
-            Err(Error::Link { .. }) => self.changed(Ok(engine)),
-            installed => installed,
-        }
+    /// This grasp with commands under which each link with a given tension pulls with it at rest: after a change of what acts on it.
+    pub(crate) fn installed_again(self) -> Result<Self, Error> {
+        let settings = self.settings;
+        Ok(Self::installed_by(Arc::unwrap_or_clone(self.engine))?.with(&settings))
     }
 
     /// This grasp with the body loads that acted at `equilibrium`; a load program may have applied some.
@@ -162,9 +154,17 @@ impl<const C: usize> Grasp<C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Contact`] if a coefficient is out of range.
+    /// [`Error::Contact`] if a coefficient is out of range. [`Error::Link`] if the grasp can no longer hold a [tension](crate::grasp::Link::tension).
     pub fn with_friction(&self, friction: impl Fn(usize, f64) -> f64) -> Result<Self, Error> {
-        self.changed(self.engine.with_friction(&friction))
+        self.not_installed_with_friction(&friction)?.installed_again()
+    }
+
+    /// [`Self::with_friction`], before links have their tension again.
+    pub(crate) fn not_installed_with_friction(
+        &self,
+        friction: &dyn Fn(usize, f64) -> f64,
+    ) -> Result<Self, Error> {
+        self.changed(self.engine.with_friction(friction))
     }
 
     /// This grasp with other contacts, as many as before, and the same joints.
@@ -173,15 +173,15 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// The part with this name (a body, contact, cable or joint) and the force with which it presses; and this grasp with that force multiplied by
-    /// `factor`.
+    /// `factor`, before links have their tension again.
     pub(crate) fn scaled(&self, part: &str, factor: f64) -> Result<(PressOfPart, Self), Error> {
         let (pressing, engine) = self.engine.scaled(part, factor)?;
-        Ok((pressing, self.changed_for_trial(engine)?))
+        Ok((pressing, self.changed(Ok(engine))?))
     }
 
-    /// [`Self::squeezed`] for a trial of an amount, which is made even if the grasp cannot hold a tension of a link.
-    pub(crate) fn squeezed_for_trial(&self, factor: f64) -> Result<Self, Error> {
-        self.changed_for_trial(self.engine.squeezed(factor)?)
+    /// [`Self::squeezed`], before links have their tension again.
+    pub(crate) fn not_installed_squeezed(&self, factor: f64) -> Result<Self, Error> {
+        self.changed(self.engine.squeezed(factor))
     }
 
     /// This grasp with its squeeze multiplied by `factor`: commands of contacts, joints and tendons, constant torques of joints and tensions of
@@ -191,6 +191,6 @@ impl<const C: usize> Grasp<C> {
     /// [`Error::Argument`] unless the factor is finite and at most 1e50. [`Error::Link`] if the grasp cannot hold such a tension of a link.
     #[doc(alias = "grip force")]
     pub fn squeezed(&self, factor: f64) -> Result<Self, Error> {
-        self.changed_and_installed(self.engine.squeezed(factor))
+        self.not_installed_squeezed(factor)?.installed_again()
     }
 }

@@ -54,14 +54,18 @@ impl Engine {
         state: Option<Equilibrium<3>>,
         everything_slides: bool,
     ) -> Lost<3> {
+        let contact = |i: usize| state.as_ref().map(|state| &state.contacts[i]);
         let slides = |i: usize| {
-            let contact = state.as_ref().map(|state| &state.contacts[i]);
-            contact.is_some_and(|contact| matches!(contact.state, ContactState::Sliding { .. }))
+            contact(i).is_some_and(|contact| matches!(contact.state, ContactState::Sliding { .. }))
+        };
+        // A wire, a strap or a hinge that carries a force holds the object although every contact slides.
+        let carries = |i: usize| {
+            self.contacts()[i].link.is_some() && contact(i).is_some_and(|contact| contact.force.norm() > 0.0)
         };
         Lost {
             too_far: Some(what.clone()),
             slide: self.wholes().with(&slides),
-            is_gross_slip: everything_slides,
+            is_gross_slip: everything_slides && !(0..self.len()).any(carries),
             ..Lost::alone(factor, LossKind::TooFar, WayOut::NotKnown, state)
         }
     }

@@ -133,7 +133,7 @@ impl<const C: usize> Verdict<C> {
     ) -> fmt::Result {
         let (words, digits) = (Words::of(f), Words::of(f).precision());
         let amount = |factor: f64| amount_of(self.load.measure(), factor, words);
-        match self.everything_slides {
+        match self.everything_slides.filter(|_| lost.is_gross_slip) {
             _ if lost.factor <= NEGLIGIBLE => {
                 write!(f, "GOES TOO FAR at rest already: {far:.digits$}{NO_LONGER_SMALL}")
             }

@@ -176,6 +176,9 @@ pub enum Amount {
         /// Whether a proof excludes all amounts from `from` to `to`: no contact forces balance the loads with any of them.
         #[cfg_attr(feature = "serde", serde(default))]
         is_proved: bool,
+        /// Whether this proof is about the load at rest alone, which acts before any of the loads.
+        #[cfg_attr(feature = "serde", serde(default))]
+        at_rest: bool,
         /// The tried amount that carries the largest part of the load.
         best: f64,
         /// The verdict for `best`, in a sentence.

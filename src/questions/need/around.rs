@@ -20,6 +20,12 @@ pub(super) struct Around {
     pub(super) elsewhere: Vec<AmountWindow>,
 }
 
+/// Ratio of the bound to the first amount tried above which amounts beyond the first one are scanned, too: those around the bound do not reach it.
+const FAR_BEHIND: f64 = 4.0;
+
+/// Number of amounts scanned there.
+const NEAR_THE_START: usize = 3;
+
 impl SearchPlan {
     /// `count` amounts beyond `from`, upwards or downwards, as far as contact forces can balance the loads. With `coarse`, one more amount is 16
     /// times as large or small as `from`.
@@ -63,6 +69,12 @@ impl Around {
         for (up, count) in [(false, half), (true, scan - half)] {
             let is_beyond = up == plan.is_least;
             let mut amounts = plan.scanned(bound.does, up, count, far && is_beyond);
+            let begin = plan.begin();
+            let is_far_behind =
+                if up { begin > FAR_BEHIND * bound.does } else { bound.does > FAR_BEHIND * begin };
+            if is_beyond && is_far_behind && scan > 0 {
+                amounts.extend(plan.scanned(begin, up, NEAR_THE_START, true));
+            }
             amounts.extend(plan.at_the_end(up).into_iter().filter(|_| is_beyond));
             if scan > 0 {
                 amounts.extend(mapped(known, &|(at, _)| *at));

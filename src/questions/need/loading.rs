@@ -31,6 +31,8 @@ pub(super) struct Loading {
     followed: f64,
     /// Whether trials skip the enumeration of contact states.
     is_quick: bool,
+    /// The reason why a link cannot have its tension at rest, if so: the amount then does not suffice.
+    refused: Option<String>,
 }
 
 impl Loading {
@@ -39,13 +41,14 @@ impl Loading {
         let (friction, squeeze) = (1.0 - safety.lower[0], 1.0 - safety.lower[1]);
         let (mut times, mut base, mut loads) = (safety.load, need.base, need.loads.clone());
         let squeeze = if need.sought == Sought::Squeeze { squeeze * amount } else { squeeze };
-        let mut grasp = if squeeze == 1.0 { grasp.clone() } else { grasp.squeezed_for_trial(squeeze)? };
+        let mut grasp = if squeeze == 1.0 { grasp.clone() } else { grasp.not_installed_squeezed(squeeze)? };
         match &need.sought {
             Sought::Squeeze => {}
             Sought::Friction { contacts } => {
                 let is_meant =
                     |i: usize, mu: f64| contacts.as_ref().map_or(mu > 0.0, |those| those.contains(&i));
-                grasp = grasp.with_friction(|i, mu| if is_meant(i, mu) { amount } else { mu })?;
+                grasp =
+                    grasp.not_installed_with_friction(&|i, mu| if is_meant(i, mu) { amount } else { mu })?;
             }
             Sought::Load => times *= amount,
             Sought::Arm { at, per_metre } => loads = (*at + *per_metre * amount).into(),
@@ -53,7 +56,18 @@ impl Loading {
             Sought::Force { of: Some(part) } => grasp = grasp.scaled(part, amount)?.1,
             Sought::Force { of: None } => base = base * amount,
         }
-        let grasp = if friction == 1.0 { grasp } else { grasp.with_friction(|_, mu| friction * mu)? };
+        let grasp = if friction == 1.0 {
+            grasp
+        } else {
+            grasp.not_installed_with_friction(&|_, mu| friction * mu)?
+        };
+        let (grasp, refused) = match grasp.clone().installed_again() {
+            Err(Error::Link { name, value, .. }) => {
+                let tension = need.words.number(value);
+                (grasp, Some(format!("DOES NOT HOLD even at rest the tension of {name}, {tension} N")))
+            }
+            installed => (installed?, None),
+        };
         // Loads of a sufficient amount are followed up to this multiple, which shows how far the amount is from the bound. A larger multiple makes
         // paths longer; only for a squeeze does it lead to good guesses of the bound.
         let followed = match need.sought {
@@ -62,7 +76,7 @@ impl Loading {
             _ => 4.0,
         };
         let grasp = grasp.with(&grasp.settings().with_most_load(followed.max(1.0)));
-        Ok(Self { grasp, loads, base, times, words: need.words, followed, is_quick: false })
+        Ok(Self { grasp, loads, base, times, words: need.words, followed, is_quick: false, refused })
     }
 
     /// The loads that contact forces must balance if the amount is to suffice: the load at rest, and its sum with each load. A force of any direction
@@ -103,6 +117,9 @@ impl Loading {
     /// Tries whether the amount meets the demand. The load of index `first` is put on first. If a load is not carried, `first` becomes its index,
     /// because as a rule the same load refutes the next amount.
     pub(super) fn put_on(&self, demand: Demand, first: &Cell<usize>) -> Result<Trials, Error> {
+        if let Some(refused) = &self.refused {
+            return Ok(Trials::only(demand, Trial::does_not(refused, NOT_AT_REST)));
+        }
         if demand.repeats() {
             return Ok(Trials::only(demand, self.again_and_again(demand)?));
         }

@@ -5,6 +5,7 @@ use super::around::{Around, between_states};
 use super::posed::{Posed, Safety, Sought};
 use super::press::{Press, pressure_of_cup};
 use super::question::{Demand, Need};
+use super::range::Range;
 use super::search::{SearchPlan, Searched, Tries, search};
 use super::threshold::Threshold;
 use super::tolerances::FAR_FROM_START;
@@ -135,7 +136,7 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
     let mut plan = tried.plan(look)?;
     if plan.range.is_empty {
         let trial = tries.at(plan.start)?;
-        return Ok(nothing_does(vec![(plan.start, trial)], plan.limits, true));
+        return Ok(nothing_does(vec![(plan.start, trial)], plan.limits, Some(&plan.range)));
     }
     // Angles beyond the given turn are not tried.
     if matches!(need.sought, Sought::Angle { .. }) && tries.at(plan.start)?.does() {
@@ -175,7 +176,7 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
             if look == Look::Towards && vain.iter().any(|(_, trial)| trial.carried().is_some()) {
                 vain.retain(|(_, trial)| trial.carried().is_some());
             }
-            return Ok(nothing_does(vain, plan.limits, false));
+            return Ok(nothing_does(vain, plan.limits, None));
         }
     };
     let (does, does_not) = (bound.does, bound.does_not.0);
@@ -266,7 +267,8 @@ fn far_end_near(far: [f64; 2], does: f64, tries: Tries<'_>) -> Result<Option<Thr
 
 /// The answer if no amount suffices. Without a proof, an undecided trial makes the answer undecided. Otherwise `best` is the amount that carries
 /// most, the first of equals.
-fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], is_proved: bool) -> Amount {
+fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], proof: Option<&Range>) -> Amount {
+    let (is_proved, at_rest) = (proof.is_some(), proof.is_some_and(|range| range.is_empty_at_rest));
     let amounts = || vain.iter().map(|(amount, _)| *amount);
     let [from, to] = if is_proved {
         limits
@@ -274,7 +276,7 @@ fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], is_proved: bool) -> A
         [amounts().fold(f64::INFINITY, f64::min), amounts().fold(0.0, f64::max)]
     };
     let tried = vain.len();
-    let mut none = Amount::None { from, to, best: to, tried, is_proved, otherwise: String::new() };
+    let mut none = Amount::None { from, to, best: to, tried, is_proved, at_rest, otherwise: String::new() };
     let mut most = f64::NEG_INFINITY;
     for (amount, trial) in vain {
         let carried = trial.carried().unwrap_or(f64::NEG_INFINITY);
@@ -282,7 +284,7 @@ fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], is_proved: bool) -> A
             Trial::Unknown(doubt) if !is_proved => return Amount::Undecided { at: amount, doubt },
             Trial::DoesNot { says: otherwise, .. } if carried > most => {
                 most = carried;
-                none = Amount::None { from, to, best: amount, tried, is_proved, otherwise };
+                none = Amount::None { from, to, best: amount, tried, is_proved, at_rest, otherwise };
             }
             _ => {}
         }
@@ -295,7 +297,7 @@ fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], is_proved: bool) -> A
 /// If the contacts that are pressed by commands carry no force but rounding without a load, their forces are those under the load at rest. A contact held by a
 /// given force presses with it even if no equilibrium is known.
 fn presses(grasp: &Grasp<3>, squeeze: f64, base: Wrench<3>) -> Result<(Vec<Press>, Vec<String>), Error> {
-    let squeezed = grasp.squeezed_for_trial(squeeze)?;
+    let squeezed = grasp.squeezed(squeeze)?;
     let list = |force: &dyn Fn(usize) -> f64| {
         let press = |contact: &ContactPoints| {
             let points = contact.range.clone();

@@ -19,6 +19,8 @@ pub(super) struct Range {
     pub(super) low: Option<f64>,
     pub(super) high: Option<f64>,
     pub(super) is_empty: bool,
+    /// Whether it is empty because no forces balance the load at rest alone.
+    pub(super) is_empty_at_rest: bool,
     /// For friction only: an estimate of the lower end by secants, which is more accurate than the proved end.
     pub(super) likely: Option<f64>,
 }
@@ -31,7 +33,8 @@ impl Range {
         safety: Safety,
         [least, most]: [f64; 2],
     ) -> Result<Self, Error> {
-        let mut range = Self { low: None, high: None, is_empty: false, likely: None };
+        let mut range =
+            Self { low: None, high: None, is_empty: false, is_empty_at_rest: false, likely: None };
         let loading = |amount: f64| Loading::of(grasp, need, amount, safety);
         match need.sought {
             Sought::Angle { .. } => {}
@@ -41,6 +44,7 @@ impl Range {
                     for up in [true, false] {
                         if !range.is_empty {
                             range.cut(&loading, which, up, [least, most])?;
+                            range.is_empty_at_rest = range.is_empty && which == 0;
                         }
                     }
                 }

@@ -59,8 +59,11 @@ impl Needed {
             } => {
                 let much = self.much(words, *does, presses);
                 match until {
-                    _ if self.ends_small_motions(how, *is_too_far) => {
-                        write!(f, "HOLDS {}", self.in_small_motions(words, until.as_ref(), *does))?;
+                    Some(end) if self.ends_small_motions(how, *is_too_far) => {
+                        write!(f, "HOLDS {}", self.in_small_motions(words, end, *does))?;
+                    }
+                    None if self.ends_small_motions(how, *is_too_far) => {
+                        write!(f, "TAKES {much}, up to which motions are small, and holds")?;
                     }
                     _ if is_least => write!(f, "NEEDS {much} so that {aim}")?,
                     Some(end) => write!(f, "TAKES {} and {aim}", self.between_ends(words, end.does, *does))?,
@@ -112,14 +115,20 @@ impl Needed {
             Amount::None { otherwise, .. } if self.has_no_squeeze() => {
                 write!(f, "NO squeeze does: {otherwise}")?;
             }
-            Amount::None { from, to, best, tried, is_proved, otherwise } => {
+            Amount::None { from, to, best, tried, is_proved, at_rest, otherwise } => {
                 let range = match self.quantity {
                     Quantity::Angle => self.range(words, *from, *to),
                     _ => self.range(words, roughly(*from, true), roughly(*to, false)),
                 };
                 let best = self.much(words, *best, &[]);
+                let best = best.trim_end_matches(',');
                 let what = self.quantity;
-                if *is_proved {
+                if *at_rest {
+                    write!(
+                        f,
+                        "NO {what} does: no forces of the contacts balance the load at rest alone, before the rest is put on"
+                    )?;
+                } else if *is_proved {
                     write!(
                         f,
                         "NO {what} does, from {range}: no forces of the contacts balance the load with any"
@@ -232,12 +241,9 @@ impl Needed {
     }
 
     /// "from an arm of 0.25 m on (small motions: up to 54 m)", for the amounts from `until` to `does`.
-    fn in_small_motions(&self, words: Words, until: Option<&FarEnd>, does: f64) -> String {
-        let from = match until {
-            Some(end) => format!("from {} on", self.much(words, end.does, &[])),
-            None => format!("with any {}", self.quantity),
-        };
-        format!("{from} (small motions: up to {})", self.short(words.rounded_to(2), does, &[]))
+    fn in_small_motions(&self, words: Words, until: &FarEnd, does: f64) -> String {
+        let [from, to] = [self.much(words, until.does, &[]), self.short(words.rounded_to(2), does, &[])];
+        format!("from {from} on (small motions: up to {to})")
     }
 
     /// Writes the safe amount, which allows for reduced friction and squeeze or for larger loads.
@@ -257,10 +263,10 @@ impl Needed {
         }
         let (if_less, takes) = (listed(&less), if self.quantity.is_least() { "needs" } else { "takes" });
         match &self.safe {
-            Some(Amount::Bound { does: safe, until, is_too_far, .. })
+            Some(Amount::Bound { does: safe, until: Some(end), is_too_far, .. })
                 if self.ends_small_motions(self.demand, *is_too_far) =>
             {
-                let much = self.in_small_motions(words, until.as_ref(), *safe);
+                let much = self.in_small_motions(words, end, *safe);
                 write!(f, ". If {if_less} it holds {much}")
             }
             Some(Amount::Bound { does: safe, presses: safe_presses, until, .. }) => {

@@ -1,0 +1,29 @@
+//! A body that slides to a stop turns on about it until a second stop, which has more play, carries as well.
+
+use grasp_lcp::load_path::Ramp;
+use grasp_lcp::spatial::{Contact, Grasp, Wrench};
+
+/// A box of 20 kg on four feet is pushed towards two stops with unequal play. It slides to the first one, turns about that, and rests against both.
+/// In statics each then carries half of the push but for the friction of the feet, whatever their friction is.
+#[test]
+fn a_box_turns_on_to_the_second_stop() {
+    let foot = |x: f64, y: f64, mu: f64| {
+        Contact::new([x, y, 0.0], [0.0, 0.0, 1.0]).series_stiffness(1e6, 1e6).friction(mu)
+    };
+    let stop = |y: f64, play: f64, mu: f64| {
+        let stop = Contact::new([0.25, y, 0.05], [-1.0, 0.0, 0.0]).series_stiffness(1e6, 1e6).friction(mu);
+        stop.clearance(play)
+    };
+    for mu in [0.0, 0.001, 0.01, 0.02, 0.021, 0.0215, 0.023, 0.03, 0.05] {
+        let feet = [[-0.2, -0.2], [0.2, -0.2], [0.2, 0.2], [-0.2, 0.2]].map(|[x, y]| foot(x, y, mu));
+        let stops = [stop(0.1, 2e-4, mu), stop(-0.1, 5e-4, mu)];
+        let grasp = Grasp::new(feet.into_iter().chain(stops)).expect("well posed");
+        let weight = Wrench::force_at([0.0, 0.0, -196.2], [0.0, 0.0, 0.1]);
+        let push = Wrench::force_at([100.0, 0.0, 0.0], [0.0, 0.0, 0.05]);
+        let verdict = grasp.hold(Ramp::load(weight, push)).expect("well posed");
+        assert_eq!(verdict.holds(), Some(true), "{mu}: {verdict}");
+        let state = verdict.state.as_ref().expect("held");
+        let carried: f64 = state.contacts[4..].iter().map(|stop| stop.normal_force()).sum();
+        assert!((100.0 - 196.2 * mu - 1e-9..=100.0 + 1e-9).contains(&carried), "{mu}: {carried}");
+    }
+}
