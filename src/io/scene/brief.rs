@@ -89,7 +89,7 @@ impl Setup<3> {
     /// The short answer to one question.
     pub(super) fn brief_answer(&self, grasp: &Grasp<3>, question: &Question<3>) -> Result<Brief, Error> {
         self.check_question(question)?;
-        let grasp = &self.grasp_asked(grasp, question)?;
+        let grasp = &self.grasp_of(grasp, question)?;
         let labels = SceneNames(grasp);
         Ok(match &*self.meant(question)? {
             Question::Hold { .. } => held_briefly(&grasp.hold_briefly(&question.ramp()?)?.0),

@@ -18,7 +18,7 @@ use crate::picture::window::Window;
 /// (sin yaw cos pitch, −cos yaw cos pitch, sin pitch)
 /// ```
 ///
-/// The default is the initial view of the [page](super::SpatialPage::to_html): yaw −0.6, pitch 0.45.
+/// The default is the initial view of the [page](super::Page::to_html): yaw −0.6, pitch 0.45.
 ///
 /// ```
 /// use grasp_lcp::picture::View;
