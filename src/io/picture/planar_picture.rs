@@ -44,6 +44,7 @@ pub type Outline<'a> = &'a [[f64; 2]];
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]
+#[must_use]
 pub struct PlanarPicture<'a> {
     pub(super) grasp: Cow<'a, Grasp<3>>,
     pub(super) title: &'a str,
@@ -57,27 +58,23 @@ pub struct PlanarPicture<'a> {
 
 impl<'a> PlanarPicture<'a> {
     /// A picture of the grasp alone, with its title.
-    #[must_use]
     pub fn new<const C: usize>(grasp: &'a Grasp<C>, title: &'a str) -> Self {
         let (grasp, says, outlines) = (inside(grasp), Vec::new(), Vec::new());
         Self { grasp, title, says, outlines, state: None, load: None, leaving: None }
     }
 
     /// Adds a sentence below the title, broken into lines.
-    #[must_use]
     pub fn says(mut self, sentence: &'a str) -> Self {
         self.says.push(sentence);
         self
     }
 
     /// Draws the outline of the object.
-    #[must_use]
     pub fn outline(self, corners: Outline) -> Self {
         self.outlines([corners])
     }
 
     /// Draws the outline of each of [several bodies](crate::grasp::Bodies), in order; an empty outline omits a body.
-    #[must_use]
     pub fn outlines<'o>(mut self, outlines: impl IntoIterator<Item = Outline<'o>>) -> Self {
         let points = |corners: Outline| mapped(corners, &|corner| Vector2::from(*corner));
         self.outlines = outlines.into_iter().map(points).list();
@@ -85,20 +82,17 @@ impl<'a> PlanarPicture<'a> {
     }
 
     /// Draws the forces of an equilibrium and its load.
-    #[must_use]
     pub fn state<const C: usize>(self, state: &'a Equilibrium<C>) -> Self {
         self.maybe_state(Some(state))
     }
 
     /// Draws the forces of an equilibrium and its load, if there is one.
-    #[must_use]
     pub fn maybe_state<const C: usize>(mut self, state: Option<&'a Equilibrium<C>>) -> Self {
         self.state = state.map(inside);
         self
     }
 
     /// Sets the load that is drawn if there is no equilibrium.
-    #[must_use]
     pub fn load<const C: usize>(mut self, load: Wrench<C>) -> Self {
         self.load = Some(load.into_inside());
         self
@@ -106,7 +100,6 @@ impl<'a> PlanarPicture<'a> {
 
     /// Draws a motion of the object, if there is one, such as that of a [loss](crate::hold::Lost::motion): the outline, or the contact points, displaced
     /// along it. Only the direction of the motion matters.
-    #[must_use]
     pub fn maybe_leaving<const C: usize>(mut self, motion: Option<&'a Motion<C>>) -> Self {
         self.leaving = motion.map(inside);
         self

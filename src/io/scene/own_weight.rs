@@ -56,7 +56,6 @@ impl Setup<3> {
     }
 
     /// This setup without gravity, for loads that contain the weight. They act on every body with the share of its mass.
-    #[must_use]
     pub fn with_gravity_as_load(&self) -> Self {
         Self { gravity: None, loaded: None, shared_by_mass: true, ..self.clone() }
     }

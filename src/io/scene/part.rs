@@ -187,7 +187,6 @@ impl Touches {
 
 impl<const C: usize> Fingertip<C> {
     /// This contact as a pad that closes on the part of the scene, in space; its point and normal become place and direction of the pad.
-    #[must_use]
     pub fn touching(mut self, touches: Touches) -> Self {
         self.contact.point = nalgebra::SVector::from_fn(|a, _| touches.from[a]);
         self.contact.normal = nalgebra::SVector::from_fn(|a, _| touches.closing[a]);
@@ -205,7 +204,6 @@ impl<const C: usize> Setup<C> {
 
 impl Setup<3> {
     /// This setup with a part that is already read, with lengths in m, as the part that pads touch.
-    #[must_use]
     pub fn on_part(mut self, part: Arc<Part>) -> Self {
         let of_fingers = self.fingers.iter_mut().flat_map(|finger| &mut finger.contacts);
         for touches in self.contacts.iter_mut().chain(of_fingers).filter_map(|entry| entry.touches.as_mut()) {

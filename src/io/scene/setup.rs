@@ -44,6 +44,7 @@ use crate::words::Words;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(extend("required" = [])))]
 #[serde(remote = "Self", deny_unknown_fields)]
 #[non_exhaustive]
+#[must_use]
 pub struct Setup<const C: usize> {
     /// The plane or space; the vectors of a planar setup may have three components.
     #[serde(skip, default = "space_of_text::<C>")]
@@ -169,28 +170,24 @@ impl<const C: usize> Setup<C> {
     }
 
     /// This setup with one more finger.
-    #[must_use]
     pub fn finger(mut self, finger: FingerSetup<C>) -> Self {
         self.fingers.push(finger);
         self
     }
 
     /// This setup with one more tendon over the joints of its fingers.
-    #[must_use]
     pub fn tendon(mut self, tendon: Tendon) -> Self {
         self.tendons.push(tendon);
         self
     }
 
     /// This setup with one more question.
-    #[must_use]
     pub fn ask(mut self, question: Question<C>) -> Self {
         self.questions.push(question);
         self
     }
 
     /// This setup with other settings.
-    #[must_use]
     pub fn with_settings(mut self, settings: Settings) -> Self {
         self.settings = settings;
         self
@@ -238,7 +235,6 @@ impl Setup<3> {
     }
 
     /// These words for vectors of three components: in the plane the third is not written.
-    #[must_use]
     pub fn words(&self, words: Words) -> Words {
         words.in_space(self.space)
     }

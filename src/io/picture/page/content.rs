@@ -54,6 +54,7 @@ use crate::picture::actuators::Actuators;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]
+#[must_use]
 pub struct Page {
     pub(super) grasp: Grasp<3>,
     pub(super) title: String,
@@ -73,7 +74,6 @@ pub(super) struct MovingLine {
 
 impl Page {
     /// A page without answers, which draws the grasp alone. Links of a hand are drawn at their initial places.
-    #[must_use]
     pub fn new<const C: usize>(grasp: &Grasp<C>, title: impl Into<String>) -> Self {
         let grasp = inside(grasp);
         Self {
@@ -89,14 +89,12 @@ impl Page {
     /// Adds a closed line on the object, corner by corner, m (two corners give the line between them; z is zero in the plane). Several calls add several lines. They affect
     /// nothing but the drawing, which shows their original and moved places. The object is shaded between two consecutive lines of eight corners or
     /// more.
-    #[must_use]
     pub fn outline(self, corners: impl IntoIterator<Item = impl Into<[f64; 3]>>) -> Self {
         self.body_outline(0, corners)
     }
 
     /// Adds a closed line on one of [several bodies](crate::grasp::Bodies), by its index from 0, which moves with that body. Otherwise as
     /// [`Self::outline`].
-    #[must_use]
     pub fn body_outline(
         mut self,
         body: usize,
@@ -107,21 +105,18 @@ impl Page {
     }
 
     /// Adds a closed line on something at rest, such as a fingertip or a table, corner by corner, m; otherwise as [`Self::outline`].
-    #[must_use]
     pub fn fixture(mut self, corners: impl IntoIterator<Item = impl Into<[f64; 3]>>) -> Self {
         self.fixtures.push(corners.into_iter().map(Into::into).list());
         self
     }
 
     /// Adds an equilibrium of the grasp; `label` is written on its button. The first answer is shown initially.
-    #[must_use]
     pub fn frame<const C: usize>(self, label: impl Into<String>, state: &Equilibrium<C>) -> Self {
         self.with(Frame::new(label.into(), Ok(state.to_inside())))
     }
 
     /// Adds an equilibrium of the same grasp with other coefficients of friction or other commands, such as those with the [needed
     /// amount](crate::ask::Grasp::with_amount).
-    #[must_use]
     pub fn frame_of<const C: usize>(
         self,
         label: impl Into<String>,
@@ -133,33 +128,28 @@ impl Page {
     }
 
     /// Adds an answer without an equilibrium, with the reason.
-    #[must_use]
     pub fn nothing(self, label: impl Into<String>, why: impl Into<String>) -> Self {
         self.with(Frame::new(label.into(), Err(why.into())))
     }
 
     /// Adds a sentence beside the last answer.
-    #[must_use]
     pub fn says(self, sentence: impl Into<String>) -> Self {
         self.with_last(|frame| frame.says.push(sentence.into()))
     }
 
     /// Draws a motion of the object in the last answer, if there is one, such as that of a [loss](crate::hold::Lost::motion). Only the direction of the
     /// motion matters.
-    #[must_use]
     pub fn maybe_leaving<const C: usize>(self, motion: Option<&Motion<C>>) -> Self {
         self.with_last(|frame| frame.leaving = motion.map(Face::to_inside))
     }
 
     /// Sets the load of the last answer. It is drawn if the answer has no equilibrium.
-    #[must_use]
     pub fn under<const C: usize>(self, load: Wrench<C>) -> Self {
         self.with_last(|frame| frame.load = Some(load.into_inside()))
     }
 
     /// Adds an answer of [`Grasp::solve`](crate::ask::Grasp::solve); `label` is written on its button. If no equilibrium exists, or none was found,
     /// the page says so and draws no forces.
-    #[must_use]
     pub fn outcome<const C: usize>(self, label: impl Into<String>, outcome: &Outcome<C>) -> Self {
         let shown = match outcome {
             Outcome::Equilibrium(state) => Ok(state.as_ref().to_inside()),

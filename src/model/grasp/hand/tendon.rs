@@ -12,6 +12,7 @@ use crate::prelude::*;
 /// exerts the torque r_j times the tension on joint j. A tendon with a constant tension and no stiffness is a differential: its tension does not
 /// depend on the joint positions.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct Tendon {
     pub(crate) name: Option<Arc<str>>,
     pub(crate) arms: Vec<f64>,
@@ -31,42 +32,36 @@ impl Tendon {
     }
 
     /// Sets the name for messages and tables.
-    #[must_use]
     pub fn name(mut self, name: impl Into<String>) -> Self {
         self.name = Some(name.into().into());
         self
     }
 
     /// Sets the stiffness of tendon and motor in series, N/m.
-    #[must_use]
     pub fn stiffness(mut self, stiffness: f64) -> Self {
         self.stiffness = stiffness;
         self
     }
 
     /// Sets the displacement x of the motor, m: the command of the tendon.
-    #[must_use]
     pub fn pull(mut self, x: f64) -> Self {
         self.pull = x;
         self
     }
 
     /// Sets a constant tension, N, which acts in addition to the spring.
-    #[must_use]
     pub fn tension(mut self, tension: f64) -> Self {
         self.tension = tension;
         self
     }
 
     /// Sets a bound on the tension of the spring.
-    #[must_use]
     pub fn limit(mut self, limit: Limit) -> Self {
         self.limit = Some(limit);
         self
     }
 
     /// Makes the tendon a rod or a gear, which also pushes.
-    #[must_use]
     pub fn pushes(mut self) -> Self {
         self.pushes = true;
         self
