@@ -345,7 +345,6 @@ mod left_out;
 mod lengths;
 mod link;
 mod matrix;
-mod motion;
 mod odd;
 mod onset;
 mod own_weight;
