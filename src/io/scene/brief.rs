@@ -32,7 +32,7 @@ use crate::words::Words;
 /// assert_eq!((brief.outcome, brief.factor, brief.first.as_deref(), brief.does), ("at", Some(5.0), Some("contact 0"), Some("slides")));
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Brief {
@@ -128,21 +128,7 @@ impl Setup<3> {
 
 impl Brief {
     fn new(question: &'static str, outcome: &'static str) -> Self {
-        let (factor, angle, leg, fraction, margin, first, does) = (None, None, None, None, None, None, None);
-        let (beyond_small_motions, vacuum_gone) = (false, false);
-        Self {
-            question,
-            outcome,
-            factor,
-            angle,
-            leg,
-            fraction,
-            margin,
-            first,
-            does,
-            beyond_small_motions,
-            vacuum_gone,
-        }
+        Self { question, outcome, ..Self::default() }
     }
 }
 
