@@ -6,7 +6,7 @@ use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::Equilibrium;
 use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::load_path::{Ramp, Turn};
-use grasp_lcp::scene::{Answer, Answers, Question, Scene, Setup, Space};
+use grasp_lcp::scene::{Answer, Question, Scene, Setup};
 use grasp_lcp::touch::Part;
 use numpy::PyReadonlyArray2;
 use numpy::ndarray::ArrayView1;
@@ -73,45 +73,14 @@ impl<const C: usize> Kept<C> {
     }
 }
 
-/// Converts a setup to a planar or spatial scene, and takes answers from the enum of both kinds.
-pub(crate) trait InSpace: Sized {
-    type Answer;
-    fn in_space(self) -> Space;
-    fn own(answers: Answers) -> Vec<Self::Answer>;
-}
-
-impl InSpace for Setup<2> {
-    type Answer = Answer<2>;
-    fn in_space(self) -> Space {
-        Space::Planar(self)
-    }
-    fn own(answers: Answers) -> Vec<Self::Answer> {
-        if let Answers::Planar(list) = answers { list } else { Vec::new() }
-    }
-}
-
-impl InSpace for Setup<3> {
-    type Answer = Answer<3>;
-    fn in_space(self) -> Space {
-        Space::Spatial(self)
-    }
-    fn own(answers: Answers) -> Vec<Self::Answer> {
-        if let Answers::Spatial(list) = answers { list } else { Vec::new() }
-    }
-}
-
 /// Refuses a question that contains the weight of bodies a second time. Text that is not JSON passes, since the parser refuses it later.
 fn once<const C: usize>(setup: &Setup<C>, question: &str, path: &str) -> PyResult<()> {
     setup.refuse_weight_twice(&serde_json::from_str(question).unwrap_or_default(), path).map_err(wrong)
 }
 
 /// Asks one question by means of a scene, which supports joints and several bodies. Returns the answer in JSON.
-fn asked<const C: usize>(setup: &Setup<C>, question: Question<C>) -> PyResult<String>
-where
-    Setup<C>: InSpace<Answer = Answer<C>>,
-{
-    let scene = Scene::from(setup.clone().ask(question).in_space());
-    let answers = Setup::<C>::own(scene.answers().map_err(refused)?);
+fn asked<const C: usize>(setup: &Setup<C>, question: Question<C>) -> PyResult<String> {
+    let answers = setup.clone().ask(question).answers().map_err(refused)?;
     match answers.into_iter().next() {
         Some(Answer::Hold(answer)) => json(&answer),
         Some(Answer::Need(answer)) => json(&answer),
@@ -130,7 +99,6 @@ where
 
 impl<const C: usize> Held for Kept<C>
 where
-    Setup<C>: InSpace<Answer = Answer<C>>,
     Contact<C>: Watchable,
     Wrench<C>: DeserializeOwned,
     Self: Drawn<C>,
@@ -148,7 +116,7 @@ where
     }
 
     fn json(&self) -> PyResult<String> {
-        json(&Scene::from(self.setup.clone().in_space()))
+        json(&Scene::from(self.setup.clone()))
     }
 
     fn axes(&self) -> usize {
@@ -261,9 +229,9 @@ impl Grasp {
     fn of_json(text: &str, made: bool) -> PyResult<Self> {
         let scene = read(text, made)?.with_files_from("").map_err(refused)?;
         Ok(Self {
-            held: match scene.space {
-                Space::Planar(setup) => Kept::new(alone(setup)).map_err(refused)?,
-                Space::Spatial(setup) => Kept::new(alone(setup)).map_err(refused)?,
+            held: match scene.planar() {
+                Some(setup) => Kept::new(alone(setup)).map_err(refused)?,
+                None => Kept::new(alone(scene.setup)).map_err(refused)?,
             },
         })
     }

@@ -1,7 +1,7 @@
 //! Pictures of grasps in equilibrium, for notebooks.
 
 use grasp_lcp::equilibrium::Equilibrium;
-use grasp_lcp::picture::{SpatialPage, View, draw_grasp};
+use grasp_lcp::picture::{Page, View, draw_grasp};
 use pyo3::PyResult;
 
 use crate::errors::{refused, wrong};
@@ -38,9 +38,9 @@ impl Drawn<3> for Kept<3> {
 }
 
 impl Kept<3> {
-    fn with_state(&self, state: &Equilibrium<3>, title: &str) -> PyResult<SpatialPage> {
+    fn with_state(&self, state: &Equilibrium<3>, title: &str) -> PyResult<Page> {
         let grasp = self.without_joints("pictures").map_err(refused)?;
-        let mut page = SpatialPage::new(grasp, "Forces on the object").frame(title, state);
+        let mut page = Page::new(grasp, "Forces on the object").frame(title, state);
         if !self.setup.outline.is_empty() {
             page = page.outline(self.setup.outline.iter().map(|corner| <[f64; 3]>::from(*corner)));
         }

@@ -8,6 +8,7 @@ pub(super) const MOST_CONE_FACETS: usize = 128;
 /// Limits and tolerances of a solve. [`Settings::default`] suits almost every problem.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
+#[must_use]
 pub struct Settings {
     /// Number of facets of the polygon from which Newton's method starts in space (default 8; at least 3, at most 128). More facets start closer
     /// to the round cone, but make the complementarity problem larger.
@@ -45,14 +46,12 @@ impl Settings {
     }
 
     /// These settings with another number of facets, see [`Settings::facets`].
-    #[must_use]
     pub fn with_facets(mut self, facets: usize) -> Self {
         self.facets = facets;
         self
     }
 
     /// These settings with another tolerance, see [`Settings::tolerance`].
-    #[must_use]
     pub fn with_tolerance(mut self, tolerance: f64) -> Self {
         self.tolerance = tolerance;
         self

@@ -23,6 +23,7 @@ use nalgebra::DVector;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
+#[must_use]
 pub struct Settings {
     /// The covering vector d of the augmented problem w = q + M z + d z₀, one entry per row, in the
     /// caller's units.
@@ -102,7 +103,6 @@ impl Default for Settings {
 
 impl Settings {
     /// These settings with another covering vector, see [`Settings::covering`].
-    #[must_use]
     pub fn with_covering(mut self, covering: DVector<f64>) -> Self {
         self.covering = Some(covering);
         self
@@ -110,14 +110,12 @@ impl Settings {
 
     /// These settings with a limit on the pivots of all paths together, see
     /// [`Settings::max_pivots`].
-    #[must_use]
     pub fn with_max_pivots(mut self, max_pivots: usize) -> Self {
         self.max_pivots = Some(max_pivots);
         self
     }
 
     /// These settings with or without the search for a proof, see [`Settings::prove_infeasible`].
-    #[must_use]
     pub fn with_prove_infeasible(mut self, prove_infeasible: bool) -> Self {
         self.prove_infeasible = prove_infeasible;
         self
@@ -125,7 +123,6 @@ impl Settings {
 
     /// These settings with another number of retries; 0 follows one path only. See
     /// [`Settings::retries`].
-    #[must_use]
     pub fn with_retries(mut self, retries: usize) -> Self {
         self.retries = retries;
         self
@@ -133,7 +130,6 @@ impl Settings {
 
     /// These settings with all complementary bases tried up to another n; 0 tries none. See
     /// [`Settings::enumerate_up_to`].
-    #[must_use]
     pub fn with_enumerate_up_to(mut self, enumerate_up_to: usize) -> Self {
         self.enumerate_up_to = enumerate_up_to;
         self

@@ -15,6 +15,15 @@ impl Space {
         if C == 2 { Self::Planar } else { Self::Spatial }
     }
 
+    /// Name of the space in texts.
+    #[cfg(feature = "json")]
+    pub(crate) const fn name(self) -> &'static str {
+        match self {
+            Self::Planar => "planar",
+            Self::Spatial => "spatial",
+        }
+    }
+
     /// Number of axes of a contact.
     pub(crate) const fn axes(self) -> usize {
         match self {

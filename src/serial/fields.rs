@@ -74,3 +74,12 @@ impl<K, T: Numeric<K>> As<K, T> {
         T::Written::deserialize(deserializer).map(T::read)
     }
 }
+
+/// Whether a number is positive zero and may be left out; a negative zero is written.
+#[allow(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "serde passes fields by reference; what is small depends on the processor"
+)]
+pub(crate) fn is_absent(x: &f64) -> bool {
+    x.to_bits() == 0
+}

@@ -12,7 +12,7 @@ mod text_space;
 
 #[cfg(feature = "schema")]
 pub(crate) use fields::{As, Numeric};
-pub(crate) use fields::{AsComputed, AsGiven};
+pub(crate) use fields::{AsComputed, AsGiven, is_absent};
 #[cfg(feature = "schema")]
 pub(crate) use numbers::Kind;
 pub(crate) use numbers::{Computed, Friction, Given, Number, SpringStiffness};

@@ -44,3 +44,29 @@ where
         (self.make)(written).map_err(A::Error::custom)
     }
 }
+
+/// Reads and writes a type by the fields that it derives with `#[serde(remote = "Self")]`, and refuses all but an object.
+macro_rules! read_as_object {
+    ($what:expr, $name:ident $(, $dimension:ident)?) => {
+        impl<$(const $dimension: usize)?> serde::Serialize for $name<$($dimension)?> {
+            fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                Self::serialize(self, serializer)
+            }
+        }
+
+        impl<'de $(, const $dimension: usize)?> serde::Deserialize<'de> for $name<$($dimension)?> {
+            fn deserialize<S: serde::Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
+                struct Fields<T>(T);
+
+                impl<'de $(, const $dimension: usize)?> serde::Deserialize<'de> for Fields<$name<$($dimension)?>> {
+                    fn deserialize<S: serde::Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
+                        $name::deserialize(deserializer).map(Self)
+                    }
+                }
+
+                crate::serial::object::read(deserializer, $what, |Fields(value)| Ok(value))
+            }
+        }
+    };
+}
+pub(crate) use read_as_object;

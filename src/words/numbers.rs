@@ -24,6 +24,7 @@ const UNITS: [Unit; 4] = [Unit::Metre, Unit::Centimetre, Unit::Millimetre, Unit:
 
 /// Format of numbers: significant digits, without trailing zeros, and without a minus sign before zero; and the unit of lengths.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[must_use]
 pub struct Words {
     digits: usize,
     /// Whether vectors that are stored with three components belong to the plane or to space.
@@ -40,14 +41,12 @@ impl Default for Words {
 
 impl Words {
     /// Numbers with this many significant digits, from 1 to 17.
-    #[must_use]
     pub fn with_digits(digits: usize) -> Self {
         // A double has no more than 17 digits.
         Self { digits: digits.clamp(1, 17), ..Self::default() }
     }
 
     /// The same format with lengths, points and arms in this unit. In metres lengths below 0.1 m are written in mm.
-    #[must_use]
     pub fn in_unit(self, unit: Unit) -> Self {
         Self { unit, ..self }
     }
@@ -66,7 +65,6 @@ impl Words {
     }
 
     /// The same format for vectors of the plane or of space.
-    #[must_use]
     pub(crate) fn in_space(self, space: Space) -> Self {
         Self { space, ..self }
     }

@@ -4,15 +4,10 @@
 
 use grasp_lcp::load_path::{Change, LossKind, PathEnd};
 use grasp_lcp::planar::Wrench as PlanarWrench;
-use grasp_lcp::scene::{Question, Scene, Setup, Space};
+use grasp_lcp::scene::{Question, Scene, Setup};
 use grasp_lcp::spatial::{Grasp, Leg, LoadPath, Wrench};
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
-
-fn read(text: &str) -> Result<Space, Box<dyn std::error::Error>> {
-    let scene: Scene = serde_json::from_str(text)?;
-    Ok(scene.space)
-}
 
 /// The grasp of a scene in space, with the load and the legs that are followed.
 fn asked<const C: usize>(setup: &Setup<C>) -> Result<Asked<C>, Box<dyn std::error::Error>> {
@@ -26,13 +21,11 @@ type Asked<const C: usize> =
     (grasp_lcp::ask::Grasp<C>, grasp_lcp::grasp::Wrench<C>, Vec<grasp_lcp::load_path::Leg<C>>);
 
 fn in_space(text: &str) -> Result<(Grasp, Wrench, Vec<Leg>), Box<dyn std::error::Error>> {
-    let Space::Spatial(setup) = read(text)? else { return Err("in space".into()) };
-    asked(&setup)
+    asked(&serde_json::from_str::<Scene>(text)?.spatial().ok_or("in space")?)
 }
 
 fn in_the_plane(text: &str) -> Result<Asked<2>, Box<dyn std::error::Error>> {
-    let Space::Planar(setup) = read(text)? else { return Err("in the plane".into()) };
-    asked(&setup)
+    asked(&serde_json::from_str::<Scene>(text)?.planar().ok_or("in the plane")?)
 }
 
 /// A finger opens and presses again while another is on the edge of its cone without slip. The continuation is found for both together.

@@ -5,7 +5,7 @@ use std::error::Error;
 
 use grasp_lcp::Settings;
 use grasp_lcp::load_path::PathEnd;
-use grasp_lcp::scene::{Scene, Space};
+use grasp_lcp::scene::Scene;
 use grasp_lcp::spatial::{ContactState, Equilibrium, Event, Grasp, Leg, Wrench};
 
 /// The bottle of the example scenes under a pull along x at the origin: its last state, and where it snaps over.
@@ -25,7 +25,7 @@ fn pulled(
 #[test]
 fn a_path_that_turns_back_snaps_over_however_little_changes() -> Result<(), Box<dyn Error>> {
     let scene: Scene = serde_json::from_str(include_str!("../../examples/scenes/bottle.json"))?;
-    let Space::Spatial(setup) = scene.space else { return Err("bottle is spatial".into()) };
+    let Some(setup) = scene.spatial() else { return Err("bottle is spatial".into()) };
     let (grasp, settings) = (setup.grasp()?, Settings::default().with_step_error(1e-13));
     let snap = pulled(&grasp, 100.0, &settings)?.1.ok_or("snaps over")?;
     let (last, most) = (&snap.state, 100.0 * snap.fraction);

@@ -3,7 +3,7 @@
 
 use grasp_lcp::need::{Amount, AmountWindow, Need};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
-use grasp_lcp::scene::{Scene, Space};
+use grasp_lcp::scene::Scene;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
@@ -23,10 +23,7 @@ fn pushed_from_above(given: f64, more: &str) -> Result<Grasp, Box<dyn std::error
         }} }}"#,
         0.0048 * given
     );
-    match Scene::from_json(text.as_bytes())?.space {
-        Space::Planar(setup) => Ok(setup.grasp()?),
-        Space::Spatial(_) => Err("a planar scene".into()),
-    }
+    Ok(Scene::from_json(text.as_bytes())?.planar().ok_or("a planar scene")?.grasp()?)
 }
 
 fn is(found: f64, squeeze: f64, given: f64) {

@@ -8,7 +8,7 @@ use grasp_lcp::Limit;
 use grasp_lcp::grasp::SoftFingertip;
 use grasp_lcp::nalgebra::{Isometry3, Translation3, UnitQuaternion};
 use grasp_lcp::robot::Robot;
-use grasp_lcp::scene::{Scene, Space};
+use grasp_lcp::scene::Scene;
 use grasp_lcp::spatial::{Contact, Grasp, Wrench};
 use serde_json::{Value, json};
 
@@ -44,7 +44,7 @@ fn read(scene: &Value) -> Result<Scene, String> {
 }
 
 fn grasp_of(scene: &Scene) -> Grasp {
-    let Space::Spatial(setup) = &scene.space else { panic!("in space") };
+    let Some(setup) = scene.spatial() else { panic!("in space") };
     setup.grasp().expect("a grasp")
 }
 
@@ -89,7 +89,7 @@ fn a_scene_has_the_hand_of_its_robot() {
             one.joints.iter().zip(&other.joints).map(|(one, other)| (one.torque - other.torque).abs());
         assert!(torques.fold(0.0, f64::max) < 1e-12);
     }
-    let Space::Spatial(setup) = &scene.space else { panic!("in space") };
+    let Some(setup) = scene.spatial() else { panic!("in space") };
     let joints = &setup.fingers[0].joints;
     assert_eq!(joints.len(), 3);
     let written = serde_json::to_value(joints).expect("written");

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use grasp_lcp::robot::Robot;
-use grasp_lcp::scene::{Scene, Space};
+use grasp_lcp::scene::Scene;
 use grasp_lcp::spatial::{Contact, Grasp, Wrench};
 use grasp_lcp::touch::{Pad, Part, Touch};
 use serde_json::{Value, json};
@@ -76,7 +76,7 @@ fn grasp(urdf: &str, touches: &[(&str, Value)]) -> Grasp {
         .expect("a scene")
         .with_files_from(folder())
         .expect("files");
-    let Space::Spatial(setup) = &scene.space else { panic!("in space") };
+    let Some(setup) = scene.spatial() else { panic!("in space") };
     setup.grasp().expect("a grasp")
 }
 

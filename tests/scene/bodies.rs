@@ -2,7 +2,7 @@
 
 use grasp_lcp::hold::WayOut;
 use grasp_lcp::planar::{Bodies, Body, Contact, Wrench};
-use grasp_lcp::scene::{Answer, Answers, Scene, Space};
+use grasp_lcp::scene::{Answer, Scene};
 
 const BOXES: &str = r#"{
     "format": "grasp-lcp/1",
@@ -44,7 +44,7 @@ fn a_scene_is_the_bodies_that_it_says() {
 
 fn slides_at_3_newtons(scene: &str) {
     let scene: Scene = serde_json::from_str(scene).expect("a scene");
-    let Answers::Planar(answers) = scene.answers().expect("well posed") else { panic!("planar") };
+    let Some(answers) = scene.answers().expect("well posed").planar() else { panic!("planar") };
     let Answer::Hold(answer) = &answers[0] else { panic!("hold was asked") };
     let verdict = &answer.verdict;
     assert!((6.0 * verdict.held_to - 3.0).abs() < 1e-12, "{verdict}");
@@ -153,7 +153,7 @@ fn it_is_written_as_it_was_read() {
     let written = serde_json::to_string(&scene).expect("written");
     let again: Scene = serde_json::from_str(&written).expect("a scene");
     assert_eq!(scene, again);
-    let Space::Planar(setup) = &again.space else { panic!("planar") };
+    let Some(setup) = again.planar() else { panic!("planar") };
     assert_eq!((setup.bodies.len(), setup.bodies[1].outline.len()), (2, 3));
 }
 

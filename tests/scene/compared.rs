@@ -1,7 +1,7 @@
 //! A scene can compare the equilibrium with the minimum of energy, and the answer reads back as it was written.
 
 use grasp_lcp::energy::ComparisonVerdict;
-use grasp_lcp::scene::{Answer, Answers, CompareAnswer, Scene};
+use grasp_lcp::scene::{Answer, CompareAnswer, Scene};
 use serde_json::json;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
@@ -19,7 +19,7 @@ fn pushed(newtons: f64) -> Result<CompareAnswer<2>, Box<dyn std::error::Error>> 
         "format": "grasp-lcp/1", "planar": { "contacts": contacts, "questions": [{ "compare": compare }] }
     });
     let scene: Scene = serde_json::from_value(scene)?;
-    let Answers::Planar(answers) = scene.answers()? else { return Err("in the plane".into()) };
+    let Some(answers) = scene.answers()?.planar() else { return Err("in the plane".into()) };
     let [Answer::Compare(answer)] = &answers[..] else { return Err("one comparison".into()) };
     assert_eq!(*answer, serde_json::from_value(serde_json::to_value(answer)?)?);
     Ok(answer.clone())

@@ -1,6 +1,6 @@
 //! With `in_steps` a scene asks for a path in steps. The answer has steps in place of events, and ends at the closed forms.
 
-use grasp_lcp::scene::{Answer, PathAnswer, PathOutcome, Scene, Space};
+use grasp_lcp::scene::{Answer, PathAnswer, PathOutcome, Scene};
 use serde_json::{Value, json};
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
@@ -40,7 +40,7 @@ fn a_twisted_fingertip_slides_ring_by_ring() -> Tested {
     let legs = json!(moments.map(to));
     let read: Scene =
         serde_json::from_str(&scene("spatial", &[0, 0, 1], &soft, &[0.0, 0.0, -PRESS], &legs, ERROR))?;
-    let Space::Spatial(setup) = &read.space else { return Err("in space".into()) };
+    let Some(setup) = read.spatial() else { return Err("in space".into()) };
     let grasp = setup.grasp()?;
     assert_eq!(grasp.len(), 120);
     let path = followed(&setup.answers()?)?;
@@ -78,7 +78,7 @@ fn a_sheared_pad_is_lost_at_its_limit() -> Tested {
     let soft = json!({ "pad": { "width": 0.01, "strips": 50, "pressure": "parabolic" } });
     let legs = json!([{ "load_by": { "force": [1.25 * MU * PRESS, 0] } }]);
     let read: Scene = serde_json::from_str(&scene("planar", &[0, 1], &soft, &[0.0, -PRESS], &legs, ERROR))?;
-    let Space::Planar(setup) = &read.space else { return Err("in the plane".into()) };
+    let Some(setup) = read.planar() else { return Err("in the plane".into()) };
     let path = followed(&setup.answers()?)?;
     let PathOutcome::Lost { loss, .. } = &path.end else { return Err("lost".into()) };
     assert!((loss.fraction - 0.8).abs() < 1e-10 && loss.contacts.len() == setup.grasp()?.len(), "{loss:?}");

@@ -4,7 +4,7 @@
 
 use std::path::{Path, PathBuf};
 
-use grasp_lcp::scene::{Answers, Scene, Setup, Space};
+use grasp_lcp::scene::{Scene, Setup};
 use grasp_lcp::words::Words;
 use serde_json::{Value, json};
 
@@ -42,10 +42,9 @@ fn told(scene: &Value) -> Vec<String> {
             return vec![format!("{field}{}", fault.message)];
         }
     };
-    let lines = scene.answers().map(|answers| match (&scene.space, &answers) {
-        (Space::Planar(setup), Answers::Planar(answers)) => first_lines(setup, answers),
-        (Space::Spatial(setup), Answers::Spatial(answers)) => first_lines(setup, answers),
-        _ => unreachable!(),
+    let lines = scene.answers().map(|answers| match (scene.planar(), answers.clone().planar()) {
+        (Some(setup), Some(answers)) => first_lines(&setup, &answers),
+        _ => first_lines(&scene.setup, answers.list()),
     });
     match lines {
         Ok(lines) if lines.is_empty() => {

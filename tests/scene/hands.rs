@@ -7,7 +7,7 @@ use grasp_lcp::nalgebra::DMatrix;
 use grasp_lcp::planar::Contact;
 use grasp_lcp::planar::hand::{Finger, Hand, Joint, Tendon};
 use grasp_lcp::planar::{Leg, Wrench};
-use grasp_lcp::scene::{Answer, Answers, Fingertip, Scene, Setup, SolveAnswer, Space};
+use grasp_lcp::scene::{Answer, Fingertip, Scene, Setup, SolveAnswer};
 use grasp_lcp::{planar, scene, spatial};
 use serde_json::{Value, json};
 use support::jaws::jaw;
@@ -95,7 +95,7 @@ fn a_written_hand_reads_back_and_answers_as_the_one_that_is_built() -> Tested {
         assert_eq!(written["planar"][part], planar_scene()["planar"][part]);
     }
     assert_eq!(serde_json::from_value::<Scene>(written)?, scene);
-    let Answers::Planar(answers) = scene.answers()? else { return Err("planar".into()) };
+    let Some(answers) = scene.answers()?.planar() else { return Err("planar".into()) };
     let back: Vec<Answer<2>> = serde_json::from_value(serde_json::to_value(&answers)?)?;
     assert_eq!(format!("{back:?}"), format!("{answers:?}"));
 
@@ -168,12 +168,12 @@ fn hands_of_every_size_are_answered() -> Tested {
                 "questions": [{ "solve": { "load": { "force": [0.1, 0.2, -1.0] } } }]
             }
         }))?;
-        let Space::Spatial(setup) = &scene.space else { return Err("spatial".into()) };
+        let Some(setup) = scene.spatial() else { return Err("spatial".into()) };
         let coordinates = setup.hand()?.coordinates();
         let direct = setup.hand()?.grasp()?;
         let direct = direct.solve(spatial::Wrench::force([0.1, 0.2, -1.0]))?;
         let direct = direct.equilibrium().ok_or("holds")?;
-        let Answers::Spatial(answers) = scene.answers()? else { return Err("spatial".into()) };
+        let Some(answers) = scene.answers()?.spatial() else { return Err("spatial".into()) };
         let [Answer::Solve(SolveAnswer { outcome: Outcome::Equilibrium(told), .. })] = &answers[..] else {
             return Err(format!("{coordinates}: {answers:?}").into());
         };
@@ -297,7 +297,7 @@ fn a_finger_presses_with_the_force_of_its_contact() -> Tested {
     assert_eq!(of_the_finger, serde_json::from_value(planar_scene())?);
     let soft =
         read(&|s| s["fingers"][2]["contacts"][0]["soft"] = json!({ "pad": { "width": 0.02, "strips": 2 } }))?;
-    let Space::Planar(setup) = &soft.space else { return Err("planar".into()) };
+    let Some(setup) = soft.planar() else { return Err("planar".into()) };
     let state = setup.grasp()?.solve(Wrench::ZERO)?;
     let state = state.equilibrium().ok_or("holds")?;
     // All its points share one joint with the constant force.

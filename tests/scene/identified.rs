@@ -2,7 +2,7 @@
 
 use grasp_lcp::identify::{Identify, Slip, Unknown};
 use grasp_lcp::planar::{Contact, Turn, Wrench};
-use grasp_lcp::scene::{Answer, Answers, Question, Scene, Setup, Space};
+use grasp_lcp::scene::{Answer, Question, Scene, Setup};
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
@@ -26,12 +26,12 @@ fn asked() -> Identify<2> {
 
 fn scene() -> Scene {
     let question = Question::Identify(Box::new(asked().with_points([-0.2, 0.2].map(|x| [x, 0.0]))));
-    Scene::from(Space::Planar(Setup::new(feet(0.1).map(Into::into)).ask(question)))
+    Scene::from(Setup::new(feet(0.1).map(Into::into)).ask(question))
 }
 
 #[test]
 fn the_answer_is_that_of_the_grasp() -> Tested {
-    let Answers::Planar(answers) = scene().answers()? else { panic!("in the plane") };
+    let Some(answers) = scene().answers()?.planar() else { panic!("in the plane") };
     let [Answer::Identify(told)] = &answers[..] else { panic!("{answers:?}") };
     let same = asked().and_layouts([grasp_lcp::planar::Grasp::new(feet(0.2))?]);
     let found = grasp_lcp::planar::Grasp::new(feet(0.1))?.identify(&same)?;
@@ -46,7 +46,7 @@ fn it_comes_back_as_it_was_written() -> Tested {
     let scene = scene();
     let text = serde_json::to_string(&scene)?;
     assert_eq!(Scene::from_json(text.as_bytes())?, scene);
-    let Answers::Planar(answers) = scene.answers()? else { panic!("in the plane") };
+    let Some(answers) = scene.answers()?.planar() else { panic!("in the plane") };
     let read: Vec<Answer<2>> = serde_json::from_str(&serde_json::to_string(&answers)?)?;
     assert_eq!(read, answers);
     Ok(())

@@ -1,7 +1,7 @@
 //! Links of a scene are read, written and refused correctly, and each is reported as one link. If an answer depends on an assumed stiffness, it says
 //! so.
 
-use grasp_lcp::scene::{Scene, Space, Warning};
+use grasp_lcp::scene::{Scene, Warning};
 use serde_json::Value;
 
 /// A lever on a hinge presses a plate on a bed, and a rope restrains the plate.
@@ -35,7 +35,7 @@ fn it_is_written_as_it_was_read() {
     let clamp = scene(CLAMP);
     let written = serde_json::to_string(&clamp).expect("written");
     assert_eq!(scene(&written), clamp);
-    let Space::Planar(setup) = &clamp.space else { panic!("planar") };
+    let Some(setup) = clamp.planar() else { panic!("planar") };
     assert_eq!(setup.links[0].comment.as_deref(), Some("of steel"));
     assert_eq!((setup.links.len(), setup.grasp().expect("well posed").len()), (3, 6));
 }

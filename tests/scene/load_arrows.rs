@@ -1,6 +1,6 @@
 //! A load is always visible in pictures: at any size and place, from any viewpoint, and if it is only a moment.
 
-use grasp_lcp::picture::{PlanarPicture, SpatialPage, View, draw_grasp};
+use grasp_lcp::picture::{Page, PlanarPicture, View, draw_grasp};
 use grasp_lcp::{planar, spatial};
 use support::svg::{Failure, Shape, outside, shapes};
 
@@ -92,7 +92,7 @@ fn a_spatial_force_of_any_size_and_place_has_an_arrow_beside_a_grasp_that_is_see
     let grasp = fingers()?;
     for (newtons, arm) in [(1e-9, 0.0), (1e-3, 0.0), (0.5, 0.0), (1e-3, 0.05), (1e-5, 20.0), (1e-9, 1e5)] {
         let load = spatial::Wrench::force_at([0.0, 0.0, -newtons], [arm, 0.0, 0.0]);
-        let page = SpatialPage::new(&grasp, "A load").outcome("held", &grasp.solve(load)?);
+        let page = Page::new(&grasp, "A load").outcome("held", &grasp.solve(load)?);
         let svg = page.to_svg(Some(0), View::default())?;
         let shapes = shapes(&svg)?;
         let arrows = arrows(&shapes, 3.0);
@@ -112,7 +112,7 @@ fn a_moment_alone_has_an_arrow() -> Result<(), Failure> {
     let grasp = fingers()?;
     for moment in [1e-9, 1e-4] {
         let load = spatial::Wrench::new([0.0; 3], [moment, 0.0, 0.0]);
-        let page = SpatialPage::new(&grasp, "A moment").outcome("held", &grasp.solve(load)?);
+        let page = Page::new(&grasp, "A moment").outcome("held", &grasp.solve(load)?);
         let shapes = shapes(&page.to_svg(Some(0), View::FRONT)?)?;
         let arrows = arrows(&shapes, 2.0);
         assert!(arrows.len() == 1 && arrows[0] >= LEAST - 9.0, "{moment}: {arrows:?}");
@@ -128,7 +128,7 @@ fn a_load_that_points_to_the_eye_is_a_circle_with_a_dot_or_a_cross() -> Result<(
     let eye = [yaw.sin() * pitch.cos(), -yaw.cos() * pitch.cos(), pitch.sin()];
     for (side, lines) in [(0.3, 0), (-0.3, 2)] {
         let load = spatial::Wrench::force(eye.map(|x| side * x));
-        let page = SpatialPage::new(&grasp, "To the eye").outcome("held", &grasp.solve(load)?);
+        let page = Page::new(&grasp, "To the eye").outcome("held", &grasp.solve(load)?);
         let shapes = shapes(&page.to_svg(Some(0), View::default())?)?;
         let black = |tag: &str| {
             let of = |shape: &&Shape| shape.tag == tag && shape.ink == LOAD && shape.points[0][0] < LEGEND;
@@ -144,7 +144,7 @@ fn a_load_that_points_to_the_eye_is_a_circle_with_a_dot_or_a_cross() -> Result<(
 fn where_there_is_no_equilibrium_the_load_is_drawn_all_the_same() -> Result<(), Failure> {
     let grasp = fingers()?;
     let load = spatial::Wrench::force([0.0, 0.0, -1e9]);
-    let page = SpatialPage::new(&grasp, "Too much").outcome("lost", &grasp.solve(load)?).under(load);
+    let page = Page::new(&grasp, "Too much").outcome("lost", &grasp.solve(load)?).under(load);
     let svg = page.to_svg(Some(0), View::default())?;
     assert_eq!(arrows(&shapes(&svg)?, 3.0).len(), 1);
     let html = page.to_html()?;

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use grasp_lcp::scene::{Fault, FaultKind, Question, Scene, Setup, Space};
+use grasp_lcp::scene::{Fault, FaultKind, Question, Scene, Setup};
 use grasp_lcp::spatial::Wrench;
 use grasp_lcp::{Error, Field};
 
@@ -21,7 +21,7 @@ fn fault(from: &str, to: &str) -> Fault {
 
 #[test]
 fn the_good_one_is_good() {
-    assert_eq!(Scene::from_json(GOOD.as_bytes()).unwrap().answers().unwrap().len(), 2);
+    assert_eq!(Scene::from_json(GOOD.as_bytes()).unwrap().answers().unwrap().list().len(), 2);
 }
 
 /// A replacement, the line and the column of its fault, the field, and the message about the value.
@@ -254,7 +254,7 @@ fn examples() -> Vec<PathBuf> {
 fn the_scene_files_are_answered() {
     for file in examples() {
         let scene = read(&file);
-        assert!(scene.comment.is_some() && scene.answers().unwrap().len() >= 2, "{}", file.display());
+        assert!(scene.comment.is_some() && scene.answers().unwrap().list().len() >= 2, "{}", file.display());
         let back: Scene = serde_json::from_str(&serde_json::to_string(&scene).unwrap()).unwrap();
         assert_eq!(back, scene);
     }
@@ -263,14 +263,12 @@ fn the_scene_files_are_answered() {
 #[test]
 fn the_papers_grasps_are_those_of_the_paper() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/scenes");
-    let Space::Planar(fingers) = read(&folder.join("paper_two_fingers.json")).space else {
-        panic!("is planar")
-    };
+    let Some(fingers) = read(&folder.join("paper_two_fingers.json")).planar() else { panic!("is planar") };
     let grasp = fingers.grasp().unwrap();
     let down = grasp_lcp::planar::Wrench::force([0.0, -1.0]);
     let onset = grasp.onset(down).unwrap();
     assert!((onset.factor().unwrap() - 65f64.sqrt() / 66.0).abs() < 1e-15);
-    let Space::Planar(disk) = read(&folder.join("paper_disk.json")).space else { panic!("is planar") };
+    let Some(disk) = read(&folder.join("paper_disk.json")).planar() else { panic!("is planar") };
     let state = disk.grasp().unwrap().solve(grasp_lcp::planar::Wrench::new([0.1, 0.2], 0.3)).unwrap();
     let forces = state.equilibrium().unwrap().contacts.iter().map(|c| c.force_world).collect::<Vec<_>>();
     // The printed forces, to the accuracy of the printed normals.

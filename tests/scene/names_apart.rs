@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use grasp_lcp::picture::{PlanarPicture, SpatialPage, View, draw_grasp};
+use grasp_lcp::picture::{Page, PlanarPicture, View, draw_grasp};
 use grasp_lcp::{planar, spatial};
 use support::jaws::around;
 use support::svg::{Failure, outside, overlap, plaques, shapes};
@@ -80,7 +80,7 @@ fn spatial_names_keep_apart() -> Result<(), Failure> {
         };
         let grasp = spatial::Grasp::new((0..count).map(support).collect::<Vec<_>>())?;
         let outcome = grasp.solve(spatial::Wrench::force([1.0, 0.0, -3.0]))?;
-        let page = SpatialPage::new(&grasp, LONG.repeat(3)).outcome("held", &outcome).says(LONG.repeat(5));
+        let page = Page::new(&grasp, LONG.repeat(3)).outcome("held", &outcome).says(LONG.repeat(5));
         for view in [View::default(), View::FRONT, View::ABOVE] {
             let svg = page.to_svg(Some(0), view)?;
             check(&svg, &format!("{count} from {view:?}"))?;

@@ -1,6 +1,6 @@
 //! The rim of a pad in space is drawn around its points on the part, and displacements are never drawn too small.
 
-use grasp_lcp::picture::{SpatialPage, View};
+use grasp_lcp::picture::{Page, View};
 use grasp_lcp::spatial::{Contact, Equilibrium, Grasp, SoftFingertip, Wrench};
 
 use support::svg::{Failure, circles, shapes};
@@ -23,7 +23,7 @@ fn pinch(strips: usize, stiffness: f64) -> Result<(Grasp, Equilibrium), Failure>
 }
 
 fn still(grasp: &Grasp, state: &Equilibrium) -> Result<String, Failure> {
-    Ok(SpatialPage::new(grasp, "A pinch").frame("held", state).to_svg(Some(0), View::FRONT)?)
+    Ok(Page::new(grasp, "A pinch").frame("held", state).to_svg(Some(0), View::FRONT)?)
 }
 
 /// Width and height of the region of these places, pixels, without the legend.

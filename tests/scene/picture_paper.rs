@@ -1,7 +1,7 @@
 //! All text and lines are on the paper, and zero has no sign.
 
 use grasp_lcp::picture::{
-    Chart, Polar, SpatialPage, SphereGrid, SphereMap, Stroke, View, chart_of_turn, draw_grasp,
+    Chart, Page, Polar, SphereGrid, SphereMap, Stroke, View, chart_of_turn, draw_grasp,
 };
 use grasp_lcp::{planar, spatial};
 
@@ -65,8 +65,7 @@ fn pictures() -> Result<Vec<String>, Failure> {
         at.series_stiffness(1000.0, 600.0).friction(0.5).command([0.004, 0.0, 0.0])
     };
     let pinch = spatial::Grasp::new([tip(-0.03), tip(0.03)])?;
-    let page =
-        SpatialPage::new(&pinch, LONG).outcome(LONG, &pinch.solve(spatial::Wrench::force([0.0, 0.0, -0.5]))?);
+    let page = Page::new(&pinch, LONG).outcome(LONG, &pinch.solve(spatial::Wrench::force([0.0, 0.0, -0.5]))?);
     let turn = planar::Turn::force_at([8.0, 0.0], [0.0, 0.0]).up_to(6.0);
     let mut pictures = vec![
         draw_grasp(&flat, state.equilibrium().ok_or("it holds")?, None, LONG)?,

@@ -1,6 +1,6 @@
 //! A page of a planar grasp needs no other file, shows its answer first, and has all pictures at one scale. Names cannot break its markup.
 
-use grasp_lcp::picture::PlanarPage;
+use grasp_lcp::picture::Page;
 use grasp_lcp::planar::{Equilibrium, Grasp, Wrench};
 use support::jaws::jaw;
 use support::svg::{Failure, outside, shapes};
@@ -21,8 +21,8 @@ fn page_of(name: &str) -> Result<String, Failure> {
     let grasp = jaws(name)?;
     let verdict = grasp.hold(Wrench::force([0.0, -6.0]))?;
     let outline = [[-0.04, -0.03], [0.04, -0.03], [0.04, 0.03], [-0.04, 0.03]];
-    let page = PlanarPage::new(&grasp, name)
-        .outlines([&outline[..]])
+    let page = Page::new(&grasp, name)
+        .outline(outline.map(|[x, y]| [x, y, 0.0]))
         .frame_of("6 N", &grasp, &under(&grasp, 6.0)?)
         .says(verdict.to_string())
         .frame_of("5 N", &grasp, &under(&grasp, 5.0)?)

@@ -5,7 +5,7 @@ use grasp_lcp::identify::{Identify, Slip, Unknown};
 use grasp_lcp::improve::{Improve, ImproveGoal};
 use grasp_lcp::need::Need;
 use grasp_lcp::planar::{Bodies, Body, Contact, Grasp, Leg, Ramp, Turn, Wrench};
-use grasp_lcp::scene::{Answer, Answers, Fingertip, PathOutcome, Scene, Setup, Tip};
+use grasp_lcp::scene::{Answer, Fingertip, PathOutcome, Scene, Setup, Tip};
 use grasp_lcp::squeeze::Loads;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
@@ -153,7 +153,7 @@ fn commands_leave_springs_alone() -> Tested {
             ]
         }}"#,
     )?;
-    let Answers::Planar(answers) = scene.answers()? else { panic!("in the plane") };
+    let Some(answers) = scene.answers()?.planar() else { panic!("in the plane") };
     let [Answer::Solve(rest), Answer::Follow(path)] = &answers[..] else { panic!("{answers:?}") };
     let rest = rest.outcome.equilibrium().ok_or("at rest")?;
     let PathOutcome::Completed { state } = &path.end else { panic!("{:?}", path.end) };

@@ -1,7 +1,7 @@
 //! A force that is only rounding, compared with the other forces of an equilibrium, is not shown in pictures or tables.
 
 use grasp_lcp::need::{Amount, Need};
-use grasp_lcp::picture::{SpatialPage, View, draw_grasp};
+use grasp_lcp::picture::{Page, View, draw_grasp};
 use grasp_lcp::planar::{Contact, Grasp, Turn};
 use grasp_lcp::spatial;
 use support::svg::{Failure, shapes};
@@ -36,7 +36,7 @@ fn neither_arrows_nor_tables_of_a_page_show_it() -> Result<(), Failure> {
     let mut state =
         grasp.solve(spatial::Wrench::force([0.0, 0.0, -1.0]))?.equilibrium().ok_or("it holds")?.clone();
     let drawn = |state: &spatial::Equilibrium| -> Result<(String, usize), Failure> {
-        let page = SpatialPage::new(&grasp, "Three fingers").frame("held", state);
+        let page = Page::new(&grasp, "Three fingers").frame("held", state);
         let svg = page.to_svg(Some(0), View::default())?;
         let arrows = shapes(&svg)?.iter().filter(|shape| shape.tag == "polygon").count();
         Ok((page.to_html()?, arrows))

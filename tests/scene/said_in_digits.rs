@@ -4,7 +4,7 @@ use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::hold::Holding;
 use grasp_lcp::need::Amount;
 use grasp_lcp::planar::Wrench;
-use grasp_lcp::scene::{Answer, Answers, Fingertip, Question, Scene, Setup, SolveAnswer, Space};
+use grasp_lcp::scene::{Answer, Fingertip, Question, Scene, Setup, SolveAnswer};
 use grasp_lcp::words::Words;
 use serde_json::json;
 use support::jaws::jaw;
@@ -46,8 +46,8 @@ fn six_unless_said() {
         || serde_json::from_value(json!({ "hold": { "load": { "force": [0, -9] } } })).expect("a question");
     let setup = jaws().ask(question());
     assert_eq!(setup.answers().expect("answered"), setup.answers_in(Words::default()).expect("answered"));
-    let scene = Scene::from(Space::Planar(setup));
-    let Answers::Planar(list) = scene.answers_in(Words::with_digits(2)).expect("answered") else {
+    let scene = Scene::from(setup);
+    let Some(list) = scene.answers_in(Words::with_digits(2)).expect("answered").planar() else {
         panic!("planar")
     };
     assert!(matches!(&list[..], [Answer::Hold(held)] if held.says.contains(" 7.1 N of 9 N")));

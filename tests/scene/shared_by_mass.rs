@@ -1,6 +1,6 @@
 //! A force that all bodies share by mass acts on each at its centre of mass unless a point is given, and bodies are accelerated by their own masses.
 
-use grasp_lcp::scene::{Answer, Answers, Scene};
+use grasp_lcp::scene::{Answer, Scene};
 
 /// Three boxes of 100 kg, 0.6 m wide and 0.5 m high, on each other: μ = 0.5.
 ///
@@ -28,12 +28,9 @@ fn boxes(question: &str) -> String {
 /// The multiple of the load at which the boxes are lost.
 fn lost(text: &str) -> f64 {
     let scene = Scene::from_json(text.as_bytes()).unwrap_or_else(|fault| panic!("{fault}"));
-    match scene.answers().expect("well posed") {
-        Answers::Planar(list) => match &list[0] {
-            Answer::Hold(answer) => answer.verdict.lost.as_ref().expect("tips or slides").factor,
-            other => panic!("{other:?}"),
-        },
-        Answers::Spatial(_) => unreachable!(),
+    match &scene.answers().expect("well posed").planar().expect("in the plane")[0] {
+        Answer::Hold(answer) => answer.verdict.lost.as_ref().expect("tips or slides").factor,
+        other => panic!("{other:?}"),
     }
 }
 

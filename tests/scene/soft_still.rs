@@ -1,6 +1,6 @@
 //! In a picture a soft fingertip has one force and one cone, at its centre of pressure, and a dot for each point.
 
-use grasp_lcp::picture::{SpatialPage, View, draw_grasp};
+use grasp_lcp::picture::{Page, View, draw_grasp};
 use grasp_lcp::spatial::{Contact, ContactAnswer, Equilibrium, Grasp, Pressure, SoftFingertip, Wrench};
 use grasp_lcp::{planar, spatial};
 
@@ -38,7 +38,7 @@ fn thick(shapes: &[Shape], ink: &str) -> Vec<[f64; 2]> {
 #[test]
 fn a_fingertip_has_one_force_at_its_centre_of_pressure() -> Result<(), Failure> {
     let (grasp, state) = pinch()?;
-    let svg = SpatialPage::new(&grasp, "A pinch").frame("held", &state).to_svg(Some(0), View::FRONT)?;
+    let svg = Page::new(&grasp, "A pinch").frame("held", &state).to_svg(Some(0), View::FRONT)?;
     let shapes = shapes(&svg)?;
     // The legend has one more.
     let mut starts = thick(&shapes, STICKING);
@@ -84,7 +84,7 @@ fn points_are_one_fingertip_under_any_name_and_without_one() -> Result<(), Failu
     };
     for contacts in [renamed.collect::<Vec<_>>(), [nameless(-0.03)?, nameless(0.03)?].concat()] {
         let grasp = Grasp::new(contacts)?;
-        let svg = SpatialPage::new(&grasp, "A pinch").frame("held", &state).to_svg(Some(0), View::FRONT)?;
+        let svg = Page::new(&grasp, "A pinch").frame("held", &state).to_svg(Some(0), View::FRONT)?;
         let mut starts = thick(&shapes(&svg)?, STICKING);
         starts.retain(|at| at[0] < 620.0);
         assert_eq!(starts.len(), TIPS);
@@ -100,7 +100,7 @@ fn the_same_points_one_by_one_are_so_many_contacts() -> Result<(), Failure> {
         at.series_stiffness(3000.0, 2000.0).friction(0.8).command([0.002, 0.0, 0.0])
     };
     let grasp = Grasp::new(grasp.contacts().iter().map(alone).collect::<Vec<_>>())?;
-    let svg = SpatialPage::new(&grasp, "A pinch").frame("held", &state).to_svg(Some(0), View::FRONT)?;
+    let svg = Page::new(&grasp, "A pinch").frame("held", &state).to_svg(Some(0), View::FRONT)?;
     let mut starts = thick(&shapes(&svg)?, STICKING);
     starts.retain(|at| at[0] < 620.0);
     assert_eq!(starts.len(), TIPS * POINTS);

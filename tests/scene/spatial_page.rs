@@ -1,6 +1,6 @@
 //! A page of a spatial grasp needs no other file, and shows the numbers of the answer to the last bit. Names cannot break its markup.
 
-use grasp_lcp::picture::{SpatialPage, View};
+use grasp_lcp::picture::{Page, View};
 use grasp_lcp::spatial::{Bodies, Body, Contact, ContactAnswer, Equilibrium, Grasp, SoftFingertip, Wrench};
 use grasp_lcp::words::printable;
 use nalgebra::Vector3;
@@ -27,7 +27,7 @@ fn page_of(name: &str) -> Result<(String, Grasp, Equilibrium), Failure> {
     let state = grasp.solve(Wrench::force_at([0.05, 0.1, -0.3], [0.005, 0.0, 0.0]))?;
     let state = state.equilibrium().ok_or_else(|| format!("{state:?}"))?.clone();
     let far = grasp.solve(Wrench::force([0.0, 0.0, -100.0]))?;
-    let page = SpatialPage::new(&grasp, name)
+    let page = Page::new(&grasp, name)
         .outline([[0.03, 0.0, 0.05], [0.0, 0.03, 0.05], [-0.03, 0.0, 0.05]])
         .frame(name, &state)
         .outcome("too much", &far);
@@ -114,14 +114,14 @@ fn numbers_are_those_of_the_answer() -> Result<(), Failure> {
 #[test]
 fn what_cannot_be_drawn_is_an_error() -> Result<(), Failure> {
     let (_, grasp, state) = page_of("thumb")?;
-    let bad_corner = SpatialPage::new(&grasp, "x").outline([[f64::NAN, 0.0, 0.0]]).to_html();
+    let bad_corner = Page::new(&grasp, "x").outline([[f64::NAN, 0.0, 0.0]]).to_html();
     assert!(bad_corner.is_err_and(|error| error.to_string().contains("outline")));
     let other = Grasp::new(grasp.contacts()[..2].to_vec())?;
-    let bad_count = SpatialPage::new(&other, "x").frame("a", &state).to_html();
+    let bad_count = Page::new(&other, "x").frame("a", &state).to_html();
     assert!(bad_count.is_err_and(|error| error.to_string().contains("3 contacts")));
     let mut broken = state;
     broken.contacts[0].force_world[1] = f64::INFINITY;
-    assert!(SpatialPage::new(&grasp, "x").frame("a", &broken).to_html().is_err());
+    assert!(Page::new(&grasp, "x").frame("a", &broken).to_html().is_err());
     Ok(())
 }
 
@@ -167,7 +167,7 @@ fn a_pad_is_one_row_of_the_table() -> Result<(), Failure> {
         .collect::<Result<Vec<_>, _>>()?;
     let grasp = Grasp::new(pads.concat())?;
     let state = grasp.solve(Wrench::force([0.05, 0.1, -0.3]))?.equilibrium().cloned().ok_or("it holds")?;
-    let page = SpatialPage::new(&grasp, "A jar").frame("held", &state).to_html()?;
+    let page = Page::new(&grasp, "A jar").frame("held", &state).to_html()?;
     assert_eq!(page.matches("<tr data-contact=\"").count(), 3 + 36);
     assert_eq!(page.matches(" class=\"point\"").count(), 36);
     assert!(
@@ -211,7 +211,7 @@ fn what_an_answer_has_besides_is_on_the_page() -> Result<(), Failure> {
     let lost = verdict.lost.clone().ok_or("it is lost")?;
     let state = lost.state.as_deref().ok_or("somewhere")?;
     let slippery = grasp.with_friction(|_, mu| 0.25 * mu)?;
-    let page = SpatialPage::new(&grasp, "A jar")
+    let page = Page::new(&grasp, "A jar")
         .outline([[0.03, 0.0, 0.05], [0.0, 0.03, 0.05], [-0.03, 0.0, 0.05]])
         .frame("lost", state)
         .says(verdict.to_string())
@@ -266,7 +266,7 @@ fn bodies_move_on_their_own() -> Result<(), Failure> {
     assert!((lost.factor - 0.6).abs() < 1e-9, "{}", lost.factor);
     let state = *lost.state.ok_or("stands there")?;
     let square = |height: f64| [[-0.1, -0.1, height], [0.1, -0.1, height], [0.1, 0.1, height]];
-    let page = SpatialPage::new(&grasp, "two boxes")
+    let page = Page::new(&grasp, "two boxes")
         .body_outline(0, square(0.1))
         .body_outline(1, square(0.3))
         .body_outline(1, square(0.4))

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use grasp_lcp::picture::{SpatialPage, View};
+use grasp_lcp::picture::{Page, View};
 use grasp_lcp::spatial::{Contact, Equilibrium, Grasp, Outcome, Wrench};
 
 use support::svg::{Failure, circles, shapes, view_box};
@@ -54,10 +54,10 @@ fn slid(grasp: &Grasp, quarters: u32) -> Result<Equilibrium, Failure> {
 }
 
 /// The page of the grasp, with both ends of the jar.
-fn page(grasp: &Grasp, quarters: u32) -> SpatialPage {
+fn page(grasp: &Grasp, quarters: u32) -> Page {
     let turn = |v| turned(quarters, v);
     let edge = |z: f64| [[-0.03, -0.01, z], [0.0, 0.03, z], [0.03, -0.02, z]].map(turn);
-    SpatialPage::new(grasp, "A jar")
+    Page::new(grasp, "A jar")
         .outline(edge(0.05))
         .outline(edge(-0.04))
         .fixture([[0.0, 0.0, -0.04], [0.0, 0.0, 0.05]])
@@ -66,7 +66,7 @@ fn page(grasp: &Grasp, quarters: u32) -> SpatialPage {
 #[test]
 fn from_the_front_the_thumb_is_on_the_left() -> Result<(), Failure> {
     let grasp = pinch()?;
-    let page = SpatialPage::new(&grasp, "A pinch");
+    let page = Page::new(&grasp, "A pinch");
     // Contacts and fingers fill the region.
     let scale = ROOM.0 / (0.06 * (1.0 + 2.0 * FINGER));
     let hundredths = |x: f64| (100.0 * x).round() / 100.0;
@@ -81,7 +81,7 @@ fn from_the_front_the_thumb_is_on_the_left() -> Result<(), Failure> {
 #[test]
 fn forces_and_cones_have_their_lengths() -> Result<(), Failure> {
     let grasp = pinch()?;
-    let page = SpatialPage::new(&grasp, "A pinch").outcome("no load", &grasp.solve(Wrench::ZERO)?);
+    let page = Page::new(&grasp, "A pinch").outcome("no load", &grasp.solve(Wrench::ZERO)?);
     let svg = page.to_svg(Some(0), View::FRONT)?;
     // The axis of the free rotation, 1.5 times as long as the width of the grasp, fills the region.
     assert!(svg.contains("turns freely"));
@@ -130,7 +130,7 @@ fn points_lie_where_the_projection_says() -> Result<(), Failure> {
             .map(|pick| [0, 1].map(|k| places.iter().map(|p| p[k]).reduce(pick).unwrap_or(f64::NAN)));
         let scale = (ROOM.0 / (high[0] - low[0])).min(ROOM.1 / (high[1] - low[1]));
         let view = View::default().with_yaw(yaw).with_pitch(pitch);
-        let drawn = circles(&SpatialPage::new(&grasp, "A jar").to_svg(None, view)?, GREY)?;
+        let drawn = circles(&Page::new(&grasp, "A jar").to_svg(None, view)?, GREY)?;
         assert_eq!(drawn.len(), 3);
         for contact in places.chunks(2) {
             let x = MIDDLE.0 + scale * (contact[0][0] - f64::midpoint(low[0], high[0]));
@@ -147,7 +147,7 @@ fn what_is_near_hides_what_is_far() -> Result<(), Failure> {
     for near_first in [true, false] {
         let [near, far] = [finger([0.0, -0.03, 0.01], [0.0; 3]), finger([0.02, 0.03, 0.0], [0.0; 3])];
         let grasp = Grasp::new(if near_first { [near, far] } else { [far, near] })?;
-        let middles = circles(&SpatialPage::new(&grasp, "x").to_svg(None, View::FRONT)?, GREY)?;
+        let middles = circles(&Page::new(&grasp, "x").to_svg(None, View::FRONT)?, GREY)?;
         assert!(middles[0][0] > middles[1][0]);
     }
     Ok(())
@@ -219,8 +219,8 @@ fn contacts_have_the_colours_of_what_they_do() -> Result<(), Failure> {
     assert!(svg.contains("slip of the") && !svg.contains("no contact resists"));
     // A moment about the line of a pinch is not resisted. The picture has no forces and says why.
     let pinch = pinch()?;
-    let none = SpatialPage::new(&pinch, "x")
-        .outcome("turned", &pinch.solve(Wrench::new([0.0; 3], [0.1, 0.0, 0.0]))?);
+    let none =
+        Page::new(&pinch, "x").outcome("turned", &pinch.solve(Wrench::new([0.0; 3], [0.1, 0.0, 0.0]))?);
     let svg = none.to_svg(Some(0), View::default())?;
     assert!(svg.contains("no equilibrium exists: "));
     assert_eq!((circles(&svg, GREY)?.len(), circles(&svg, STICKING)?.len()), (2, 0));
@@ -235,7 +235,7 @@ fn names_are_text_and_nothing_else() -> Result<(), Failure> {
         // Without a limit on motions there is no caution, which would also name a contact.
         let grasp = Grasp::new(contacts)?;
         let grasp = grasp.with(&grasp.settings().with_small_motions(1e3, 1e3));
-        let page = SpatialPage::new(&grasp, name).frame(name, &slid(&grasp, 0)?);
+        let page = Page::new(&grasp, name).frame(name, &slid(&grasp, 0)?);
         Ok(page.to_svg(Some(0), View::default())?)
     };
     let (plain, svg) = (named("thumb")?, named(nasty)?);
@@ -252,7 +252,7 @@ fn names_are_text_and_nothing_else() -> Result<(), Failure> {
 fn what_cannot_be_drawn_is_an_error() -> Result<(), Failure> {
     let grasp = jar(0)?;
     let state = slid(&grasp, 0)?;
-    let says = |page: SpatialPage, answer: Option<usize>, view: View, words: &str| {
+    let says = |page: Page, answer: Option<usize>, view: View, words: &str| {
         let drawn = page.to_svg(answer, view);
         assert!(drawn.as_ref().is_err_and(|error| error.to_string().contains(words)), "{words}: {drawn:?}");
     };
@@ -269,7 +269,7 @@ fn what_cannot_be_drawn_is_an_error() -> Result<(), Failure> {
     // The numbers are finite, but some derived numbers are not.
     says(page(&grasp, 0).outline([[1e308, 0.0, 0.0], [-1e308, 0.0, 0.0]]), None, fine, "too large");
     let other = Grasp::new(grasp.contacts()[..2].to_vec())?;
-    says(SpatialPage::new(&other, "x").frame("a", &state), None, fine, "3 contacts");
+    says(Page::new(&other, "x").frame("a", &state), None, fine, "3 contacts");
     let mut broken = state;
     broken.contacts[0].force_world[1] = f64::NEG_INFINITY;
     says(page(&grasp, 0).frame("broken", &broken), Some(0), fine, "broken");

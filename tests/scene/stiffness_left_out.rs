@@ -1,6 +1,6 @@
 //! If a scene leaves a stiffness out, or gives one number for all directions, the default is used and reported where the answer depends on it.
 
-use grasp_lcp::scene::{Fingertip, Scene, Space, Warning};
+use grasp_lcp::scene::{Fingertip, Scene, Warning};
 use serde_json::{Value, json};
 
 /// A scene with two feet on a table that is pushed at a height.
@@ -18,8 +18,7 @@ fn scene(stiffness: &[Value; 2], question: &Value) -> Scene {
 }
 
 fn told(scene: &Scene) -> Option<Warning> {
-    let Space::Planar(setup) = &scene.space else { panic!("in the plane") };
-    let told = setup.stiffness_left_out().unwrap();
+    let told = scene.setup.stiffness_left_out().unwrap();
     // What takes no answers and what takes some are all warnings together, each once.
     let all = scene.warnings().unwrap();
     assert_eq!([scene.warnings_at_once().unwrap(), told.clone()].concat(), all);

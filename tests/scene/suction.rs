@@ -1,6 +1,6 @@
 //! Scenes can describe suction as a cup with its lip, or as a vacuum force within a pad.
 
-use grasp_lcp::scene::{Answer, Answers, Cup, Fingertip, OnsetAnswer, Scene, Setup, Space};
+use grasp_lcp::scene::{Answer, Cup, Fingertip, OnsetAnswer, Scene, Setup};
 use grasp_lcp::spatial::{Contact, SuctionCup};
 use serde_json::{Value, json};
 
@@ -21,7 +21,7 @@ fn with(contact: &Value) -> Result<Scene, serde_json::Error> {
 }
 
 fn onsets(scene: &Scene) -> Vec<f64> {
-    let Answers::Spatial(answers) = scene.answers().expect("answers") else { panic!("in space") };
+    let Some(answers) = scene.answers().expect("answers").spatial() else { panic!("in space") };
     let factor = |answer: &Answer<3>| match answer {
         Answer::Onset(OnsetAnswer::At(event)) => event.at.factor,
         other => panic!("{other:?}"),
@@ -62,7 +62,7 @@ fn a_cup_is_the_one_of_the_crate() {
     // In the scene of the grasp, every point of the lip has its part of the vacuum.
     let scene = Scene::from(&setup.grasp().unwrap());
     let back: Scene = serde_json::from_value(serde_json::to_value(&scene).unwrap()).unwrap();
-    let Space::Spatial(points) = back.space else { panic!("in space") };
+    let Some(points) = back.spatial() else { panic!("in space") };
     let load = grasp_lcp::spatial::Wrench::force([3.0, 0.0, -20.0]);
     let [one, other] =
         [points.grasp().unwrap(), setup.grasp().unwrap()].map(|grasp| grasp.solve(load).unwrap());

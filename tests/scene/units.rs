@@ -1,7 +1,7 @@
 //! A scene in another unit of length has the same values in metres, field by field. Lengths are marked by hand in the scenes below. Every field that
 //! the page of fields gives in m is marked.
 
-use grasp_lcp::scene::{Answers, Scene, Space, Warning};
+use grasp_lcp::scene::{Scene, Warning};
 use grasp_lcp::words::{Unit, Words};
 
 /// Scenes with `@` before every length.
@@ -101,7 +101,7 @@ fn lengths_in_mm_or_cm_are_those_in_m() {
             assert_eq!(Some(scene.unit), Unit::of(unit));
             // Divisions by 10 and 100 are rounded, so only mm must agree to the last bit.
             if unit == "mm" {
-                assert_eq!(scene.space, in_metres.space);
+                assert_eq!(scene.setup, in_metres.setup);
             }
             let [here, there] =
                 [&scene, &in_metres].map(|scene| serde_json::to_value(scene).expect("is written"));
@@ -121,7 +121,7 @@ fn sentences_have_the_unit_of_their_scene() {
     }}"#;
     let lines = |unit: &str, divided_by: f64| {
         let scene = said(marked, unit, divided_by);
-        let Answers::Planar(answers) = scene.answers().expect("answers") else { panic!("in the plane") };
+        let Some(answers) = scene.answers().expect("answers").planar() else { panic!("in the plane") };
         let words = Words::default().in_unit(scene.unit);
         answers.iter().map(|answer| answer.first_line(words)).collect::<Vec<_>>()
     };
@@ -202,7 +202,7 @@ fn a_mesh_without_a_unit_has_that_of_its_scene() {
         "contacts": [{"friction": 0.5, "pressed_with": 40, "touches": {"rectangle": [20, 30], "round": 50, "from": [-45, 0, 0], "closing": [1, 0, 0],
             "layer": {"modulus": 2e6, "thickness": 3}, "strips": [2, 3]}}]}}"#;
     let scene = Scene::from_json(text.as_bytes()).expect("a scene");
-    let Space::Spatial(setup) = &scene.space else { panic!("in space") };
+    let Some(setup) = scene.spatial() else { panic!("in space") };
     let part = setup.part.as_ref().expect("a part");
     assert_eq!((part.unit, part.density), (Unit::Millimetre, Some(7850.0)));
     let touches = setup.contacts[0].touches.as_ref().expect("a pad");
@@ -215,12 +215,12 @@ fn a_mesh_without_a_unit_has_that_of_its_scene() {
     let disc = text
         .replace(r#""rectangle": [20, 30], "round": 50"#, r#""disc": 20"#)
         .replace(", \"strips\": [2, 3]", "");
-    let Space::Spatial(setup) = Scene::from_json(disc.as_bytes()).expect("a scene").space else {
+    let Some(setup) = Scene::from_json(disc.as_bytes()).expect("a scene").spatial() else {
         panic!("in space")
     };
     assert_eq!(setup.contacts[0].touches.as_ref().and_then(|touches| touches.disc), Some(0.02));
     let own = text.replace(r#""part.stl""#, r#""part.stl", "unit": "cm""#);
-    let Space::Spatial(setup) = Scene::from_json(own.as_bytes()).expect("a scene").space else {
+    let Some(setup) = Scene::from_json(own.as_bytes()).expect("a scene").spatial() else {
         panic!("in space")
     };
     assert_eq!(setup.part.expect("a part").unit, Unit::Centimetre);

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use grasp_lcp::scene::{Answer, Answers, Scene, Space, Warning};
+use grasp_lcp::scene::{Answer, Scene, Warning};
 use serde_json::{Value, json};
 
 use crate::shapes::bracket;
@@ -46,11 +46,11 @@ fn read(scene: &Value) -> Result<Scene, String> {
 fn a_scene_is_laid_on_its_part() {
     let scene = read(&scene_at(0.025)).expect("a scene").with_files_from(folder()).expect("its part");
     assert_eq!(scene.warnings().expect("answered"), []);
-    let Answers::Spatial(answers) = scene.answers().expect("answered") else { panic!("in space") };
+    let Some(answers) = scene.answers().expect("answered").spatial() else { panic!("in space") };
     let [Answer::Hold(answer)] = &answers[..] else { panic!("one verdict") };
     let lost = answer.verdict.lost.as_ref().expect("is lost");
     assert!((lost.factor - 0.4).abs() < 1e-10, "{}", lost.factor);
-    let Space::Spatial(setup) = &scene.space else { panic!("in space") };
+    let Some(setup) = scene.spatial() else { panic!("in space") };
     let part = setup.part_read().expect("is read");
     assert!((part.mass().expect("dense") - 0.132_822).abs() < 1e-9);
     // Each pad is one fingertip with 16 points.
@@ -116,7 +116,7 @@ fn a_held_force_and_profiles_are_read() {
     left.insert("disc".to_owned(), json!(0.01));
     left.insert("strips".to_owned(), json!([1, 6]));
     let scene = read(&scene).expect("a scene").with_files_from(folder()).expect("its part");
-    let Answers::Spatial(answers) = scene.answers().expect("answered") else { panic!("in space") };
+    let Some(answers) = scene.answers().expect("answered").spatial() else { panic!("in space") };
     let [Answer::Hold(answer)] = &answers[..] else { panic!("one verdict") };
     assert!((answer.verdict.lost.as_ref().expect("is lost").factor - 0.4).abs() < 1e-6);
 }

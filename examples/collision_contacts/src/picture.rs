@@ -1,6 +1,6 @@
 //! A page with a view of the mug in the hand that can be rotated: outlines of shapes from parry, with predicted forces and motions.
 
-use grasp_lcp::picture::SpatialPage;
+use grasp_lcp::picture::Page;
 use grasp_lcp::spatial::{Equilibrium, Grasp};
 use parry3d_f64::math::{Pose, Vector};
 use parry3d_f64::shape::{Compound, Shape, TypedShape};
@@ -13,12 +13,12 @@ const CORNERS: u32 = 24;
 
 /// Writes the page into `output/` and prints its path.
 pub fn save(grasp: &Grasp, answers: &[(&str, &Equilibrium)], mug: &Compound) -> Result<(), Failure> {
-    let mut page = SpatialPage::new(grasp, "A mug between the fingertips that a collision library found");
+    let mut page = Page::new(grasp, "A mug between the fingertips that a collision library found");
     for (pose, shape) in mug.shapes() {
-        page = edges(&**shape, pose).into_iter().fold(page, SpatialPage::outline);
+        page = edges(&**shape, pose).into_iter().fold(page, Page::outline);
     }
     for tip in fingertips() {
-        page = edges(&*tip.shape, &tip.pose).into_iter().fold(page, SpatialPage::fixture);
+        page = edges(&*tip.shape, &tip.pose).into_iter().fold(page, Page::fixture);
     }
     page = answers.iter().fold(page, |page, (label, state)| page.frame(*label, state));
     std::fs::create_dir_all("output")?;

@@ -14,7 +14,7 @@ use std::process::ExitCode;
 use closing::{Ball, close, link_name, touches};
 use grasp_lcp::grasp::SoftFingertip;
 use grasp_lcp::nalgebra::{DMatrix, Matrix3, Point3, Vector3};
-use grasp_lcp::picture::{SpatialPage, SphereGrid, SphereMap, View};
+use grasp_lcp::picture::{Page, SphereGrid, SphereMap, View};
 use grasp_lcp::robot::Robot;
 use grasp_lcp::spatial::hand::{DriveChange, PartChange, PartLabel};
 use grasp_lcp::spatial::{self, Contact, PathEnd};
@@ -216,7 +216,7 @@ fn of_grasp(
         "  one equilibrium: {joints:.0} µs with joints, {:.1} times that of springs alone",
         joints / alone
     );
-    let mut page = SpatialPage::new(&grasp, title).frame("the squeeze alone", rest);
+    let mut page = Page::new(&grasp, title).frame("the squeeze alone", rest);
     for corners in circles(ball) {
         page = page.outline(corners);
     }

@@ -8,15 +8,15 @@ use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::hold::Holding;
 use grasp_lcp::identify::Ending;
 use grasp_lcp::need::Amount;
-use grasp_lcp::scene::{Answer, Answers, OnsetAnswer, PathOutcome, Scene, Setup, Space};
+use grasp_lcp::scene::{OnsetAnswer, PathOutcome, Scene};
 use grasp_lcp::shake::Repeats;
 use grasp_lcp::words::{Unit, Words};
-use grasp_lcp::{planar, spatial};
 
 use crate::arguments::{Ask, Command};
 use crate::failure::{EXIT_UNDECIDED, Failure};
-use crate::meaning::{Meaning, planar_turn, put, spatial_turn};
+use crate::meaning::put;
 use crate::own_masses::shared_centre;
+use crate::types::{Answer, Setup};
 use crate::waiting::Waiting;
 use crate::words::Style;
 use crate::{files, report};
@@ -30,49 +30,27 @@ pub(crate) fn ask(ask: &Ask, asked: Command) -> Result<ExitCode, Failure> {
 pub(crate) fn ask_of(mut scene: Scene, ask: &Ask, mut asked: Command) -> Result<ExitCode, Failure> {
     let unit = ask.unit.unwrap_or(scene.unit);
     asked.lengths_to_metres(unit);
-    let centre = match &scene.space {
-        Space::Planar(setup) => shared_centre(setup),
-        Space::Spatial(setup) => shared_centre(setup),
-    };
-    if let Some(centre) = &centre {
-        asked.act_at(centre);
+    if let Some(centre) = shared_centre(&scene.setup) {
+        asked.act_at(&centre);
     }
     let (given, asked) = (scene.clone(), &asked);
-    match &mut scene.space {
-        Space::Planar(setup) => {
-            let moment = |m: &[f64]| planar::Wrench::new([0.0; 2], m[0]);
-            put(setup, asked, &Meaning { force_at: planar::Wrench::force_at, moment, turn: planar_turn })?;
-        }
-        Space::Spatial(setup) => {
-            let moment = |m: &[f64]| spatial::Wrench::new([0.0; 3], [m[0], m[1], m[2]]);
-            put(setup, asked, &Meaning { force_at: spatial::Wrench::force_at, moment, turn: spatial_turn })?;
-        }
-    }
+    put(&mut scene.setup, asked)?;
     files::warn_at_once(&ask.scene, &scene, Some(&given))?;
     let is_decided = if ask.json {
-        let answers = Waiting::during("answers", ask.progress, || scene.answers_in(style(ask, unit).words));
+        let answers = Waiting::during("answers", ask.progress, || scene.answers_in(words(ask, unit)));
         let answers = answers.map_err(|error| files::refused(&ask.scene, &error))?;
         let mut out = io::stdout().lock();
         serde_json::to_writer_pretty(&mut out, &answers).map_err(io::Error::from)?;
         writeln!(out)?;
-        match &answers {
-            Answers::Planar(list) => !list.iter().any(is_undecided),
-            Answers::Spatial(list) => !list.iter().any(is_undecided),
-        }
+        !answers.list().iter().any(is_undecided)
     } else {
-        match &scene.space {
-            Space::Planar(setup) => one_by_one(setup, ask, style(ask, unit))?,
-            Space::Spatial(setup) => one_by_one(setup, ask, style(ask, unit))?,
-        }
+        one_by_one(&scene.setup, ask, unit)?
     };
     Waiting::during("whether the stiffness left out matters", ask.progress, || {
         files::warn_of_stiffness(&ask.scene, &scene)
     })?;
     if matches!(asked, Command::Hold { vary_stiffness: true, .. }) {
-        let depends = match &scene.space {
-            Space::Planar(setup) => setup.depends_on_tangential_stiffness(),
-            Space::Spatial(setup) => setup.depends_on_tangential_stiffness(),
-        };
+        let depends = scene.setup.depends_on_tangential_stiffness();
         let depends = depends.map_err(|error| files::refused(&ask.scene, &error))?;
         let said = if depends.is_empty() { "stays within" } else { "CHANGES by more than" };
         eprintln!(
@@ -82,13 +60,14 @@ pub(crate) fn ask_of(mut scene: Scene, ask: &Ask, mut asked: Command) -> Result<
     Ok(if is_decided { ExitCode::SUCCESS } else { ExitCode::from(EXIT_UNDECIDED) })
 }
 
-fn style(ask: &Ask, unit: Unit) -> Style {
-    Style { words: Words::with_digits(ask.digits.into()).in_unit(unit), points: ask.points }
+fn words(ask: &Ask, unit: Unit) -> Words {
+    Words::with_digits(ask.digits.into()).in_unit(unit)
 }
 
 /// Prints the answer to each question as soon as it is ready. Returns whether all are decided.
-fn one_by_one<const C: usize>(setup: &Setup<C>, ask: &Ask, style: Style) -> Result<bool, Failure> {
+fn one_by_one(setup: &Setup, ask: &Ask, unit: Unit) -> Result<bool, Failure> {
     let refused = |error| files::refused(&ask.scene, &error);
+    let style = Style { words: setup.words(words(ask, unit)), axes: setup.axes(), points: ask.points };
     // A malformed question is an error before any answer.
     setup.questions.iter().try_for_each(|question| setup.check(question)).map_err(refused)?;
     let grasp = setup.grasp().map_err(refused)?;
@@ -107,7 +86,7 @@ fn one_by_one<const C: usize>(setup: &Setup<C>, ask: &Ask, style: Style) -> Resu
     Ok(is_decided)
 }
 
-fn is_undecided<const C: usize>(answer: &Answer<C>) -> bool {
+fn is_undecided(answer: &Answer) -> bool {
     match answer {
         Answer::Hold(answer) => matches!(answer.verdict.holding, Holding::Undecided { .. }),
         Answer::Need(answer) => matches!(answer.needed.amount, Amount::Undecided { .. }),

@@ -10,7 +10,7 @@ use grasp_lcp::scene::{PathAnswer, PathOutcome};
 use crate::report::Report;
 
 impl Report<'_> {
-    pub(crate) fn followed<const C: usize>(&mut self, path: &PathAnswer<C>) -> io::Result<()> {
+    pub(crate) fn followed(&mut self, path: &PathAnswer<3>) -> io::Result<()> {
         let digits = self.style.precision();
         let (mut in_between, mut caution) = (0, path.small_motions_end.as_ref());
         for event in &path.events {
@@ -20,7 +20,7 @@ impl Report<'_> {
             }
             let contacts: Vec<_> = if self.style.points {
                 let point =
-                    |change: &ContactChange<C>| format!("{} {:.digits$}", change.contact.text(), change.what);
+                    |change: &ContactChange<3>| format!("{} {:.digits$}", change.contact.text(), change.what);
                 event.changes.iter().map(point).collect()
             } else {
                 event.whole_changes().iter().map(|change| format!("{change:.digits$}")).collect()
@@ -64,13 +64,13 @@ impl Report<'_> {
     }
 
     /// The load at a place of the path in words, with additional loads on bodies.
-    fn load_of<const C: usize>(&self, load: &Wrench<C>, state: Option<&Equilibrium<C>>) -> String {
+    fn load_of(&self, load: &Wrench<3>, state: Option<&Equilibrium<3>>) -> String {
         let loads = state.into_iter().flat_map(|state| &state.body_loads);
         self.load(load) + &self.and_on_bodies(loads.map(|load| (&*load.body, &load.load)))
     }
 
     /// Prints the equilibrium at the end of a path and, where the path loses its equilibrium, what lies beyond.
-    fn end_of_path<const C: usize>(&mut self, end: &PathOutcome<C>) -> io::Result<()> {
+    fn end_of_path(&mut self, end: &PathOutcome<3>) -> io::Result<()> {
         match end {
             PathOutcome::Completed { state } => self.state(state.as_deref()),
             PathOutcome::Lost { loss, beyond: next, state, .. } => {
@@ -90,9 +90,9 @@ impl Report<'_> {
     }
 
     /// Prints the soft fingertips that slide or open completely where an equilibrium is lost: their last points reach the edge of their cone at that load.
-    fn on_their_edge<const C: usize>(&mut self, loss: &Loss<C>, state: &Equilibrium<C>) -> io::Result<()> {
-        let is_closed = |contact: &&ContactAnswer<C>| contact.state != ContactState::Separated;
-        let slides = |contact: &ContactAnswer<C>| {
+    fn on_their_edge(&mut self, loss: &Loss<3>, state: &Equilibrium<3>) -> io::Result<()> {
+        let is_closed = |contact: &&ContactAnswer<3>| contact.state != ContactState::Separated;
+        let slides = |contact: &ContactAnswer<3>| {
             matches!(contact.state, ContactState::Sliding { .. }) || loss.contacts.contains(&contact.contact)
         };
         let pads = state.pads.iter().filter(|_| !self.style.points);
@@ -103,8 +103,8 @@ impl Report<'_> {
         let size = |force: &[f64]| force.iter().fold(0.0, |h: f64, x| h.hypot(*x));
         // A patch that carries less than this force opens instead of sliding.
         let weightless = 1e-9 * state.largest_force();
-        let does = |pad: &PadAnswer<C>| {
-            let presses = size(&pad.wrench.components()[..C]) > weightless;
+        let does = |pad: &PadAnswer<3>| {
+            let presses = size(&pad.wrench.components()[..3]) > weightless;
             format!("{} {}", pad.contact.text(), if presses { "slides everywhere" } else { "opens" })
         };
         those.map(does).collect::<Vec<_>>().iter().try_for_each(|what| self.line(what))

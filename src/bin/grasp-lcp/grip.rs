@@ -6,14 +6,14 @@ use std::process::ExitCode;
 use std::sync::Arc;
 
 use clap::Args;
-use grasp_lcp::scene::{Scene, Space};
+use grasp_lcp::scene::Scene;
 use grasp_lcp::touch::{Part, Unit};
 use serde_json::json;
 
 use crate::arguments::{Ask, Command, Numbers};
 use crate::asking;
 use crate::failure::Failure;
-use crate::loads::direction;
+use crate::loads::Meaning;
 use crate::numbers::{kilograms, newtons};
 
 /// The part and the jaws of `new grip`.
@@ -114,7 +114,7 @@ impl Grip {
                 Failure::Usage("--at: must be given, for the mesh is not closed".to_owned())
             })?,
         };
-        let closing: [f64; 3] = direction(&self.closing, "closing")?;
+        let closing = Meaning { axes: 3 }.direction(&self.closing, "closing")?;
         let opening = self.opening.as_ref().map(|opening| opening.array::<1>("opening")).transpose()?;
         let path = serde_json::to_string(&path.to_string_lossy()).map_err(std::io::Error::from)?;
         let jaw = |name: &str, sign: f64| {
@@ -156,10 +156,8 @@ impl Grip {
         // Reading the text reports now every fault for which the scene would be refused later.
         let mut scene =
             Scene::from_json(text.as_bytes()).map_err(|fault| Failure::Scene(fault.to_string()))?;
-        if let Space::Spatial(setup) = &mut scene.space {
-            *setup = setup.clone().on_part(Arc::new(part));
-            setup.grasp()?;
-        }
+        scene.setup = scene.setup.on_part(Arc::new(part));
+        scene.setup.grasp()?;
         Ok((text, scene))
     }
 }

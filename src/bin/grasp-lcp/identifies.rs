@@ -4,14 +4,15 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use grasp_lcp::identify::{Identify, Slip, Unknown, UnknownKind};
-use grasp_lcp::scene::{Question, Setup};
+use grasp_lcp::spatial::Wrench;
 use grasp_lcp::words::{Unit, printable};
 
 use crate::arguments::Numbers;
 use crate::failure::Failure;
 use crate::files::{bytes, name};
-use crate::meaning::Meaning;
+use crate::loads::Meaning;
 use crate::needs::named;
+use crate::types::{Question, Setup};
 
 /// The unknowns, and the table of observed slips.
 #[derive(Debug, clap::Args)]
@@ -96,13 +97,9 @@ impl FromStr for Sum {
     }
 }
 
-impl<const C: usize> Meaning<C> {
+impl Meaning {
     /// The question about observed slips.
-    pub(crate) fn identify(
-        &self,
-        given: &Identifies,
-        setup: &Setup<C>,
-    ) -> Result<Option<Question<C>>, Failure> {
+    pub(crate) fn identify(self, given: &Identifies, setup: &Setup) -> Result<Option<Question>, Failure> {
         let Some(path) = &given.table else {
             let others = !given.unknown.is_empty() || !given.known.is_empty() || given.first;
             let missing = "say which slips were seen: a table behind the scene".to_owned();
@@ -129,7 +126,7 @@ impl<const C: usize> Meaning<C> {
     }
 
     /// The rows of a table.
-    fn slips(&self, path: &Path, given: &Identifies) -> Result<Vec<Slip<C>>, Failure> {
+    fn slips(self, path: &Path, given: &Identifies) -> Result<Vec<Slip<3>>, Failure> {
         let name = name(path);
         let refused =
             |line: usize, fault: String| Failure::Scene(format!("{name}: line {}, {fault}", line + 1));
@@ -140,7 +137,7 @@ impl<const C: usize> Meaning<C> {
             refused(line, "no UTF-8: the table must be saved as UTF-8".to_owned())
         })?;
         let mut lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
-        let columns = columns::<C>();
+        let columns = columns(self.axes);
         let Some((head, heads)) = lines.next() else {
             return Err(refused(
                 0,
@@ -179,11 +176,11 @@ impl<const C: usize> Meaning<C> {
 
     /// The slip of one row; `heads` are the names of the columns. Groups are numbered in the order in which the table first names them.
     fn slip<'a>(
-        &self,
+        self,
         (heads, cells): (&[&str], &[&'a str]),
         groups: &mut Vec<&'a str>,
         given: &Identifies,
-    ) -> Result<Slip<C>, Fault> {
+    ) -> Result<Slip<3>, Fault> {
         let [mut force, mut at, mut moment, mut base] = [[0.0; 3]; 4];
         let (mut first, mut squeeze) = (given.first, None);
         let (mut scatter, mut group) = (given.scatter, None);
@@ -215,7 +212,7 @@ impl<const C: usize> Meaning<C> {
             match *head {
                 "squeeze" => squeeze = Some(number),
                 "scatter_percent" => scatter = Some(number),
-                "m" => moment[0] = number,
+                "m" => moment[2] = number,
                 _ => {
                     let axis = usize::from(head.ends_with('y')) + 2 * usize::from(head.ends_with('z'));
                     let row = match head.as_bytes()[0] {
@@ -229,8 +226,7 @@ impl<const C: usize> Meaning<C> {
             }
         }
         let at = at.map(|x| given.unit.in_metres(x));
-        let [force, place] = [force, at].map(|row| std::array::from_fn(|axis| row[axis]));
-        let load = (self.force_at)(force, place) + (self.moment)(&moment);
+        let load = Wrench::force_at(force, at) + Wrench::new([0.0; 3], moment);
         let mut slip = if first { Slip::first(load) } else { Slip::gross(load) };
         if let Some(squeeze) = squeeze {
             slip = slip.squeezed(squeeze);
@@ -242,9 +238,8 @@ impl<const C: usize> Meaning<C> {
             slip = slip.scattering_by(0.01 * percent);
         }
         if given.base.is_some() || heads.iter().any(|head| head.starts_with("base")) {
-            let [own, at] = [base, at].map(|row| std::array::from_fn(|axis| row[axis]));
             let of_all = self.base(given.base.as_ref(), None).map_err(Fault::Usage)?;
-            slip = slip.on_top_of(of_all + (self.force_at)(own, at));
+            slip = slip.on_top_of(of_all + Wrench::force_at(base, at));
         }
         Ok(slip)
     }
@@ -257,8 +252,8 @@ enum Fault {
 }
 
 /// The allowed names of columns.
-fn columns<const C: usize>() -> Vec<&'static str> {
-    let of_space: &[_] = if C == 3 {
+fn columns(axes: usize) -> Vec<&'static str> {
+    let of_space: &[_] = if axes == 3 {
         &["fx", "fy", "fz", "mx", "my", "mz", "at_x", "at_y", "at_z", "base_x", "base_y", "base_z"]
     } else {
         &["fx", "fy", "m", "at_x", "at_y", "base_x", "base_y"]

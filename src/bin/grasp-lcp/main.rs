@@ -27,6 +27,7 @@ mod own_masses;
 mod report;
 mod shakes;
 mod table;
+mod types;
 mod values;
 mod waiting;
 mod words;

@@ -2,34 +2,19 @@
 
 use crate::arguments::{Command, LoadArguments, Numbers};
 use crate::failure::Failure;
-use crate::loads::{direction, loads, point, pull_of_mass, weight_of};
+use crate::loads::Meaning;
 use crate::of_the_scene::SceneLoads;
 use crate::own_masses::{of_own_masses, refuse_mass, tilted};
-use grasp_lcp::grasp::Wrench;
+use crate::types::{Question, Setup};
 use grasp_lcp::improve::{Improve, ImproveGoal};
-use grasp_lcp::load_path::{Leg, Turn};
-use grasp_lcp::scene::{Question, Setup};
+use grasp_lcp::load_path::Leg;
+use grasp_lcp::spatial::{Turn, Wrench};
 use grasp_lcp::squeeze::Loads;
-use grasp_lcp::{planar, spatial};
 use std::collections::BTreeMap;
 
-/// Makes a turning load from a weight, N, the point where it acts, m, and the axis of the turn.
-type TurnOf<const C: usize> = fn([f64; C], Option<&Numbers>, Option<&Numbers>) -> Result<Turn<C>, Failure>;
-
-/// Conversions of the command line's numbers to loads, in the plane or in space.
-pub(crate) struct Meaning<const C: usize> {
-    pub(crate) force_at: fn([f64; C], [f64; C]) -> Wrench<C>,
-    /// The load of a moment, N m: one component in the plane, three in space.
-    pub(crate) moment: fn(&[f64]) -> Wrench<C>,
-    pub(crate) turn: TurnOf<C>,
-}
-
 /// Replaces the scene's questions by that of the command line. If the command line has no load, the scene's questions of the same kind are kept.
-pub(crate) fn put<const C: usize>(
-    setup: &mut Setup<C>,
-    asked: &Command,
-    words: &Meaning<C>,
-) -> Result<(), Failure> {
+pub(crate) fn put(setup: &mut Setup, asked: &Command) -> Result<(), Failure> {
+    let words = Meaning { axes: setup.axes() };
     let question = match asked {
         Command::Hold { load, base, safety, .. } => {
             let asked = &*of_own_masses(load, base.is_some(), setup)?;
@@ -76,11 +61,11 @@ pub(crate) fn put<const C: usize>(
             let own = if mass.is_none() && weight.is_none() { tilted(setup) } else { None };
             let (weight, centre) = match (weight, mass, own) {
                 (_, _, Some(own)) => (own.weight, Some(own.at)),
-                (Some(weight), ..) => (weight.array("weight").map_err(Failure::Usage)?, at.clone()),
-                (None, Some(mass), _) => (weight_of(*mass)?, at.clone()),
+                (Some(weight), ..) => (weight.along_axes(words.axes, "weight")?, at.clone()),
+                (None, Some(mass), _) => (words.weight_of(*mass)?, at.clone()),
                 (None, None, _) => return Err(Failure::Usage("--mass is missing, or --weight".to_owned())),
             };
-            let turn = (words.turn)(weight, centre.as_ref(), axis.as_ref())?;
+            let turn = words.turn(weight, centre.as_ref(), axis.as_ref())?;
             Some(Question::OnsetOfTurn(turn.beside(words.base(base.as_ref(), at.as_ref())?)))
         }
         Command::Follow { to, from, at, .. } => words.follow(to, from.as_ref(), at.as_ref())?,
@@ -130,9 +115,8 @@ pub(crate) fn put<const C: usize>(
 }
 
 /// The questions whether the object holds the loads of the scene's question `need`.
-fn of_the_scene<const C: usize>(setup: &Setup<C>, asked: &Command) -> Vec<Question<C>> {
-    let is_needed =
-        |question: &Question<C>| matches!(question, Question::Need(_)) && question.loads().is_some();
+fn of_the_scene(setup: &Setup, asked: &Command) -> Vec<Question> {
+    let is_needed = |question: &Question| matches!(question, Question::Need(_)) && question.loads().is_some();
     let is_held = matches!(asked, Command::Hold { .. }) && setup.questions.iter().any(is_needed);
     match is_held.then(|| SceneLoads::of(setup)).flatten() {
         Some(SceneLoads { base, loads: Loads::Each(list), together_with }) => {
@@ -144,7 +128,7 @@ fn of_the_scene<const C: usize>(setup: &Setup<C>, asked: &Command) -> Vec<Questi
 }
 
 /// The question whether the object is at rest without any load, if neither the command line nor the scene has a question.
-fn at_rest<const C: usize>(asked: &Command) -> Option<Question<C>> {
+fn at_rest(asked: &Command) -> Option<Question> {
     let (load, together_with) = (Wrench::ZERO, BTreeMap::new());
     match asked {
         Command::Hold { .. } => Some(Question::Hold { base: Wrench::ZERO, load, together_with }),
@@ -153,7 +137,7 @@ fn at_rest<const C: usize>(asked: &Command) -> Option<Question<C>> {
     }
 }
 
-fn is_of_kind<const C: usize>(question: &Question<C>, asked: &Command) -> bool {
+fn is_of_kind(question: &Question, asked: &Command) -> bool {
     matches!(
         (asked, question),
         (Command::Ask(_), _)
@@ -170,9 +154,9 @@ fn is_of_kind<const C: usize>(question: &Question<C>, asked: &Command) -> bool {
     )
 }
 
-impl<const C: usize> Meaning<C> {
+impl Meaning {
     /// The load of the command line, if there is one. `beside` says whether another force acts at the same point, for which `--at` may be given alone.
-    pub(crate) fn wrench(&self, load: &LoadArguments, beside: bool) -> Result<Option<Wrench<C>>, Failure> {
+    pub(crate) fn wrench(self, load: &LoadArguments, beside: bool) -> Result<Option<Wrench>, Failure> {
         let LoadArguments { force, moment, at, mass, .. } = load;
         if force.is_none() && mass.is_none() && at.is_some() && !beside {
             return Err(Failure::Usage("--at without --force or --mass: a moment acts anywhere".to_owned()));
@@ -182,21 +166,16 @@ impl<const C: usize> Meaning<C> {
             all = self.push(force, "force", at.as_ref())?;
         }
         if mass.is_some() {
-            all = all + pull_of_mass(load)?;
+            all = all + self.pull_of_mass(load)?;
         }
         if let Some(moment) = moment {
-            let (given, expected) = (moment.0.len(), C * (C - 1) / 2);
-            if given != expected {
-                let space = if C == 3 { "three numbers in space" } else { "one number in the plane" };
-                return Err(Failure::Usage(format!("--moment: {given} given, must be {space}")));
-            }
-            all = all + (self.moment)(&moment.0);
+            all = all + Wrench::new([0.0; 3], self.about_axes(moment, "moment")?);
         }
         Ok((force.is_some() || moment.is_some() || mass.is_some()).then_some(all))
     }
 
     /// Loads on other bodies that grow in proportion to the load of the command line.
-    pub(crate) fn together_with(&self, load: &LoadArguments) -> Result<BTreeMap<String, Wrench<C>>, Failure> {
+    pub(crate) fn together_with(self, load: &LoadArguments) -> Result<BTreeMap<String, Wrench>, Failure> {
         if !load.together_with.is_empty()
             && load.force.is_none()
             && load.moment.is_none()
@@ -217,11 +196,11 @@ impl<const C: usize> Meaning<C> {
 
     /// The question whether the grasp holds a load multiplied by `safety`; if there is only a base load, whether it holds this.
     fn hold(
-        &self,
+        self,
         load: &LoadArguments,
         base: Option<&Numbers>,
         safety: Option<f64>,
-    ) -> Result<Option<Question<C>>, Failure> {
+    ) -> Result<Option<Question>, Failure> {
         let wrench = self.wrench(load, base.is_some())?;
         let (wrench, times) = match (wrench, safety) {
             (None, Some(_)) => {
@@ -239,13 +218,13 @@ impl<const C: usize> Meaning<C> {
 
     /// The question for better places of the fingers.
     fn improve(
-        &self,
+        self,
         load: &LoadArguments,
         base: Option<&Numbers>,
         any_force: Option<f64>,
         at_most: Option<f64>,
         reserve: bool,
-    ) -> Result<Option<Question<C>>, Failure> {
+    ) -> Result<Option<Question>, Failure> {
         if !load.together_with.is_empty() {
             let message = "--together-with: given, must be left out where fingers are improved";
             return Err(Failure::Usage(message.to_owned()));
@@ -257,7 +236,7 @@ impl<const C: usize> Meaning<C> {
                 "say which load is to slide late: --mass, --force, --moment or --any-force".to_owned();
             return if given { Err(Failure::Usage(missing)) } else { Ok(None) };
         }
-        let loads = loads(wrench, any_force, load.at.as_ref())?;
+        let loads = self.loads(wrench, any_force, load.at.as_ref())?;
         let mut question = Improve::new(loads).on_top_of(self.base(base, load.at.as_ref())?);
         if let Some(force) = at_most {
             question = question.pressing_at_most(force);
@@ -269,27 +248,21 @@ impl<const C: usize> Meaning<C> {
     }
 
     /// A force that acts at a point.
-    pub(crate) fn push(
-        &self,
-        force: &Numbers,
-        option: &str,
-        at: Option<&Numbers>,
-    ) -> Result<Wrench<C>, Failure> {
-        let force = force.array(option).map_err(Failure::Usage)?;
-        Ok((self.force_at)(force, point(at)?))
+    pub(crate) fn push(self, force: &Numbers, option: &str, at: Option<&Numbers>) -> Result<Wrench, Failure> {
+        Ok(Wrench::force_at(force.along_axes(self.axes, option)?, self.point(at)?))
     }
 
     /// The constant load; zero if left out.
-    pub(crate) fn base(&self, base: Option<&Numbers>, at: Option<&Numbers>) -> Result<Wrench<C>, Failure> {
+    pub(crate) fn base(self, base: Option<&Numbers>, at: Option<&Numbers>) -> Result<Wrench, Failure> {
         base.map_or(Ok(Wrench::ZERO), |base| self.push(base, "base", at))
     }
 
     fn follow(
-        &self,
+        self,
         to: &[Numbers],
         from: Option<&Numbers>,
         at: Option<&Numbers>,
-    ) -> Result<Option<Question<C>>, Failure> {
+    ) -> Result<Option<Question>, Failure> {
         if to.is_empty() {
             let missing = from.map_or(Ok(None), |_| Err(Failure::Usage("--from without --to".to_owned())));
             return missing;
@@ -299,27 +272,23 @@ impl<const C: usize> Meaning<C> {
         let legs = to.iter().map(leg).collect::<Result<_, _>>()?;
         Ok(Some(Question::Follow { start, legs, in_steps: None }))
     }
-}
 
-pub(crate) fn planar_turn(
-    weight: [f64; 2],
-    at: Option<&Numbers>,
-    axis: Option<&Numbers>,
-) -> Result<Turn<2>, Failure> {
-    if axis.is_some() {
-        return Err(Failure::Usage("--axis: there is none in the plane".to_owned()));
+    /// A weight, N, that acts at a point while the grasp is tilted: in the plane from x to y, in space about an axis.
+    pub(crate) fn turn(
+        self,
+        weight: [f64; 3],
+        at: Option<&Numbers>,
+        axis: Option<&Numbers>,
+    ) -> Result<Turn, Failure> {
+        let axis = match (self.axes, axis) {
+            (2, Some(_)) => return Err(Failure::Usage("--axis: there is none in the plane".to_owned())),
+            (2, None) => [0.0, 0.0, 1.0],
+            (_, Some(axis)) => self.direction(axis, "axis")?,
+            (_, None) => {
+                let message = "--axis is missing: about which the grasp is tilted, such as --axis 1,0,0";
+                return Err(Failure::Usage(message.to_owned()));
+            }
+        };
+        Ok(Turn::tilting(weight, self.point(at)?, axis)?)
     }
-    Ok(planar::Turn::tilting(weight, point(at)?))
-}
-
-pub(crate) fn spatial_turn(
-    weight: [f64; 3],
-    at: Option<&Numbers>,
-    axis: Option<&Numbers>,
-) -> Result<Turn<3>, Failure> {
-    let axis = axis.ok_or_else(|| {
-        Failure::Usage("--axis is missing: about which the grasp is tilted, such as --axis 1,0,0".to_owned())
-    })?;
-    let axis: [f64; 3] = direction(axis, "axis")?;
-    Ok(spatial::Turn::tilting(weight, point(at)?, axis)?)
 }

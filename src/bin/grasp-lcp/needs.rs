@@ -2,21 +2,20 @@
 
 use std::collections::BTreeMap;
 
-use grasp_lcp::grasp::Wrench;
-use grasp_lcp::need::Need;
-use grasp_lcp::scene::{Question, Setup};
+use grasp_lcp::spatial::Need;
+use grasp_lcp::spatial::Wrench;
 use grasp_lcp::words::printable;
 
 use crate::arguments::{Numbers, SoughtQuantity, Wanted};
 use crate::failure::Failure;
-use crate::loads::{direction, loads, point, total_force};
-use crate::meaning::Meaning;
+use crate::loads::Meaning;
 use crate::of_the_scene::{SceneLoads, own_need};
 use crate::own_masses::{accelerated, of_own_masses, tilted};
+use crate::types::{Question, Setup};
 
-impl<const C: usize> Meaning<C> {
+impl Meaning {
     /// The question for the quantity that the command line names; `None` if it names none.
-    pub(crate) fn need(&self, wanted: &Wanted, setup: &mut Setup<C>) -> Result<Option<Need<C>>, Failure> {
+    pub(crate) fn need(self, wanted: &Wanted, setup: &mut Setup) -> Result<Option<Need>, Failure> {
         let Some(sought) = wanted.quantity else { return Ok(None) };
         refuse_others(wanted, sought)?;
         let own = own_need(setup, wanted, sought);
@@ -52,11 +51,11 @@ impl<const C: usize> Meaning<C> {
 
     /// The sought quantity with its loads, and the constant weight that acts in addition to accelerations to and fro.
     fn sought(
-        &self,
+        self,
         wanted: &Wanted,
         sought: SoughtQuantity,
-        setup: &mut Setup<C>,
-    ) -> Result<(Need<C>, Option<Wrench<C>>), Failure> {
+        setup: &mut Setup,
+    ) -> Result<(Need, Option<Wrench>), Failure> {
         let beside = wanted.base.is_some() || wanted.any_force.is_some();
         let to_and_fro = to_and_fro(wanted);
         let mut asked = wanted.load.clone();
@@ -64,30 +63,30 @@ impl<const C: usize> Meaning<C> {
             asked.acceleration = None;
         }
         let given = &*of_own_masses(&asked, beside, setup)?;
-        let at = point(given.at.as_ref())?;
+        let at = self.point(given.at.as_ref())?;
         let load = self.wrench(given, beside)?;
         let missing = || Failure::Usage("say for which load: --mass, --force or --moment".to_owned());
         let mut together_with = BTreeMap::new();
         let (loads, weight) = match (sought, to_and_fro) {
             (SoughtQuantity::Arm, _) => {
                 let along = wanted.along.as_ref().ok_or_else(|| {
-                    let axis = if C == 3 { "1,0,0" } else { "1,0" };
+                    let axis = if self.axes == 3 { "1,0,0" } else { "1,0" };
                     Failure::Usage(format!("--along is missing: where to, such as --along {axis}"))
                 })?;
-                let along: [f64; C] = direction(along, "along")?;
+                let along = self.direction(along, "along")?;
                 let length = along.iter().map(|x| x * x).sum::<f64>().sqrt();
                 let there = std::array::from_fn(|a| at[a] + along[a] / length);
-                let force = total_force(given)?;
-                let per_metre = (self.force_at)(force, there) + (self.force_at)(force, at) * -1.0;
+                let force = self.total_force(given)?;
+                let per_metre = Wrench::force_at(force, there) + Wrench::force_at(force, at) * -1.0;
                 return Ok((Need::arm(load.ok_or_else(missing)?, per_metre), None));
             }
             (SoughtQuantity::Angle, _) => {
                 let own = if load.is_none() { tilted(setup) } else { None };
                 let (weight, at) = match own {
                     Some(own) => (own.weight, Some(own.at)),
-                    None => (total_force(given)?, given.at.clone()),
+                    None => (self.total_force(given)?, given.at.clone()),
                 };
-                return Ok((Need::angle((self.turn)(weight, at.as_ref(), wanted.axis.as_ref())?), None));
+                return Ok((Need::angle(self.turn(weight, at.as_ref(), wanted.axis.as_ref())?), None));
             }
             (_, Some(acceleration)) if given.mass.is_none() => {
                 let (mass, centre) = accelerated(setup, "acceleration")?;
@@ -112,7 +111,7 @@ impl<const C: usize> Meaning<C> {
             (SoughtQuantity::Load, None) if load.is_none() && wanted.any_force.is_none() => {
                 return Err(missing());
             }
-            (_, None) => (loads(load, wanted.any_force, given.at.as_ref())?, None),
+            (_, None) => (self.loads(load, wanted.any_force, given.at.as_ref())?, None),
         };
         let need = match (sought, &wanted.contact, &wanted.of) {
             (SoughtQuantity::Friction, Some(name), _) => {
@@ -162,7 +161,7 @@ fn refuse_others(wanted: &Wanted, sought: SoughtQuantity) -> Result<(), Failure>
 }
 
 /// The index of the contact with the name that an option gives.
-pub(crate) fn named<const C: usize>(option: &str, name: &str, setup: &Setup<C>) -> Result<usize, Failure> {
+pub(crate) fn named(option: &str, name: &str, setup: &Setup) -> Result<usize, Failure> {
     let labels: Vec<_> = setup.entries().enumerate().map(|(i, entry)| entry.contact.label_text(i)).collect();
     let name = printable(name);
     let mut by_name = (0..labels.len()).filter(|i| labels[*i] == name);

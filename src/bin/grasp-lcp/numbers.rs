@@ -4,6 +4,8 @@ use std::ops::RangeInclusive;
 
 use grasp_lcp::words::Unit;
 
+use crate::failure::Failure;
+
 /// Largest size of a number, in SI units; no length, force or mass of a real object is larger.
 const LARGEST_NUMBER: f64 = 1e50;
 
@@ -42,13 +44,13 @@ impl Numbers {
         }
     }
 
-    /// Exactly `N` numbers, one for each axis of the scene.
-    pub(crate) fn array<const N: usize>(&self, option: &str) -> Result<[f64; N], String> {
-        let space = if N == 3 { "three numbers in space" } else { "two numbers in the plane" };
-        self.0
-            .as_slice()
-            .try_into()
-            .map_err(|_| format!("--{option}: {} given, must be {space}", self.0.len()))
+    /// Components along two or three axes, as many as there are; the third is zero in the plane.
+    pub(crate) fn along_axes(&self, axes: usize, option: &str) -> Result<[f64; 3], Failure> {
+        if self.0.len() != axes {
+            let space = if axes == 3 { "three numbers in space" } else { "two numbers in the plane" };
+            return Err(Failure::Usage(format!("--{option}: {} given, must be {space}", self.0.len())));
+        }
+        Ok(std::array::from_fn(|a| self.0.get(a).copied().unwrap_or(0.0)))
     }
 }
 

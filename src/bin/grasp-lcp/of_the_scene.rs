@@ -4,33 +4,33 @@ use std::collections::BTreeMap;
 
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::need::{Need, Quantity};
-use grasp_lcp::scene::{Question, Setup};
 use grasp_lcp::squeeze::Loads;
 
 use crate::arguments::{SoughtQuantity, Wanted};
+use crate::types::{Question, Setup};
 
 /// The loads of a scene's question: the load at rest, the loads beside it, and loads of other bodies that grow with these.
-pub(crate) struct SceneLoads<const C: usize> {
-    pub(crate) base: Wrench<C>,
-    pub(crate) loads: Loads<C>,
-    pub(crate) together_with: BTreeMap<String, Wrench<C>>,
+pub(crate) struct SceneLoads {
+    pub(crate) base: Wrench<3>,
+    pub(crate) loads: Loads<3>,
+    pub(crate) together_with: BTreeMap<String, Wrench<3>>,
 }
 
-impl<const C: usize> SceneLoads<C> {
+impl SceneLoads {
     /// The loads of the scene's first question `need`; without one those of all its questions `hold` that have the same load at rest, or of its first
     /// `solve`. A warning says which.
-    pub(crate) fn of(setup: &Setup<C>) -> Option<Self> {
-        let kinds: [fn(&Question<C>) -> bool; 3] = [
+    pub(crate) fn of(setup: &Setup) -> Option<Self> {
+        let kinds: [fn(&Question) -> bool; 3] = [
             |question| matches!(question, Question::Need(_)),
             |question| matches!(question, Question::Hold { .. }),
             |question| matches!(question, Question::Solve { .. }),
         ];
         let questions = || setup.questions.iter().enumerate();
-        let of_kind = |is: &fn(&Question<C>) -> bool| {
+        let of_kind = |is: &fn(&Question) -> bool| {
             questions().find_map(|(k, question)| question.loads().filter(|_| is(question)).zip(Some(k)))
         };
         let ((base, mut loads, together_with), first) = kinds.iter().find_map(of_kind)?;
-        let is_alone = |question: &Question<C>| match question {
+        let is_alone = |question: &Question| match question {
             Question::Hold { base: other, load, together_with } => {
                 (*other == base && together_with.is_empty()).then_some(*load)
             }
@@ -50,11 +50,7 @@ impl<const C: usize> SceneLoads<C> {
 }
 
 /// The scene's own question for the quantity that is sought without a load.
-pub(crate) fn own_need<const C: usize>(
-    setup: &Setup<C>,
-    wanted: &Wanted,
-    sought: SoughtQuantity,
-) -> Option<Need<C>> {
+pub(crate) fn own_need(setup: &Setup, wanted: &Wanted, sought: SoughtQuantity) -> Option<Need<3>> {
     let given = [&wanted.load.force, &wanted.load.moment, &wanted.load.acceleration, &wanted.base];
     let others = [&wanted.along, &wanted.axis, &wanted.load.at];
     let is_given = given.iter().chain(&others).any(|given| given.is_some())

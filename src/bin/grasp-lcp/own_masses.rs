@@ -2,32 +2,32 @@
 
 use std::borrow::Cow;
 
-use grasp_lcp::scene::Setup;
 use grasp_lcp::words::printable;
 
 use crate::arguments::{LoadArguments, Numbers};
 use crate::failure::Failure;
+use crate::types::Setup;
 
 /// The weight of all bodies, N, and their centre of mass, m, for a turn.
-pub(crate) struct TurnedWeight<const C: usize> {
-    pub(crate) weight: [f64; C],
+pub(crate) struct TurnedWeight {
+    pub(crate) weight: [f64; 3],
     pub(crate) at: Numbers,
 }
 
 /// If bodies have masses, removes the scene's gravity and returns their weight, which the caller turns as a load.
-pub(crate) fn tilted<const C: usize>(setup: &mut Setup<C>) -> Option<TurnedWeight<C>> {
+pub(crate) fn tilted(setup: &mut Setup) -> Option<TurnedWeight> {
     let (mass, centre) = setup.own_mass()?;
     let gravity = setup.gravity?;
     *setup = setup.with_gravity_as_load();
-    Some(TurnedWeight { weight: std::array::from_fn(|a| mass * gravity[a]), at: Numbers(centre.to_vec()) })
+    Some(TurnedWeight {
+        weight: std::array::from_fn(|a| mass * gravity[a]),
+        at: Numbers(centre[..setup.axes()].to_vec()),
+    })
 }
 
 /// Makes every load act on all bodies in proportion to their masses. Returns the total mass, kg, and its centre, m; `option` is the option that an
 /// error names.
-pub(crate) fn accelerated<const C: usize>(
-    setup: &mut Setup<C>,
-    option: &str,
-) -> Result<(f64, [f64; C]), Failure> {
+pub(crate) fn accelerated(setup: &mut Setup, option: &str) -> Result<(f64, [f64; 3]), Failure> {
     let message = || {
         format!("--{option} without --mass: say it, unless bodies have masses and the scene has a gravity")
     };
@@ -37,14 +37,14 @@ pub(crate) fn accelerated<const C: usize>(
 }
 
 /// The common centre of mass of bodies that share loads by mass, with gravity or without.
-pub(crate) fn shared_centre<const C: usize>(setup: &Setup<C>) -> Option<Vec<f64>> {
+pub(crate) fn shared_centre(setup: &Setup) -> Option<Vec<f64>> {
     let mut setup = setup.shared_by_mass.then(|| setup.clone())?;
-    setup.gravity = Some([1.0; C].into());
-    setup.own_mass().map(|(_, centre)| centre.to_vec())
+    setup.gravity = Some([1.0; 3].into());
+    setup.own_mass().map(|(_, centre)| centre[..setup.axes()].to_vec())
 }
 
 /// Refuses `--mass` for a body that has a mass in the scene.
-pub(crate) fn refuse_mass<const C: usize>(setup: &Setup<C>, mass: Option<f64>) -> Result<(), Failure> {
+pub(crate) fn refuse_mass(setup: &Setup, mass: Option<f64>) -> Result<(), Failure> {
     match mass.and_then(|_| setup.weighty_body(None)) {
         None => Ok(()),
         Some(body) => Err(Failure::Usage(format!(
@@ -56,10 +56,10 @@ pub(crate) fn refuse_mass<const C: usize>(setup: &Setup<C>, mass: Option<f64>) -
 
 /// For `--acceleration` without `--mass`, the load with the scene's bodies as one accelerated mass without weight. For `--mass` without `--at`, the load
 /// with the mass at the centre of the part, if the scene has a mesh. Other loads are returned unchanged.
-pub(crate) fn of_own_masses<'l, const C: usize>(
+pub(crate) fn of_own_masses<'l>(
     load: &'l LoadArguments,
     beside: bool,
-    setup: &mut Setup<C>,
+    setup: &mut Setup,
 ) -> Result<Cow<'l, LoadArguments>, Failure> {
     refuse_mass(setup, load.mass)?;
     #[cfg(feature = "mesh")]
@@ -78,6 +78,7 @@ pub(crate) fn of_own_masses<'l, const C: usize>(
         let message = "--acceleration: accelerates the bodies by their own masses, must stand without --base, --force, --moment, --at and --together-with: what is always there is the `load` of a body";
         return Err(Failure::Usage(message.to_owned()));
     }
-    let (gravity, at) = (Some(Numbers(vec![0.0; C])), Some(Numbers(centre.to_vec())));
+    let axes = setup.axes();
+    let (gravity, at) = (Some(Numbers(vec![0.0; axes])), Some(Numbers(centre[..axes].to_vec())));
     Ok(Cow::Owned(LoadArguments { mass: Some(mass), gravity, at, ..load.clone() }))
 }

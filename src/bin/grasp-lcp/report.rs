@@ -9,18 +9,19 @@ use grasp_lcp::grasp::Wrench;
 use grasp_lcp::hold::Verdict;
 use grasp_lcp::improve::Improved;
 use grasp_lcp::load_path::{Beyond, Departure, EdgeOf, Leaving, PartChange};
-use grasp_lcp::scene::{Angle, Answer, Factor, OnsetAnswer, OnsetAt, Question, Setup, TurnAnswer};
+use grasp_lcp::scene::{Angle, Factor, OnsetAnswer, OnsetAt, TurnAnswer};
 use grasp_lcp::words::printable;
 
 use crate::table::{compared, table};
+use crate::types::{Answer, Question, Setup};
 use crate::words::{NO_WORDS, Style};
 
 /// Prints the answer to a question of a scene: its first line, then its tables and details.
-pub(crate) fn print<const C: usize>(
+pub(crate) fn print(
     out: &mut dyn Write,
     style: Style,
-    setup: &Setup<C>,
-    (question, answer): (&Question<C>, &Answer<C>),
+    setup: &Setup,
+    (question, answer): (&Question, &Answer),
 ) -> io::Result<()> {
     let question = &*setup.meant(question).unwrap_or(Cow::Borrowed(question));
     let sentence = question.first_line(answer, style.words);
@@ -29,7 +30,7 @@ pub(crate) fn print<const C: usize>(
 }
 
 /// Loads with the names of the bodies on which they act.
-fn named<const C: usize>(loads: &BTreeMap<String, Wrench<C>>) -> impl Iterator<Item = (&str, &Wrench<C>)> {
+fn named(loads: &BTreeMap<String, Wrench<3>>) -> impl Iterator<Item = (&str, &Wrench<3>)> {
     loads.iter().map(|(body, load)| (body.as_str(), load))
 }
 
@@ -46,14 +47,14 @@ impl Report<'_> {
         writeln!(self.out, "  {words}")
     }
 
-    pub(crate) fn load<const C: usize>(&self, load: &Wrench<C>) -> String {
+    pub(crate) fn load(&self, load: &Wrench<3>) -> String {
         self.style.words.load(load)
     }
 
     /// Loads on other bodies in words, to follow the words of a load.
-    pub(crate) fn and_on_bodies<'l, const C: usize>(
+    pub(crate) fn and_on_bodies<'l>(
         &self,
-        loads: impl IntoIterator<Item = (&'l str, &'l Wrench<C>)>,
+        loads: impl IntoIterator<Item = (&'l str, &'l Wrench<3>)>,
     ) -> String {
         let named = |(body, load)| format!(", {} on {}", self.load(load), printable(body));
         loads.into_iter().map(named).collect::<Vec<_>>().concat()
@@ -63,17 +64,17 @@ impl Report<'_> {
         self.style.words.number(x)
     }
 
-    pub(crate) fn table<const C: usize>(&mut self, state: &Equilibrium<C>) -> io::Result<()> {
+    pub(crate) fn table(&mut self, state: &Equilibrium<3>) -> io::Result<()> {
         table(self.out, self.style, state, &self.sentence)
     }
 
     /// Prints the new place of each contact that may move.
-    fn improved<const C: usize>(&mut self, improved: &Improved<C>) -> io::Result<()> {
+    fn improved(&mut self, improved: &Improved<3>) -> io::Result<()> {
         let words = self.style.words;
         let largest = improved.contacts.iter().fold(0.0, |most: f64, placed| most.max(placed.normal_force));
         for placed in &improved.contacts {
             let at = words.place(&placed.point);
-            let normal = words.numbers(placed.normal.as_slice());
+            let normal = words.numbers(&placed.normal.as_slice()[..self.style.axes]);
             let force = words.number(words.beside(placed.normal_force, largest));
             self.line(&format!("{} at {at}, normal {normal}, presses with {force} N", placed.contact))?;
         }
@@ -81,7 +82,7 @@ impl Report<'_> {
     }
 
     /// Prints the tables and details below the first line of an answer.
-    fn details<const C: usize>(&mut self, question: &Question<C>, answer: &Answer<C>) -> io::Result<()> {
+    fn details(&mut self, question: &Question, answer: &Answer) -> io::Result<()> {
         match (question, answer) {
             (_, Answer::Hold(answer)) => {
                 self.proved(&answer.verdict)?;
@@ -107,7 +108,7 @@ impl Report<'_> {
                     (true, false) => format!("from {base} along {along}"),
                 };
                 // If only commands change, the load is constant and does not say where the onset is.
-                let place = |report: &Self, event: &OnsetAt<C, Factor>| {
+                let place = |report: &Self, event: &OnsetAt<3, Factor>| {
                     let at = report.number(event.at.factor);
                     let there = if *direction == Wrench::ZERO {
                         String::new()
@@ -120,7 +121,7 @@ impl Report<'_> {
             }
             (Question::OnsetOfTurn(turn), Answer::OnsetOfTurn(answer)) => {
                 let (from, most) = (self.load(&turn.load_at(0.0)), self.style.words.angle(turn.angle()));
-                let place = |report: &Self, event: &OnsetAt<C, Angle>| {
+                let place = |report: &Self, event: &OnsetAt<3, Angle>| {
                     let (at, load) = (report.style.words.angle(event.at.angle), report.load(&event.load));
                     format!("from {from} while the load turns by {most}: at {at}, that is {load}")
                 };
@@ -133,7 +134,7 @@ impl Report<'_> {
     }
 
     /// Prints how far around the place of a loss it is proved that no other equilibrium exists.
-    fn proved<const C: usize>(&mut self, verdict: &Verdict<C>) -> io::Result<()> {
+    fn proved(&mut self, verdict: &Verdict<3>) -> io::Result<()> {
         let near = verdict.lost.as_ref().and_then(|lost| lost.nothing_near);
         let digits = self.style.precision();
         // A radius of the size of an atom or less says nothing useful.
@@ -144,15 +145,15 @@ impl Report<'_> {
     }
 
     /// Prints the table of an equilibrium, if there is one.
-    pub(crate) fn state<const C: usize>(&mut self, state: Option<&Equilibrium<C>>) -> io::Result<()> {
+    pub(crate) fn state(&mut self, state: Option<&Equilibrium<3>>) -> io::Result<()> {
         state.map_or(Ok(()), |state| self.table(state))
     }
 
     /// Prints the place of an onset, the contacts that stop sticking, and the equilibrium there.
-    fn onset<const C: usize, At>(
+    fn onset<At>(
         &mut self,
-        onset: &OnsetAnswer<C, At>,
-        place: &dyn Fn(&Self, &OnsetAt<C, At>) -> String,
+        onset: &OnsetAnswer<3, At>,
+        place: &dyn Fn(&Self, &OnsetAt<3, At>) -> String,
     ) -> io::Result<()> {
         match onset {
             OnsetAnswer::At(event) => {
@@ -167,7 +168,7 @@ impl Report<'_> {
     }
 
     /// Prints each contact and drive that reaches the limit of its state while a load turns, without exceeding it.
-    fn touches<const C: usize>(&mut self, answer: &TurnAnswer<C>) -> io::Result<()> {
+    fn touches(&mut self, answer: &TurnAnswer<3>) -> io::Result<()> {
         let mut named = Vec::new();
         for touch in &answer.touches {
             let contact = match &touch.of {
@@ -186,7 +187,7 @@ impl Report<'_> {
     }
 
     /// Prints the contacts, joints and tendons that change their state at an onset, and the directions in which contacts slide.
-    fn leaving<const C: usize, At>(&mut self, event: &OnsetAt<C, At>) -> io::Result<()> {
+    fn leaving<At>(&mut self, event: &OnsetAt<3, At>) -> io::Result<()> {
         let digits = self.style.precision();
         if self.style.points {
             for leaving @ Leaving { contact, how, .. } in &event.leaving {
@@ -210,7 +211,7 @@ impl Report<'_> {
     }
 
     /// Prints which contacts slide just beyond the load at which the first contact stops sticking, if the grasp has an equilibrium there.
-    fn sliding_beyond<const C: usize>(&mut self, next: &Beyond<C>, state: &Equilibrium<C>) -> io::Result<()> {
+    fn sliding_beyond(&mut self, next: &Beyond<3>, state: &Equilibrium<3>) -> io::Result<()> {
         let Beyond::Continues(next) = next else { return Ok(()) };
         let slides = |i: &usize| matches!(next.states.get(*i), Some(ContactState::Sliding { .. }));
         let mut site = 0;

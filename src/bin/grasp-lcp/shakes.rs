@@ -1,13 +1,12 @@
 //! Repeated loads of the command line.
 
-use grasp_lcp::grasp::Wrench;
-use grasp_lcp::scene::{Question, Setup};
+use grasp_lcp::spatial::Wrench;
 
 use crate::arguments::Numbers;
 use crate::failure::Failure;
-use crate::loads::{direction, point, weight_of};
-use crate::meaning::Meaning;
+use crate::loads::Meaning;
 use crate::own_masses::{accelerated, refuse_mass};
+use crate::types::{Question, Setup};
 
 /// The loads that are applied and removed in turn, and the constant load.
 #[derive(Debug, clap::Args)]
@@ -33,13 +32,9 @@ pub(crate) struct Shakes {
     pub(crate) at: Option<Numbers>,
 }
 
-impl<const C: usize> Meaning<C> {
+impl Meaning {
     /// The question whether the grasp survives the repeated loads.
-    pub(crate) fn shake(
-        &self,
-        shakes: &Shakes,
-        setup: &mut Setup<C>,
-    ) -> Result<Option<Question<C>>, Failure> {
+    pub(crate) fn shake(self, shakes: &Shakes, setup: &mut Setup) -> Result<Option<Question>, Failure> {
         refuse_mass(setup, shakes.mass)?;
         let at = shakes.at.as_ref();
         let mut base = self.base(shakes.base.as_ref(), at)?;
@@ -48,9 +43,9 @@ impl<const C: usize> Meaning<C> {
             loads.push(self.push(force, "force", at)?);
         }
         if let Some(mass) = shakes.mass {
-            base = base + (self.force_at)(weight_of(mass)?, point(at)?);
+            base = base + Wrench::force_at(self.weight_of(mass)?, self.point(at)?);
             if let Some(acceleration) = &shakes.acceleration {
-                loads.extend(self.to_and_fro(mass, acceleration, point(at)?)?);
+                loads.extend(self.to_and_fro(mass, acceleration, self.point(at)?)?);
             }
         } else if let Some(acceleration) = &shakes.acceleration {
             let (mass, centre) = accelerated(setup, "acceleration")?;
@@ -74,22 +69,22 @@ impl<const C: usize> Meaning<C> {
 
     /// The inertial loads of a mass that is accelerated to and fro; if `acceleration` is one number, along every axis in turn.
     pub(crate) fn to_and_fro(
-        &self,
+        self,
         mass: f64,
         acceleration: &Numbers,
-        at: [f64; C],
-    ) -> Result<Vec<Wrench<C>>, Failure> {
-        let ways: Vec<[f64; C]> = match acceleration.0[..] {
-            [size] if size > 0.0 => {
-                (0..C).map(|axis| std::array::from_fn(|a| if a == axis { size } else { 0.0 })).collect()
-            }
+        at: [f64; 3],
+    ) -> Result<Vec<Wrench>, Failure> {
+        let ways: Vec<[f64; 3]> = match acceleration.0[..] {
+            [size] if size > 0.0 => (0..self.axes)
+                .map(|axis| std::array::from_fn(|a| if a == axis { size } else { 0.0 }))
+                .collect(),
             [_] => {
                 let message = "--acceleration: must be a number of m/s², more than 0, such as 19.62";
                 return Err(Failure::Usage(message.to_owned()));
             }
-            _ => vec![direction(acceleration, "acceleration")?],
+            _ => vec![self.direction(acceleration, "acceleration")?],
         };
-        let pull = |way: [f64; C], sign: f64| (self.force_at)(way.map(|a| sign * mass * a), at);
+        let pull = |way: [f64; 3], sign: f64| Wrench::force_at(way.map(|a| sign * mass * a), at);
         Ok(ways.into_iter().flat_map(|way| [pull(way, 1.0), pull(way, -1.0)]).collect())
     }
 }

@@ -9,21 +9,16 @@ use grasp_lcp::words::Words;
 
 use crate::words::Style;
 
-pub(crate) fn table<const C: usize>(
-    out: &mut dyn Write,
-    style: Style,
-    state: &Equilibrium<C>,
-    said: &str,
-) -> io::Result<()> {
+pub(crate) fn table(out: &mut dyn Write, style: Style, state: &Equilibrium<3>, said: &str) -> io::Result<()> {
     let rows: Vec<_> = if style.points {
         state.contacts.iter().map(WholeAnswer::Point).collect()
     } else {
         state.whole_contacts().collect()
     };
-    let is_told_apart = |row: &WholeAnswer<'_, C>| row.link().is_some() && !style.points;
+    let is_told_apart = |row: &WholeAnswer<'_, 3>| row.link().is_some() && !style.points;
     let (links, rows): (Vec<_>, Vec<_>) = rows.into_iter().partition(is_told_apart);
     let numbers = Cleaned { words: style.words, largest: state.largest_force() };
-    let heads = heads::<C>(rows.iter().any(|row| matches!(row, WholeAnswer::Pad(_))));
+    let heads = heads(style.axes, rows.iter().any(|row| matches!(row, WholeAnswer::Pad(_))));
     let columns = heads.len();
     let lines: Vec<_> =
         std::iter::once(heads).chain(rows.iter().map(|row| cells(row, numbers, columns))).collect();
@@ -46,11 +41,7 @@ pub(crate) fn table<const C: usize>(
 }
 
 /// Forces of both answers side by side, contact by contact; points of soft fingertips only if `--points` asks for each.
-pub(crate) fn compared<const C: usize>(
-    out: &mut dyn Write,
-    style: Style,
-    comparison: &Comparison<C>,
-) -> io::Result<()> {
+pub(crate) fn compared(out: &mut dyn Write, style: Style, comparison: &Comparison<3>) -> io::Result<()> {
     let (Some(state), Some(minimum)) = (comparison.equilibrium.equilibrium(), comparison.minimum.minimum())
     else {
         return Ok(());
@@ -74,8 +65,8 @@ pub(crate) fn compared<const C: usize>(
     print(out, &lines)
 }
 
-fn heads<const C: usize>(pads: bool) -> Vec<String> {
-    let moments: &[_] = match (pads, C) {
+fn heads(axes: usize, pads: bool) -> Vec<String> {
+    let moments: &[_] = match (pads, axes) {
         (false, _) => &[],
         (true, 2) => &["M (N m)"],
         (true, _) => &["M_n (N m)", "|M_t| (N m)"],
@@ -98,12 +89,12 @@ impl Cleaned {
     }
 }
 
-fn cells<const C: usize>(row: &WholeAnswer<'_, C>, numbers: Cleaned, columns: usize) -> Vec<String> {
+fn cells(row: &WholeAnswer<'_, 3>, numbers: Cleaned, columns: usize) -> Vec<String> {
     let force = row.force();
     let mut cells = vec![row.text(), numbers.force(force[0]), numbers.force(row.friction_force())];
     if columns > 5 {
         cells.extend(match row {
-            WholeAnswer::Pad(pad) => moments(pad, numbers.words),
+            WholeAnswer::Pad(pad) => moments(pad, columns - 5, numbers.words),
             WholeAnswer::Point(_) => vec!["0".to_owned(); columns - 5],
         });
     }
@@ -113,11 +104,12 @@ fn cells<const C: usize>(row: &WholeAnswer<'_, C>, numbers: Cleaned, columns: us
     cells
 }
 
-/// The moment of a pad about its centre; in space about the normal and across it.
-fn moments<const C: usize>(pad: &PadAnswer<C>, words: Words) -> Vec<String> {
+/// The moment of a pad about its centre one column in the plane; in space two, about the normal and across it.
+fn moments(pad: &PadAnswer<3>, columns: usize, words: Words) -> Vec<String> {
     match *pad.moment() {
+        [_, _, in_the_plane] if columns == 1 => vec![words.number(in_the_plane)],
         [about_n, first, second] => vec![words.number(about_n), words.number(f64::hypot(first, second))],
-        ref moment => moment.iter().map(|m| words.number(*m)).collect(),
+        _ => Vec::new(),
     }
 }
 

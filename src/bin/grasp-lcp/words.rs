@@ -9,6 +9,8 @@ pub(crate) const NO_WORDS: &str = "an answer for which this program has no words
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Style {
     pub(crate) words: Words,
+    /// The number of axes of the scene, 2 or 3.
+    pub(crate) axes: usize,
     /// Whether points of soft fingertips are printed one by one.
     pub(crate) points: bool,
 }

@@ -86,7 +86,8 @@ impl<const C: usize> WholeChange<C> {
     }
 
     /// [`Self::verb`] in the words for the plane or for space.
-    pub(crate) fn verb_in(&self, words: Words) -> String {
+    #[must_use]
+    pub fn verb_in(&self, words: Words) -> String {
         let said = format!("{self:.*}", words.precision());
         match self.what {
             PadChange::Point(Change::Slides { .. }) => "slides".to_owned(),

@@ -23,10 +23,7 @@ impl Actuators {
     }
 
     /// Joints and tendons whose torque or tension is at its limit, with the centres of joints where these are known.
-    pub(super) fn that_yield<const C: usize>(
-        &self,
-        state: &Equilibrium<C>,
-    ) -> Vec<(&str, Option<SVector<f64, 3>>)> {
+    pub(super) fn that_yield(&self, state: &Equilibrium<3>) -> Vec<(&str, Option<SVector<f64, 3>>)> {
         let mut yielding = Vec::new();
         for ((name, at), answer) in self.joints.iter().zip(&state.joints) {
             if answer.state == DriveState::Yields {

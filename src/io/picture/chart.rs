@@ -15,6 +15,7 @@ use crate::numerics::IntoList;
 /// A chart of one or more series: add series and marks to it, then call [`Chart::to_svg`]. Points, labels and marks that are not finite are omitted;
 /// a line is interrupted at such a point.
 #[derive(Debug, Clone, Default, PartialEq)]
+#[must_use]
 pub struct Chart {
     title: String,
     x_label: String,
@@ -44,41 +45,35 @@ impl Chart {
     /// assert!(apart.to_svg().is_err());
     /// # Ok::<(), grasp_lcp::picture::PictureError>(())
     /// ```
-    #[must_use]
     pub fn new(title: impl Into<String>, x_label: impl Into<String>, y_label: impl Into<String>) -> Self {
         Self { title: title.into(), x_label: x_label.into(), y_label: y_label.into(), ..Self::default() }
     }
 
     /// Adds a series of points (x, y) with its name in the legend; lines join the points in their order.
-    #[must_use]
     pub fn series(mut self, name: impl Into<String>, points: Vec<(f64, f64)>, stroke: Stroke) -> Self {
         self.series.push(ChartSeries { name: name.into(), points, stroke });
         self
     }
 
     /// Marks an event by a vertical line at x with a label; the axis is extended to include x.
-    #[must_use]
     pub fn mark(mut self, x: f64, label: impl Into<String>) -> Self {
         self.marks.push((x, label.into()));
         self
     }
 
     /// Labels a point (x, y) with a few letters on a plaque, such as the number of an event.
-    #[must_use]
     pub fn label(mut self, point: (f64, f64), words: impl Into<String>) -> Self {
         self.labels.push((point, words.into()));
         self
     }
 
     /// Shades everything to the right of x, with a label for the reason.
-    #[must_use]
     pub fn shade_from(mut self, x: f64, label: impl Into<String>) -> Self {
         self.shaded = Some((x, label.into()));
         self
     }
 
     /// Sets a sentence below the chart, broken into lines; it replaces an earlier one.
-    #[must_use]
     pub fn note(mut self, words: impl Into<String>) -> Self {
         self.note = Some(words.into());
         self
@@ -92,7 +87,6 @@ impl Chart {
     }
 
     /// Makes both axes logarithmic. Points and marks that are not positive are omitted.
-    #[must_use]
     pub fn log_log(mut self) -> Self {
         self.logarithmic = true;
         self

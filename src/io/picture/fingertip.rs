@@ -4,27 +4,23 @@ use nalgebra::SVector;
 
 use super::contact_look::word;
 use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium};
-use crate::grasp::{Contact, ContactPoints, face_of_struct};
+use crate::grasp::{Contact, ContactPoints};
 use crate::numerics::summed;
 use crate::words::{LinkKind, Words};
 
 /// Force and state of a fingertip as a whole.
 #[derive(Clone)]
-pub(super) struct Resultant<const C: usize> {
+pub(super) struct Resultant {
     /// The point at which the force acts: the centre of pressure, or the middle of the points if none of them presses.
-    pub(super) at: SVector<f64, C>,
-    pub(super) force: SVector<f64, C>,
+    pub(super) at: SVector<f64, 3>,
+    pub(super) force: SVector<f64, 3>,
     pub(super) normal_force: f64,
     /// Displacement of the object at the point where the force acts, m.
-    pub(super) displacement: SVector<f64, C>,
+    pub(super) displacement: SVector<f64, 3>,
     /// If the whole fingertip slides, the direction in which the finger slides over the object.
-    pub(super) slides: Option<SVector<f64, C>>,
+    pub(super) slides: Option<SVector<f64, 3>>,
     /// The state in a word: "sliding" if no point sticks, "separated" if no point touches.
     pub(super) word: &'static str,
-}
-
-face_of_struct! {
-    Resultant { at, force, normal_force, displacement, slides, word }
 }
 
 /// A force for pictures and tables, N; zero if it is only a rounding error of the largest force.
@@ -44,16 +40,13 @@ impl ContactPoints {
     }
 
     /// The mean of the contact's points, m.
-    pub(super) fn middle<const C: usize>(&self, contacts: &[Contact<C>]) -> SVector<f64, C> {
+    pub(super) fn middle(&self, contacts: &[Contact<3>]) -> SVector<f64, 3> {
         let points = contacts[self.range.clone()].iter().map(|contact| contact.point);
-        points.sum::<SVector<f64, C>>() / self.range.len() as f64
+        points.sum::<SVector<f64, 3>>() / self.range.len() as f64
     }
 
     /// The ends of a link: those of a spring or cable, or else its first two points. A link with a single point has the same end twice.
-    pub(super) fn ends_of_link<const C: usize>(
-        &self,
-        contacts: &[Contact<C>],
-    ) -> Option<[SVector<f64, C>; 2]> {
+    pub(super) fn ends_of_link(&self, contacts: &[Contact<3>]) -> Option<[SVector<f64, 3>; 2]> {
         let own = &contacts[self.range.clone()];
         let (first, second) = (own.first()?, own.get(1).or(own.first())?);
         match self.label.link? {
@@ -63,7 +56,7 @@ impl ContactPoints {
         }
     }
 
-    pub(super) fn resultant(&self, contacts: &[Contact<3>], state: &Equilibrium<3>) -> Resultant<3> {
+    pub(super) fn resultant(&self, contacts: &[Contact<3>], state: &Equilibrium<3>) -> Resultant {
         let answers = &state.contacts[self.range.clone()];
         let pressed: f64 = summed(answers, &|answer| answer.normal_force().max(0.0));
         // For a single point the share is exactly one, without rounding.

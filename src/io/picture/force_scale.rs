@@ -5,12 +5,12 @@ use crate::numerics::least;
 use nalgebra::SVector;
 
 /// A contact that carries a force: its point, m, its unit normal, and its normal force, N.
-pub(super) type PushedContact<const C: usize> = (SVector<f64, C>, SVector<f64, C>, f64);
+pub(super) type PushedContact = (SVector<f64, 3>, SVector<f64, 3>, f64);
 
 /// Metres per newton in a picture of size `size` (m) whose largest force is `largest` (N). The scale is as large as the picture allows. No arrow of a
 /// force reaches the opposite side of the object, unless the object is thin.
-pub(super) fn metres_per_newton<const C: usize>(pushes: &[PushedContact<C>], size: f64, largest: f64) -> f64 {
-    let inwards = |(at, normal, force): &PushedContact<C>| {
+pub(super) fn metres_per_newton(pushes: &[PushedContact], size: f64, largest: f64) -> f64 {
+    let inwards = |(at, normal, force): &PushedContact| {
         let depth = pushes.iter().map(|(other, ..)| normal.dot(&(other - at))).fold(0.0, f64::max);
         // The depth is how far the contacts reach along the normal of this one. With 0.48 of it, the arrows of two opposing normal forces do not
         // meet. Contacts with a depth below 1e-3 of the size lie side by side, and their depth is a rounding error.

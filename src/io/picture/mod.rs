@@ -41,7 +41,7 @@ mod words;
 pub use chart::Chart;
 pub use cycle_chart::charts_of_cycles;
 pub use error::PictureError;
-pub use page::{PlanarPage, SpatialPage, View};
+pub use page::{Page, View};
 pub use planar_picture::{Outline, PlanarPicture, draw_grasp};
 pub use polar::Polar;
 pub use series::{ChartSeries, Stroke};

@@ -18,8 +18,9 @@ pub(super) struct PlanarLink {
 
 impl PlanarLink {
     /// The link that a contact represents, if it is one.
-    pub(super) fn of(contact: &ContactPoints, contacts: &[Contact<2>]) -> Option<Self> {
-        Some(Self { kind: contact.label.link?, ends: contact.ends_of_link(contacts)? })
+    pub(super) fn of(contact: &ContactPoints, contacts: &[Contact<3>]) -> Option<Self> {
+        let ends = contact.ends_of_link(contacts)?.each(|end| end.xy());
+        Some(Self { kind: contact.label.link?, ends })
     }
 
     pub(super) fn paint(&self, axes: &EqualScales, painting: &mut Painting) {

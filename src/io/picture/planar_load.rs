@@ -7,9 +7,9 @@ use super::painting::{Painting, flat};
 use super::palette::{BLACK, GREY};
 use super::sheet::{Place, Sheet};
 use super::words::short;
+use crate::grasp::Wrench;
 use crate::numerics::Each;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::planar::Wrench;
 use nalgebra::Vector2;
 
 /// A load prepared for drawing: force in N, moment in N m, place in m.
@@ -22,9 +22,8 @@ pub(super) struct PlanarLoad {
 
 impl PlanarLoad {
     /// The load on an object of size `size` (m) with this centre.
-    pub(super) fn new(load: &Wrench, middle: Vector2<f64>, size: f64) -> Self {
-        let load = load.components();
-        let (force, about_origin) = (Vector2::new(load[0], load[1]), load[2]);
+    pub(super) fn new(load: &Wrench<3>, middle: Vector2<f64>, size: f64) -> Self {
+        let (force, about_origin) = (load.force_part().xy(), load.moment()[2]);
         let moment = about_origin - middle.perp(&force);
         if force.norm() * size <= SOLVED_ROUNDING * moment.abs() {
             return Self { at: middle, force: Vector2::zeros(), moment };

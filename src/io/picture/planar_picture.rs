@@ -1,13 +1,17 @@
 //! The content of a picture of a planar grasp.
 
+use std::borrow::Cow;
+
 use crate::numerics::IntoList;
 use nalgebra::Vector2;
 
 use super::error::PictureError;
 use super::grasp_picture::Picture;
-use crate::grasp::Motion;
+use crate::ask::Grasp;
+use crate::equilibrium::Equilibrium;
+use crate::grasp::{Face, Motion, Wrench, inside};
 use crate::numerics::mapped;
-use crate::planar::{Equilibrium, Grasp, Wrench};
+use crate::planar;
 
 /// The outline of the object: corners (x, y) in order, m; the last is joined to the first. Outlines affect nothing but the drawing.
 pub type Outline<'a> = &'a [[f64; 2]];
@@ -40,39 +44,37 @@ pub type Outline<'a> = &'a [[f64; 2]];
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]
+#[must_use]
 pub struct PlanarPicture<'a> {
-    pub(super) grasp: &'a Grasp,
+    pub(super) grasp: Cow<'a, Grasp<3>>,
     pub(super) title: &'a str,
     pub(super) says: Vec<&'a str>,
     /// The outlines of the object, or of each of several bodies in order.
     pub(super) outlines: Vec<Vec<Vector2<f64>>>,
-    pub(super) state: Option<&'a Equilibrium>,
-    pub(super) load: Option<Wrench>,
-    pub(super) leaving: Option<&'a Motion<2>>,
+    pub(super) state: Option<Cow<'a, Equilibrium<3>>>,
+    pub(super) load: Option<Wrench<3>>,
+    pub(super) leaving: Option<Cow<'a, Motion<3>>>,
 }
 
 impl<'a> PlanarPicture<'a> {
     /// A picture of the grasp alone, with its title.
-    #[must_use]
-    pub fn new(grasp: &'a Grasp, title: &'a str) -> Self {
-        Self { grasp, title, says: Vec::new(), outlines: Vec::new(), state: None, load: None, leaving: None }
+    pub fn new<const C: usize>(grasp: &'a Grasp<C>, title: &'a str) -> Self {
+        let (grasp, says, outlines) = (inside(grasp), Vec::new(), Vec::new());
+        Self { grasp, title, says, outlines, state: None, load: None, leaving: None }
     }
 
     /// Adds a sentence below the title, broken into lines.
-    #[must_use]
     pub fn says(mut self, sentence: &'a str) -> Self {
         self.says.push(sentence);
         self
     }
 
     /// Draws the outline of the object.
-    #[must_use]
     pub fn outline(self, corners: Outline) -> Self {
         self.outlines([corners])
     }
 
     /// Draws the outline of each of [several bodies](crate::grasp::Bodies), in order; an empty outline omits a body.
-    #[must_use]
     pub fn outlines<'o>(mut self, outlines: impl IntoIterator<Item = Outline<'o>>) -> Self {
         let points = |corners: Outline| mapped(corners, &|corner| Vector2::from(*corner));
         self.outlines = outlines.into_iter().map(points).list();
@@ -80,30 +82,26 @@ impl<'a> PlanarPicture<'a> {
     }
 
     /// Draws the forces of an equilibrium and its load.
-    #[must_use]
-    pub fn state(self, state: &'a Equilibrium) -> Self {
+    pub fn state<const C: usize>(self, state: &'a Equilibrium<C>) -> Self {
         self.maybe_state(Some(state))
     }
 
     /// Draws the forces of an equilibrium and its load, if there is one.
-    #[must_use]
-    pub fn maybe_state(mut self, state: Option<&'a Equilibrium>) -> Self {
-        self.state = state;
+    pub fn maybe_state<const C: usize>(mut self, state: Option<&'a Equilibrium<C>>) -> Self {
+        self.state = state.map(inside);
         self
     }
 
     /// Sets the load that is drawn if there is no equilibrium.
-    #[must_use]
-    pub fn load(mut self, load: Wrench) -> Self {
-        self.load = Some(load);
+    pub fn load<const C: usize>(mut self, load: Wrench<C>) -> Self {
+        self.load = Some(load.into_inside());
         self
     }
 
     /// Draws a motion of the object, if there is one, such as that of a [loss](crate::hold::Lost::motion): the outline, or the contact points, displaced
     /// along it. Only the direction of the motion matters.
-    #[must_use]
-    pub fn maybe_leaving(mut self, motion: Option<&'a Motion<2>>) -> Self {
-        self.leaving = motion;
+    pub fn maybe_leaving<const C: usize>(mut self, motion: Option<&'a Motion<C>>) -> Self {
+        self.leaving = motion.map(inside);
         self
     }
 
@@ -119,7 +117,7 @@ impl<'a> PlanarPicture<'a> {
 
     /// Checks that the equilibrium belongs to the grasp and all corners are finite.
     pub(super) fn check(&self) -> Result<(), PictureError> {
-        let (expected, given) = (self.grasp.len(), self.state.map(|state| state.contacts.len()));
+        let (expected, given) = (self.grasp.len(), self.state.as_ref().map(|state| state.contacts.len()));
         if let Some(given) = given.filter(|given| *given != expected) {
             return Err(PictureError(format!(
                 "the equilibrium has {given} contacts, the grasp has {expected}"
@@ -153,8 +151,8 @@ impl<'a> PlanarPicture<'a> {
 /// # Errors
 /// As for [`PlanarPicture::to_svg`].
 pub fn draw_grasp(
-    grasp: &Grasp,
-    state: &Equilibrium,
+    grasp: &planar::Grasp,
+    state: &planar::Equilibrium,
     outline: Option<Outline>,
     title: &str,
 ) -> Result<String, PictureError> {

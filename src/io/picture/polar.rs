@@ -26,6 +26,7 @@ use super::words::lines;
 /// # Ok::<(), grasp_lcp::picture::PictureError>(())
 /// ```
 #[derive(Debug, Clone, Default, PartialEq)]
+#[must_use]
 pub struct Polar {
     title: String,
     unit: String,
@@ -38,14 +39,12 @@ pub struct Polar {
 
 impl Polar {
     /// An empty chart with its title and the unit of the radii.
-    #[must_use]
     pub fn new(title: impl Into<String>, unit: impl Into<String>) -> Self {
         Self { title: title.into(), unit: unit.into(), ..Self::default() }
     }
 
     /// Adds a curve of points (angle in rad, radius) in order of their angles; the last is joined to the first. [`Stroke::Bars`] draws spokes from
     /// the middle.
-    #[must_use]
     pub fn curve(mut self, name: impl Into<String>, points: Vec<(f64, f64)>, stroke: Stroke) -> Self {
         self.curves.push(ChartSeries { name: name.into(), points, stroke });
         self
@@ -53,28 +52,24 @@ impl Polar {
 
     /// Marks one or more points (angle in rad, radius), each with a spoke from the middle; the legend has the label. A radius beyond the rim is drawn
     /// on the rim.
-    #[must_use]
     pub fn mark(mut self, points: Vec<(f64, f64)>, label: impl Into<String>) -> Self {
         self.marks.push((points, label.into()));
         self
     }
 
     /// Marks a direction (angle in rad) with an arrow and a name outside the rim.
-    #[must_use]
     pub fn ray(mut self, angle: f64, label: impl Into<String>) -> Self {
         self.rays.push((angle, label.into()));
         self
     }
 
     /// Adds a line of text below the legend.
-    #[must_use]
     pub fn note(mut self, text: impl Into<String>) -> Self {
         self.notes.push(text.into());
         self
     }
 
     /// Sets the largest radius that must lie inside the rim; otherwise all finite radii do. The rim is the first ring of round radius at or beyond it.
-    #[must_use]
     pub fn rim(mut self, radius: f64) -> Self {
         self.rim = Some(radius);
         self

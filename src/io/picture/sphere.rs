@@ -26,6 +26,7 @@ use super::words::lines;
 /// # Ok::<(), grasp_lcp::picture::PictureError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct SphereMap {
     title: String,
     quantity: String,
@@ -72,28 +73,24 @@ impl SphereMap {
     }
 
     /// Marks a direction (a non-zero vector) with a dot and a label.
-    #[must_use]
     pub fn mark(mut self, direction: impl Into<[f64; 3]>, label: impl Into<String>) -> Self {
         self.marks.push((direction.into(), label.into()));
         self
     }
 
     /// Marks a direction (a non-zero vector) with a cross and a label, for reference directions such as contact normals.
-    #[must_use]
     pub fn ray(mut self, direction: impl Into<[f64; 3]>, label: impl Into<String>) -> Self {
         self.rays.push((direction.into(), label.into()));
         self
     }
 
     /// Adds a line of text below the map.
-    #[must_use]
     pub fn note(mut self, text: impl Into<String>) -> Self {
         self.notes.push(text.into());
         self
     }
 
     /// Sets the words of the legend for infinite values and for NaN; "no bound" and "not known" by default.
-    #[must_use]
     pub fn meanings(mut self, unbounded: impl Into<String>, missing: impl Into<String>) -> Self {
         (self.unbounded, self.missing) = (unbounded.into(), missing.into());
         self

@@ -7,7 +7,7 @@ use nalgebra::{Point2, Vector2};
 use super::painting::{Painting, flat};
 use super::palette::VERMILION;
 use super::sheet::Place;
-use crate::grasp::Motion;
+use crate::grasp::{Face, Motion};
 use crate::numerics::{largest, mapped, moved};
 use crate::planar::Twist;
 
@@ -22,7 +22,7 @@ pub(super) struct MovedOutlines {
 impl MovedOutlines {
     /// Moves the outlines, or without outlines the contact points, in a scene of size `size` (m); `None` if nothing moves.
     pub(super) fn new(
-        motion: &Motion<2>,
+        motion: &Motion<3>,
         outlines: &[Vec<Vector2<f64>>],
         contacts: impl Iterator<Item = Vector2<f64>>,
         size: f64,
@@ -31,19 +31,21 @@ impl MovedOutlines {
         let (mut points, mut closed) = (Vec::new(), Vec::new());
         for (body, outline) in outlines.iter().enumerate().filter(|(_, outline)| is_drawn(outline)) {
             closed.push(points.len()..points.len() + outline.len());
-            points.extend(outline.iter().map(|corner| (*corner, motion.of_body(body))));
+            let twist = Twist::from_inside(*motion.of_body(body));
+            points.extend(outline.iter().map(|corner| (*corner, twist)));
         }
         if closed.is_empty() && motion.bodies.is_empty() {
-            points.extend(contacts.map(|point| (point, motion.of_body(0))));
+            let twist = Twist::from_inside(motion.object);
+            points.extend(contacts.map(|point| (point, twist)));
         }
-        let speed = |(p, twist): &(Vector2<f64>, &Twist)| Vector2::from(twist.displacement_at(*p)).norm();
+        let speed = |(p, twist): &(Vector2<f64>, Twist)| Vector2::from(twist.displacement_at(*p)).norm();
         let fastest = largest(&points, &speed);
         // The fastest point moves by 0.13 of the size of the scene.
         let time = 0.13 * size / fastest;
         if !(time.is_finite() && time > 0.0) {
             return None;
         }
-        let next = |(p, twist): &(Vector2<f64>, &Twist)| ((**twist * time).exp() * Point2::from(*p)).coords;
+        let next = |(p, twist): &(Vector2<f64>, Twist)| ((*twist * time).exp() * Point2::from(*p)).coords;
         let to = mapped(&points, &next);
         Some(Self { from: moved(points, &|(point, _)| point), to, closed })
     }

@@ -39,21 +39,6 @@ impl<const C: usize> Setup<C> {
     pub fn answers_in(&self, words: Words) -> Result<Vec<Answer<C>>, Error> {
         inside(self).answered(words).map(outside)
     }
-
-    /// The answer to one question, with numbers as in [`Self::answers_in`]. `grasp` is the setup's [grasp](Self::grasp): it remembers its state at rest
-    /// from one question to the next.
-    ///
-    /// # Errors
-    /// As for [`Self::answers`].
-    pub fn answer_in(
-        &self,
-        grasp: &Grasp<C>,
-        question: &Question<C>,
-        words: Words,
-    ) -> Result<Answer<C>, Error> {
-        let setup = inside(self);
-        setup.answer(&inside(grasp), &inside(question), words.in_space(setup.space)).map(outside)
-    }
 }
 
 impl Setup<3> {
@@ -136,12 +121,23 @@ impl Setup<3> {
     /// [`Self::answers_in`] of a setup whose vectors have three components, even if it is planar.
     pub(crate) fn answered(&self, words: Words) -> Result<Vec<Answer<3>>, Error> {
         let grasp = self.grasp_checked()?;
-        tried(&self.questions, &|question| self.answer(&grasp, question, words.in_space(self.space)))
+        tried(&self.questions, &|question| self.answer_in(&grasp, question, words))
     }
 
-    fn answer(&self, grasp: &Grasp<3>, question: &Question<3>, words: Words) -> Result<Answer<3>, Error> {
+    /// The answer to one question, with numbers as in [`Self::answers_in`]. `grasp` is the setup's [grasp](Self::grasp): it remembers its state at rest
+    /// from one question to the next.
+    ///
+    /// # Errors
+    /// As for [`Self::answers`].
+    pub fn answer_in(
+        &self,
+        grasp: &Grasp<3>,
+        question: &Question<3>,
+        words: Words,
+    ) -> Result<Answer<3>, Error> {
         self.check_question(question)?;
-        let grasp = &self.grasp_asked(grasp, question)?;
+        let words = words.in_space(self.space);
+        let grasp = &self.grasp_of(grasp, question)?;
         let labels = SceneNames(grasp);
         Ok(match &*self.meant(question)? {
             Question::Hold { .. } => Answer::Hold(labels.verdict(grasp.hold(question.ramp()?)?, words)),

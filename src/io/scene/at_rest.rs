@@ -31,7 +31,7 @@ impl Setup<3> {
             if is_solved || is_sought || is_arm || at_rest(question) != Wrench::ZERO {
                 continue;
             }
-            let grasp = self.grasp_asked(grasp, question)?;
+            let grasp = self.grasp_of(grasp, question)?;
             let mut presses = false;
             for load in applied_loads(question) {
                 presses = presses || self.lies_on_a_contact(&load) || jams(&grasp, load)?;

@@ -32,7 +32,7 @@ use crate::words::Words;
 /// assert_eq!((brief.outcome, brief.factor, brief.first.as_deref(), brief.does), ("at", Some(5.0), Some("contact 0"), Some("slides")));
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Brief {
@@ -89,7 +89,7 @@ impl Setup<3> {
     /// The short answer to one question.
     pub(super) fn brief_answer(&self, grasp: &Grasp<3>, question: &Question<3>) -> Result<Brief, Error> {
         self.check_question(question)?;
-        let grasp = &self.grasp_asked(grasp, question)?;
+        let grasp = &self.grasp_of(grasp, question)?;
         let labels = SceneNames(grasp);
         Ok(match &*self.meant(question)? {
             Question::Hold { .. } => held_briefly(&grasp.hold_briefly(&question.ramp()?)?.0),
@@ -128,21 +128,7 @@ impl Setup<3> {
 
 impl Brief {
     fn new(question: &'static str, outcome: &'static str) -> Self {
-        let (factor, angle, leg, fraction, margin, first, does) = (None, None, None, None, None, None, None);
-        let (beyond_small_motions, vacuum_gone) = (false, false);
-        Self {
-            question,
-            outcome,
-            factor,
-            angle,
-            leg,
-            fraction,
-            margin,
-            first,
-            does,
-            beyond_small_motions,
-            vacuum_gone,
-        }
+        Self { question, outcome, ..Self::default() }
     }
 }
 

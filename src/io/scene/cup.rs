@@ -14,6 +14,7 @@ use crate::grasp::{Space, SuctionCup};
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
+#[must_use]
 pub struct Cup {
     /// Radius of the lip, m.
     pub radius: f64,
@@ -34,13 +35,11 @@ const fn twelve() -> usize {
 
 impl Cup {
     /// A cup with a lip of this radius, m, in which the pressure is this much below that of the surrounding air, Pa.
-    #[must_use]
     pub fn of_pressure(radius: f64, pressure: f64) -> Self {
         Self { radius, points: twelve(), pressure: Some(pressure), force: None }
     }
 
     /// A cup with a lip of this radius, m, that pulls with this force, N.
-    #[must_use]
     pub fn of_force(radius: f64, force: f64) -> Self {
         Self { radius, points: twelve(), pressure: None, force: Some(force) }
     }

@@ -161,7 +161,7 @@ impl Scene {
         };
         let mut scene = read(text);
         let acts_on_all = match &scene {
-            Ok(scene) => scene.shares_by_mass(),
+            Ok(scene) => scene.setup.shared_by_mass,
             Err(fault) => fault.message.contains(ALONE),
         };
         if let Some(completed) = acts_on_all.then(|| with_centre_of_mass(text)).flatten() {
@@ -169,7 +169,7 @@ impl Scene {
             scene = read(&completed).map_err(|fault| Fault { at: None, ..fault });
         }
         let scene = scene?;
-        scene.refuse_weights_twice(text)?;
+        scene.setup.refuse_in_scene(text)?;
         Ok(scene)
     }
 }

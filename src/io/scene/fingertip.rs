@@ -23,6 +23,7 @@ use crate::improve::Surface;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
+#[must_use]
 pub struct Fingertip<const C: usize> {
     /// The contact.
     pub contact: Contact<C>,
@@ -76,25 +77,21 @@ impl<const C: usize> From<Contact<C>> for Fingertip<C> {
 impl<const C: usize> Fingertip<C> {
     /// This contact spread over a patch: a ring, a disc or a rectangle in space, a pair or a pad in the plane.
     /// A patch of the other space is an error of [`Setup::grasp`](super::Setup::grasp).
-    #[must_use]
     pub fn soft(self, tip: Tip) -> Self {
         Self { soft: Some(tip), ..self }
     }
 
     /// This contact with the lip and the vacuum of a suction cup, in space. The cup replaces the contact's own suction.
-    #[must_use]
     pub fn with_cup(self, cup: Cup) -> Self {
         Self { cup: Some(cup), soft: None, ..self }
     }
 
     /// This contact with a curve or surface along which it may move if fingers are [improved](crate::improve).
-    #[must_use]
     pub fn along(self, surface: Surface<C>) -> Self {
         Self { surface: Some(surface), ..self }
     }
 
     /// This contact of a finger, on another link than the last or moved by a given Jacobian.
-    #[must_use]
     pub fn moved_by(self, moved_by: MovedBy) -> Self {
         Self { moved_by, ..self }
     }

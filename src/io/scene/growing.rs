@@ -7,7 +7,7 @@ use super::question::Question;
 use super::setup::Setup;
 use crate::ask::{Grasp, check_growing};
 use crate::error::Error;
-use crate::grasp::{Wrench, inside, outside};
+use crate::grasp::Wrench;
 
 /// The name of a question, its load at rest, its growing load, and the loads on other bodies in proportion to that.
 type Growing<'q> = (&'static str, Wrench<3>, Option<Wrench<3>>, &'q BTreeMap<String, Wrench<3>>);
@@ -25,20 +25,13 @@ fn growing(asked: &Question<3>) -> Option<Growing<'_>> {
     }
 }
 
-impl<const C: usize> Setup<C> {
+impl Setup<3> {
     /// The grasp for a question, with the loads on other bodies that grow in proportion to its load; `need` adds them to its question instead. If
     /// gravity turns, the grasp has no gravity, since the turning load is the weight.
     ///
     /// # Errors
     /// [`Error::Question`] where nothing can grow together, and as for [`Grasp::growing_together`].
-    pub fn grasp_of(&self, grasp: &Grasp<C>, question: &Question<C>) -> Result<Grasp<C>, Error> {
-        inside(self).grasp_asked(&inside(grasp), &inside(question)).map(outside)
-    }
-}
-
-impl Setup<3> {
-    /// [`Self::grasp_of`] of a setup whose vectors have three components, even if it is planar.
-    pub(super) fn grasp_asked(&self, grasp: &Grasp<3>, question: &Question<3>) -> Result<Grasp<3>, Error> {
+    pub fn grasp_of(&self, grasp: &Grasp<3>, question: &Question<3>) -> Result<Grasp<3>, Error> {
         self.check_growing(question)?;
         if let Some(tilted) = self.tilted_grasp(question)? {
             return Ok(tilted);

@@ -1,4 +1,4 @@
-//! Joints and tendons in the file.
+//! Joints in the file.
 
 use crate::numerics::by_axis;
 use std::sync::Arc;
@@ -7,9 +7,9 @@ use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
-use crate::grasp::{Joint, JointMotion, Limit, Space, Tendon};
+use crate::grasp::{Joint, JointMotion, Limit, Space};
 use crate::serial::object;
-use crate::serial::{AsGiven, AxisRow, Given, space_of_text};
+use crate::serial::{AsGiven, AxisRow, Given, is_absent, space_of_text};
 
 #[derive(serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -52,42 +52,6 @@ struct Hinge<const C: usize> {
     axis: Option<AxisRow<Given, C>>,
 }
 
-#[derive(serde::Serialize, serde::Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-struct WrittenTendon {
-    /// The name of the tendon in answers.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    name: Option<Arc<str>>,
-    /// Lever arms, one for each joint of all fingers: m/rad for revolute joints, no unit for prismatic ones.
-    #[serde(with = "AsGiven::<Vec<f64>>")]
-    arms: Vec<f64>,
-    /// Stiffness of the drive, N/m; without one only `tension` acts.
-    #[serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")]
-    stiffness: f64,
-    /// Commanded pull of the drive, m; 0 if left out.
-    #[serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")]
-    pull: f64,
-    /// Constant tension in addition to the drive, N; 0 if left out.
-    #[serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")]
-    tension: f64,
-    /// The largest tension of the drive, N; no limit if left out.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    limit: Option<Limit>,
-    /// `true` for a rod or a differential, which also pushes; a tendon only pulls.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
-    pushes: bool,
-}
-
-/// Whether a number is positive zero and may be left out; a negative zero is written.
-#[allow(
-    clippy::trivially_copy_pass_by_ref,
-    reason = "serde passes fields by reference; what is small depends on the processor"
-)]
-fn is_absent(x: &f64) -> bool {
-    x.to_bits() == 0
-}
-
 impl<const C: usize> Serialize for Joint<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let is_spatial = space_of_text::<C>() == Space::Spatial;
@@ -128,23 +92,5 @@ impl<'de, const C: usize> Deserialize<'de> for Joint<C> {
     }
 }
 
-impl Serialize for Tendon {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Self { name, arms, stiffness, pull, tension, limit, pushes } = self.clone();
-        WrittenTendon { name, arms, stiffness, pull, tension, limit, pushes }.serialize(serializer)
-    }
-}
-
-impl<'de> Deserialize<'de> for Tendon {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        object::read(deserializer, "a tendon", |written: WrittenTendon| {
-            let WrittenTendon { name, arms, stiffness, pull, tension, limit, pushes } = written;
-            Ok(Self { name, arms, stiffness, pull, tension, limit, pushes })
-        })
-    }
-}
-
 #[cfg(feature = "schema")]
 crate::serial::schema_as_written!("Joint", Joint<C>, WrittenJoint<C>, C);
-#[cfg(feature = "schema")]
-crate::serial::schema_as_written!("Tendon", Tendon, WrittenTendon);

@@ -9,7 +9,7 @@ use super::warning::Warning;
 use crate::ask::Grasp;
 use crate::equilibrium::{ContactAnswer, Outcome};
 use crate::error::{Error, LARGEST};
-use crate::grasp::{Link, inside};
+use crate::grasp::Link;
 use crate::load_path::Ramp;
 use crate::numerics::IntoList;
 use crate::numerics::mapped;
@@ -18,7 +18,7 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 /// Default stiffness of a contact in all directions, N/m.
 pub(super) const DEFAULT_STIFFNESS: f64 = 1e4;
 
-impl<const C: usize> Setup<C> {
+impl Setup<3> {
     /// Warnings about contacts and about links without a stiffness if an answer depends on it. Springs between a tenth and ten times the default,
     /// different for each of them and for each direction, are tried in their place: each question is answered several times. Motions always depend
     /// on the stiffness of contacts, so that every `solve` is listed.
@@ -26,13 +26,6 @@ impl<const C: usize> Setup<C> {
     /// # Errors
     /// As for [`Self::answers`].
     pub fn stiffness_left_out(&self) -> Result<Vec<Warning>, Error> {
-        inside(self).all_left_out()
-    }
-}
-
-impl Setup<3> {
-    /// [`Self::stiffness_left_out`] of a setup whose vectors have three components, even if it is planar.
-    pub(super) fn all_left_out(&self) -> Result<Vec<Warning>, Error> {
         Ok(self.springs_left_out()?.into_iter().chain(self.stiffness_of_links_left_out()?).collect())
     }
 
@@ -138,7 +131,7 @@ impl Setup<3> {
     /// The numbers of an answer that are compared between trials with different stiffnesses.
     fn figures(&self, grasp: &Grasp<3>, question: &Question<3>) -> Result<Vec<f64>, Error> {
         let known = |answer: Option<bool>| answer.map_or(2.0, f64::from);
-        let (whole, grasp) = (grasp, &self.grasp_asked(grasp, question)?);
+        let (whole, grasp) = (grasp, &self.grasp_of(grasp, question)?);
         match &*self.meant(question)? {
             Question::Hold { base, load, .. } => {
                 let verdict = grasp.hold(Ramp::load(*base, *load))?;

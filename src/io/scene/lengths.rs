@@ -8,8 +8,7 @@ use super::odd::far_load;
 use super::plain_words::in_plain_words;
 use super::setup::Setup;
 use super::warning::Warning;
-use super::written::{Scene, Space};
-use crate::grasp::inside;
+use super::written::Scene;
 use crate::words::Unit;
 
 /// Fields that are lengths if they are numbers or lists of numbers.
@@ -71,10 +70,7 @@ impl Scene {
     #[must_use]
     pub fn far_load_in(&self, text: &[u8]) -> Option<Warning> {
         let scene: Value = serde_json::from_slice(text).unwrap_or_default();
-        match &self.space {
-            Space::Planar(setup) => inside(setup).far_load_in(&scene["planar"]["questions"], self.unit),
-            Space::Spatial(setup) => setup.far_load_in(&scene["spatial"]["questions"], self.unit),
-        }
+        self.setup.far_load_in(&scene[self.setup.space.name()]["questions"], self.unit)
     }
 }
 

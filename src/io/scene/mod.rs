@@ -217,7 +217,7 @@
 //! Two fingers in the plane:
 //!
 //! ```
-//! use grasp_lcp::scene::{Answer, Answers, OnsetAnswer, Scene};
+//! use grasp_lcp::scene::{Answer, OnsetAnswer, Scene};
 //!
 //! let scene: Scene = serde_json::from_str(r#"{
 //!     "format": "grasp-lcp/1",
@@ -237,8 +237,8 @@
 //!         "questions": [{ "onset": { "direction": { "force": [0, -1] } } }]
 //!     }
 //! }"#)?;
-//! let Answers::Planar(answers) = scene.answers()? else { panic!("a planar scene") };
-//! let [Answer::Onset(OnsetAnswer::At(onset))] = &answers[..] else { panic!("{answers:?}") };
+//! let answers = scene.answers()?;
+//! let [Answer::Onset(OnsetAnswer::At(onset))] = answers.list() else { panic!("{answers:?}") };
 //! assert!((onset.at.factor - 65f64.sqrt() / 66.0).abs() < 1e-15);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -345,7 +345,6 @@ mod left_out;
 mod lengths;
 mod link;
 mod matrix;
-mod motion;
 mod odd;
 mod onset;
 mod own_weight;
@@ -395,6 +394,4 @@ pub use robot::{MotorLimits, RobotSetup};
 pub use setup::Setup;
 pub use solved::SolveAnswer;
 pub use warning::Warning;
-#[cfg(feature = "json")]
-pub(crate) use written::AnswersInside;
-pub use written::{Answers, FORMAT, Id, Scene, Space};
+pub use written::{Answers, FORMAT, Id, Scene};

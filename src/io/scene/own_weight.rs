@@ -6,15 +6,13 @@ use nalgebra::SVector;
 
 use super::question::Question;
 use super::setup::Setup;
-#[cfg(feature = "json")]
-use super::written::{Scene, Space};
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::Turn;
 use crate::numerics::{Each, summed};
 
-impl<const C: usize> Setup<C> {
+impl Setup<3> {
     /// The total mass of all bodies, kg, and their centre of mass, m; `None` without a mass or without gravity.
     ///
     /// ```
@@ -34,13 +32,13 @@ impl<const C: usize> Setup<C> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
-    pub fn own_mass(&self) -> Option<(f64, [f64; C])> {
+    pub fn own_mass(&self) -> Option<(f64, [f64; 3])> {
         self.gravity.filter(|gravity| gravity.iter().any(|x| *x != 0.0))?;
         let mass: f64 = summed(&self.bodies, &|body| body.mass);
         let moment = self
             .bodies
             .iter()
-            .fold(SVector::<f64, C>::zeros(), |sum, body| sum + body.centre_of_mass * body.mass);
+            .fold(SVector::<f64, 3>::zeros(), |sum, body| sum + body.centre_of_mass * body.mass);
         (mass > 0.0).then(|| (mass, (moment / mass).into()))
     }
 
@@ -58,7 +56,6 @@ impl<const C: usize> Setup<C> {
     }
 
     /// This setup without gravity, for loads that contain the weight. They act on every body with the share of its mass.
-    #[must_use]
     pub fn with_gravity_as_load(&self) -> Self {
         Self { gravity: None, loaded: None, shared_by_mass: true, ..self.clone() }
     }
@@ -67,7 +64,7 @@ impl<const C: usize> Setup<C> {
     ///
     /// # Errors
     /// [`Error::Question`] if gravity should turn but the bodies have no weight, or if a base load acts beside it.
-    pub fn meant<'q>(&self, question: &'q Question<C>) -> Result<Cow<'q, Question<C>>, Error> {
+    pub fn meant<'q>(&self, question: &'q Question<3>) -> Result<Cow<'q, Question<3>>, Error> {
         Ok(match question {
             Question::OnsetOfTurn(turn) => match self.own_turn(turn)? {
                 Some(turn) => Cow::Owned(Question::OnsetOfTurn(turn)),
@@ -89,23 +86,18 @@ impl<const C: usize> Setup<C> {
     }
 
     /// The turning weight of all bodies, if the turn states no load.
-    fn own_turn(&self, turn: &Turn<C>) -> Result<Option<Turn<C>>, Error> {
+    fn own_turn(&self, turn: &Turn<3>) -> Result<Option<Turn<3>>, Error> {
         let Some(axis) = turn.tilts_bodies_about else { return Ok(None) };
         let (Some(gravity), Some((mass, centre))) = (self.gravity, self.own_mass()) else {
             turn.check_in(self.space)?;
             return Ok(None);
         };
-        let in_space =
-            |x: &SVector<f64, C>| -> [f64; 3] { std::array::from_fn(|a| x.get(a).copied().unwrap_or(0.0)) };
-        let weight =
-            Turn::<3>::force_at(in_space(&(gravity * mass)), in_space(&centre.into()), axis)?.reversed();
+        let weight = Turn::<3>::force_at(gravity * mass, centre, axis)?.reversed();
         let [constant, cosine, sine] =
             weight.parts().each(|part| Wrench::among(self.space, &part.coordinates(self.space)));
         Ok(Some(Turn::new(constant, cosine, sine).up_to(turn.angle())))
     }
-}
 
-impl Setup<3> {
     /// The grasp for a question in which gravity turns. It has no gravity, since the turning load of the question is the weight.
     pub(super) fn tilted_grasp(&self, question: &Question<3>) -> Result<Option<Grasp<3>>, Error> {
         let turn = match question {
@@ -115,16 +107,5 @@ impl Setup<3> {
         };
         let tilts = turn.is_some_and(|turn| turn.tilts_bodies_about.is_some());
         tilts.then(|| self.with_gravity_as_load().grasp_checked()).transpose()
-    }
-}
-
-#[cfg(feature = "json")]
-impl Scene {
-    /// Whether the loads of questions act on all bodies.
-    pub(super) fn shares_by_mass(&self) -> bool {
-        match &self.space {
-            Space::Planar(setup) => setup.shared_by_mass,
-            Space::Spatial(setup) => setup.shared_by_mass,
-        }
     }
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::fingertip::Fingertip;
 use super::setup::Setup;
 use super::warning::Warning;
-use super::written::{Scene, Space};
+use super::written::Scene;
 use crate::error::Error;
 use crate::grasp::Contact;
 use crate::numerics;
@@ -187,7 +187,6 @@ impl Touches {
 
 impl<const C: usize> Fingertip<C> {
     /// This contact as a pad that closes on the part of the scene, in space; its point and normal become place and direction of the pad.
-    #[must_use]
     pub fn touching(mut self, touches: Touches) -> Self {
         self.contact.point = nalgebra::SVector::from_fn(|a, _| touches.from[a]);
         self.contact.normal = nalgebra::SVector::from_fn(|a, _| touches.closing[a]);
@@ -196,8 +195,15 @@ impl<const C: usize> Fingertip<C> {
 }
 
 impl<const C: usize> Setup<C> {
-    /// This setup with a part that is already read, with lengths in m, as the part that pads touch.
+    /// The mesh of the part, if the scene has one that is read.
     #[must_use]
+    pub fn part_read(&self) -> Option<&Part> {
+        self.part.as_ref()?.read.as_deref()
+    }
+}
+
+impl Setup<3> {
+    /// This setup with a part that is already read, with lengths in m, as the part that pads touch.
     pub fn on_part(mut self, part: Arc<Part>) -> Self {
         let of_fingers = self.fingers.iter_mut().flat_map(|finger| &mut finger.contacts);
         for touches in self.contacts.iter_mut().chain(of_fingers).filter_map(|entry| entry.touches.as_mut()) {
@@ -209,14 +215,6 @@ impl<const C: usize> Setup<C> {
         self
     }
 
-    /// The mesh of the part, if the scene has one that is read.
-    #[must_use]
-    pub fn part_read(&self) -> Option<&Part> {
-        self.part.as_ref()?.read.as_deref()
-    }
-}
-
-impl Setup<3> {
     fn with_files_from(self, folder: &Path) -> Result<Self, Error> {
         #[cfg(feature = "urdf")]
         let this = self.with_robot_from(folder)?;
@@ -288,10 +286,7 @@ impl Scene {
     /// [`Error::Mesh`] if the mesh cannot be read or has no volume for its density, [`Error::Argument`] for a mass or density out of range, and as for a
     /// `Robot` that is read.
     pub fn with_files_from(self, folder: impl AsRef<Path>) -> Result<Self, Error> {
-        let space = match self.space {
-            Space::Planar(setup) => Space::Planar(setup),
-            Space::Spatial(setup) => Space::Spatial(setup.with_files_from(folder.as_ref())?),
-        };
-        Ok(Self { space, ..self })
+        let setup = self.setup.with_files_from(folder.as_ref())?;
+        Ok(Self { setup, ..self })
     }
 }

@@ -2,18 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use nalgebra::SVector;
-use serde::de::{Deserialize, Deserializer};
-use serde::ser::{Serialize, Serializer};
-
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::identify::Identify;
 use crate::improve::Improve;
 use crate::load_path::{Leg, Ramp, Turn};
 use crate::need::Need;
-use crate::serial::{AsGiven, object};
+use crate::serial::AsGiven;
+use crate::serial::object::read_as_object;
 use crate::squeeze::Loads;
+use nalgebra::SVector;
 
 /// One question, `{"hold": …}`, `{"need": …}`, `{"improve": …}`, `{"solve": …}`, `{"compare": …}`, `{"onset": …}`, `{"onset_of_turn": …}`, `{"follow": …}`, `{"shake": …}`, `{"shakedown": …}` or `{"identify": …}`.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -119,26 +117,7 @@ pub enum Question<const C: usize> {
 /// The expected form of a question, in the error for a value that is no object, such as `"onset"` alone.
 const QUESTION_FORM: &str = "a question with what it needs, such as {\"hold\": {\"load\": {\"force\": [0, -1]}}}, with three numbers in space";
 
-/// A question that is read from an object; a name alone is refused with [`QUESTION_FORM`].
-struct Named<const C: usize>(Question<C>);
-
-impl<'de, const C: usize> Deserialize<'de> for Named<C> {
-    fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
-        Question::deserialize(deserializer).map(Self)
-    }
-}
-
-impl<'de, const C: usize> Deserialize<'de> for Question<C> {
-    fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
-        object::read(deserializer, QUESTION_FORM, |Named(question)| Ok(question))
-    }
-}
-
-impl<const C: usize> Serialize for Question<C> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        Question::serialize(self, serializer)
-    }
-}
+read_as_object!(QUESTION_FORM, Question, C);
 
 impl<const C: usize> Question<C> {
     /// The load at rest, the loads, and loads of other bodies that grow with them, of the questions `hold`, `solve` and `need`; `None` for other questions

@@ -15,6 +15,7 @@ use crate::equilibrium::Settings;
 use crate::error::{ContactLabel, Error};
 use crate::grasp::{self, Bodies, Hand, Space, Tendon, inside, outside};
 use crate::serial::{AsGiven, in_text_of, object, space_of_text};
+use crate::words::Words;
 
 /// Contacts, questions and settings: 3 degrees of freedom of the object and `C` = 2 axes of a contact in the plane, 6 and 3 in space.
 ///
@@ -43,6 +44,7 @@ use crate::serial::{AsGiven, in_text_of, object, space_of_text};
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(extend("required" = [])))]
 #[serde(remote = "Self", deny_unknown_fields)]
 #[non_exhaustive]
+#[must_use]
 pub struct Setup<const C: usize> {
     /// The plane or space; the vectors of a planar setup may have three components.
     #[serde(skip, default = "space_of_text::<C>")]
@@ -112,43 +114,35 @@ impl<'de> Deserialize<'de> for Fields {
 
 impl<const C: usize> Serialize for Setup<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        in_text_of(Space::of::<C>(), || Setup::serialize(&*inside(self), serializer))
+        let setup = inside(self);
+        in_text_of(setup.space, || Setup::serialize(&*setup, serializer))
     }
 }
 
 impl<'de, const C: usize> Deserialize<'de> for Setup<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
-        let checked = |Fields(setup): Fields| {
-            setup.check_bodies()?;
-            #[cfg(feature = "urdf")]
-            if setup.robot.is_some() {
-                // The robot's contacts are unknown until its file is read, so that questions are checked when they are answered.
-                return setup.check_robot().map(|()| outside(setup));
-            }
-            if setup.entries().next().is_none() && setup.links.is_empty() {
-                return Err(Error::EmptyGrasp.to_string());
-            }
-            #[cfg(feature = "mesh")]
-            let (setup, has_points) = setup.with_part_of_arrays()?;
-            #[cfg(not(feature = "mesh"))]
-            let has_points = true;
-            if has_points && (setup.is_held_by_a_hand() || !setup.bodies.is_empty()) {
-                // Only a built grasp checks that joints fit the contacts that they move.
-                setup.grasp_checked().map(drop).map_err(|error| error.to_string())?;
-            }
-            for (index, question) in setup.questions.iter().enumerate() {
-                setup.check_question(question).map_err(|error| format!("questions[{index}]: {error}"))?;
-            }
-            Ok(outside(setup))
-        };
-        in_text_of(Space::of::<C>(), || object::read(deserializer, "a setup", checked))
+        read_in(Space::of::<C>(), deserializer).map(outside)
     }
+}
+
+/// A setup with vectors of three components that is read from a text with two.
+pub(super) struct PlanarSetup(pub(super) Setup<3>);
+
+impl<'de> Deserialize<'de> for PlanarSetup {
+    fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
+        read_in(Space::Planar, deserializer).map(Self)
+    }
+}
+
+fn read_in<'de, S: Deserializer<'de>>(space: Space, deserializer: S) -> Result<Setup<3>, S::Error> {
+    in_text_of(space, || object::read(deserializer, "a setup", |Fields(setup)| setup.checked()))
 }
 
 impl<const C: usize> From<&Grasp<C>> for Setup<C> {
     /// The setup of a grasp: every contact is a point contact, and there are no questions.
     fn from(grasp: &Grasp<C>) -> Self {
-        Self::new(grasp.contacts().iter().cloned().map(Fingertip::from))
+        let contacts = grasp.contacts().iter().cloned().map(Fingertip::from);
+        Self { space: grasp.space(), ..Self::new(contacts) }
     }
 }
 
@@ -176,28 +170,24 @@ impl<const C: usize> Setup<C> {
     }
 
     /// This setup with one more finger.
-    #[must_use]
     pub fn finger(mut self, finger: FingerSetup<C>) -> Self {
         self.fingers.push(finger);
         self
     }
 
     /// This setup with one more tendon over the joints of its fingers.
-    #[must_use]
     pub fn tendon(mut self, tendon: Tendon) -> Self {
         self.tendons.push(tendon);
         self
     }
 
     /// This setup with one more question.
-    #[must_use]
     pub fn ask(mut self, question: Question<C>) -> Self {
         self.questions.push(question);
         self
     }
 
     /// This setup with other settings.
-    #[must_use]
     pub fn with_settings(mut self, settings: Settings) -> Self {
         self.settings = settings;
         self
@@ -238,6 +228,42 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
+    /// The number of axes of contacts: 2 in the plane, also if vectors have three components, and 3 in space.
+    #[must_use]
+    pub fn axes(&self) -> usize {
+        self.space.axes()
+    }
+
+    /// These words for vectors of three components: in the plane the third is not written.
+    pub fn words(&self, words: Words) -> Words {
+        words.in_space(self.space)
+    }
+
+    /// The setup, unless one of its parts or questions is malformed.
+    fn checked(self) -> Result<Self, String> {
+        self.check_bodies()?;
+        #[cfg(feature = "urdf")]
+        if self.robot.is_some() {
+            // The robot's contacts are unknown until its file is read, so that questions are checked when they are answered.
+            return self.check_robot().map(|()| self);
+        }
+        if self.entries().next().is_none() && self.links.is_empty() {
+            return Err(Error::EmptyGrasp.to_string());
+        }
+        #[cfg(feature = "mesh")]
+        let (setup, has_points) = self.with_part_of_arrays()?;
+        #[cfg(not(feature = "mesh"))]
+        let (setup, has_points) = (self, true);
+        if has_points && (setup.is_held_by_a_hand() || !setup.bodies.is_empty()) {
+            // Only a built grasp checks that joints fit the contacts that they move.
+            setup.grasp_checked().map(drop).map_err(|error| error.to_string())?;
+        }
+        for (index, question) in setup.questions.iter().enumerate() {
+            setup.check_question(question).map_err(|error| format!("questions[{index}]: {error}"))?;
+        }
+        Ok(setup)
+    }
+
     /// Number of point contacts of the grasp: soft fingertips and links count with all their points.
     #[cfg(feature = "json")]
     pub(crate) fn all_points(&self) -> Result<usize, Error> {

@@ -5,7 +5,7 @@ use std::fmt;
 use serde::Serialize;
 
 use super::setup::Setup;
-use super::written::{Scene, Space};
+use super::written::Scene;
 use crate::error::Error;
 use crate::grasp::inside;
 use crate::numerics::{mapped, moved};
@@ -304,10 +304,7 @@ impl Scene {
     /// # Errors
     /// As for [`Setup::warnings`].
     pub fn warnings(&self) -> Result<Vec<Warning>, Error> {
-        match &self.space {
-            Space::Planar(setup) => setup.warnings(),
-            Space::Spatial(setup) => setup.warnings(),
-        }
+        self.setup.warnings()
     }
 
     /// Probable mistakes that show before any question is answered: all but [`Self::stiffness_left_out`].
@@ -315,10 +312,7 @@ impl Scene {
     /// # Errors
     /// As for [`Setup::warnings`].
     pub fn warnings_at_once(&self) -> Result<Vec<Warning>, Error> {
-        match &self.space {
-            Space::Planar(setup) => inside(setup).warnings_at_once(),
-            Space::Spatial(setup) => setup.warnings_at_once(),
-        }
+        self.setup.warnings_at_once()
     }
 
     /// Contacts and links without a stiffness on which an answer depends; see [`Setup::stiffness_left_out`].
@@ -326,10 +320,7 @@ impl Scene {
     /// # Errors
     /// As for [`Setup::warnings`].
     pub fn stiffness_left_out(&self) -> Result<Vec<Warning>, Error> {
-        match &self.space {
-            Space::Planar(setup) => setup.stiffness_left_out(),
-            Space::Spatial(setup) => setup.stiffness_left_out(),
-        }
+        self.setup.stiffness_left_out()
     }
 }
 
@@ -347,7 +338,7 @@ impl Setup<3> {
     /// [`Self::warnings`] of a setup whose vectors have three components, even if it is planar.
     pub(crate) fn all_warnings(&self) -> Result<Vec<Warning>, Error> {
         let mut warnings = self.warnings_at_once()?;
-        warnings.extend(self.all_left_out()?);
+        warnings.extend(self.stiffness_left_out()?);
         Ok(warnings)
     }
 

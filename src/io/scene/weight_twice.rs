@@ -4,27 +4,17 @@ use serde_json::Value;
 
 use super::fault::{Fault, FaultKind};
 use super::setup::Setup;
-use super::written::{Scene, Space};
 use crate::grasp::inside;
 use crate::words::printable;
 
-impl Scene {
-    /// Refuses questions that count a weight twice. Only their text still distinguishes a mass from a force.
-    pub(super) fn refuse_weights_twice(&self, text: &[u8]) -> Result<(), Fault> {
-        match &self.space {
-            Space::Planar(setup) => inside(setup).refuse_in_scene(text, "planar"),
-            Space::Spatial(setup) => setup.refuse_in_scene(text, "spatial"),
-        }
-    }
-}
-
 impl Setup<3> {
-    fn refuse_in_scene(&self, text: &[u8], space: &str) -> Result<(), Fault> {
+    /// Refuses questions of the scene of this text that count a weight twice. Only their text still distinguishes a mass from a force.
+    pub(super) fn refuse_in_scene(&self, text: &[u8]) -> Result<(), Fault> {
         if self.own_mass().is_none() {
             return Ok(());
         }
-        // The scene was read from this text, which is therefore JSON.
-        let scene: Value = serde_json::from_slice(text).unwrap_or_default();
+        let (scene, space): (Value, _) =
+            (serde_json::from_slice(text).unwrap_or_default(), self.space.name());
         self.refuse_twice(&scene[space]["questions"], &format!("{space}.questions"))
     }
 }

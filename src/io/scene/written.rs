@@ -6,13 +6,12 @@ use serde::de::{Deserialize, Deserializer, Error as _, Unexpected, Visitor};
 use serde::ser::{Serialize, Serializer};
 
 use super::answer::Answer;
-use super::setup::Setup;
+use super::setup::{PlanarSetup, Setup};
+use crate::ask::Grasp;
 use crate::error::Error;
-use crate::grasp::all_inside;
-use crate::numerics;
+use crate::grasp::{Face, Space, outside};
 use crate::serial::{in_text_of, object};
 use crate::words::{Unit, Words};
-use crate::{planar, spatial};
 
 /// The version of the format that is written and read.
 pub const FORMAT: &str = "grasp-lcp/1";
@@ -28,18 +27,8 @@ pub struct Scene {
     pub comment: Option<String>,
     /// The unit of lengths in the text that [`Scene::from_json`] has read. In this value, and where it is written, lengths are in m.
     pub unit: Unit,
-    /// Contacts, questions and settings.
-    pub space: Space,
-}
-
-/// A scene in the plane or in space.
-#[derive(Debug, Clone, PartialEq, serde::Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Space {
-    /// 3 degrees of freedom, 2 axes of a contact.
-    Planar(Setup<2>),
-    /// 6 degrees of freedom, 3 axes of a contact.
-    Spatial(Setup<3>),
+    /// Contacts, questions and settings. Vectors have three components in the plane, too, where the third is zero; [`Scene::planar`] has them with two.
+    pub setup: Setup<3>,
 }
 
 /// The caller's identifier of a scene; answers repeat it.
@@ -85,58 +74,52 @@ impl Visitor<'_> for IdVisitor {
 
 /// The answers to the questions of a scene, in their order. They are written as a list.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(untagged))]
-pub enum Answers {
+pub struct Answers {
+    space: Space,
+    list: Vec<Answer<3>>,
+}
+
+impl Answers {
+    /// The answers with vectors of three components, also in the plane, where the third is zero.
+    #[must_use]
+    pub fn list(&self) -> &[Answer<3>] {
+        &self.list
+    }
+
+    /// The answers of a scene in the plane, with vectors of two components.
+    #[inline]
+    #[must_use]
+    pub fn planar(self) -> Option<Vec<Answer<2>>> {
+        (self.space == Space::Planar).then(|| outside(self.list))
+    }
+
+    /// The answers of a scene in space.
+    #[must_use]
+    pub fn spatial(self) -> Option<Vec<Answer<3>>> {
+        (self.space == Space::Spatial).then_some(self.list)
+    }
+}
+
+impl Serialize for Answers {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        in_text_of(self.space, || self.list.serialize(serializer))
+    }
+}
+
+/// The schema of [`Answers`].
+#[cfg(feature = "schema")]
+#[derive(schemars::JsonSchema)]
+#[schemars(rename = "Answers", untagged)]
+#[expect(dead_code, reason = "describes a text")]
+enum WrittenAnswers {
     /// Answers of a scene in the plane.
     Planar(Vec<Answer<2>>),
     /// Answers of a scene in space.
     Spatial(Vec<Answer<3>>),
 }
 
-impl Answers {
-    /// Number of answers.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        match self {
-            Self::Planar(list) => list.len(),
-            Self::Spatial(list) => list.len(),
-        }
-    }
-
-    /// Whether the scene has no questions.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-}
-
-impl Serialize for Answers {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self {
-            Self::Planar(list) => write_all(numerics::Space::Planar, &all_inside(list), serializer),
-            Self::Spatial(list) => write_all(numerics::Space::Spatial, list, serializer),
-        }
-    }
-}
-
-/// Answers whose vectors have three components, even if they are planar. They are written like [`Answers`].
-#[cfg(feature = "json")]
-pub(crate) struct AnswersInside(pub(crate) numerics::Space, pub(crate) Vec<Answer<3>>);
-
-#[cfg(feature = "json")]
-impl Serialize for AnswersInside {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        write_all(self.0, &self.1, serializer)
-    }
-}
-
-fn write_all<S: Serializer>(
-    space: numerics::Space,
-    list: &[Answer<3>],
-    serializer: S,
-) -> Result<S::Ok, S::Error> {
-    in_text_of(space, || list.serialize(serializer))
-}
+#[cfg(feature = "schema")]
+crate::serial::schema_as_written!("Answers", Answers, WrittenAnswers);
 
 impl Scene {
     /// The answer to every question, in order. Sentences have lengths in the [unit](Self::unit) of the scene, all fields have them in m.
@@ -152,39 +135,32 @@ impl Scene {
     /// # Errors
     /// As for [`Setup::answers`].
     pub fn answers_in(&self, words: Words) -> Result<Answers, Error> {
-        match &self.space {
-            Space::Planar(setup) => setup.answers_in(words).map(Answers::Planar),
-            Space::Spatial(setup) => setup.answers_in(words).map(Answers::Spatial),
-        }
+        let list = self.setup.answered(words)?;
+        Ok(Answers { space: self.setup.space, list })
+    }
+
+    /// The setup of a scene in the plane, with vectors of two components.
+    #[inline]
+    #[must_use]
+    pub fn planar(&self) -> Option<Setup<2>> {
+        (self.setup.space == Space::Planar).then(|| outside(self.setup.clone()))
+    }
+
+    /// The setup of a scene in space.
+    #[must_use]
+    pub fn spatial(&self) -> Option<Setup<3>> {
+        (self.setup.space == Space::Spatial).then(|| self.setup.clone())
     }
 }
 
-impl From<Space> for Scene {
-    fn from(space: Space) -> Self {
-        Self { id: None, comment: None, unit: Unit::Metre, space }
+impl<const C: usize> From<Setup<C>> for Scene {
+    fn from(setup: Setup<C>) -> Self {
+        Self { id: None, comment: None, unit: Unit::Metre, setup: setup.into_inside() }
     }
 }
 
-impl From<Setup<2>> for Scene {
-    fn from(setup: Setup<2>) -> Self {
-        Space::Planar(setup).into()
-    }
-}
-
-impl From<Setup<3>> for Scene {
-    fn from(setup: Setup<3>) -> Self {
-        Space::Spatial(setup).into()
-    }
-}
-
-impl From<&planar::Grasp> for Scene {
-    fn from(grasp: &planar::Grasp) -> Self {
-        Setup::from(grasp).into()
-    }
-}
-
-impl From<&spatial::Grasp> for Scene {
-    fn from(grasp: &spatial::Grasp) -> Self {
+impl<const C: usize> From<&Grasp<C>> for Scene {
+    fn from(grasp: &Grasp<C>) -> Self {
         Setup::from(grasp).into()
     }
 }
@@ -217,8 +193,10 @@ struct Out<'a> {
     id: Option<&'a Id>,
     #[serde(skip_serializing_if = "Option::is_none")]
     comment: Option<&'a str>,
-    #[serde(flatten)]
-    space: &'a Space,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    planar: Option<&'a Setup<3>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    spatial: Option<&'a Setup<3>>,
 }
 
 #[derive(serde::Deserialize)]
@@ -239,15 +217,19 @@ struct In {
     /// The unit of lengths, m if left out; all other quantities stay in SI units.
     unit: Option<Unit>,
     /// The grasp in the plane.
-    planar: Option<Setup<2>>,
+    #[cfg_attr(feature = "schema", schemars(with = "Option<Setup<2>>"))]
+    planar: Option<PlanarSetup>,
     /// The grasp in space.
     spatial: Option<Setup<3>>,
 }
 
 impl Serialize for Scene {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Self { id, comment, space, .. } = self;
-        Out { format: Format, id: id.as_ref(), comment: comment.as_deref(), space }.serialize(serializer)
+        let Self { id, comment, setup, .. } = self;
+        let only = |space: Space| Some(setup).filter(|setup| setup.space == space);
+        let (planar, spatial) = (only(Space::Planar), only(Space::Spatial));
+        let (id, comment) = (id.as_ref(), comment.as_deref());
+        Out { format: Format, id, comment, planar, spatial }.serialize(serializer)
     }
 }
 
@@ -260,13 +242,12 @@ impl<'de> Deserialize<'de> for InItsUnit {
             if format.is_none() {
                 return Err(format!("missing field `format`: write \"format\": \"{FORMAT}\""));
             }
-            let space = match (planar, spatial) {
-                (Some(setup), None) => Space::Planar(setup),
-                (None, Some(setup)) => Space::Spatial(setup),
+            let setup = match (planar, spatial) {
+                (Some(PlanarSetup(setup)), None) | (None, Some(setup)) => setup,
                 (None, None) => return Err("missing field `planar` or `spatial`".to_owned()),
                 (Some(_), Some(_)) => return Err("planar and spatial: a scene has one of them".to_owned()),
             };
-            Ok(Self(Scene { id, comment, unit: unit.unwrap_or_default(), space }))
+            Ok(Self(Scene { id, comment, unit: unit.unwrap_or_default(), setup }))
         })
     }
 }

@@ -17,6 +17,7 @@
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
+#[must_use]
 pub struct StreamOptions {
     /// Number of worker threads; the output does not depend on it. All cores by default.
     pub threads: usize,
@@ -49,13 +50,11 @@ impl Default for StreamOptions {
 
 impl StreamOptions {
     /// These options with this number of workers, at least one.
-    #[must_use]
     pub fn on_threads(self, threads: usize) -> Self {
         Self { threads, ..self }
     }
 
     /// These options with short answers.
-    #[must_use]
     pub fn in_brief(self) -> Self {
         Self { brief: true, ..self }
     }

@@ -5,13 +5,9 @@ use serde::Serialize;
 use super::line::{InputLine, LONGEST_LINE};
 use super::options::StreamOptions;
 use crate::error::Error;
-use crate::grasp::Face;
 use crate::numerics::mapped;
-#[cfg(feature = "schema")]
-use crate::scene::Answers;
-use crate::scene::{AnswersInside, Brief, Fault, Id, Scene, Space, Warning};
+use crate::scene::{Answers, Brief, Fault, Id, Scene, Warning};
 use crate::sweep::fault_in;
-use crate::words::Words;
 
 /// One line of output; [the stream](super) explains its fields.
 #[derive(Serialize)]
@@ -25,8 +21,7 @@ pub(crate) struct Reply {
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     blank: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(feature = "schema", schemars(with = "Option<Answers>"))]
-    answers: Option<AnswersInside>,
+    answers: Option<Answers>,
     #[serde(skip_serializing_if = "Option::is_none")]
     brief: Option<Vec<Brief>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -91,11 +86,8 @@ impl Reply {
         if self.blank { None } else { Some(self.error.is_none()) }
     }
 
-    fn answer(&mut self, scene: Scene, options: &StreamOptions) -> Result<(), Fault> {
-        let mut setup = match scene.space {
-            Space::Planar(setup) => setup.into_inside(),
-            Space::Spatial(setup) => setup,
-        };
+    fn answer(&mut self, mut scene: Scene, options: &StreamOptions) -> Result<(), Fault> {
+        let setup = &mut scene.setup;
         if setup.questions.is_empty() {
             return Err(Fault::of_scene("no questions: there is nothing to answer".to_owned()));
         }
@@ -113,8 +105,7 @@ impl Reply {
         if options.brief {
             self.brief = Some(setup.answered_briefly().map_err(refused)?);
         } else {
-            let all = setup.answered(Words::default().in_unit(scene.unit)).map_err(refused)?;
-            self.answers = Some(AnswersInside(setup.space, all));
+            self.answers = Some(scene.answers().map_err(refused)?);
         }
         Ok(())
     }

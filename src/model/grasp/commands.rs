@@ -19,7 +19,6 @@ impl<const C: usize> Contact<C> {
     /// into the object; a positive tangential one drags the object along the tangent. See [`Self::command_world`] for a command along the
     /// coordinate axes.
     #[doc(alias = "commanded displacement", alias = "reference displacement")]
-    #[must_use]
     pub fn command(mut self, u_f: impl Into<[f64; C]>) -> Self {
         self.command = SVector::from(u_f.into());
         self.command_axes = Axes::Frame;
@@ -38,7 +37,6 @@ impl<const C: usize> Contact<C> {
     /// assert_eq!(Grasp::new([finger])?.contacts()[0].commanded().as_slice(), [0.002, 0.001]);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
-    #[must_use]
     pub fn command_world(mut self, u_f: impl Into<[f64; C]>) -> Self {
         self.command = SVector::from(u_f.into());
         self.command_axes = Axes::World;
@@ -64,7 +62,6 @@ impl<const C: usize> Contact<C> {
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     #[doc(alias = "grip force", alias = "preload", alias = "squeeze")]
-    #[must_use]
     pub fn pressed_with(mut self, force: f64) -> Self {
         (self.press, self.force) = (Some(force), None);
         self
@@ -91,7 +88,6 @@ impl<const C: usize> Contact<C> {
     /// ```
     #[doc(alias = "clamp")]
     #[doc(alias = "force control")]
-    #[must_use]
     pub fn force(mut self, force: f64) -> Self {
         (self.force, self.press) = (Some(force), None);
         self
@@ -118,7 +114,6 @@ impl<const C: usize> Contact<C> {
     /// assert!((force(finger.clearance(-0.003))? - 1.5).abs() < 1e-8);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
-    #[must_use]
     pub fn clearance(mut self, gap0: f64) -> Self {
         self.clearance = gap0;
         self

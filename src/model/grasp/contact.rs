@@ -56,6 +56,7 @@ pub enum Hold {
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct Contact<const C: usize> {
     /// Plane or space. In the engine, contacts of the plane also have three components, the third of which is zero.
     pub(crate) space: Space,
@@ -119,7 +120,6 @@ impl<const C: usize> Contact<C> {
     }
 
     /// Names the body into which the normal points, one of [several](super::Bodies). Forces and displacements of the contact refer to this body.
-    #[must_use]
     pub fn on(mut self, body: impl Into<String>) -> Self {
         self.on = Some(body.into().into());
         self
@@ -127,7 +127,6 @@ impl<const C: usize> Contact<C> {
 
     /// Names the body on the other side, one of [several](super::Bodies), in place of the ground or a finger. The body stiffness of the contact
     /// belongs to the body that it is [on](Self::on), the finger stiffness to the body named here.
-    #[must_use]
     pub fn against(mut self, body: impl Into<String>) -> Self {
         self.against = Some(body.into().into());
         self
@@ -135,14 +134,12 @@ impl<const C: usize> Contact<C> {
 
     /// A vacuum that pulls the object onto the contact, against the normal, with a constant force, N, from 0. The lip presses with this force
     /// less the pull on the object. See [`SuctionCup`](super::SuctionCup), whose lip is a ring of points.
-    #[must_use]
     pub fn suction(mut self, force: f64) -> Self {
         self.suction = force;
         self
     }
 
     /// Sets the name for messages and tables.
-    #[must_use]
     pub fn name(mut self, name: impl Into<String>) -> Self {
         self.name = Some(name.into().into());
         self
@@ -162,7 +159,6 @@ impl<const C: usize> Contact<C> {
     /// assert!((frame.column(1) - Vector3::y()).norm() < 1e-15 && (frame.column(2) - Vector3::x()).norm() < 1e-15);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
-    #[must_use]
     pub fn tangent(mut self, tangent: impl Into<[f64; C]>) -> Self {
         self.tangent = Some(SVector::from(tangent.into()));
         self
@@ -170,7 +166,6 @@ impl<const C: usize> Contact<C> {
 
     /// Coefficient of friction μ >= 0. With 0 (the default) the contact has no tangential spring, even if a tangential stiffness is given. With
     /// `f64::INFINITY` it never slides while closed. A [bonded](Self::bonded) contact has its tangential springs for every μ.
-    #[must_use]
     pub fn friction(mut self, mu: f64) -> Self {
         self.friction = mu;
         self
@@ -203,7 +198,6 @@ impl<const C: usize> Contact<C> {
     /// ```
     #[doc(alias = "kinetic friction")]
     #[doc(alias = "dynamic friction")]
-    #[must_use]
     pub fn kinetic(mut self, mu: f64) -> Self {
         self.kinetic = Some(mu);
         self
@@ -225,14 +219,12 @@ impl<const C: usize> Contact<C> {
     /// assert!(Grasp::new([wheel(-1.0, 0.2), wheel(1.0, 0.2)])?.solve(&pull)?.equilibrium().is_none());
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
-    #[must_use]
     pub fn kept_closed(mut self) -> Self {
         self.hold = Hold::KeptClosed;
         self
     }
 
     /// The contact is glued; see [`Hold::Bonded`].
-    #[must_use]
     pub fn bonded(mut self) -> Self {
         self.hold = Hold::Bonded;
         self

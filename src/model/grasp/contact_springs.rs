@@ -8,13 +8,11 @@ use super::stiffness::Stiffness;
 impl<const C: usize> Contact<C> {
     /// Springs of the object at this contact: normal and tangential stiffness, N/m, positive; `f64::INFINITY` for a rigid object (the default).
     /// Replaces a series stiffness given before.
-    #[must_use]
     pub fn body_stiffness(self, normal: f64, tangential: f64) -> Self {
         self.body_stiffness_axes(normal_and_tangential(normal, tangential))
     }
 
     /// Springs of the object, one for each axis of the contact frame, the normal first, N/m.
-    #[must_use]
     pub fn body_stiffness_axes(mut self, axes: impl Into<[f64; C]>) -> Self {
         let [_, finger] = self.stiffness.sides();
         self.stiffness = Stiffness::BodyAndFinger { body: SVector::from(axes.into()), finger };
@@ -23,13 +21,11 @@ impl<const C: usize> Contact<C> {
 
     /// Springs of the finger: normal and tangential stiffness, N/m, positive; `f64::INFINITY` for a rigid finger (the default). Replaces a series
     /// stiffness given before.
-    #[must_use]
     pub fn finger_stiffness(self, normal: f64, tangential: f64) -> Self {
         self.finger_stiffness_axes(normal_and_tangential(normal, tangential))
     }
 
     /// Springs of the finger, one for each axis of the contact frame, the normal first, N/m.
-    #[must_use]
     pub fn finger_stiffness_axes(mut self, axes: impl Into<[f64; C]>) -> Self {
         let [body, _] = self.stiffness.sides();
         self.stiffness = Stiffness::BodyAndFinger { body, finger: SVector::from(axes.into()) };
@@ -38,13 +34,11 @@ impl<const C: usize> Contact<C> {
 
     /// Series stiffness of body and finger, `1/k = 1/k_body + 1/k_finger`: normal and tangential, N/m, positive and finite. It replaces both
     /// single stiffnesses. The displacements of the two surfaces are then unknown.
-    #[must_use]
     pub fn series_stiffness(self, normal: f64, tangential: f64) -> Self {
         self.series_stiffness_axes(normal_and_tangential(normal, tangential))
     }
 
     /// Series stiffness, one for each axis of the contact frame, the normal first, N/m.
-    #[must_use]
     pub fn series_stiffness_axes(mut self, axes: impl Into<[f64; C]>) -> Self {
         self.stiffness = Stiffness::Series(SVector::from(axes.into()));
         self

@@ -55,6 +55,7 @@ pub struct Wrench<const C: usize>(SVector<f64, 6>);
 /// assert!((work(load.transformed(&pose), turn.transformed(&pose)) - 0.03).abs() < 1e-16);
 /// ```
 #[derive(Clone, Copy, PartialEq)]
+#[must_use]
 pub struct Twist<const C: usize>(SVector<f64, 6>);
 
 macro_rules! vector_like {
@@ -282,7 +283,6 @@ impl<const C: usize> Twist<C> {
 impl Twist<2> {
     /// A translation (x, y) of the object's point at the origin, m, and a rotation from x towards
     /// y, rad.
-    #[must_use]
     pub fn new(translation: impl Into<[f64; 2]>, rotation: f64) -> Self {
         let [x, y] = translation.into();
         Self::from_vector([x, y, rotation])
@@ -316,7 +316,6 @@ impl Twist<2> {
 
 impl Twist<3> {
     /// A translation of the object's point at the origin, m, and a rotation vector, rad.
-    #[must_use]
     pub fn new(translation: impl Into<[f64; 3]>, rotation: impl Into<[f64; 3]>) -> Self {
         let (u, w) = (translation.into(), rotation.into());
         Self::from_vector([u[0], u[1], u[2], w[0], w[1], w[2]])

@@ -13,6 +13,7 @@ use crate::grasp::{JointKind, Limit};
 
 /// A robot from a URDF, in a posture; see [the module](crate::robot).
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct Robot {
     pub(super) links: Vec<String>,
     /// Joints, from the roots of the trees outwards.

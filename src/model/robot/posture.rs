@@ -8,7 +8,6 @@ use crate::grasp::{JointKind, Limit};
 
 impl Robot {
     /// This robot with its root links at the pose `base` in the frame of the object.
-    #[must_use]
     pub fn placed(self, base: Isometry3<f64>) -> Self {
         Self { base, ..self }
     }
@@ -39,7 +38,6 @@ impl Robot {
     }
 
     /// This robot with the same stiffness for all joints, N m/rad or N/m, of structure and controller in series.
-    #[must_use]
     pub fn stiffness(mut self, stiffness: f64) -> Self {
         for joint in &mut self.joints {
             joint.stiffness = stiffness;
@@ -57,7 +55,6 @@ impl Robot {
     }
 
     /// This robot with motors that saturate at the efforts of the file. A joint without an effort has no limit.
-    #[must_use]
     pub fn limited_by_effort(mut self) -> Self {
         for joint in &mut self.joints {
             joint.limit = (joint.effort > 0.0).then_some(Limit::Saturates(joint.effort));

@@ -11,7 +11,7 @@ use std::time::Instant;
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::load_path::Ramp;
-use grasp_lcp::scene::{Scene, Space};
+use grasp_lcp::scene::Scene;
 use grasp_lcp::sweep::Uncertainty;
 use grasp_lcp::{planar, spatial};
 use support::Failure;
@@ -95,16 +95,16 @@ fn all_around(name: &str, off: &Uncertainty, samples: u64, directions: usize) ->
     let path = format!("{}/../scenes/{name}.json", env!("CARGO_MANIFEST_DIR"));
     let scene = Scene::from_json(&std::fs::read(path)?)?;
     let mut tally = Tally::default();
-    match &scene.space {
-        Space::Planar(setup) => {
+    match scene.planar() {
+        Some(setup) => {
             let grasp = setup.grasp()?;
             for k in 0..directions {
                 let (sin, cos) = (TAU * k as f64 / directions as f64).sin_cos();
                 tally.add(&grasp, planar::Wrench::force([cos, sin]), off, samples)?;
             }
         }
-        Space::Spatial(setup) => {
-            let grasp = setup.grasp()?;
+        None => {
+            let grasp = scene.setup.grasp()?;
             for k in 0..directions {
                 // Directions on a spiral over the sphere.
                 let z = 1.0 - (2 * k + 1) as f64 / directions as f64;

@@ -4,7 +4,7 @@
 //!
 //! `cargo run --release -p reports --bin spatial_grasp`
 
-use grasp_lcp::picture::{Chart, SpatialPage, Stroke, View};
+use grasp_lcp::picture::{Chart, Page, Stroke, View};
 use grasp_lcp::spatial::{Beyond, Contact, Departure, Grasp, Outcome, Ramp, Wrench};
 use grasp_lcp::{Error, Fit, PolygonCone, Settings};
 use support::bracket::bracket;
@@ -112,7 +112,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     support::save("spatial_grasp_facets.svg", &chart.to_svg()?)?;
 
-    let mut page = SpatialPage::new(&grasp, "A bottle in a thumb and three fingers, poured from");
+    let mut page = Page::new(&grasp, "A bottle in a thumb and three fingers, poured from");
     for [radius, height] in PROFILE {
         page = page.outline(circle(radius, height, 10));
     }

@@ -2,18 +2,19 @@
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::picture::{Chart, chart_of_load, chart_of_program, chart_of_turn, charts_of_cycles};
-use grasp_lcp::scene::{Answer, OnsetAnswer, Question, Setup};
+use grasp_lcp::scene::OnsetAnswer;
 
 use crate::failure::Failure;
+use crate::types::{Answer, Question, Setup};
 
 /// The end of a chart, as a multiple of the farthest load factor of interest: the load itself, first slip or loss.
 const CHART_END: f64 = 1.25;
 
 /// The chart of a question, if it has a load path.
-pub(super) fn chart<const C: usize>(
-    setup: &Setup<C>,
-    grasp: &Grasp<C>,
-    (question, answer): (&Question<C>, &Answer<C>),
+pub(super) fn chart(
+    setup: &Setup,
+    grasp: &Grasp<3>,
+    (question, answer): (&Question, &Answer),
     title: &str,
 ) -> Result<Option<Chart>, Failure> {
     let grasp = &setup.grasp_of(grasp, question)?;
@@ -47,10 +48,10 @@ pub(super) fn chart<const C: usize>(
 }
 
 /// Charts of a repeated load: slips cycle by cycle from rest, and the loops of friction against slip in the last cycle.
-pub(super) fn cycles<const C: usize>(
-    setup: &Setup<C>,
-    grasp: &Grasp<C>,
-    (question, answer): (&Question<C>, &Answer<C>),
+pub(super) fn cycles(
+    setup: &Setup,
+    grasp: &Grasp<3>,
+    (question, answer): (&Question, &Answer),
     title: &str,
 ) -> Result<Vec<Chart>, Failure> {
     let (Question::Shake { base, .. }, Answer::Shake(answer)) = (question, answer) else {

@@ -7,38 +7,39 @@ use grasp_lcp::hold::Verdict;
 use grasp_lcp::improve::{Improve, ImproveGoal, Improved};
 use grasp_lcp::load_path::{Event, Leg};
 use grasp_lcp::need::{Amount, Need, Needed};
-use grasp_lcp::scene::{Answer, OnsetAnswer, PathAnswer, PathOutcome, Question, Setup};
+use grasp_lcp::scene::{OnsetAnswer, PathAnswer, PathOutcome};
 use grasp_lcp::shake::Shaken;
 use grasp_lcp::words::Words;
 
 use crate::failure::Failure;
+use crate::types::{Answer, Question, Setup};
 use crate::words::NO_WORDS;
 
 /// One answer in a picture.
-pub(super) struct Shown<const C: usize> {
+pub(super) struct Shown {
     pub(super) label: String,
     pub(super) says: Vec<String>,
     /// The grasp of the answer if it differs from that of the scene.
-    pub(super) grasp: Option<Grasp<C>>,
-    pub(super) what: What<C>,
+    pub(super) grasp: Option<Grasp<3>>,
+    pub(super) what: What,
 }
 
 /// The content of a picture.
-pub(super) enum What<const C: usize> {
+pub(super) enum What {
     /// An equilibrium; if the object is lost at this state, also its motion.
-    State { state: Box<Equilibrium<C>>, leaving: Option<Motion<C>> },
+    State { state: Box<Equilibrium<3>>, leaving: Option<Motion<3>> },
     /// The grasp without an equilibrium, and the load if it is known.
-    Nothing { load: Option<Wrench<C>> },
+    Nothing { load: Option<Wrench<3>> },
 }
 
 /// The states that illustrate the answer to one question; for a load program one for each event and one for its end.
-pub(super) struct ShownAnswers<const C: usize>(pub(super) Vec<Shown<C>>);
+pub(super) struct ShownAnswers(pub(super) Vec<Shown>);
 
-impl<const C: usize> ShownAnswers<C> {
+impl ShownAnswers {
     /// The states that become pictures of their own, by index, with the ends of their file names: the last state of a program, the first of other
     /// questions. Improved fingers also have a picture of the grasp before.
     pub(super) fn keys(&self) -> Vec<(usize, &'static str)> {
-        let begins = |shown: &Shown<C>, with| shown.label.starts_with(with);
+        let begins = |shown: &Shown, with| shown.label.starts_with(with);
         let key = self.0.first().map(|first| if begins(first, EVENT_LABEL) { self.0.len() - 1 } else { 0 });
         let before = self.0.iter().position(|shown| begins(shown, BEFORE_LABEL)).filter(|k| Some(*k) != key);
         key.map(|key| (key, "")).into_iter().chain(before.map(|before| (before, "_before"))).collect()
@@ -51,13 +52,13 @@ const EVENT_LABEL: &str = "leg ";
 const BEFORE_LABEL: &str = "before";
 
 /// The states that illustrate an answer. The state that [`ShownAnswers::keys`] lists first gets the first line of the answer.
-pub(super) fn shown<const C: usize>(
-    setup: &Setup<C>,
-    grasp: &Grasp<C>,
-    question: &Question<C>,
-    answer: Answer<C>,
+pub(super) fn shown(
+    setup: &Setup,
+    grasp: &Grasp<3>,
+    question: &Question,
+    answer: Answer,
     words: Words,
-) -> Result<ShownAnswers<C>, Failure> {
+) -> Result<ShownAnswers, Failure> {
     let grasp = &setup.grasp_of(grasp, question)?;
     let question = &*setup.meant(question)?;
     let says = question.first_line(&answer, words);
@@ -82,7 +83,9 @@ pub(super) fn shown<const C: usize>(
             let (start, leg) = (turn.load_at(0.0), Leg::turn(turn));
             vec![first_slip(grasp, answer.onset, &start, leg, &|place| at(place.angle))?]
         }
-        (Question::Follow { start, legs, .. }, Answer::Follow(path)) => followed(path, start, legs.len()),
+        (Question::Follow { start, legs, .. }, Answer::Follow(path)) => {
+            followed(path, start, legs.len(), words)
+        }
         (_, Answer::Shake(answer)) => vec![shaken(answer.shaken)],
         (Question::Shakedown { base, .. }, Answer::Shakedown(_)) => {
             vec![Shown { label: "at rest".to_owned(), ..under(grasp.solve(base)?, *base) }]
@@ -97,21 +100,17 @@ pub(super) fn shown<const C: usize>(
     Ok(ShownAnswers(states))
 }
 
-fn nothing<const C: usize>(label: &str, load: Option<Wrench<C>>) -> Shown<C> {
+fn nothing(label: &str, load: Option<Wrench<3>>) -> Shown {
     Shown { label: label.to_owned(), says: Vec::new(), grasp: None, what: What::Nothing { load } }
 }
 
-fn state<const C: usize>(
-    label: impl Into<String>,
-    state: Equilibrium<C>,
-    leaving: Option<Motion<C>>,
-) -> Shown<C> {
+fn state(label: impl Into<String>, state: Equilibrium<3>, leaving: Option<Motion<3>>) -> Shown {
     let what = What::State { state: Box::new(state), leaving };
     Shown { label: label.into(), says: Vec::new(), grasp: None, what }
 }
 
 /// The equilibrium under a load, or the grasp and the load alone.
-fn under<const C: usize>(outcome: Outcome<C>, load: Wrench<C>) -> Shown<C> {
+fn under(outcome: Outcome<3>, load: Wrench<3>) -> Shown {
     match outcome {
         Outcome::Equilibrium(found) => state("under the load", *found, None),
         _ => nothing("under the load", Some(load)),
@@ -119,7 +118,7 @@ fn under<const C: usize>(outcome: Outcome<C>, load: Wrench<C>) -> Shown<C> {
 }
 
 /// The grasp under the load, or where it is lost with the motion of the object. The loss beyond the load comes second.
-fn held<const C: usize>(verdict: Verdict<C>, load: Wrench<C>) -> Vec<Shown<C>> {
+fn held(verdict: Verdict<3>, load: Wrench<3>) -> Vec<Shown> {
     let lost = verdict.lost.and_then(|lost| Some(state("where it is lost", *lost.state?, lost.motion)));
     let under = verdict.state.map(|found| state("under the load", *found, None));
     let states: Vec<_> = under.into_iter().chain(lost).collect();
@@ -127,7 +126,7 @@ fn held<const C: usize>(verdict: Verdict<C>, load: Wrench<C>) -> Vec<Shown<C>> {
 }
 
 /// The grasp between two cycles, with the motion of the object in each cycle.
-fn shaken<const C: usize>(shaken: Shaken<C>) -> Shown<C> {
+fn shaken(shaken: Shaken<3>) -> Shown {
     let (drift, base) = (shaken.drift(), shaken.base);
     match shaken.state {
         Some(between) => state("between two cycles", *between, drift),
@@ -136,7 +135,7 @@ fn shaken<const C: usize>(shaken: Shaken<C>) -> Shown<C> {
 }
 
 /// The grasp with the needed amount, in its equilibrium under the most demanding load of the question.
-fn needed<const C: usize>(grasp: &Grasp<C>, need: &Need<C>, needed: &Needed) -> Result<Shown<C>, Failure> {
+fn needed(grasp: &Grasp<3>, need: &Need<3>, needed: &Needed) -> Result<Shown, Failure> {
     let (amount, label) = match &needed.amount {
         Amount::Bound { does, .. } => (Some(*does), "with what it needs"),
         Amount::Any { to, .. } => (Some(*to), "with an amount that does"),
@@ -150,18 +149,14 @@ fn needed<const C: usize>(grasp: &Grasp<C>, need: &Need<C>, needed: &Needed) -> 
 }
 
 /// The improved grasp and the original one. Each is at its first slip along the load, under the load that leaves a reserve, or else at rest.
-fn improved<const C: usize>(
-    grasp: &Grasp<C>,
-    asked: &Improve<C>,
-    improved: &Improved<C>,
-) -> Result<Vec<Shown<C>>, Failure> {
+fn improved(grasp: &Grasp<3>, asked: &Improve<3>, improved: &Improved<3>) -> Result<Vec<Shown>, Failure> {
     let base = asked.base();
     let (times, when): (fn(f64) -> f64, _) = match improved.goal {
         ImproveGoal::Reserve => (|_| 1.0, "under the load"),
         // Exactly at first slip, rounding errors would decide whether a contact slides.
         _ => (|factor| factor * (1.0 - 1e-9), "at first slip"),
     };
-    let seen = |grasp: &Grasp<C>, label: &str, value: Option<f64>| {
+    let seen = |grasp: &Grasp<3>, label: &str, value: Option<f64>| {
         let value = value.filter(|value| value.is_finite());
         let at = asked.load().zip(value).map(|(load, value)| base + load * times(value));
         let load = at.unwrap_or(base);
@@ -178,13 +173,13 @@ fn improved<const C: usize>(
 }
 
 /// The equilibrium; if there is none, the state where a load that grows from rest is lost.
-fn solved<const C: usize>(
-    grasp: &Grasp<C>,
-    load: &Wrench<C>,
-    outcome: Outcome<C>,
-    from_rest: Option<Verdict<C>>,
+fn solved(
+    grasp: &Grasp<3>,
+    load: &Wrench<3>,
+    outcome: Outcome<3>,
+    from_rest: Option<Verdict<3>>,
     words: Words,
-) -> Result<Vec<Shown<C>>, Failure> {
+) -> Result<Vec<Shown>, Failure> {
     if let Outcome::Equilibrium(found) = outcome {
         return Ok(vec![state("under the load", *found, None)]);
     }
@@ -200,13 +195,13 @@ fn solved<const C: usize>(
 }
 
 /// The grasp at first slip, or at the end of the path if nothing slides.
-fn first_slip<const C: usize, At>(
-    grasp: &Grasp<C>,
-    onset: OnsetAnswer<C, At>,
-    start: &Wrench<C>,
-    leg: Leg<C>,
+fn first_slip<At>(
+    grasp: &Grasp<3>,
+    onset: OnsetAnswer<3, At>,
+    start: &Wrench<3>,
+    leg: Leg<3>,
     at: &dyn Fn(&At) -> String,
-) -> Result<Shown<C>, Failure> {
+) -> Result<Shown, Failure> {
     let label = match onset {
         OnsetAnswer::At(event) => {
             return Ok(state(format!("onset of sliding, {}", at(&event.at)), event.state, None));
@@ -230,8 +225,8 @@ fn first_slip<const C: usize, At>(
 }
 
 /// The events of a program, and its end.
-fn followed<const C: usize>(path: PathAnswer<C>, start: &Wrench<C>, legs: usize) -> Vec<Shown<C>> {
-    let mut states: Vec<_> = path.events.into_iter().map(changed).collect();
+fn followed(path: PathAnswer<3>, start: &Wrench<3>, legs: usize, words: Words) -> Vec<Shown> {
+    let mut states: Vec<_> = path.events.into_iter().map(|event| changed(event, words)).collect();
     let (found, leaving, (leg, fraction), how) = match path.end {
         PathOutcome::Completed { state } => {
             (state, None, (legs.saturating_sub(1), 1.0), "all legs are held to their end")
@@ -252,9 +247,10 @@ fn followed<const C: usize>(path: PathAnswer<C>, start: &Wrench<C>, legs: usize)
 }
 
 /// The equilibrium at an event, with the contacts that change their state there.
-fn changed<const C: usize>(event: Event<C>) -> Shown<C> {
+fn changed(event: Event<3>, words: Words) -> Shown {
     let contacts = event.whole_changes();
-    let contacts = contacts.iter().map(|change| format!("{} {}", change.contact.text(), change.verb()));
+    let contacts =
+        contacts.iter().map(|change| format!("{} {}", change.contact.text(), change.verb_in(words)));
     let drives = event.drives.iter().map(|drive| format!("{} {}", drive.part.text(), drive.what));
     let what: Vec<_> = contacts.chain(drives).collect();
     let what = if what.is_empty() { "a motion is free".to_owned() } else { what.join(", ") };

@@ -14,12 +14,12 @@ mod unsure;
 mod watch;
 mod written;
 
-use grasp_lcp::scene::{Scene, Space};
+use grasp_lcp::scene::Scene;
 
 use crate::arguments::Numbers;
 use crate::failure::Failure;
 use crate::files::Pictures;
-use crate::loads::point;
+use crate::loads::Meaning;
 pub(crate) use unsure::Unsure;
 pub(crate) use watch::MapProgress;
 
@@ -31,8 +31,9 @@ pub(crate) fn map(
     asked: (&Unsure, MapProgress),
     pictures: Option<&Pictures>,
 ) -> Result<(), Failure> {
-    match &scene.space {
-        Space::Planar(setup) => plane::map(setup, point(at)?, asked, pictures),
-        Space::Spatial(setup) => space::map(setup, point(at)?, asked, pictures),
+    let at = Meaning { axes: scene.setup.axes() }.point(at)?;
+    match scene.planar() {
+        Some(setup) => plane::map(&setup, [at[0], at[1]], asked, pictures),
+        None => space::map(&scene.setup, at, asked, pictures),
     }
 }

@@ -2,9 +2,11 @@
 
 mod names;
 
-use nalgebra::{Matrix2, Vector2};
+use nalgebra::{Matrix3, Vector2, Vector3};
 
-use crate::grasp::{ContactPoints, inside, outside};
+use crate::ask::Grasp;
+use crate::equilibrium::Equilibrium;
+use crate::grasp::ContactPoints;
 use crate::numerics::{Each, mapped, tried};
 use crate::picture::actuators::Actuators;
 use crate::picture::axes::{EqualScales, bounds};
@@ -76,18 +78,29 @@ pub(super) fn stills_of_a_page(of: &[PlanarPicture]) -> Result<Vec<String>, Pict
 /// A fingertip with its contact frame, and its resultant force if there is an equilibrium.
 struct Tip<'a> {
     of: &'a ContactPoints,
-    middle: Vector2<f64>,
-    frame: Matrix2<f64>,
+    middle: Vector3<f64>,
+    frame: Matrix3<f64>,
     slope: f64,
     link: Option<PlanarLink>,
-    does: Option<Resultant<2>>,
+    does: Option<Resultant>,
+}
+
+impl Tip<'_> {
+    fn normal(&self) -> Vector2<f64> {
+        self.frame.column(0).xy()
+    }
+
+    fn tangent(&self) -> Vector2<f64> {
+        self.frame.column(1).xy()
+    }
 }
 
 impl<'a> Picture<'a> {
     pub(super) fn new(of: &'a PlanarPicture<'a>) -> Self {
-        let PlanarPicture { grasp, state, outlines, .. } = of;
+        let PlanarPicture { grasp, outlines, .. } = of;
+        let state = of.state.as_deref();
         let contacts = grasp.contacts();
-        let points: Vec<_> = mapped(contacts, &|contact| contact.point);
+        let points: Vec<_> = mapped(contacts, &|contact| contact.point.xy());
         let held = [&points[..], &outlines.concat()].concat();
         let (low, high) = bounds(held.iter().copied());
         // A single contact has no extent, so that 1 m is used.
@@ -95,33 +108,34 @@ impl<'a> Picture<'a> {
             |(low, high): (Vector2<f64>, Vector2<f64>)| if low == high { 1.0 } else { (high - low).amax() };
         let load = state.map(|state| state.load).or(of.load);
         let load = load.map(|load| PlanarLoad::new(&load, low / 2.0 + high / 2.0, size((low, high))));
-        let span = size(bounds([held, grasp.links().concat()].concat()));
+        let span = size(bounds([held, ends_of_bones(grasp)].concat()));
         let frames: Vec<_> = grasp.frames().copied().collect();
-        let (grasp_inside, answer) = (inside(*grasp), state.map(inside));
-        let does = |tip: &ContactPoints| {
-            answer.as_ref().map(|answer| outside(tip.resultant(grasp_inside.contacts(), answer)))
-        };
         let tip = |tip: &'a ContactPoints| Tip {
             middle: tip.middle(contacts),
             frame: frames[tip.range.start],
             slope: slope(&contacts[tip.range.start]),
             link: PlanarLink::of(tip, contacts),
-            does: does(tip),
+            does: state.map(|state| tip.resultant(contacts, state)),
             of: tip,
         };
         let tips: Vec<_> = mapped(grasp.engine.wholes(), &tip);
         let loaded = load.as_ref().map_or(0.0, |load| load.force.norm());
         let doing = || tips.iter().filter_map(|tip| Some((tip, tip.does.as_ref()?)));
         let most = doing().map(|(_, does)| does.force.norm()).fold(loaded, f64::max);
-        let push = |(tip, does): (&Tip, &Resultant<2>)| {
+        let push = |(tip, does): (&Tip, &Resultant)| {
             (tip.middle, tip.frame.column(0).into_owned(), does.normal_force)
         };
         let pushes: Vec<_> = doing().map(push).collect();
         let scale = metres_per_newton(&pushes, size((low, high)), most);
         let way_out = of
             .leaving
+            .as_ref()
             .and_then(|motion| MovedOutlines::new(motion, outlines, points.into_iter(), size((low, high))));
-        Self { of, actuators: Actuators::of(&grasp_inside), tips, load, way_out, span, scale }
+        Self { of, actuators: Actuators::of(grasp), tips, load, way_out, span, scale }
+    }
+
+    fn state(&self) -> Option<&Equilibrium<3>> {
+        self.of.state.as_deref()
     }
 
     pub(super) fn draw(&self) -> Result<String, PictureError> {
@@ -132,7 +146,7 @@ impl<'a> Picture<'a> {
     fn draw_on(&self, paper: &Paper, points: &[Vector2<f64>]) -> Result<String, PictureError> {
         let Paper { size, window, border, .. } = *paper;
         let title = lines(self.of.title, 70);
-        let caution = caution(self.of.state, self.of.says.iter().copied());
+        let caution = caution(self.state(), self.of.says.iter().copied());
         let sentences = self.of.says.iter().copied().chain(caution.as_deref());
         let says: Vec<_> = sentences.flat_map(|words| lines(words, paper.letters)).collect();
         // Line heights of the title and of sentences.
@@ -175,7 +189,7 @@ impl<'a> Picture<'a> {
 
     /// All points that must lie inside the picture, m.
     fn points(&self) -> Vec<Vector2<f64>> {
-        let mut points = [self.of.outlines.concat(), self.of.grasp.links().concat()].concat();
+        let mut points = [self.of.outlines.concat(), ends_of_bones(&self.of.grasp)].concat();
         for tip in &self.tips {
             if let Some(link) = &tip.link {
                 points.extend(link.ends);
@@ -183,9 +197,10 @@ impl<'a> Picture<'a> {
             }
             points.extend(self.finger(tip));
             if let Some(does) = &tip.does {
-                points.extend([does.at, does.at + does.force * self.scale]);
+                let (at, force) = (does.at.xy(), does.force.xy() * self.scale);
+                points.extend([at, at + force]);
                 if self.of.grasp.contacts()[tip.of.range.start].against.is_some() {
-                    points.push(does.at - does.force * self.scale);
+                    points.push(at - force);
                 }
                 points.extend(self.cone(tip, does).into_iter().flatten());
             }
@@ -202,14 +217,14 @@ impl<'a> Picture<'a> {
     fn paint_object(&self, axes: &EqualScales, painting: &mut Painting) {
         let place = |point: &Vector2<f64>| axes.place(*point);
         for bone in self.of.grasp.links() {
-            painting.line(bone.each(|end| flat(axes.place(end))), GREY, 3.0);
+            painting.line(bone.each(|end| flat(axes.place(end.xy()))), GREY, 3.0);
         }
         for (_, at) in &self.actuators.joints {
             if let Some(at) = at {
                 painting.dot(flat(place(&at.xy())), 5.0, GREY, false);
             }
         }
-        if let Some(state) = self.of.state {
+        if let Some(state) = self.state() {
             for (_, at) in self.actuators.that_yield(state) {
                 if let Some(at) = at {
                     painting.dot(flat(place(&at.xy())), 8.0, VERMILION, false);
@@ -237,40 +252,45 @@ impl<'a> Picture<'a> {
             );
         }
         let Some(does) = &tip.does else {
-            painting.dot(flat(place(tip.middle)), 4.0, GREY, true);
+            painting.dot(flat(place(tip.middle.xy())), 4.0, GREY, true);
             return;
         };
-        let Resultant { at, force, word: what, .. } = *does;
+        let (at, force, what) = (does.at.xy(), does.force.xy() * self.scale, does.word);
         if let Some(cone) = self.cone(tip, does) {
             painting.area(mapped(&cone, &|corner| place(*corner)), ink(what).mix(0.16), -1.0);
             for edge in [cone[1], cone[2]] {
                 painting.line([cone[0], edge].each(|end| flat(place(end))), ink(what), 1.0);
             }
         }
-        painting.arrow([at, at + force * self.scale].each(|end| flat(place(end))), ink(what), 3.0, 1);
+        painting.arrow([at, at + force].each(|end| flat(place(end))), ink(what), 3.0, 1);
         if self.of.grasp.contacts()[tip.of.range.start].against.is_some() {
             // The body on the other side feels the opposite force.
-            painting.arrow([at, at - force * self.scale].each(|end| flat(place(end))), ink(what), 1.5, 1);
+            painting.arrow([at, at - force].each(|end| flat(place(end))), ink(what), 1.5, 1);
         }
         for i in tip.of.range.clone().filter(|_| tip.of.is_soft()) {
-            let point = self.of.grasp.contacts()[i].point;
-            let what = self.of.state.map_or("", |state| word(&state.contacts[i]));
+            let point = self.of.grasp.contacts()[i].point.xy();
+            let what = self.state().map_or("", |state| word(&state.contacts[i]));
             painting.dot(flat(place(point)), 2.5, ink(what), false);
         }
     }
 
     /// The corners of the finger, a wedge behind the contact.
     fn finger(&self, tip: &Tip) -> [Vector2<f64>; 3] {
-        let (n, t) = (tip.frame.column(0), tip.frame.column(1));
-        let corner = |side: f64| tip.middle + (t * (0.35 * side) - n) * (PLANAR.finger * self.span);
-        [tip.middle, corner(1.0), corner(-1.0)]
+        let (middle, n, t) = (tip.middle.xy(), tip.normal(), tip.tangent());
+        let corner = |side: f64| middle + (t * (0.35 * side) - n) * (PLANAR.finger * self.span);
+        [middle, corner(1.0), corner(-1.0)]
     }
 
     /// The corners of the friction cone; `None` without friction or normal force.
-    fn cone(&self, tip: &Tip, does: &Resultant<2>) -> Option<[Vector2<f64>; 3]> {
-        let (n, t) = (tip.frame.column(0), tip.frame.column(1));
+    fn cone(&self, tip: &Tip, does: &Resultant) -> Option<[Vector2<f64>; 3]> {
+        let (at, n, t) = (does.at.xy(), tip.normal(), tip.tangent());
         let [high, wide] = cone_size(tip.slope, does.normal_force * self.scale, self.span / 2.0)?;
-        let corner = |side: f64| does.at + n * high + t * (side * wide);
-        Some([does.at, corner(1.0), corner(-1.0)])
+        let corner = |side: f64| at + n * high + t * (side * wide);
+        Some([at, corner(1.0), corner(-1.0)])
     }
+}
+
+/// The ends of all links of the hand.
+fn ends_of_bones(grasp: &Grasp<3>) -> Vec<Vector2<f64>> {
+    mapped(&grasp.links().concat(), &|end| end.xy())
 }

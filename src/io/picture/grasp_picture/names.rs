@@ -24,7 +24,7 @@ impl Picture<'_> {
     ) {
         let mut labels = Labels::new(window.within(4.0), painting.ink());
         let (mut placed, mut names) = (Vec::new(), Vec::new());
-        if let Some(state) = self.of.state {
+        if let Some(state) = self.state() {
             for (name, at) in self.actuators.that_yield(state) {
                 match at {
                     Some(at) => placed.push((name, at.xy())),
@@ -53,7 +53,7 @@ impl Picture<'_> {
             labels.write(paper, at, &["where it goes, not to scale"], PLANAR.letters);
         }
         // The name of a body is written last, inside the body, so that it leaves room for all other names.
-        for (motion, outline) in self.of.state.iter().flat_map(|state| &state.bodies).zip(&self.of.outlines) {
+        for (motion, outline) in self.state().iter().flat_map(|state| &state.bodies).zip(&self.of.outlines) {
             if outline.len() > 2 {
                 let middle = outline.iter().sum::<Vector2<f64>>() / outline.len() as f64;
                 labels.write(paper, axes.place(middle), &[&printable(&motion.body)], PLANAR.letters);
@@ -70,7 +70,7 @@ impl Picture<'_> {
     fn write_tip(&self, tip: &Tip, axes: &EqualScales, paper: &mut Sheet, labels: &mut Labels) {
         let is_between = self.of.grasp.contacts()[tip.of.range.start].against.is_some();
         let behind = if is_between { 0.0 } else { PLANAR.finger * self.span };
-        let at = axes.place(tip.middle - tip.frame.column(0) * behind);
+        let at = axes.place(tip.middle.xy() - tip.normal() * behind);
         let name = tip.of.text();
         match &tip.does {
             // If there are more fingertips than this, names are written without state and force.

@@ -3,9 +3,9 @@
 use crate::numerics::IntoList;
 use nalgebra::{Vector3, Vector6};
 
+use super::content::Page;
 use super::frame::Frame;
 use super::solid::bodies;
-use super::spatial_page::SpatialPage;
 use crate::grasp::ContactPoints;
 use crate::numerics::mapped;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
@@ -16,7 +16,7 @@ use crate::picture::words::short;
 use crate::spatial::{Contact, ContactState, Equilibrium, Twist, Wrench};
 
 pub(super) struct Drawing<'p> {
-    pub(super) page: &'p SpatialPage,
+    pub(super) page: &'p Page,
     pub(super) tips: &'p [ContactPoints],
     /// Convex parts of the object.
     pub(super) bodies: Vec<Vec<[f64; 3]>>,
@@ -61,7 +61,7 @@ pub(super) struct Axis {
 }
 
 impl<'p> Drawing<'p> {
-    pub(super) fn new(page: &'p SpatialPage) -> Result<Self, PictureError> {
+    pub(super) fn new(page: &'p Page) -> Result<Self, PictureError> {
         for frame in &page.frames {
             if let Some(state) = frame.state() {
                 check(page, &frame.label, state)?;
@@ -167,7 +167,7 @@ impl<'p> Drawing<'p> {
             metres_per_newton(&pushes, self.size, largest)
         };
         // Without an equilibrium the load is the only force.
-        states.map(scale).reduce(f64::min).unwrap_or_else(|| metres_per_newton::<3>(&[], self.size, largest))
+        states.map(scale).reduce(f64::min).unwrap_or_else(|| metres_per_newton(&[], self.size, largest))
     }
 
     /// Sentences about the scales of the picture.
@@ -232,7 +232,7 @@ pub(super) fn displacement_at(state: &Equilibrium, body: usize, point: &Vector3<
 }
 
 /// Checks that an answer belongs to this grasp, and that its numbers are finite.
-fn check(page: &SpatialPage, label: &str, state: &Equilibrium) -> Result<(), PictureError> {
+fn check(page: &Page, label: &str, state: &Equilibrium) -> Result<(), PictureError> {
     let (given, expected) = (state.contacts.len(), page.grasp.len());
     if given != expected {
         return Err(PictureError(format!("\"{label}\" has {given} contacts, the grasp has {expected}")));

@@ -18,7 +18,7 @@ use crate::picture::window::Window;
 /// (sin yaw cos pitch, −cos yaw cos pitch, sin pitch)
 /// ```
 ///
-/// The default is the initial view of the [page](super::SpatialPage::to_html): yaw −0.6, pitch 0.45.
+/// The default is the initial view of the [page](super::Page::to_html): yaw −0.6, pitch 0.45.
 ///
 /// ```
 /// use grasp_lcp::picture::View;
@@ -29,6 +29,7 @@ use crate::picture::window::Window;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
+#[must_use]
 pub struct View {
     /// Turn of the eye around z, from −y towards x, rad.
     pub yaw: f64,
@@ -45,14 +46,12 @@ impl View {
     pub const ABOVE: Self = Self { yaw: 0.0, pitch: FRAC_PI_2 };
 
     /// Sets the turn of the eye around z, rad.
-    #[must_use]
     pub fn with_yaw(mut self, yaw: f64) -> Self {
         self.yaw = yaw;
         self
     }
 
     /// Sets the angle of the eye above the plane of x and y, rad.
-    #[must_use]
     pub fn with_pitch(mut self, pitch: f64) -> Self {
         self.pitch = pitch;
         self

@@ -2,73 +2,47 @@
 
 use crate::ask::Grasp;
 use crate::equilibrium::Equilibrium;
-use crate::grasp::{Contact, Face, Motion, Wrench};
-use crate::numerics::mapped;
+use crate::grasp::{Motion, Wrench};
 use crate::picture::contact_look::STEEPEST_CONE;
 
 /// One of the answers that the buttons of a page select.
 #[derive(Debug, Clone)]
-pub(super) struct Frame<const C: usize> {
+pub(super) struct Frame {
     pub(super) label: String,
     /// An equilibrium, or the reason why contacts are drawn without forces.
-    pub(super) shown: Result<Box<Equilibrium<C>>, String>,
+    pub(super) shown: Result<Equilibrium<3>, String>,
     /// Sentences beside the answer.
     pub(super) says: Vec<String>,
     /// The motion by which the object is lost.
-    pub(super) leaving: Option<Motion<C>>,
+    pub(super) leaving: Option<Motion<3>>,
     /// The load, if there is no equilibrium.
-    pub(super) load: Option<Wrench<C>>,
-    /// Coefficients of friction of the contacts, if they differ from those of the page.
-    pub(super) friction: Option<Vec<f64>>,
+    pub(super) load: Option<Wrench<3>>,
+    /// The grasp of the answer, if it may differ from that of the page.
+    pub(super) grasp: Option<Grasp<3>>,
 }
 
-impl<const C: usize> Frame<C> {
-    pub(super) fn new(label: String, shown: Result<Box<Equilibrium<C>>, String>) -> Self {
-        Self { label, shown, says: Vec::new(), leaving: None, load: None, friction: None }
+impl Frame {
+    pub(super) fn new(label: String, shown: Result<Equilibrium<3>, String>) -> Self {
+        Self { label, shown, says: Vec::new(), leaving: None, load: None, grasp: None }
     }
 
-    /// An equilibrium of a grasp whose coefficients of friction may differ from those of the page.
-    pub(super) fn of(label: String, grasp: &Grasp<C>, state: &Equilibrium<C>) -> Self {
-        let friction = mapped(grasp.contacts(), &Contact::friction_coefficient);
-        Self { friction: Some(friction), ..Self::new(label, Ok(Box::new(state.clone()))) }
-    }
-
-    pub(super) fn state(&self) -> Option<&Equilibrium<C>> {
-        self.shown.as_deref().ok()
+    pub(super) fn state(&self) -> Option<&Equilibrium<3>> {
+        self.shown.as_ref().ok()
     }
 
     /// The load of the equilibrium; without an equilibrium the load that the caller has set.
-    pub(super) fn load(&self) -> Option<&Wrench<C>> {
+    pub(super) fn load(&self) -> Option<&Wrench<3>> {
         self.state().map(|state| &state.load).or(self.load.as_ref())
     }
 
     /// The coefficient of friction of a contact; `given` is that of the page.
     pub(super) fn friction(&self, contact: usize, given: f64) -> f64 {
-        self.friction.as_ref().and_then(|all| all.get(contact).copied()).unwrap_or(given)
+        let own = self.grasp.as_ref().and_then(|grasp| grasp.contacts().get(contact));
+        own.map_or(given, |contact| contact.friction)
     }
 
     /// The slope of the cone of a contact in pictures.
     pub(super) fn slope(&self, contact: usize, given: f64) -> f64 {
         self.friction(contact, given).min(STEEPEST_CONE)
-    }
-}
-
-impl Frame<2> {
-    /// The answer with vectors of three components, as far as tables show it.
-    pub(super) fn widened(&self) -> Frame<3> {
-        let shown = match &self.shown {
-            Ok(state) => Ok(state.to_inside()),
-            Err(why) => Err(why.clone()),
-        };
-        let mut frame = Frame::new(self.label.clone(), shown);
-        (frame.says, frame.friction) = (self.says.clone(), self.friction.clone());
-        frame
-    }
-}
-
-/// Changes the last answer, if there is one.
-pub(super) fn change_last<const C: usize>(frames: &mut [Frame<C>], change: impl FnOnce(&mut Frame<C>)) {
-    if let Some(frame) = frames.last_mut() {
-        change(frame);
     }
 }

@@ -3,11 +3,12 @@
 use crate::numerics::Each;
 use std::fmt::Write;
 
+use super::content::Page;
 use super::drawing::Drawing;
 use super::frame::Frame;
-use super::spatial_page::SpatialPage;
 use super::table;
-use crate::grasp::ContactPoints;
+use crate::ask::Grasp;
+use crate::grasp::{ContactPoints, Space};
 use crate::picture::contact_look::{STATES, ink};
 use crate::picture::error::PictureError;
 use crate::picture::palette::{PINK, SKY, hex};
@@ -23,13 +24,16 @@ const VIEW_SCRIPTS: [&str; 5] = [
     include_str!("view/hands.js"),
 ];
 
-impl SpatialPage {
+impl Page {
     /// Writes the page. Names and labels may contain any characters.
     ///
     /// # Errors
     /// [`PictureError`] if a corner of an outline or a number of an answer is not finite, or if an answer has another number of contacts than the
     /// grasp.
     pub fn to_html(&self) -> Result<String, PictureError> {
+        if self.grasp.space() == Space::Planar {
+            return self.planar_html();
+        }
         let drawing = Drawing::new(self)?;
         let title = escaped(&self.title);
         let scales = drawing.scales().join(" ");
@@ -43,9 +47,7 @@ impl SpatialPage {
         page += "<p class=\"hint\">Drag to turn, wheel or two fingers to enlarge, double click to reset.</p>\n</div>\n<aside>\n";
         write_choice(&mut page, &self.frames);
         page += include_str!("legend.html");
-        if drawing.tips.iter().any(ContactPoints::is_soft) {
-            page += POINTS_CHOICE;
-        }
+        write_points_choice(&mut page, &self.grasp);
         let _ = writeln!(page, "<p class=\"scale\">{}</p>\n</aside>\n</main>", escaped(&scales));
         table::write(&mut page, &self.grasp, &self.actuators, &self.frames)?;
         let _ = writeln!(page, "<script type=\"application/json\" id=\"grasp\">{}</script>", drawing.json()?);
@@ -54,9 +56,14 @@ impl SpatialPage {
     }
 }
 
-/// The checkbox that shows the points of soft fingertips.
-pub(super) const POINTS_CHOICE: &str =
-    "<p><label><input type=\"checkbox\" id=\"points\">points of soft fingertips in the table</label></p>\n";
+/// Writes the checkbox that shows the points of soft fingertips, if there are any.
+pub(super) fn write_points_choice(page: &mut String, grasp: &Grasp<3>) {
+    if grasp.engine.wholes().iter().any(ContactPoints::is_soft) {
+        page.push_str(
+            "<p><label><input type=\"checkbox\" id=\"points\">points of soft fingertips in the table</label></p>\n",
+        );
+    }
+}
 
 /// The beginning of a page, including its title.
 pub(super) fn opened(title: &str) -> String {
@@ -89,7 +96,7 @@ pub(super) fn closed(page: &mut String, script: &str) {
 }
 
 /// Writes buttons for the answers, and a slider for more than two answers.
-pub(super) fn write_choice(page: &mut String, frames: &[Frame<3>]) {
+pub(super) fn write_choice(page: &mut String, frames: &[Frame]) {
     if frames.len() < 2 {
         return;
     }

@@ -2,8 +2,8 @@
 
 use nalgebra::{Point3, Vector3};
 
+use super::content::MovingLine;
 use super::drawing::Drawing;
-use super::spatial_page::MovingLine;
 use crate::grasp::Motion;
 use crate::numerics::{IntoList, largest, mapped};
 use crate::spatial::{Contact, Twist};

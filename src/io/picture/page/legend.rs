@@ -33,7 +33,7 @@ pub(super) struct Legend(Vec<Entry>);
 
 impl Legend {
     /// The legend of a picture with `pixels` pixels per metre.
-    pub(super) fn new(drawing: &Drawing, frame: Option<&Frame<3>>, pixels: f64) -> Self {
+    pub(super) fn new(drawing: &Drawing, frame: Option<&Frame>, pixels: f64) -> Self {
         let mut entries = Vec::new();
         let state = frame.and_then(Frame::state);
         if let Some(Frame { shown: Err(why), .. }) = frame {
@@ -111,7 +111,7 @@ fn scale(pixels: f64, width: f64, heads: usize, unit: &str) -> Option<Entry> {
 fn of_contacts(drawing: &Drawing, state: &Equilibrium) -> Vec<Entry> {
     let contacts = drawing.page.grasp.contacts();
     let resultant = |tip: &ContactPoints| tip.resultant(contacts, state);
-    let tips: Vec<Resultant<3>> = mapped(drawing.tips, &resultant);
+    let tips: Vec<Resultant> = mapped(drawing.tips, &resultant);
     let mut points = Vec::new();
     for tip in drawing.tips.iter().filter(|tip| tip.is_soft()) {
         points.extend(state.contacts[tip.range.clone()].iter().map(word).filter(|what| tip.shows(what)));
@@ -134,7 +134,7 @@ fn of_contacts(drawing: &Drawing, state: &Equilibrium) -> Vec<Entry> {
 }
 
 /// Legend entries of the marks of object and load that occur in this answer.
-fn of_object(drawing: &Drawing, frame: &Frame<3>) -> Vec<Entry> {
+fn of_object(drawing: &Drawing, frame: &Frame) -> Vec<Entry> {
     let state = frame.state();
     let load = frame.load().map(|load| drawing.load(load));
     let acts = |what: fn(&LoadArrow) -> f64| load.as_ref().is_some_and(|load| what(load) > 0.0);

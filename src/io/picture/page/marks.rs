@@ -41,7 +41,7 @@ pub(super) fn marks_of_the_grasp(drawing: &Drawing) -> Vec<Mark> {
 }
 
 /// The marks of an answer: forces, displacements, the load, and motions; without an answer the contacts alone.
-pub(super) fn marks_of_the_answer(drawing: &Drawing, frame: Option<&Frame<3>>) -> Vec<Mark> {
+pub(super) fn marks_of_the_answer(drawing: &Drawing, frame: Option<&Frame>) -> Vec<Mark> {
     let (page, state) = (drawing.page, frame.and_then(Frame::state));
     let mut marks = Vec::new();
     if let Some(state) = state.filter(|_| drawing.displacement > 0.0) {
@@ -103,7 +103,7 @@ fn marks_of_a_fingertip(
     drawing: &Drawing,
     slope: f64,
     [n, t, b]: [Vector3<f64>; 3],
-    resultant: &Resultant<3>,
+    resultant: &Resultant,
 ) -> Vec<Mark> {
     let (from, ink) = (resultant.at, ink(resultant.word));
     let mut marks = Vec::new();

@@ -1,6 +1,7 @@
 //! Grasps as HTML pages. On a page a spatial grasp can be turned with the mouse; it can also be drawn as a still picture. A slider selects the answers
 //! of a planar grasp.
 
+mod content;
 mod data;
 mod drawing;
 mod eye;
@@ -14,10 +15,8 @@ mod marks;
 mod paint;
 mod planar_page;
 mod solid;
-mod spatial_page;
 mod still;
 mod table;
 
+pub use self::content::Page;
 pub use self::eye::View;
-pub use self::planar_page::PlanarPage;
-pub use self::spatial_page::SpatialPage;

@@ -1,6 +1,6 @@
 //! Convex parts of the object between its outlines, so that it looks like a solid instead of a wire frame.
 
-use super::spatial_page::MovingLine;
+use super::content::MovingLine;
 use crate::numerics::IntoList;
 use crate::numerics::mapped;
 

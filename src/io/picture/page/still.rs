@@ -1,13 +1,13 @@
 //! One answer of a page as a still picture.
 
+use super::content::Page;
 use super::drawing::Drawing;
 use super::eye::{Eye, View};
 use super::legend::Legend;
 use super::mark::{Mark, MarkLayer, MarkShape};
 use super::marks::{marks_of_the_answer, marks_of_the_grasp};
 use super::paint::{load_ends, painting};
-use super::spatial_page::SpatialPage;
-use crate::numerics::{Each, mapped};
+use crate::numerics::{Each, Space, mapped};
 use crate::picture::error::PictureError;
 use crate::picture::labels::Labels;
 use crate::picture::layout::{LEGEND, MARKS, STILL};
@@ -17,20 +17,20 @@ use crate::picture::window::Window;
 use crate::picture::words::{caution, lines};
 use nalgebra::Vector2;
 
-impl SpatialPage {
-    /// Draws one of the answers from one side, as the page shows it, with a legend. `answer` is its index from 0 in the order of adding; `None` draws
-    /// the grasp alone. All answers of a page seen from the same side have the same scales of forces, moments, displacements and lengths, so that
+impl Page {
+    /// Draws one of the answers, in space from one side, as the page shows it, with a legend; in the plane as a
+    /// [`PlanarPicture`](crate::picture::PlanarPicture). `answer` is its index from 0 in the order of adding; `None` draws the grasp alone. In space all answers of a page seen from the same side have the same scales of forces, moments, displacements and lengths, so that
     /// their pictures can be compared. The marks of all answers lie inside the picture.
     ///
     /// A cone that would fill the picture (μ far above 1) is drawn shorter than the normal force in it.
     ///
     /// ```
-    /// use grasp_lcp::picture::{SpatialPage, View};
+    /// use grasp_lcp::picture::{Page, View};
     /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
     ///
     /// let finger = |x: f64| Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0]).series_stiffness(1000.0, 600.0).friction(0.5).command([0.004, 0.0, 0.0]);
     /// let grasp = Grasp::new([finger(-0.03), finger(0.03)])?;
-    /// let page = SpatialPage::new(&grasp, "A pinch").outcome("0.5 N", &grasp.solve(Wrench::force([0.0, 0.0, -0.5]))?);
+    /// let page = Page::new(&grasp, "A pinch").outcome("0.5 N", &grasp.solve(Wrench::force([0.0, 0.0, -0.5]))?);
     ///
     /// let svg = page.to_svg(Some(0), View::default())?;
     /// assert!(svg.starts_with("<svg") && svg.contains("turns freely"));
@@ -50,6 +50,9 @@ impl SpatialPage {
             self.frames.get(k).ok_or_else(none)
         };
         let frame = answer.map(chosen).transpose()?;
+        if self.grasp.space() == Space::Planar {
+            return self.planar_svg(frame);
+        }
         let drawing = Drawing::new(self)?;
         // Largest number of letters in a line of the title and of the label.
         let letters = (70, 96);

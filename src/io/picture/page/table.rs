@@ -33,7 +33,7 @@ const TABLE_COLUMNS: [(&str, &str); 10] = [
 const MOMENT: usize = 2;
 
 /// Writes the sentences of each answer, at the top of the page.
-pub(super) fn write_says(page: &mut String, frames: &[Frame<3>]) {
+pub(super) fn write_says(page: &mut String, frames: &[Frame]) {
     for (k, frame) in frames.iter().enumerate() {
         open(page, k);
         for sentence in &frame.says {
@@ -63,7 +63,7 @@ pub(super) fn write(
     page: &mut String,
     grasp: &Grasp<3>,
     actuators: &Actuators,
-    frames: &[Frame<3>],
+    frames: &[Frame],
 ) -> Result<(), PictureError> {
     for (k, frame) in frames.iter().enumerate() {
         open(page, k);
@@ -109,7 +109,7 @@ fn write_words(
 fn write_rows(
     page: &mut String,
     grasp: &Grasp<3>,
-    frame: &Frame<3>,
+    frame: &Frame,
     state: &Equilibrium<3>,
 ) -> Result<(), PictureError> {
     // A table wider than a narrow screen scrolls by itself instead of the page.

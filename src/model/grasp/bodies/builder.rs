@@ -39,6 +39,7 @@ use crate::prelude::*;
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct Bodies<const C: usize> {
     list: Vec<Body<C>>,
     hand: Hand<C>,
@@ -68,35 +69,30 @@ impl<const C: usize> Bodies<C> {
     }
 
     /// Adds contacts with the ground, with fixed fingers, or between bodies; they have no joints.
-    #[must_use]
     pub fn contacts(mut self, contacts: impl IntoIterator<Item = Contact<C>>) -> Self {
         self.hand = contacts.into_iter().map(Finger::fixed).fold(self.hand, Hand::finger);
         self
     }
 
     /// Adds hinges, slides, springs or cables between the bodies or to the ground. The contacts that model them follow all other contacts.
-    #[must_use]
     pub fn links(mut self, links: impl IntoIterator<Item = Link<C>>) -> Self {
         self.links.extend(links);
         self
     }
 
     /// Sets the hand that holds the bodies. It replaces all contacts given before.
-    #[must_use]
     pub fn held_by(mut self, hand: Hand<C>) -> Self {
         self.hand = hand;
         self
     }
 
     /// Sets gravity, m/s². The weight of each body acts at its centre of mass, in addition to the load of a question.
-    #[must_use]
     pub fn gravity(mut self, gravity: impl Into<[f64; C]>) -> Self {
         self.gravity = SVector::from(gravity.into());
         self
     }
 
     /// Makes the loads of questions act on this body.
-    #[must_use]
     pub fn loaded(mut self, body: impl Into<String>) -> Self {
         self.loaded = Loaded::Body(body.into().into());
         self
@@ -104,7 +100,6 @@ impl<const C: usize> Bodies<C> {
 
     /// Shares the loads of questions among all bodies in proportion to their masses. The force acts at their centres of mass, and the remaining
     /// moment is shared likewise. A load parallel to gravity thus scales all weights; a turning load turns them.
-    #[must_use]
     pub fn shared_by_mass(mut self) -> Self {
         self.loaded = Loaded::ByMass;
         self

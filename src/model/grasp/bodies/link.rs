@@ -42,6 +42,7 @@ use crate::words::LinkKind;
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct Link<const C: usize> {
     pub(crate) name: Option<Arc<str>>,
     pub(crate) place: LinkPlace<C>,
@@ -167,28 +168,24 @@ impl<const C: usize> Link<C> {
     }
 
     /// Sets the name for messages and tables; the default is the kind of the link.
-    #[must_use]
     pub fn name(mut self, name: impl Into<String>) -> Self {
         self.name = Some(name.into().into());
         self
     }
 
     /// Sets the two bodies that the link joins. A spring or a cable starts at the first and ends at the second.
-    #[must_use]
     pub fn between(mut self, one: impl Into<String>, other: impl Into<String>) -> Self {
         (self.on, self.against) = (Some(one.into().into()), Some(other.into().into()));
         self
     }
 
     /// Sets the body that the link joins to the ground.
-    #[must_use]
     pub fn to_ground(mut self, body: impl Into<String>) -> Self {
         (self.on, self.against) = (Some(body.into().into()), None);
         self
     }
 
     /// Sets the total stiffness of the link's points along each direction that the link blocks, N/m; [`Self::STIFF`] by default.
-    #[must_use]
     pub fn stiffness(mut self, stiffness: f64) -> Self {
         self.stiffness = Some(stiffness);
         self
@@ -196,7 +193,6 @@ impl<const C: usize> Link<C> {
 
     /// Sets the pull of a cable or a spring before anything moves, N; a spring with a negative value pushes. At rest the pull is smaller, since
     /// the bodies yield; see [`Self::tension`].
-    #[must_use]
     pub fn pretension(mut self, force: f64) -> Self {
         (self.pretension, self.tension) = (force, None);
         self
@@ -217,14 +213,12 @@ impl<const C: usize> Link<C> {
     /// assert!((state.equilibrium().expect("lies").contacts[0].normal_force() - 100.0).abs() < 1e-9);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
-    #[must_use]
     pub fn tension(mut self, force: f64) -> Self {
         (self.tension, self.pretension) = (Some(force), force);
         self
     }
 
     /// Sets the length of a cable in excess of the distance between its ends, m.
-    #[must_use]
     pub fn slack(mut self, length: f64) -> Self {
         self.slack = length;
         self

@@ -43,6 +43,7 @@ pub(super) struct Carried<const C: usize> {
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct Finger<const C: usize> {
     pub(super) joints: Vec<Joint<C>>,
     /// Stiffness matrix of the joints, in addition to their own springs.
@@ -59,7 +60,6 @@ impl<const C: usize> Finger<C> {
     }
 
     /// A finger without joints: one contact with its springs.
-    #[must_use]
     pub fn fixed(contact: Contact<C>) -> Self {
         Self::new([]).contact(contact)
     }
@@ -95,21 +95,18 @@ impl<const C: usize> Finger<C> {
 
     /// Adds a stiffness matrix of the joints, N m/rad, symmetric and positive semidefinite. It represents gears and tendons that couple the
     /// joints, and acts in addition to the joints' own springs. Its torques are `K (θ - φ)`.
-    #[must_use]
     pub fn coupled(mut self, stiffness: DMatrix<f64>) -> Self {
         self.coupling = Some(stiffness);
         self
     }
 
     /// Adds a contact on the last link, which all joints move.
-    #[must_use]
     pub fn contact(self, contact: Contact<C>) -> Self {
         let all = self.joints.len();
         self.contact_on(all, contact)
     }
 
     /// Adds a contact on another link. The first `joints` of the joints move it; 0 stands for the palm.
-    #[must_use]
     pub fn contact_on(mut self, joints: usize, contact: Contact<C>) -> Self {
         self.contacts.push(Carried { contact, by: ContactMover::Link(joints) });
         self
@@ -117,7 +114,6 @@ impl<const C: usize> Finger<C> {
 
     /// Adds a contact with a given Jacobian, `C x joints`: velocity of the contact point along the coordinate axes, per unit velocity of each
     /// joint.
-    #[must_use]
     pub fn contact_moved_by(mut self, jacobian: DMatrix<f64>, contact: Contact<C>) -> Self {
         self.contacts.push(Carried { contact, by: ContactMover::World(jacobian) });
         self

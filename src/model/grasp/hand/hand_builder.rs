@@ -30,6 +30,7 @@ use crate::prelude::*;
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
+#[must_use]
 pub struct Hand<const C: usize> {
     pub(super) fingers: Vec<Finger<C>>,
     pub(super) tendons: Vec<Tendon>,
@@ -42,14 +43,12 @@ impl<const C: usize> Hand<C> {
     }
 
     /// Adds a finger.
-    #[must_use]
     pub fn finger(mut self, finger: Finger<C>) -> Self {
         self.fingers.push(finger);
         self
     }
 
     /// Adds a tendon over the joints of all fingers.
-    #[must_use]
     pub fn tendon(mut self, tendon: Tendon) -> Self {
         self.tendons.push(tendon);
         self

@@ -67,6 +67,7 @@ impl Limit {
 /// # let _ = knuckle;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct Joint<const C: usize> {
     pub(crate) name: Option<Arc<str>>,
     pub(crate) motion: JointMotion<C>,
@@ -111,13 +112,11 @@ impl<const C: usize> Joint<C> {
     }
 
     /// A coordinate of another kind. Only [`Finger::contact_moved_by`](super::Finger::contact_moved_by) determines its effect on contacts.
-    #[must_use]
     pub fn given() -> Self {
         Self::moving(JointMotion::Given)
     }
 
     /// Sets the name for messages and tables.
-    #[must_use]
     pub fn name(mut self, name: impl Into<String>) -> Self {
         self.name = Some(name.into().into());
         self
@@ -125,14 +124,12 @@ impl<const C: usize> Joint<C> {
 
     /// Sets the stiffness of the joint's own spring, N m/rad or N/m. With the default of zero, couplings, tendons or a constant torque must
     /// support the joint.
-    #[must_use]
     pub fn stiffness(mut self, stiffness: f64) -> Self {
         self.stiffness = stiffness;
         self
     }
 
     /// Sets the commanded displacement θ, rad or m.
-    #[must_use]
     pub fn command(mut self, theta: f64) -> Self {
         self.command = theta;
         self
@@ -140,14 +137,12 @@ impl<const C: usize> Joint<C> {
 
     /// Sets a constant torque on the joint along φ, N m (for a prismatic joint a force, N). Examples are a finger under force control and the
     /// weight of a link.
-    #[must_use]
     pub fn torque(mut self, torque: f64) -> Self {
         self.torque = torque;
         self
     }
 
     /// Sets a bound on the torque of the joint's own spring, in both directions.
-    #[must_use]
     pub fn limit(mut self, limit: Limit) -> Self {
         self.limit = Some(limit);
         self

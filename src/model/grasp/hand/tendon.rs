@@ -5,22 +5,54 @@ use alloc::sync::Arc;
 
 use super::joint::Limit;
 use crate::prelude::*;
+#[cfg(feature = "serde")]
+use crate::serial::{AsGiven, is_absent, object::read_as_object};
 
-/// A tendon over joints of a hand, with its spring and the displacement of its motor. It only pulls, unless [`Self::pushes`] is set.
+/// A tendon over joints of a hand, with its spring and the displacement of its motor. It only pulls, unless it is a rod or a gear.
 ///
 /// Joint displacements φ shorten the path of the tendon by `r·φ`, with the moment arms r. The tension is `k (x - r·φ)` while positive, and
 /// exerts the torque r_j times the tension on joint j. A tendon with a constant tension and no stiffness is a differential: its tension does not
 /// depend on the joint positions.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(remote = "Self", deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[must_use]
 pub struct Tendon {
+    /// The name of the tendon in answers.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(crate) name: Option<Arc<str>>,
+    /// Lever arms, one for each joint of all fingers: m/rad for revolute joints, no unit for prismatic ones.
+    #[cfg_attr(feature = "serde", serde(with = "AsGiven::<Vec<f64>>"))]
     pub(crate) arms: Vec<f64>,
+    /// Stiffness of the drive, N/m; without one only `tension` acts.
+    #[cfg_attr(
+        feature = "serde",
+        serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")
+    )]
     pub(crate) stiffness: f64,
+    /// Commanded pull of the drive, m; 0 if left out.
+    #[cfg_attr(
+        feature = "serde",
+        serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")
+    )]
     pub(crate) pull: f64,
+    /// Constant tension in addition to the drive, N; 0 if left out.
+    #[cfg_attr(
+        feature = "serde",
+        serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")
+    )]
     pub(crate) tension: f64,
+    /// The largest tension of the drive, N; no limit if left out.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(crate) limit: Option<Limit>,
+    /// `true` for a rod or a differential, which also pushes; a tendon only pulls.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub(crate) pushes: bool,
 }
+
+#[cfg(feature = "serde")]
+read_as_object!("a tendon", Tendon);
 
 impl Tendon {
     /// A tendon with these moment arms at the joints of the hand, finger by finger: m (1 for a prismatic joint), positive if a pull moves the
@@ -31,42 +63,36 @@ impl Tendon {
     }
 
     /// Sets the name for messages and tables.
-    #[must_use]
     pub fn name(mut self, name: impl Into<String>) -> Self {
         self.name = Some(name.into().into());
         self
     }
 
     /// Sets the stiffness of tendon and motor in series, N/m.
-    #[must_use]
     pub fn stiffness(mut self, stiffness: f64) -> Self {
         self.stiffness = stiffness;
         self
     }
 
     /// Sets the displacement x of the motor, m: the command of the tendon.
-    #[must_use]
     pub fn pull(mut self, x: f64) -> Self {
         self.pull = x;
         self
     }
 
     /// Sets a constant tension, N, which acts in addition to the spring.
-    #[must_use]
     pub fn tension(mut self, tension: f64) -> Self {
         self.tension = tension;
         self
     }
 
     /// Sets a bound on the tension of the spring.
-    #[must_use]
     pub fn limit(mut self, limit: Limit) -> Self {
         self.limit = Some(limit);
         self
     }
 
     /// Makes the tendon a rod or a gear, which also pushes.
-    #[must_use]
     pub fn pushes(mut self) -> Self {
         self.pushes = true;
         self

@@ -1,15 +1,17 @@
-//! The content of a page: a spatial grasp, outlines of the object and of fixtures, and answers.
+//! The content of a page: a grasp, outlines of the object and of fixtures, and answers.
 
-use super::frame::{Frame, change_last};
-use crate::grasp::Motion;
+use super::frame::Frame;
+use crate::ask::Grasp;
+use crate::equilibrium::{Equilibrium, Outcome};
+use crate::grasp::{Face, Motion, Wrench, inside};
 use crate::numerics::{Each, IntoList, mapped};
 use crate::picture::actuators::Actuators;
-use crate::spatial::{Equilibrium, Grasp, Outcome, Wrench};
 
-/// A spatial grasp and one or more of its answers as a single self-contained HTML file without network or installation ([`Self::to_html`]).
-/// [`Self::to_svg`] draws one of the answers from one side as an SVG, for paper.
+/// A grasp and one or more of its answers as a single self-contained HTML file without network or installation ([`Self::to_html`]). Buttons select an
+/// answer, and a slider if there are more than two. [`Self::to_svg`] draws one of the answers as an SVG, for paper.
 ///
-/// On the page the picture is turned by dragging, enlarged by the wheel or two fingers and reset by a double click; buttons select an answer. It
+/// In the plane each picture is that of a [`PlanarPicture`](crate::picture::PlanarPicture), and all pictures have one scale, so that growing forces are
+/// visible. In space the picture is turned by dragging, enlarged by the wheel or two fingers and reset by a double click. It then
 /// shows, in the coordinates of the grasp (z upwards at first):
 ///
 /// * contacts, coloured by their states, with friction cones as long as the normal forces in them;
@@ -27,7 +29,7 @@ use crate::spatial::{Equilibrium, Grasp, Outcome, Wrench};
 /// picture, legend and table are below each other.
 ///
 /// ```
-/// use grasp_lcp::picture::SpatialPage;
+/// use grasp_lcp::picture::Page;
 /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
 ///
 /// // Three fingers around a jar of 60 mm.
@@ -44,7 +46,7 @@ use crate::spatial::{Equilibrium, Grasp, Outcome, Wrench};
 /// let event = onset.event().ok_or("slides at some load")?;
 ///
 /// let state = grasp.state_at_onset(event).ok_or("its own event")?;
-/// let page = SpatialPage::new(&grasp, "A jar in three fingers")
+/// let page = Page::new(&grasp, "A jar in three fingers")
 ///     .frame("onset of sliding", &state)
 ///     .outcome("twice as much", &grasp.solve(event.load * 2.0)?)
 ///     .to_html()?;
@@ -52,12 +54,13 @@ use crate::spatial::{Equilibrium, Grasp, Outcome, Wrench};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]
-pub struct SpatialPage {
-    pub(super) grasp: Grasp,
+#[must_use]
+pub struct Page {
+    pub(super) grasp: Grasp<3>,
     pub(super) title: String,
     pub(super) outlines: Vec<MovingLine>,
     pub(super) fixtures: Vec<Vec<[f64; 3]>>,
-    pub(super) frames: Vec<Frame<3>>,
+    pub(super) frames: Vec<Frame>,
     pub(super) actuators: Actuators,
 }
 
@@ -69,31 +72,29 @@ pub(super) struct MovingLine {
     pub(super) corners: Vec<[f64; 3]>,
 }
 
-impl SpatialPage {
+impl Page {
     /// A page without answers, which draws the grasp alone. Links of a hand are drawn at their initial places.
-    #[must_use]
-    pub fn new(grasp: &Grasp, title: impl Into<String>) -> Self {
+    pub fn new<const C: usize>(grasp: &Grasp<C>, title: impl Into<String>) -> Self {
+        let grasp = inside(grasp);
         Self {
-            grasp: grasp.clone(),
             title: title.into(),
             outlines: Vec::new(),
             fixtures: mapped(grasp.links(), &|bone| bone.each(<[f64; 3]>::from).to_vec()),
             frames: Vec::new(),
-            actuators: Actuators::of(grasp),
+            actuators: Actuators::of(&grasp),
+            grasp: grasp.into_owned(),
         }
     }
 
-    /// Adds a closed line on the object, corner by corner, m (two corners give the line between them). Several calls add several lines. They affect
+    /// Adds a closed line on the object, corner by corner, m (two corners give the line between them; z is zero in the plane). Several calls add several lines. They affect
     /// nothing but the drawing, which shows their original and moved places. The object is shaded between two consecutive lines of eight corners or
     /// more.
-    #[must_use]
     pub fn outline(self, corners: impl IntoIterator<Item = impl Into<[f64; 3]>>) -> Self {
         self.body_outline(0, corners)
     }
 
     /// Adds a closed line on one of [several bodies](crate::grasp::Bodies), by its index from 0, which moves with that body. Otherwise as
     /// [`Self::outline`].
-    #[must_use]
     pub fn body_outline(
         mut self,
         body: usize,
@@ -104,65 +105,69 @@ impl SpatialPage {
     }
 
     /// Adds a closed line on something at rest, such as a fingertip or a table, corner by corner, m; otherwise as [`Self::outline`].
-    #[must_use]
     pub fn fixture(mut self, corners: impl IntoIterator<Item = impl Into<[f64; 3]>>) -> Self {
         self.fixtures.push(corners.into_iter().map(Into::into).list());
         self
     }
 
     /// Adds an equilibrium of the grasp; `label` is written on its button. The first answer is shown initially.
-    #[must_use]
-    pub fn frame(mut self, label: impl Into<String>, state: &Equilibrium) -> Self {
-        self.frames.push(Frame::new(label.into(), Ok(Box::new(state.clone()))));
-        self
+    pub fn frame<const C: usize>(self, label: impl Into<String>, state: &Equilibrium<C>) -> Self {
+        self.with(Frame::new(label.into(), Ok(state.to_inside())))
     }
 
     /// Adds an equilibrium of the same grasp with other coefficients of friction or other commands, such as those with the [needed
     /// amount](crate::ask::Grasp::with_amount).
-    #[must_use]
-    pub fn frame_of(mut self, label: impl Into<String>, grasp: &Grasp, state: &Equilibrium) -> Self {
-        self.frames.push(Frame::of(label.into(), grasp, state));
-        self
+    pub fn frame_of<const C: usize>(
+        self,
+        label: impl Into<String>,
+        grasp: &Grasp<C>,
+        state: &Equilibrium<C>,
+    ) -> Self {
+        let frame = Frame::new(label.into(), Ok(state.to_inside()));
+        self.with(Frame { grasp: Some(grasp.to_inside()), ..frame })
     }
 
     /// Adds an answer without an equilibrium, with the reason.
-    #[must_use]
-    pub fn nothing(mut self, label: impl Into<String>, why: impl Into<String>) -> Self {
-        self.frames.push(Frame::new(label.into(), Err(why.into())));
-        self
+    pub fn nothing(self, label: impl Into<String>, why: impl Into<String>) -> Self {
+        self.with(Frame::new(label.into(), Err(why.into())))
     }
 
     /// Adds a sentence beside the last answer.
-    #[must_use]
-    pub fn says(mut self, sentence: impl Into<String>) -> Self {
-        change_last(&mut self.frames, |frame| frame.says.push(sentence.into()));
-        self
+    pub fn says(self, sentence: impl Into<String>) -> Self {
+        self.with_last(|frame| frame.says.push(sentence.into()))
     }
 
     /// Draws a motion of the object in the last answer, if there is one, such as that of a [loss](crate::hold::Lost::motion). Only the direction of the
     /// motion matters.
-    #[must_use]
-    pub fn maybe_leaving(mut self, motion: Option<&Motion<3>>) -> Self {
-        change_last(&mut self.frames, |frame| frame.leaving = motion.cloned());
-        self
+    pub fn maybe_leaving<const C: usize>(self, motion: Option<&Motion<C>>) -> Self {
+        self.with_last(|frame| frame.leaving = motion.map(Face::to_inside))
     }
 
     /// Sets the load of the last answer. It is drawn if the answer has no equilibrium.
-    #[must_use]
-    pub fn under(mut self, load: Wrench) -> Self {
-        change_last(&mut self.frames, |frame| frame.load = Some(load));
-        self
+    pub fn under<const C: usize>(self, load: Wrench<C>) -> Self {
+        self.with_last(|frame| frame.load = Some(load.into_inside()))
     }
 
     /// Adds an answer of [`Grasp::solve`](crate::ask::Grasp::solve); `label` is written on its button. If no equilibrium exists, or none was found,
     /// the page says so and draws no forces.
-    #[must_use]
-    pub fn outcome(mut self, label: impl Into<String>, outcome: &Outcome) -> Self {
+    pub fn outcome<const C: usize>(self, label: impl Into<String>, outcome: &Outcome<C>) -> Self {
         let shown = match outcome {
-            Outcome::Equilibrium(state) => Ok(state.clone()),
+            Outcome::Equilibrium(state) => Ok(state.as_ref().to_inside()),
             other => Err(other.to_string()),
         };
-        self.frames.push(Frame::new(label.into(), shown));
+        self.with(Frame::new(label.into(), shown))
+    }
+
+    fn with(mut self, frame: Frame) -> Self {
+        self.frames.push(frame);
+        self
+    }
+
+    /// This page with the last answer changed, if there is one.
+    fn with_last(mut self, change: impl FnOnce(&mut Frame)) -> Self {
+        if let Some(frame) = self.frames.last_mut() {
+            change(frame);
+        }
         self
     }
 
