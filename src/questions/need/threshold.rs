@@ -1,7 +1,7 @@
 //! A sufficient amount beside an insufficient one, and how the bracket between them is narrowed.
 
 use super::search::{Tries, decided};
-use super::tolerances::{AT_A_JUMP, BESIDE_A_BOUND, FAR_APART, LAST_DIGITS};
+use super::tolerances::{AT_A_JUMP, BESIDE_A_BOUND, FAR_APART, LAST_DIGITS, NEAR_A_PREDICTION};
 use super::trial::Trial;
 use crate::error::Error;
 use crate::prelude::*;
@@ -47,6 +47,7 @@ impl Threshold {
         let far = self.does_not.0;
         let at_a_distance = |part: f64| beside + (far - beside).signum() * part * beside.abs();
         let distances: &[f64] = if is_hard && !tries.is_planar { &APART_WHERE_HARD } else { &HARDLY_APART };
+        let mut presumed_in_vain = None;
         for part in distances {
             let at = at_a_distance(*part);
             if (at - beside).abs() >= (far - beside).abs() {
@@ -55,16 +56,22 @@ impl Threshold {
             match tries.at(at)? {
                 now @ Trial::DoesNot { .. } => {
                     self.does_not = (at, now);
-                    return Ok(self);
+                    break;
                 }
                 Trial::Unknown(why) => self.unknown = Some((at, why)),
                 now @ Trial::Does { .. } => {
                     self.does = at;
-                    return self.by(tries, false, (now.measures(), enough));
+                    presumed_in_vain = Some(now.measures());
                 }
             }
         }
-        Ok(self)
+        if let now @ Trial::DoesNot { .. } = tries.at(self.does_not.0)? {
+            self.does_not.1 = now;
+        }
+        match presumed_in_vain {
+            Some(measures) => self.by(tries, false, (measures, enough)),
+            None => Ok(self),
+        }
     }
 
     /// Narrows the bracket. If `presumes`, it makes quick trials and counts undecided amounts as insufficient; else whole trials, of which an undecided
@@ -81,7 +88,7 @@ impl Threshold {
         // The end that the last step moved, the least distance of the next trial from both ends relative to the amount, the last three widths, and the
         // last root of a secant.
         let (mut kept, mut push, mut widths) = (None, 0.5 * LAST_DIGITS, [f64::INFINITY; 3]);
-        let mut last_root = None;
+        let (mut last_root, mut predicted) = (None, None);
         let first = |sides: &[Side; 2], which: usize| {
             let fall = signs_differ(sides, which).map(|[over, under]| over - under);
             ((sides[1].at - sides[0].at).abs(), fall)
@@ -130,7 +137,16 @@ impl Threshold {
                 // A secant through measures at the level of rounding has no meaning.
                 (over - under >= ROUNDING).then(|| root.unwrap_or_else(secant))
             });
-            let at = match root.filter(|_| !(halves || step >= 3 && is_slow && kept.is_none())) {
+            let mut root = root.filter(|_| !(halves || step >= 3 && is_slow && kept.is_none()));
+            // Where the carried part jumps because nothing rests beyond the bound, contacts at rest leave their states there.
+            let stalls = step >= 3 && is_slow && step % 2 == 1;
+            if root.is_none() && !stalls {
+                let is_near = |at: f64, end: f64| (at - end).abs() <= NEAR_A_PREDICTION * end.abs();
+                let last = predicted.filter(|at| is_near(*at, from) || is_near(*at, to));
+                predicted = (tries.rest_ends)(from, to).or(last);
+                root = predicted.map(|at| at.clamp(from.min(to), from.max(to)));
+            }
+            let at = match root {
                 Some(root) => {
                     let moves = last_root.map_or(0.0, |last: f64| 1e-2 * (root - last).abs());
                     let least = (push * from.abs().max(to.abs()) / width).min(0.5);

@@ -49,6 +49,11 @@ pub(super) const EXACT: Enough = &[(0, 1e-12), (64, 5e-10)];
 /// If smaller, halvings take most of the time of an answer; if larger, the bracket shows in the answer.
 pub(super) const AT_A_JUMP: f64 = 1e-6;
 
+/// The same in space, where the paths that decide are known to the error of their steps.
+///
+/// Narrower ones cost paths that begin at a fold, with hundreds of short steps; wider ones show in the answer.
+pub(super) const EXACT_IN_SPACE: Enough = &[(0, 1e-10), (64, 5e-10)];
+
 /// Widths for an amount reported beside the first, `sticks` or `safe`. Narrower ones multiply the trials of an answer.
 pub(super) const SECOND: Enough = &[(0, 2e-12), (5, 1e-8)];
 
@@ -59,6 +64,16 @@ pub(super) const BESIDE_A_BOUND: Enough = &[(0, 1e-10), (16, 1e-8), (20, 1e-4)];
 ///
 /// Where the load is sought it is followed up to this multiple. If larger, a search of an insufficient grasp takes longer.
 pub(super) const MOST_LOADS: f64 = (1u32 << 20) as f64;
+
+/// Most contact states that a quick trial enumerates.
+///
+/// With fewer, quick trials leave amounts open that they would decide as fast as they give up; with more, those that refute an amount take longer.
+pub(super) const FEW_STATES: usize = 256;
+
+/// Relative distance from an end of a bracket up to which a predicted bound may lie outside the bracket.
+///
+/// Smaller, rounding drops a prediction that is right; larger, one that is wrong costs more trials.
+pub(super) const NEAR_A_PREDICTION: f64 = 1e-9;
 
 /// Ratio of two amounts up to which none is tried between them where contacts rest in other states.
 ///
