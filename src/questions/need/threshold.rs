@@ -87,7 +87,9 @@ impl Threshold {
         let mut which = usize::from(is_at_rest && signs_differ(&sides, 1).is_some());
         // The end that the last step moved, the least distance of the next trial from both ends relative to the amount, the last three widths, and the
         // last root of a secant.
-        let (mut kept, mut push, mut widths) = (None, 0.5 * LAST_DIGITS, [f64::INFINITY; 3]);
+        // Right at a bound in space paths begin at a fold, and take a hundred times as long.
+        let first_push = if tries.is_planar { 0.5 * LAST_DIGITS } else { 0.25 * enough[0].1 };
+        let (mut kept, mut push, mut widths) = (None, first_push, [f64::INFINITY; 3]);
         let (mut last_root, mut predicted) = (None, None);
         let first = |sides: &[Side; 2], which: usize| {
             let fall = signs_differ(sides, which).map(|[over, under]| over - under);
@@ -143,8 +145,13 @@ impl Threshold {
             if root.is_none() && !stalls {
                 let is_near = |at: f64, end: f64| (at - end).abs() <= NEAR_A_PREDICTION * end.abs();
                 let last = predicted.filter(|at| is_near(*at, from) || is_near(*at, to));
-                predicted = (tries.rest_ends)(from, to).or(last);
-                root = predicted.map(|at| at.clamp(from.min(to), from.max(to)));
+                let next = (tries.rest_ends)(from, to).or(last);
+                // The bound is nearer to a prediction than the last prediction is: first the sufficient amount comes as near, then the other one.
+                let off = next.zip(predicted).map_or(0.0, |(next, last): (f64, f64)| (next - last).abs());
+                let end = if off > 0.25 * AT_A_JUMP * to.abs() { from } else { to };
+                let moved = |at: f64| at + off.min(0.5 * (end - at).abs()).copysign(end - at);
+                root = next.map(|at| moved(at).clamp(from.min(to), from.max(to)));
+                predicted = next.or(predicted);
             }
             let at = match root {
                 Some(root) => {
@@ -168,7 +175,7 @@ impl Threshold {
             };
             // Where the same end moves twice, the next trial keeps farther from both ends.
             let side = usize::from(!now.does());
-            push = if kept == Some(side) { 16.0 * push } else { 0.5 * LAST_DIGITS };
+            push = if kept == Some(side) { 16.0 * push } else { first_push };
             kept = if step % 4 == 3 && is_slow { None } else { Some(side) };
             sides[side].moves_to(at, now.measures());
             match now {
