@@ -270,13 +270,13 @@ impl<const C: usize> Grasp<C> {
         self.engine.loaded_bodies()
     }
 
-    /// A verdict, and the largest ratio of a motion to its limit of small motions, up to the whole load.
-    pub(crate) fn hold_and_measure(
+    /// A verdict with more of its path.
+    pub(crate) fn hold_to_an_extent(
         &self,
-        load: impl Into<Ramp<C>>,
+        load: &Ramp<C>,
+        extent: Extent,
     ) -> Result<(Verdict<C>, OfThePath), Error> {
-        let (verdict, more) =
-            self.engine.hold_with(&inside(&load.into()), &self.settings, Extent::Measured)?;
+        let (verdict, more) = self.engine.hold_with(&inside(load), &self.settings, extent)?;
         Ok((outside(verdict), more))
     }
 

@@ -5,7 +5,7 @@ use core::mem::{Discriminant, discriminant};
 use nalgebra::SVector;
 
 use crate::contact::Polygon;
-use crate::equilibrium::{ContactState, Equilibrium, Outcome};
+use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium, Outcome};
 use crate::error::{Error, is_moderate};
 use crate::grasp::{Coordinates, Engine, Wrench};
 use crate::load_path::{
@@ -30,6 +30,8 @@ pub(crate) enum Extent {
     Whole,
     /// As `Whole`, but a path that leaves small motions is followed to the whole load, to measure the largest ratio of a motion to its limit.
     Measured,
+    /// As `Measured`, without proofs, the data that only sentences need, and a reason where nothing rests.
+    Decided,
     /// Without states, proofs and the data that only sentences need: for [`super::ShortVerdict`].
     Brief,
 }
@@ -40,12 +42,31 @@ pub(crate) struct OfThePath {
     /// The largest ratio of a motion to its limit in [small motions](crate::Settings::small_motions) while the load is put on. For [`Extent::Brief`]
     /// it counts the path only up to the loss.
     pub(crate) farthest: f64,
-    /// The kinds of the contact states at rest. `None` where nothing rests, and of a brief verdict.
-    pub(crate) at_rest: Option<Vec<StateKind>>,
+    /// The contacts at rest. `None` where nothing rests, and of a brief verdict.
+    pub(crate) at_rest: Option<Vec<RestingContact>>,
 }
 
-/// Whether a contact sticks, slides or is open.
-pub(crate) type StateKind = Discriminant<ContactState<3>>;
+/// A contact at rest.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct RestingContact {
+    /// Whether it sticks, slides or is open.
+    pub(crate) kind: Discriminant<ContactState<3>>,
+    /// Quantities that are positive in this state; it ends where one of them falls to zero.
+    pub(crate) margins: [f64; 2],
+}
+
+impl RestingContact {
+    fn of(contact: &ContactAnswer<3>) -> Self {
+        let force = contact.normal_force();
+        let margins = match contact.state {
+            ContactState::Separated => [contact.gap, f64::INFINITY],
+            ContactState::Sticking => [force, contact.margin],
+            ContactState::Sliding { .. } => [force, contact.slip.norm()],
+            ContactState::Frictionless => [force, f64::INFINITY],
+        };
+        Self { kind: discriminant(&contact.state), margins }
+    }
+}
 
 impl Engine {
     /// Implements [`Grasp::hold`](crate::ask::Grasp::hold).
@@ -80,7 +101,7 @@ impl Engine {
         let events = path.run_while_small();
         let is_on = matches!(path.end(), Some(PathEnd::Completed)) && path.end_of_small_motions().is_none();
         let state = is_on.then(|| path.state()).flatten();
-        if extent == Extent::Measured && path.end_of_small_motions().is_some() {
+        if matches!(extent, Extent::Measured | Extent::Decided) && path.end_of_small_motions().is_some() {
             path.run();
         }
         let mut farthest = path.farthest();
@@ -106,7 +127,7 @@ impl Engine {
         let holding = match &state {
             Some(state) => self.holding(state, &events, first_slip.as_ref()),
             None if too_far.is_some() => Holding::Lost,
-            None => self.holding_of_end(&path, &ramp.base, settings),
+            None => self.holding_of_end(&path, &ramp.base, settings, extent),
         };
         let went_too_far = too_far.map(|far| {
             let state = path.state_at(far.leg, far.fraction);
@@ -114,7 +135,7 @@ impl Engine {
         });
         let lost = path.end().and_then(PathEnd::loss).filter(|_| too_far.is_none()).map(|loss| {
             let mut lost = self.lost(held_to, loss, path.state());
-            if extent == Extent::Brief {
+            if matches!(extent, Extent::Brief | Extent::Decided) {
                 return lost;
             }
             let at_first =
@@ -146,10 +167,12 @@ impl Engine {
             verdict.lost.iter_mut().for_each(|lost| lost.state = None);
             return Ok((verdict, OfThePath { farthest, at_rest: None }));
         }
-        let there = state.as_ref().or_else(|| verdict.lost.as_ref()?.state.as_deref());
         let rest = path.state_at(0, 0.0);
-        let kinds = |rest: &Equilibrium<3>| mapped(&rest.contacts, &|contact| discriminant(&contact.state));
-        let at_rest = rest.as_ref().map(kinds);
+        let at_rest = rest.as_ref().map(|rest| mapped(&rest.contacts, &RestingContact::of));
+        if extent == Extent::Decided {
+            return Ok((verdict, OfThePath { farthest, at_rest }));
+        }
+        let there = state.as_ref().or_else(|| verdict.lost.as_ref()?.state.as_deref());
         let rest = rest.filter(|_| ramp.command_change.is_none() && ramp.joint_change.is_none());
         verdict.left_out =
             rest.zip(there).and_then(|(rest, there)| self.left_out_by_small_motions(&rest, there));
@@ -159,9 +182,19 @@ impl Engine {
     }
 
     /// The conclusion where the path ended before the whole load was applied.
-    fn holding_of_end(&self, path: &LoadPath<'_, 3>, base: &Wrench<3>, settings: &Settings) -> Holding<3> {
+    fn holding_of_end(
+        &self,
+        path: &LoadPath<'_, 3>,
+        base: &Wrench<3>,
+        settings: &Settings,
+        extent: Extent,
+    ) -> Holding<3> {
         let inaccurate = Holding::Undecided { doubt: Doubt::Inaccurate };
         let or_at_rest = |otherwise: Holding<3>| {
+            // The path of the load at rest from zero takes up to a thousand times as long as that of the load.
+            if extent == Extent::Decided {
+                return otherwise;
+            }
             self.lost_at_rest(base, settings).map_or(otherwise, |at_rest| Holding::LostAtRest { at_rest })
         };
         match path.end() {

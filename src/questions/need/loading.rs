@@ -6,12 +6,12 @@ use core::fmt;
 use super::any_direction::directions;
 use super::posed::{Posed, Safety, Sought};
 use super::question::Demand;
-use super::tolerances::MOST_LOADS;
+use super::tolerances::{FEW_STATES, MOST_LOADS};
 use super::trial::{NOT_AT_REST, Trial, Trials};
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::hold::{Holding, Verdict};
+use crate::hold::{Extent, Holding, Verdict};
 use crate::load_path::{Leg, Onset, PathEnd, Ramp, Turn};
 use crate::numerics::mapped;
 use crate::prelude::*;
@@ -29,7 +29,7 @@ pub(super) struct Loading {
     words: Words,
     /// Paths follow the load up to this multiple of it.
     followed: f64,
-    /// Whether trials skip the enumeration of contact states.
+    /// Whether trials skip the enumeration of many contact states.
     is_quick: bool,
     /// The reason why a link cannot have its tension at rest, if so: the amount then does not suffice.
     refused: Option<String>,
@@ -104,13 +104,14 @@ impl Loading {
         list
     }
 
-    /// The same with trials that skip the enumeration of contact states. If `short`, no load is followed beyond the whole load.
+    /// This loading with trials that skip the enumeration of many contact states. If `short`, loads beyond those asked about are not followed.
     pub(super) fn quick(mut self, short: bool) -> Self {
         self.followed = if short { 1.0 } else { self.followed };
         self.is_quick = true;
-        self.grasp = self
-            .grasp
-            .with(&self.grasp.settings().with_most_states(0).with_most_load(self.followed.max(1.0)));
+        let settings = self.grasp.settings();
+        let states = settings.most_states.min(FEW_STATES);
+        self.grasp =
+            self.grasp.with(&settings.with_most_states(states).with_most_load(self.followed.max(1.0)));
         self
     }
 
@@ -174,7 +175,7 @@ impl Loading {
                 }
                 continue;
             }
-            let (verdict, path) = self.grasp.hold_and_measure(ramps[which].clone())?;
+            let (verdict, path) = self.grasp.hold_to_an_extent(&ramps[which], self.extent())?;
             kinds = path.at_rest;
             let of_this = |trial| self.said_of(which, &ramps[which].direction, trial);
             held = held.or_worse(of_this(self.judged((&verdict, 1.0 - path.farthest), Demand::Held)));
@@ -212,6 +213,11 @@ impl Loading {
         } else {
             Trial::DoesNot { says: String::new(), carried: factor, other, is_too_far: false }
         })
+    }
+
+    /// How much of a verdict a trial needs.
+    pub(super) const fn extent(&self) -> Extent {
+        if self.is_quick { Extent::Decided } else { Extent::Measured }
     }
 
     pub(super) fn said(&self, what: &impl fmt::Display) -> String {

@@ -131,8 +131,15 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
         |amount: f64, short: bool| tried.quick(amount, demand, short),
     );
     let rests_otherwise = |one: f64, other: f64| tried.rests_otherwise(one, other);
+    let rest_ends = |does: f64, does_not: f64| tried.rest_ends(does, does_not);
     let is_planar = grasp.space() == Space::Planar;
-    let tries = Tries { whole: &whole, quick: &quick, rests_otherwise: &rests_otherwise, is_planar };
+    let tries = Tries {
+        whole: &whole,
+        quick: &quick,
+        rests_otherwise: &rests_otherwise,
+        rest_ends: &rest_ends,
+        is_planar,
+    };
     let mut plan = tried.plan(look)?;
     if plan.range.is_empty {
         let trial = tries.at(plan.start)?;

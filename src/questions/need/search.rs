@@ -16,11 +16,13 @@ use crate::prelude::*;
 pub(super) struct Tries<'t> {
     /// A trial with the whole search for equilibria.
     pub(super) whole: TrialOf<'t>,
-    /// A quick trial leaves out the enumeration of contact states, which is slowest where no equilibrium exists; such a trial is undecided. With
+    /// A quick trial leaves out the enumeration of many contact states, which is slowest where no equilibrium exists; such a trial is undecided. With
     /// `true`, loads beyond those asked about are not followed, so that the distance of a sufficient amount from the bound stays unknown.
     pub(super) quick: &'t dyn Fn(f64, bool) -> Result<Trial, Error>,
     /// Whether contacts rest in other states with one of two whole trials than with the other.
     pub(super) rests_otherwise: &'t dyn Fn(f64, f64) -> bool,
+    /// The amount between a sufficient and an insufficient one at which contacts at rest probably leave their states.
+    pub(super) rest_ends: &'t dyn Fn(f64, f64) -> Option<f64>,
     /// Whether cones are polygons, on which contact states change at amounts that are exact to rounding.
     pub(super) is_planar: bool,
 }
@@ -282,10 +284,13 @@ fn edge_from(
         {
             continue;
         }
-        // If a quick trial leaves a guess undecided, the slow enumeration of contact states would have to decide. The next guess serves as well.
-        let is_open = matches!((tries.quick)(amount, false)?, Trial::Unknown(_));
-        match if is_open { Trial::Unknown(String::new()) } else { tries.at(amount)? } {
-            now @ Trial::Does { .. } => (does, trial) = (amount, now),
+        // A guess that only the enumeration of contact states decides is no better than the next guess.
+        match (tries.quick)(amount, false)? {
+            Trial::Does { .. } => {
+                if let now @ Trial::Does { .. } = tries.at(amount)? {
+                    (does, trial) = (amount, now);
+                }
+            }
             now @ Trial::DoesNot { .. } => does_not = Some((amount, now)),
             Trial::Unknown(_) => {}
         }

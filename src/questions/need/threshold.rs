@@ -1,7 +1,7 @@
 //! A bracket of the bound, one amount that suffices and one that does not, and how it is narrowed.
 
 use super::search::{Tries, decided};
-use super::tolerances::{AT_A_JUMP, BESIDE_A_BOUND, FAR_APART, LAST_DIGITS};
+use super::tolerances::{AT_A_JUMP, BESIDE_A_BOUND, FAR_APART, LAST_DIGITS, NEAR_A_PREDICTION};
 use super::trial::Trial;
 use crate::error::Error;
 use crate::prelude::*;
@@ -47,6 +47,7 @@ impl Threshold {
         let far = self.does_not.0;
         let at_a_distance = |part: f64| beside + (far - beside).signum() * part * beside.abs();
         let distances: &[f64] = if is_hard && !tries.is_planar { &APART_WHERE_HARD } else { &HARDLY_APART };
+        let mut presumed_in_vain = None;
         for part in distances {
             let at = at_a_distance(*part);
             if (at - beside).abs() >= (far - beside).abs() {
@@ -55,16 +56,22 @@ impl Threshold {
             match tries.at(at)? {
                 now @ Trial::DoesNot { .. } => {
                     self.does_not = (at, now);
-                    return Ok(self);
+                    break;
                 }
                 Trial::Unknown(why) => self.unknown = Some((at, why)),
                 now @ Trial::Does { .. } => {
                     self.does = at;
-                    return self.by(tries, false, (now.measures(), enough));
+                    presumed_in_vain = Some(now.measures());
                 }
             }
         }
-        Ok(self)
+        if let now @ Trial::DoesNot { .. } = tries.at(self.does_not.0)? {
+            self.does_not.1 = now;
+        }
+        match presumed_in_vain {
+            Some(measures) => self.by(tries, false, (measures, enough)),
+            None => Ok(self),
+        }
     }
 
     /// Narrows the bracket. If `presumes`, it makes quick trials and takes undecided amounts for insufficient. Otherwise it makes whole trials, and
@@ -79,9 +86,11 @@ impl Threshold {
         let is_at_rest = self.does_not.1.carried().is_some_and(|carried| carried <= 0.0);
         let mut which = usize::from(is_at_rest && signs_differ(&sides, 1).is_some());
         // `kept` is the end that the last step moved. `push` is the least distance of the next trial from both ends, relative to the amount. The
-        // others are the last three widths and, below, the last root of a secant.
-        let (mut kept, mut push, mut widths) = (None, 0.5 * LAST_DIGITS, [f64::INFINITY; 3]);
-        let mut last_root = None;
+        // others are the last three widths and, below, the last root of a secant and the last predicted bound.
+        // Right at a bound in space, paths begin at a fold and take a hundred times as long.
+        let first_push = if tries.is_planar { 0.5 * LAST_DIGITS } else { 0.25 * enough[0].1 };
+        let (mut kept, mut push, mut widths) = (None, first_push, [f64::INFINITY; 3]);
+        let (mut last_root, mut predicted) = (None, None);
         let first = |sides: &[Side; 2], which: usize| {
             let fall = signs_differ(sides, which).map(|[over, under]| over - under);
             ((sides[1].at - sides[0].at).abs(), fall)
@@ -131,7 +140,21 @@ impl Threshold {
                 // A secant through measures at the level of rounding has no meaning.
                 (over - under >= ROUNDING).then(|| root.unwrap_or_else(secant))
             });
-            let at = match root.filter(|_| !(halves || step >= 3 && is_slow && kept.is_none())) {
+            let mut root = root.filter(|_| !(halves || step >= 3 && is_slow && kept.is_none()));
+            // Where the carried part jumps because nothing rests beyond the bound, contacts at rest leave their states there.
+            let stalls = step >= 3 && is_slow && step % 2 == 1;
+            if root.is_none() && !stalls {
+                let is_near = |at: f64, end: f64| (at - end).abs() <= NEAR_A_PREDICTION * end.abs();
+                let last = predicted.filter(|at| is_near(*at, from) || is_near(*at, to));
+                let next = (tries.rest_ends)(from, to).or(last);
+                // The bound is nearer to a prediction than the last prediction is: first the sufficient amount comes as near, then the other one.
+                let off = next.zip(predicted).map_or(0.0, |(next, last): (f64, f64)| (next - last).abs());
+                let end = if off > 0.25 * AT_A_JUMP * to.abs() { from } else { to };
+                let moved = |at: f64| at + off.min(0.5 * (end - at).abs()).copysign(end - at);
+                root = next.map(|at| moved(at).clamp(from.min(to), from.max(to)));
+                predicted = next.or(predicted);
+            }
+            let at = match root {
                 Some(root) => {
                     let moves = last_root.map_or(0.0, |last: f64| 1e-2 * (root - last).abs());
                     let least = (push * from.abs().max(to.abs()) / width).min(0.5);
@@ -153,7 +176,7 @@ impl Threshold {
             };
             // If the same end moves twice, the next trial is farther away from both ends.
             let side = usize::from(!now.does());
-            push = if kept == Some(side) { 16.0 * push } else { 0.5 * LAST_DIGITS };
+            push = if kept == Some(side) { 16.0 * push } else { first_push };
             kept = if step % 4 == 3 && is_slow { None } else { Some(side) };
             sides[side].moves_to(at, now.measures());
             match now {

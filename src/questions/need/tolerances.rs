@@ -50,6 +50,11 @@ pub(super) const EXACT: Enough = &[(0, 1e-12), (64, 5e-10)];
 /// If smaller, halvings take most of the time of an answer. If larger, the bracket shows in the answer.
 pub(super) const AT_A_JUMP: f64 = 1e-6;
 
+/// When the bracket of the amount is narrow enough in space, where the paths that decide are known to the error of their steps.
+///
+/// If narrower, trials follow paths that begin at a fold, with hundreds of short steps. If wider, the width shows in the answer.
+pub(super) const EXACT_IN_SPACE: Enough = &[(0, 1e-10), (64, 5e-10)];
+
 /// When the bracket of a second amount, `sticks` or `safe`, is narrow enough. If narrower, an answer needs many more trials.
 pub(super) const SECOND: Enough = &[(0, 2e-12), (5, 1e-8)];
 
@@ -61,6 +66,16 @@ pub(super) const BESIDE_A_BOUND: Enough = &[(0, 1e-10), (16, 1e-8), (20, 1e-4)];
 ///
 /// If the load is sought, it is followed up to this multiple. If larger, a search without a sufficient amount takes longer.
 pub(super) const MOST_LOADS: f64 = (1u32 << 20) as f64;
+
+/// Most contact states that a quick trial enumerates.
+///
+/// With fewer, quick trials leave amounts undecided that they would decide as fast. With more, trials that refute an amount take longer.
+pub(super) const FEW_STATES: usize = 256;
+
+/// Relative distance from an end of a bracket up to which a predicted bound may lie outside the bracket.
+///
+/// If smaller, rounding drops a prediction that is right. If larger, one that is wrong costs more trials.
+pub(super) const NEAR_A_PREDICTION: f64 = 1e-9;
 
 /// Two neighbouring amounts whose contacts rest in different states have a further one tried between them only if their ratio exceeds this.
 ///

@@ -8,12 +8,13 @@ use super::posed::{Posed, Safety, Sought};
 use super::question::Demand;
 use super::range::Range;
 use super::search::{Guess, SearchPlan};
-use super::tolerances::{APART_IN_A_SCAN, EXACT, MOST_LOADS, SECOND};
+use super::tolerances::{APART_IN_A_SCAN, EXACT, EXACT_IN_SPACE, MOST_LOADS, SECOND};
 use super::trial::{Trial, Trials};
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::numerics::{mapped, picked};
+use crate::hold::RestingContact;
+use crate::numerics::{Space, mapped, picked};
 use crate::prelude::*;
 
 /// How widely a search looks for sufficient amounts.
@@ -92,7 +93,28 @@ impl<'q> Tried<'q> {
         let known = self.known.borrow();
         let found =
             |amount: f64| known.iter().find(|(at, _)| *at == amount).map(|(_, trials)| &trials.at_rest);
-        found(one).zip(found(other)).is_some_and(|(one, other)| one != other)
+        let differ = |one: &Option<Vec<_>>, other: &Option<Vec<_>>| match (one, other) {
+            (Some(one), Some(other)) => !same_kinds(one, other),
+            (one, other) => one.is_some() != other.is_some(),
+        };
+        found(one).zip(found(other)).is_some_and(|(one, other)| differ(one, other))
+    }
+
+    /// The amount between a sufficient and an insufficient one at which the first contact at rest leaves its state: its margins are extrapolated
+    /// linearly from the sufficient amount and the nearest one behind it with the same states. `None` without such an amount.
+    pub(super) fn rest_ends(&self, does: f64, does_not: f64) -> Option<f64> {
+        let lists = [self.known.borrow(), self.quick.borrow()];
+        let all = || lists.iter().flat_map(|list| list.iter());
+        let rests = all().filter_map(|(at, trials)| Some((*at, trials.at_rest.as_deref()?)));
+        let mut behind: Vec<_> = rests.filter(|(at, _)| (at - does) * (does - does_not) >= 0.0).collect();
+        behind.sort_by(|(one, _), (other, _)| (one - does).abs().total_cmp(&(other - does).abs()));
+        let (_, here) = *behind.first().filter(|(at, _)| *at == does)?;
+        let (before, there) =
+            behind.into_iter().find(|(at, there)| *at != does && same_kinds(here, there))?;
+        let ends = here.iter().zip(there).flat_map(|(now, then)| now.margins.into_iter().zip(then.margins));
+        let roots = ends.map(|(now, then)| does + (does - before) * (now / (then - now)));
+        let between = roots.filter(|root| (root - does) * (root - does_not) < 0.0);
+        between.min_by(|one, other| (one - does).abs().total_cmp(&(other - does).abs()))
     }
 
     pub(super) fn known(&self, demand: Demand) -> Vec<(f64, Trial)> {
@@ -147,7 +169,11 @@ impl<'q> Tried<'q> {
             guess,
             is_monotone: is_monotone && !repeats,
             everywhere: look != Look::Towards,
-            enough: if look == Look::Around { EXACT } else { SECOND },
+            enough: match look {
+                Look::Around if grasp.space() == Space::Planar => EXACT,
+                Look::Around => EXACT_IN_SPACE,
+                Look::Everywhere(_) | Look::Towards => SECOND,
+            },
         })
     }
 }
@@ -155,4 +181,9 @@ impl<'q> Tried<'q> {
 /// The result in a list for this amount and demand, if it was tried.
 fn of(trials: &RefCell<Vec<(f64, Trials)>>, amount: f64, demand: Demand) -> Option<Trial> {
     trials.borrow().iter().find(|(at, _)| *at == amount).and_then(|(_, trials)| trials.of(demand).cloned())
+}
+
+/// Whether each contact is in a state of the same kind in both lists.
+fn same_kinds(one: &[RestingContact], other: &[RestingContact]) -> bool {
+    one.len() == other.len() && one.iter().zip(other).all(|(one, other)| one.kind == other.kind)
 }
