@@ -133,7 +133,7 @@ pub(super) fn beyond_end(
     }
     // With many contacts the search does not itself prove that the rates have no solution.
     let settled = match settled {
-        Settled::Undecided(_) if no_rates(rates) => Settled::NoneOf(0),
+        Settled::Undecided(_) if effort.no_slips || no_rates(rates) => Settled::NoneOf(0),
         settled => settled,
     };
     if !matches!(settled, Settled::Undecided(_)) && combinations(&problem) <= settings.most_states as f64 {
