@@ -134,7 +134,7 @@ pub(super) fn beyond_end(
     }
     // With many contacts the search may end undecided although the rates have no solution. Farkas' lemma may then prove it.
     let settled = match settled {
-        Settled::Undecided(_) if no_rates(rates) => Settled::NoneOf(0),
+        Settled::Undecided(_) if effort.no_slips || no_rates(rates) => Settled::NoneOf(0),
         settled => settled,
     };
     if !matches!(settled, Settled::Undecided(_)) && combinations(&problem) <= settings.most_states as f64 {

@@ -38,7 +38,8 @@ pub(super) fn end_of_path(
     let Settled::Undecided(doubt) = &settled else { return PathEnd::Lost(Box::new(corner)) };
     let doubt = *doubt;
     let end = EquilibriumEnd { factor: corner.fraction, forces, motion: against };
-    if no_rates(rates)
+    if effort.no_slips
+        || no_rates(rates)
         || matches!(beyond_end(segment, rates, (settled, effort), &end, settings), Beyond::LimitLoad)
     {
         return PathEnd::Lost(Box::new(corner));

@@ -152,4 +152,6 @@ pub(crate) struct Effort {
     pub(crate) combinations: usize,
     /// Number of facets of a contact's polygonal cone.
     pub(crate) facets: usize,
+    /// Whether Farkas' lemma excludes every choice of slips and gaps of the kinematic form, up to its rounding. Never on the round cone.
+    pub(crate) no_slips: bool,
 }

@@ -74,6 +74,8 @@ pub(super) struct Log {
     pub(super) effort: Effort,
     /// The reason that is reported if no method decides.
     pub(super) doubt: Doubt,
+    /// Whether the last problem with a dense matrix was proved to have no solution.
+    pub(super) is_infeasible: bool,
 }
 
 /// The problem with each contact's polygon rotated so that one corner lies along the friction force of the elastic trial. While friction keeps this

@@ -78,7 +78,7 @@ pub(super) const LADDER: [Rung; 8] = [
 /// Tries the methods in order, starting with the elastic trial, until an equilibrium or a proof is found.
 pub(crate) fn settle(problem: &Problem, settings: &Settings) -> (Settled, Effort) {
     let effort = Effort { facets: problem.polygon.normals.len(), ..Effort::default() };
-    let mut log = Log { effort, doubt: Doubt::RayWithoutProof };
+    let mut log = Log { effort, doubt: Doubt::RayWithoutProof, is_infeasible: false };
     let unjumped = problem.unjumped();
     let trial = problem.trial();
     let state = match trial.solve(problem.sites, &problem.offsets, problem.load()) {
@@ -213,6 +213,7 @@ fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     }
     if dense && found.is_none() {
         found = climb(problem, &on_a_matrix, log);
+        log.effort.no_slips = log.is_infeasible && !problem.round;
     }
     if found.is_none()
         && let Some(with_edges) = scene.with_edges()

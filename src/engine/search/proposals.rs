@@ -72,6 +72,7 @@ pub(super) fn propose_dense(
     states: fn(&Problem, &Form, &Basis) -> Vec<State>,
     log: &mut Log,
 ) -> Option<Vec<State>> {
+    log.is_infeasible = false;
     let form = form?;
     log.effort.rows = log.effort.rows.max(form.rows.len());
     // On the round cone one path suffices: branch and bound comes next, and decides more than another path. Elsewhere the search tries all contact
@@ -97,9 +98,11 @@ pub(super) fn propose_dense(
             log.effort.pivots += solution.pivots;
             return Some(states(problem, &form, &solution.basis));
         }
-        Outcome::Ray(lcp::Ray { pivots, .. })
-        | Outcome::Infeasible(lcp::Certificate { pivots, .. })
-        | Outcome::NearlyInfeasible(lcp::Certificate { pivots, .. }) => log.effort.pivots += pivots,
+        Outcome::Ray(lcp::Ray { pivots, .. }) => log.effort.pivots += pivots,
+        Outcome::Infeasible(lcp::Certificate { pivots, .. })
+        | Outcome::NearlyInfeasible(lcp::Certificate { pivots, .. }) => {
+            (log.is_infeasible, log.effort.pivots) = (true, log.effort.pivots + pivots);
+        }
         _ => log.doubt = Doubt::OutOfPivots,
     }
     None

@@ -54,7 +54,7 @@ pub(super) fn record(scene: &ElasticTrial<'_, '_>, decided: Option<usize>) {
     if RECORD.with_borrow(Option::is_none) {
         return;
     }
-    let mut log = Log { effort: Effort::default(), doubt: Doubt::RayWithoutProof };
+    let mut log = Log { effort: Effort::default(), doubt: Doubt::RayWithoutProof, is_infeasible: false };
     let mut rungs = Vec::with_capacity(LADDER.len());
     for rung in &LADDER {
         let start = Instant::now();
