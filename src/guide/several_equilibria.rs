@@ -68,5 +68,4 @@
 //!   round cone the list has those to which a polygon leads.)
 //! * [`Grasp::follow`](crate::ask::Grasp::follow) computes the equilibrium that occurs: it starts where the history is known and follows the load.
 //!   [`Event::other_continuations`](crate::load_path::Event::other_continuations) says where even the path leaves a choice.
-//! * [`Energy::stability`](crate::ask::Energy::stability) says whether an equilibrium without sliding survives a small push.
 //! * A grasp that must hold after any history must hold in each of them.

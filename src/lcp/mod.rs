@@ -106,7 +106,7 @@ pub use error::LcpError;
 pub use outcome::{BreakdownCause, Certificate, Outcome, OutcomeView, Ray};
 pub use parametric::{Breakpoint, Parametric, PathEnd, Trend};
 pub use problem::Lcp;
-pub(crate) use quadratic_program::{optimality_conditions, quadratic_program};
+pub(crate) use quadratic_program::quadratic_program;
 pub use residuals::Residuals;
 pub use series::Series;
 pub use settings::Settings;

@@ -18,7 +18,7 @@ use super::settings::Settings;
 ///
 /// `None` for H means H = 0. For a positive semidefinite H the matrix `[H, -Aᵀ; A, 0]` is copositive-plus, so Lemke's method finds a minimum if
 /// one exists.
-pub(crate) fn optimality_conditions(
+fn optimality_conditions(
     h: Option<&DMatrix<f64>>,
     g: &DVector<f64>,
     a: &DMatrix<f64>,

@@ -15,10 +15,11 @@ use nalgebra::{DVector, SVector};
 use proptest::prelude::*;
 
 use support::interior_point::{Oracle, interior_point};
+use support::printed_program::{PrintedContact, PrintedProgram};
 use support::random::{Spread, for_all, scene};
 use support::reduced_program::ReducedProgram;
 use support::samples::{assert_met, samples};
-use support::scene::{Scene, displacement};
+use support::scene::{Datum, Scene, displacement};
 use support::sticking;
 
 const CASES: usize = 300;
@@ -39,14 +40,22 @@ fn grasps<const D: usize, const C: usize>(
     })
 }
 
-/// The grasp with springs of body and finger: each series stiffness is divided in a random ratio.
-fn with_both_springs<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Grasp<C> {
-    Grasp::new(scene.contacts.iter().enumerate().map(|(i, datum)| {
+/// The contacts with springs of body and finger: each series stiffness is divided in a random ratio.
+fn both_springs<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Vec<PrintedContact<C>> {
+    let contact = |(i, datum): (usize, &Datum<C>)| {
         let share = 0.2 + 0.15 * (i % 5) as f64;
+        let contact = PrintedContact::of(datum.stiffness / share, datum.stiffness / (1.0 - share));
+        PrintedContact { clearance: datum.clearance, ..contact }
+    };
+    scene.contacts.iter().enumerate().map(contact).collect()
+}
+
+/// The grasp with these springs.
+fn with_both_springs<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Grasp<C> {
+    let contacts = scene.contacts.iter().zip(both_springs(scene));
+    Grasp::new(contacts.map(|(datum, printed)| {
         let contact: Contact<C> = datum.contact();
-        contact
-            .body_stiffness_axes(datum.stiffness / share)
-            .finger_stiffness_axes(datum.stiffness / (1.0 - share))
+        contact.body_stiffness_axes(printed.body).finger_stiffness_axes(printed.finger)
     }))
     .unwrap()
 }
@@ -93,7 +102,7 @@ fn agree<const D: usize, const C: usize>(counts: std::ops::Range<usize>, decades
         let size = largest(&truth);
         raise(&worst.decomposition, apart(&forces, &truth) / size);
 
-        let printed = grasp.energy().printed_qp(load, &settings.cone).unwrap();
+        let printed = PrintedProgram::of(&grasp, &both_springs(&scene), &load, &settings.cone);
         let Some(qp) = printed.program.solve().unwrap() else {
             return Err(TestCaseError::fail("no minimum"));
         };
@@ -105,10 +114,8 @@ fn agree<const D: usize, const C: usize>(counts: std::ops::Range<usize>, decades
             let u = printed.displacements(&qp.x, i).body_core;
             let frame = datum.frame();
             motion = motion.max((frame * u - minimum.contacts[i].body_core).norm());
-            let twisted = displacement(
-                &datum.point,
-                &SVector::<f64, D>::from_column_slice(printed.twist(&qp.x).components()),
-            );
+            let twisted =
+                displacement(&datum.point, &SVector::<f64, D>::from_column_slice(printed.twist(&qp.x)));
             motion = motion.max((frame.tr_mul(&twisted) - u).norm());
         }
         raise(&worst.printed_motion, motion / difference.displacement_size);
@@ -158,8 +165,8 @@ fn same_minimum<const D: usize, const C: usize>(
         let grasp = with_both_springs(&scene);
         let load = scene.wrench();
         let outcome = grasp.with(&settings).energy().minimum(load).unwrap();
-        let printed = grasp.energy().printed_qp(load, &settings.cone).unwrap();
-        let drives: Vec<_> = scene.contacts.iter().map(support::scene::Datum::drive).collect();
+        let printed = PrintedProgram::of(&grasp, &both_springs(&scene), &load, &settings.cone);
+        let drives: Vec<_> = scene.contacts.iter().map(Datum::drive).collect();
         let reduced = ReducedProgram::of(&grasp, &drives, &load, &settings.cone, true);
         let twist_only = ReducedProgram::of(&grasp, &drives, &load, &settings.cone, false);
         let oracle = interior_point(&printed.program);

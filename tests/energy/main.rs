@@ -1,7 +1,6 @@
-//! The paper's quadratic program compared with complementarity, and stability of equilibria.
+//! The paper's quadratic program compared with complementarity.
 
 mod agreement;
 mod first_line;
 mod fixed_points;
 mod onset;
-mod stability;

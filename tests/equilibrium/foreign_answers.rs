@@ -21,15 +21,6 @@ fn forces_of_fewer_or_more_contacts_are_split() -> Result<(), Box<dyn Error>> {
 }
 
 #[test]
-fn stability_counts_the_contacts_that_there_are() -> Result<(), Box<dyn Error>> {
-    let (two, three) = (on_feet(&[-1.0, 1.0])?, on_feet(&[-1.0, 1.0, 2.0])?);
-    let outcome = two.solve(Wrench::force([0.0, -6.0]))?;
-    let stands = outcome.equilibrium().ok_or("the feet stand")?;
-    assert_eq!(three.energy().stability(stands).elastic, two.energy().stability(stands).elastic);
-    Ok(())
-}
-
-#[test]
 fn an_onset_has_no_gradients_in_another_grasp() -> Result<(), Box<dyn Error>> {
     let grasp = on_feet(&[-1.0, 1.0])?;
     let ramp = Ramp::load(Wrench::force([0.0, -6.0]), Wrench::force([1.0, 0.0]));

@@ -3,16 +3,16 @@
 use std::cell::Cell;
 
 use grasp_lcp::Settings;
-use grasp_lcp::ask::Grasp;
 use grasp_lcp::energy::{Agreement, ComparisonVerdict, MinimumOutcome};
 use grasp_lcp::equilibrium::{ContactState, Outcome};
-use grasp_lcp::grasp::Contact;
 use grasp_lcp::load_path::Ramp;
 use grasp_lcp::planar;
 use proptest::prelude::*;
 
+use support::printed_program::{PrintedContact, PrintedProgram};
 use support::random::{Spread, for_all, scene};
 use support::samples::assert_met;
+use support::scene::Datum;
 
 fn agree_without_friction<const D: usize, const C: usize>(counts: std::ops::Range<usize>, decades: f64) {
     let (opened, neither) = (Cell::new(0), Cell::new(0));
@@ -56,12 +56,12 @@ fn agree_without_friction<const D: usize, const C: usize>(counts: std::ops::Rang
         if decades < 2.0
             && let Some(minimum) = comparison.minimum.minimum()
         {
-            let both = Grasp::new(scene.contacts.iter().map(|datum| {
-                let contact: Contact<C> = datum.contact();
+            let both = |datum: &Datum<C>| {
                 let k = datum.stiffness * 2.0;
-                contact.body_stiffness_axes(k).finger_stiffness_axes(k)
-            }));
-            let printed = both.unwrap().energy().printed_qp(scene.wrench(), &settings.cone).unwrap();
+                PrintedContact { clearance: datum.clearance, ..PrintedContact::of(k, k) }
+            };
+            let contacts: Vec<_> = scene.contacts.iter().map(both).collect();
+            let printed = PrintedProgram::of(&grasp, &contacts, &scene.wrench(), &settings.cone);
             let Some(qp) = printed.program.solve().unwrap() else {
                 return Err(TestCaseError::fail("no minimum"));
             };

@@ -10,6 +10,5 @@ mod many_joints;
 mod paths;
 mod pressed;
 mod sensitivity;
-mod stability;
 mod theory;
 mod weakest;

@@ -7,8 +7,10 @@ use grasp_lcp::load_path::Ramp;
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
 use nalgebra::SVector;
 use support::paper::{
-    DISK_FORCES, DISK_RATIOS, TWO_FINGER_MISPRINTS, TWO_FINGER_TABLE, disk, disk_load, down, two_fingers,
+    DISK_FORCES, DISK_RATIOS, TWO_FINGER_MISPRINTS, TWO_FINGER_TABLE, disk, disk_load, down,
+    printed_contacts, two_fingers,
 };
+use support::printed_program::PrintedProgram;
 use support::reduced_program::ReducedProgram;
 
 /// One unit of the last printed digit, because some numbers are truncated.
@@ -19,7 +21,7 @@ fn by_every_form(grasp: &Grasp, load: &Wrench) -> [Vec<SVector<f64, 2>>; 3] {
     let settings = Settings::default();
     let accurate = grasp.with(&settings).energy().minimum(load).unwrap();
     let accurate = accurate.minimum().expect("a minimum").contacts.iter().map(|c| c.force).collect();
-    let printed = grasp.energy().printed_qp(load, &settings.cone).unwrap();
+    let printed = PrintedProgram::of(grasp, &printed_contacts(grasp), load, &settings.cone);
     let Some(qp) = printed.program.solve().unwrap() else { panic!("a minimum") };
     let as_printed = (0..grasp.len()).map(|i| printed.force(&qp.x, i)).collect();
     let commands: Vec<_> = grasp.contacts().iter().map(Contact::commanded).collect();

@@ -1,12 +1,12 @@
 //! The shakedown factor agrees with a closed form, and with Melan's theorem if slip does not change normal forces. It is never below a factor at
 //! which a path with closed contacts comes to rest.
 
-use grasp_lcp::energy::QuadraticProgram;
 use grasp_lcp::load_path::{Change, ContactChange};
 use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
 use grasp_lcp::{Error, spatial};
 use nalgebra::{DMatrix, DVector};
 use support::interior_point::{Oracle, interior_point};
+use support::quadratic_program::QuadraticProgram;
 use support::samples::{assert_met, samples, seeded};
 use support::shaken::in_the_plane;
 

@@ -1,9 +1,7 @@
-//! The paper's quadratic program, and stability.
+//! The paper's quadratic program.
 
 use super::grasp::Grasp;
-use crate::contact::PolygonCone;
-use crate::energy::{Agreement, Comparison, MinimumOutcome, PrintedQp, Stability};
-use crate::equilibrium::Equilibrium;
+use crate::energy::{Agreement, Comparison, MinimumOutcome};
 use crate::error::Error;
 use crate::grasp::{Wrench, inside, outside};
 use crate::load_path::Ramp;
@@ -63,9 +61,9 @@ impl<const C: usize> Energy<'_, C> {
 
     /// The minimum of the paper's quadratic program under a load; in space on the polygonal cone of the settings.
     ///
-    /// It equals that of [`Energy::printed_qp`](crate::ask::Energy::printed_qp) as long as the printed program opens no contact with infinite friction.
-    /// The springs of both sides are combined in series here, so that rigid sides and series stiffness are allowed. Orthogonal factors keep the
-    /// accuracy.
+    /// It equals that of the program as printed (section 5.1), with all displacements as variables, as long as that opens no contact with infinite
+    /// friction. The springs of both sides are combined in series here, so that rigid sides and series stiffness are allowed. Orthogonal factors keep
+    /// the accuracy.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -87,60 +85,5 @@ impl<const C: usize> Energy<'_, C> {
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
     pub fn minimum(&self, load: impl Into<Wrench<C>>) -> Result<MinimumOutcome<C>, Error> {
         self.0.engine.minimum_energy(&inside(&load.into()), &self.0.settings).map(outside)
-    }
-
-    /// The paper's quadratic program as printed (section 5.1), with all displacements as variables, under a load. In space `cone` replaces the round
-    /// cone.
-    ///
-    /// ```
-    /// use grasp_lcp::PolygonCone;
-    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    ///
-    /// // Springs of 2000 and 1600 N/m on both sides: half of that in series.
-    /// let finger = |x: f64| {
-    ///     Contact::new([x, 0.0], [-x, 0.0])
-    ///         .body_stiffness(2000.0, 1600.0)
-    ///         .finger_stiffness(2000.0, 1600.0)
-    ///         .friction(0.5)
-    ///         .command([0.01, 0.0])
-    /// };
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    /// let printed = grasp.energy().printed_qp(Wrench::force([0.0, -6.0]), &PolygonCone::default())?;
-    /// let minimum = printed.program.solve()?.ok_or("everything sticks")?;
-    /// assert!((printed.force_on_object(&minimum.equality_multipliers, 0)[0] - 10.0).abs() < 1e-12);
-    /// // The springs of body and finger give way alike, 5 mm each.
-    /// let u = printed.displacements(&minimum.x, 0);
-    /// assert!((u.finger_surface[0] - 0.005).abs() < 1e-15);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50; [`Error::Contact`] for a contact of which one side is rigid (or its stiffness
-    /// not from 1e-50 to 1e50) or whose stiffness is only known in series: the paper's program has a spring on both sides.
-    pub fn printed_qp(&self, load: impl Into<Wrench<C>>, cone: &PolygonCone) -> Result<PrintedQp<C>, Error> {
-        self.0.engine.printed_qp(&inside(&load.into()), cone).map(outside)
-    }
-
-    /// Stability of an equilibrium of this grasp. Contact points stay at their initial places, since displacements are small.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    /// use grasp_lcp::energy::StabilityVerdict;
-    ///
-    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    ///
-    /// let outcome = grasp.solve(Wrench::ZERO)?;
-    /// let stability = grasp.energy().stability(outcome.equilibrium().expect("holds"));
-    /// assert_eq!(stability.verdict, StabilityVerdict::Stable);
-    /// // Along y two tangential springs. A turn stretches them at arms of 1 m, and the pinch of 10 N pushes it on at each: 2 (800 - 10).
-    /// assert!((stability.elastic[(1, 1)] - 1600.0).abs() < 1e-9);
-    /// assert!((stability.hessian()[(2, 2)] - 1580.0).abs() < 1e-9);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    #[must_use]
-    pub fn stability(&self, equilibrium: &Equilibrium<C>) -> Stability<C> {
-        outside(self.0.of_equilibrium(equilibrium).engine.stability(&inside(equilibrium)))
     }
 }

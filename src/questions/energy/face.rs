@@ -3,13 +3,10 @@
 use super::agreement::Agreement;
 use super::comparison::{Comparison, ComparisonVerdict, Difference};
 use super::minimum::{Binding, Inside, MinimumContact, MinimumEnergy, MinimumOutcome};
-use super::printed::{Equality, Inequality, PrintedQp};
-use super::program::QuadraticProgram;
-use super::stability::{Stability, StabilityVerdict};
 use crate::grasp::{face_of_enum, face_of_struct, same_on_both_sides};
 
 same_on_both_sides! {
-    Binding, ComparisonVerdict, Difference, Equality, Inequality, Inside, QuadraticProgram, StabilityVerdict,
+    Binding, ComparisonVerdict, Difference, Inside,
 }
 
 face_of_struct! {
@@ -18,8 +15,6 @@ face_of_struct! {
         load, twist, contacts, binding, imbalance, stored_energy, potential_energy, free_motions, pivots, balanced, inside,
     }
     MinimumContact { force, force_world, body_core, gap }
-    PrintedQp { program, equalities, inequalities, constant, contacts, space }
-    Stability { elastic, geometric, least_curvature, most_curvature, softest, verdict }
 }
 
 face_of_enum! {

@@ -33,7 +33,7 @@ pub enum MinimumOutcome<const C: usize> {
     NoMinimum,
     /// The load works on a motion that no spring resists: the energy is unbounded below.
     Unbounded {
-        /// The motion, of unit size as in [`Stability::softest`](super::Stability::softest), in the direction in which the load drives it.
+        /// The motion, of unit size as in [`MinimumEnergy::free_motions`], in the direction in which the load drives it.
         motion: Twist<C>,
         /// Work of the load on the motion, positive, J.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
@@ -65,7 +65,7 @@ impl<const C: usize> MinimumOutcome<C> {
 ///
 /// The multiplier λ of a friction constraint acts on the object like a force that no contact exerts, `Σ G_i F_i + W = Σ λ G_i K_i (μ e_n - h)`. A
 /// contact with infinite friction has the constraint F_n >= 0 instead of a gap: with a gap it would carry F_t across it, as in
-/// [`PrintedQp`](super::PrintedQp).
+/// the program that the paper prints.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -89,8 +89,8 @@ pub struct MinimumEnergy<const C: usize> {
     /// The minimum of the energy: stored energy less `W·q`, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub potential_energy: f64,
-    /// Motions that stretch no active spring: the twist is determined up to them. They have unit size as in
-    /// [`Stability::softest`](super::Stability::softest) and are orthogonal to each other.
+    /// Motions that stretch no active spring: the twist is determined up to them. They are orthogonal to each other and have unit size, in which a
+    /// rotation is measured in radians times the root mean square distance of the contacts from their centroid.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
     /// Pivots of Lemke's method.

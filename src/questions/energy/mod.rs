@@ -1,8 +1,8 @@
 //! The paper's principle of minimum potential energy, compared with complementarity.
 //!
 //! While no contact slides the springs are conservative, and the equilibrium is a minimum of the potential energy. The paper poses this minimum as a
-//! quadratic program with the friction cones as constraints ([`PrintedQp`]). [`QuadraticProgram`] solves it as the linear
-//! complementarity problem of its optimality conditions. [`Energy::minimum`](crate::ask::Energy::minimum) solves it on orthogonal factors.
+//! quadratic program with the friction cones as constraints. [`Energy::minimum`](crate::ask::Energy::minimum) solves it as the linear complementarity
+//! problem of its optimality conditions, on orthogonal factors.
 //!
 //! As long as no friction constraint binds, the minimum is the equilibrium. Once a constraint binds, its multiplier acts on the object like an
 //! external force: the program still returns numbers, but they are not in equilibrium. [`Comparison`] classifies one load, [`Agreement`] gives the
@@ -16,18 +16,12 @@
 //! minimum energy      x = x⁰ +    Π    Nᵀz                              the object is held from outside
 //! ```
 //!
-//! [`Stability`] includes the second-order displacement of the paper's equation 4.1, which all other questions neglect.
-//!
 //! | file | idea |
 //! |---|---|
-//! | `program` | a convex quadratic program and its optimality conditions |
-//! | `program_rows` | its rows, collected one by one |
-//! | `printed` | the paper's program, in all displacements |
 //! | `energy_rows` | gaps and friction cones in energy coordinates |
 //! | `optimality` | the optimality conditions in energy coordinates, and their solution |
 //! | `minimum`, `agreement` | the minimum under a load, and the range of a ramp in which it is an equilibrium |
 //! | `comparison`, `words` | both side by side, and the first line of a comparison |
-//! | `stability` | the effect of second-order displacements |
 
 mod agreement;
 mod comparison;
@@ -35,15 +29,8 @@ mod energy_rows;
 mod face;
 mod minimum;
 mod optimality;
-mod printed;
-mod program;
-mod program_rows;
-mod stability;
 mod words;
 
 pub use agreement::Agreement;
 pub use comparison::{Comparison, ComparisonVerdict, Difference};
 pub use minimum::{Binding, MinimumContact, MinimumEnergy, MinimumOutcome};
-pub use printed::{Displacements, Equality, Inequality, PrintedQp};
-pub use program::{QpMinimum, QuadraticProgram};
-pub use stability::{Stability, StabilityVerdict};

@@ -1,7 +1,7 @@
 //! The geometric stiffness, which small motions leave out: as the object turns, the arms of the forces at rest turn with it.
 //!
 //! The energy of springs that already carry F has a second derivative in two parts, the elastic one and `-Σ F_i · ∂²u_i/∂q²`. For a rotation θ the
-//! second part is `Σ (F·r) |θ|² - (F·θ)(r·θ)`, in the plane `Σ F·r θ²` (see [`Stability`](crate::energy::Stability)). Fingers that press against each
+//! second part is `Σ (F·r) |θ|² - (F·θ)(r·θ)`, in the plane `Σ F·r θ²`. Fingers that press against each
 //! other make it negative. It is compared with `W·q`, the work of the load on the motion, which is `q·Kq` for the secant stiffness K that resists.
 
 use crate::equilibrium::Equilibrium;

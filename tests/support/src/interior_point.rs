@@ -5,8 +5,9 @@ use clarabel::solver::{
     DefaultSettingsBuilder, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus, SupportedConeT,
     ZeroConeT,
 };
-use grasp_lcp::energy::QuadraticProgram;
 use nalgebra::{DMatrix, DVector};
+
+use crate::quadratic_program::QuadraticProgram;
 
 pub(crate) fn sparse(m: &DMatrix<f64>) -> CscMatrix<f64> {
     let (rows, columns) = m.shape();

@@ -3,6 +3,8 @@
 use grasp_lcp::Error;
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
 
+use crate::printed_program::PrintedContact;
+
 /// Example 1: a disk held by three fingers at 120°, all springs 100 N/m, μ = 0.25. The paper does not print the commands; 0.1 m
 /// along each normal reproduces its forces.
 ///
@@ -20,6 +22,15 @@ pub fn disk(as_computed: bool) -> Result<Grasp, Error> {
             .friction(0.25)
             .command([0.1 / length, 0.0])
     }))
+}
+
+/// The contacts of either grasp in the paper's program: body and finger are equally stiff.
+pub fn printed_contacts(grasp: &Grasp) -> Vec<PrintedContact<2>> {
+    let contact = |contact: &Contact| {
+        let k = contact.series_stiffness_of_axes() * 2.0;
+        PrintedContact::of(k, k)
+    };
+    grasp.contacts().iter().map(contact).collect()
 }
 
 /// The load of example 1.

@@ -9,10 +9,11 @@
 use std::f64::consts::PI;
 
 use grasp_lcp::ask::Grasp;
-use grasp_lcp::energy::QuadraticProgram;
 use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::{Fit, PolygonCone};
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+
+use crate::quadratic_program::QuadraticProgram;
 
 /// The program, whose unknowns are the twist about the origin and then a gap for each contact with finite friction.
 pub struct ReducedProgram {
@@ -111,7 +112,7 @@ impl ReducedProgram {
 }
 
 /// The force along a direction at a point as a wrench about the origin.
-fn wrench_of<const C: usize>(point: &SVector<f64, C>, direction: &SVector<f64, C>) -> Vec<f64> {
+pub(crate) fn wrench_of<const C: usize>(point: &SVector<f64, C>, direction: &SVector<f64, C>) -> Vec<f64> {
     let (p, f) = (point.as_slice(), direction.as_slice());
     let moment = |a: usize, b: usize| p[a] * f[b] - p[b] * f[a];
     let mut wrench = f.to_vec();
@@ -124,7 +125,7 @@ fn wrench_of<const C: usize>(point: &SVector<f64, C>, direction: &SVector<f64, C
 }
 
 /// The facets -h of the cone in the frame of a contact, with normal component zero.
-fn facets<const C: usize>(cone: &PolygonCone) -> Vec<SVector<f64, C>> {
+pub(crate) fn facets<const C: usize>(cone: &PolygonCone) -> Vec<SVector<f64, C>> {
     if C == 2 {
         return [1.0, -1.0].map(|sign| SVector::from_fn(|k, _| if k == 1 { -sign } else { 0.0 })).to_vec();
     }

@@ -9,7 +9,8 @@ use grasp_lcp::picture::{Chart, Stroke};
 use grasp_lcp::planar::{Grasp, Ramp, Wrench};
 use support::interior_point::{Oracle, interior_point};
 use support::minimum_power::minimum_power;
-use support::paper::{TWO_FINGER_TABLE, down, two_fingers, two_fingers_on_rests};
+use support::paper::{TWO_FINGER_TABLE, down, printed_contacts, two_fingers, two_fingers_on_rests};
+use support::printed_program::PrintedProgram;
 
 type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 
@@ -17,7 +18,6 @@ fn main() -> Result<()> {
     let grasp = two_fingers()?;
     let onset = grasp.onset(down())?.factor().ok_or("has an onset")?;
     along_the_load(&grasp, onset)?;
-    beyond_first_order(&grasp)?;
     power()?;
     picture(&grasp, onset)
 }
@@ -46,7 +46,7 @@ fn along_the_load(grasp: &Grasp, onset: f64) -> Result<()> {
         println!("   {:.6}       {}", minimum.out_of_balance().0, comparison);
 
         // The program as printed in the paper, in all displacements, by Lemke's method and by an interior-point method.
-        let printed = grasp.energy().printed_qp(load, &settings.cone)?;
+        let printed = PrintedProgram::of(grasp, &printed_contacts(grasp), &load, &settings.cone);
         let lemke = printed.program.solve()?.ok_or("no minimum")?;
         let Oracle::Minimum(interior, _) = interior_point(&printed.program) else {
             return Err("the interior-point method finds no minimum".into());
@@ -73,20 +73,6 @@ fn along_the_load(grasp: &Grasp, onset: f64) -> Result<()> {
 /// The next larger power of ten, since digits below the tolerance of an iterative method have no meaning.
 fn ceil(x: f64) -> f64 {
     10f64.powf(x.log10().ceil())
-}
-
-fn beyond_first_order(grasp: &Grasp) -> Result<()> {
-    let load = down() * 0.1 + Wrench::new([0.0, 0.0], 0.05);
-    let outcome = grasp.solve(load)?;
-    let first = grasp.energy().stability(outcome.equilibrium().ok_or("there is one")?);
-    println!("\nWhat first order leaves out, at W = 0.1 N with a moment of 0.05 N m\n");
-    println!("  turning stiffness: elastic   {:.4} N m", first.elastic[(2, 2)]);
-    println!("  geometric (arms turn)        {:.4} N m", first.geometric[(2, 2)]);
-    println!(
-        "  softest motion               {:.4} N/m, equilibrium {:?}",
-        first.least_curvature, first.verdict
-    );
-    Ok(())
 }
 
 /// The minimum power principle with given normal forces, compared with Coulomb's law. Fingers slide over an object that settles on soft rests.

@@ -3,7 +3,6 @@
 //! Five fingers in space, first with equal springs, then with one finger 10⁶ times as stiff. Rational arithmetic gives the exact forces.
 
 use grasp_lcp::PolygonCone;
-use grasp_lcp::energy::QuadraticProgram;
 use grasp_lcp::spatial::{Contact, Grasp, Twist, Wrench};
 use nalgebra::{DVector, Matrix6, Vector3, Vector6};
 
@@ -12,6 +11,8 @@ use crate::report::{Panel, Report};
 use support::Failure;
 use support::best_time::timed;
 use support::interior_point::{Oracle, interior_point_within};
+use support::printed_program::{PrintedContact, PrintedProgram};
+use support::quadratic_program::QuadraticProgram;
 use support::reduced_program::ReducedProgram;
 
 const LOAD: [f64; 6] = [0.5, -0.25, -2.0, 0.03125, 0.0625, -0.015_625];
@@ -70,9 +71,12 @@ fn forces(title: &'static str, stiffer: f64) -> Result<Panel, Failure> {
     panel.add("textbook, (G K Gᵀ)⁻¹ by Cholesky", "", off(&at(&grasp, &twist, &[])), time);
 
     let cone = PolygonCone::default();
-    let printed = || grasp.energy().printed_qp(load, &cone);
+    let both: Vec<_> =
+        exact.iter().map(|c| Vector3::new(c.stiffness[0], c.stiffness[1], c.stiffness[1]) * 2.0).collect();
+    let both: Vec<_> = both.into_iter().map(|k| PrintedContact::of(k, k)).collect();
+    let printed = || PrintedProgram::of(&grasp, &both, &load, &cone);
     let reduced = || ReducedProgram::new(&grasp, &load, &cone);
-    let meaning = (printed()?, reduced());
+    let meaning = (printed(), reduced());
     let by_printed = |x: &DVector<f64>| {
         let forces = grasp.frames().enumerate().map(|(i, frame)| frame * meaning.0.force(x, i));
         forces.collect::<Vec<_>>()
@@ -82,7 +86,7 @@ fn forces(title: &'static str, stiffer: f64) -> Result<Panel, Failure> {
         let gaps: Vec<_> = meaning.1.gaps.iter().zip(x.iter().skip(6)).map(|(&i, &gap)| (i, gap)).collect();
         at(&grasp, &twist, &gaps)
     };
-    let (x, time) = timed(|| lemke(&printed()?.program))?;
+    let (x, time) = timed(|| lemke(&printed().program))?;
     panel.add("printed QP by Lemke", "", off(&by_printed(&x)), time);
     let (x, time) = timed(|| lemke(&reduced().program))?;
     panel.add("reduced QP by Lemke", "", off(&by_reduced(&x)), time);

@@ -11,12 +11,8 @@
 //! For a positive semidefinite H the two problems are equivalent. Lemke's method was made for the second one (Lemke 1965). Except for rounding it
 //! cannot fail: it finds a minimum or a ray, and a ray means that there is no minimum.
 
-use crate::numerics::{IntoList, matrix_of, vector_of};
+use grasp_lcp::lcp::{Lcp, LcpError, Outcome, Solution};
 use nalgebra::{DMatrix, DVector};
-
-use crate::lcp::{Lcp, LcpError, Outcome, Solution, optimality_conditions};
-use crate::numerics::tolerances::FEW_ROUNDINGS;
-use crate::prelude::*;
 
 /// The program `minimise Gᵀx + ½ xᵀH x subject to A x = C, B x >= D`, with the letters of the paper (section 5.1).
 ///
@@ -40,7 +36,6 @@ pub struct QuadraticProgram {
 
 /// A minimum of a [`QuadraticProgram`] with its multipliers.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct QpMinimum {
     /// x (n).
     pub x: DVector<f64>,
@@ -53,79 +48,44 @@ pub struct QpMinimum {
 }
 
 impl QuadraticProgram {
-    /// The optimality conditions as a complementarity problem for (x⁺, x⁻, λ, y⁺, y⁻), in which x = x⁺ - x⁻ and y = y⁺ - y⁻.
-    ///
-    /// For a positive semidefinite H they are equivalent to the program, and Lemke's method was made for them (Lemke 1965). In exact arithmetic it
-    /// ends at a minimum, or on a ray, which means that there is no minimum.
-    ///
-    /// # Errors
-    /// [`LcpError::BlockShape`] if H, A or B does not fit G, C and D. [`LcpError::MatrixEntry`] or [`LcpError::VectorEntry`] for a number that is not
-    /// finite.
-    pub fn optimality_conditions(&self) -> Result<Lcp, LcpError> {
+    /// The optimality conditions as a complementarity problem for (x⁺, x⁻, λ, y⁺, y⁻), in which x = x⁺ - x⁻ and y = y⁺ - y⁻. Each equality is two
+    /// inequalities.
+    fn optimality_conditions(&self) -> Result<Lcp, LcpError> {
         let (n, m, k) = (self.g.len(), self.c.len(), self.d.len());
-        for (what, block, shape) in [("H", &self.h, (n, n)), ("A", &self.a, (m, n)), ("B", &self.b, (k, n))] {
-            LcpError::check_block(what, block, shape)?;
-        }
-        let column = |j: usize| if j < n { (j, 1.0) } else { (j - n, -1.0) };
-        let h = matrix_of(2 * n, 2 * n, &|i, j| {
-            let ((i, a), (j, b)) = (column(i), column(j));
-            a * b * self.h[(i, j)]
-        });
-        let g = vector_of(2 * n, &|j| column(j).1 * self.g[column(j).0]);
-        // Each equality is written as two inequalities.
-        let row = |i: usize| match i {
-            i if i < k => (&self.b, &self.d, i, 1.0),
-            i if i < k + m => (&self.a, &self.c, i - k, 1.0),
-            i => (&self.a, &self.c, i - k - m, -1.0),
-        };
-        let rows = matrix_of(k + 2 * m, 2 * n, &|i, j| {
-            let ((matrix, _, i, a), (j, b)) = (row(i), column(j));
-            a * b * matrix[(i, j)]
-        });
-        let right = vector_of(k + 2 * m, &|i| {
-            let (_, right, i, a) = row(i);
-            -a * right[i]
-        });
-        optimality_conditions(Some(&h), &g, &rows, &right)
+        let mut split = DMatrix::zeros(n, 2 * n);
+        split.view_mut((0, 0), (n, n)).fill_with_identity();
+        split.view_mut((0, n), (n, n)).copy_from(&-DMatrix::<f64>::identity(n, n));
+        let mut rows = DMatrix::zeros(k + 2 * m, n);
+        rows.view_mut((0, 0), (k, n)).copy_from(&self.b);
+        rows.view_mut((k, 0), (m, n)).copy_from(&self.a);
+        rows.view_mut((k + m, 0), (m, n)).copy_from(&-&self.a);
+        let rows = rows * &split;
+        let size = 2 * n + k + 2 * m;
+        let mut matrix = DMatrix::zeros(size, size);
+        matrix.view_mut((0, 0), (2 * n, 2 * n)).copy_from(&(split.transpose() * &self.h * &split));
+        matrix.view_mut((2 * n, 0), rows.shape()).copy_from(&rows);
+        matrix.view_mut((0, 2 * n), (2 * n, k + 2 * m)).copy_from(&-rows.transpose());
+        let right = self.d.iter().chain(&self.c).map(|d| -d).chain(self.c.iter().copied());
+        let vector = (split.transpose() * &self.g).iter().copied().chain(right).collect();
+        Lcp::new(matrix, DVector::from_vec(vector))
     }
 
-    /// Computes the minimum and its multipliers by Lemke's method on [`Self::optimality_conditions`].
-    ///
-    /// ```
-    /// use grasp_lcp::energy::QuadraticProgram;
-    /// use nalgebra::{DMatrix, DVector};
-    ///
-    /// // The point of the line x₁ + x₂ = 2 with x₂ >= 1.5 next to the origin.
-    /// let program = QuadraticProgram {
-    ///     g: DVector::zeros(2),
-    ///     h: DMatrix::identity(2, 2),
-    ///     a: DMatrix::from_row_slice(1, 2, &[1.0, 1.0]),
-    ///     c: DVector::from_vec(vec![2.0]),
-    ///     b: DMatrix::from_row_slice(1, 2, &[0.0, 1.0]),
-    ///     d: DVector::from_vec(vec![1.5]),
-    /// };
-    /// let minimum = program.solve()?.expect("H is positive definite");
-    /// assert!((&minimum.x - DVector::from_vec(vec![0.5, 1.5])).amax() < 1e-15);
-    /// assert!((minimum.multipliers[0] - 1.0).abs() < 1e-15);
-    /// # Ok::<(), grasp_lcp::lcp::LcpError>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As for [`Self::optimality_conditions`].
+    /// Computes the minimum and its multipliers by Lemke's method on the optimality conditions.
     pub fn solve(&self) -> Result<Option<QpMinimum>, LcpError> {
         let (n, m, k) = (self.g.len(), self.c.len(), self.d.len());
         let conditions = self.optimality_conditions()?;
         let Outcome::Solved(Solution { z, .. }) = conditions.solve() else { return Ok(None) };
-        let free = |first: usize, len: usize| vector_of(len, &|i| z[first + i] - z[first + len + i]);
+        let free = |first: usize, len: usize| DVector::from_fn(len, |i, _| z[first + i] - z[first + len + i]);
         let found = self.minimum(free(0, n), free(2 * n + k, m), z.rows(2 * n, k).into_owned());
         let Some(refined) = self.refined(&found) else { return Ok(Some(found)) };
         let split = |v: &DVector<f64>, i: usize| if i < v.len() { v[i] } else { -v[i - v.len()] }.max(0.0);
-        let point = vector_of(z.len(), &|i| match i {
+        let point = DVector::from_fn(z.len(), |i, _| match i {
             i if i < 2 * n => split(&refined.x, i),
             i if i < 2 * n + k => refined.multipliers[i - 2 * n],
             i => split(&refined.equality_multipliers, i - 2 * n - k),
         });
-        let better = conditions.residuals(&point).max() <= conditions.residuals(&z).max().max(FEW_ROUNDINGS);
+        let better =
+            conditions.residuals(&point).max() <= conditions.residuals(&z).max().max(4.0 * f64::EPSILON);
         Ok(Some(if better { refined } else { found }))
     }
 
@@ -138,7 +98,7 @@ impl QuadraticProgram {
     /// the solution.
     fn refined(&self, found: &QpMinimum) -> Option<QpMinimum> {
         let (n, m) = (self.g.len(), self.c.len());
-        let binding: Vec<usize> = (0..self.d.len()).filter(|row| found.multipliers[*row] > 0.0).list();
+        let binding: Vec<usize> = (0..self.d.len()).filter(|row| found.multipliers[*row] > 0.0).collect();
         let size = n + m + binding.len();
         let mut matrix = DMatrix::zeros(size, size);
         matrix.view_mut((0, 0), (n, n)).copy_from(&self.h);
@@ -147,7 +107,7 @@ impl QuadraticProgram {
             matrix.view_mut((n + i, 0), (1, n)).copy_from(&row);
             matrix.view_mut((0, n + i), (n, 1)).copy_from(&-row.transpose());
         }
-        let right = vector_of(size, &|i| match i {
+        let right = DVector::from_fn(size, |i, _| match i {
             i if i < n => -self.g[i],
             i if i < n + m => self.c[i - n],
             i => self.d[binding[i - n - m]],
@@ -163,9 +123,9 @@ impl QuadraticProgram {
                 }
             }
         }
-        let scaled = matrix_of(size, size, &|i, j| matrix[(i, j)] * scale[i] * scale[j]);
+        let scaled = DMatrix::from_fn(size, size, |i, j| matrix[(i, j)] * scale[i] * scale[j]);
         let factor = scaled.lu();
-        let mut point = vector_of(size, &|i| match i {
+        let mut point = DVector::from_fn(size, |i, _| match i {
             i if i < n => found.x[i],
             i if i < n + m => found.equality_multipliers[i - n],
             i => found.multipliers[binding[i - n - m]],
@@ -189,10 +149,6 @@ impl QuadraticProgram {
     }
 
     /// The cost `Gᵀx + ½ xᵀH x` at any x (n entries), feasible or not.
-    ///
-    /// # Panics
-    /// If x has another length than G, or H has another size.
-    #[must_use]
     pub fn value(&self, x: &DVector<f64>) -> f64 {
         self.g.dot(x) + 0.5 * x.dot(&(&self.h * x))
     }
