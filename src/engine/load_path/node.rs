@@ -209,7 +209,7 @@ impl Node {
         }
         // Motions whose lengths differ by less than this fraction are equal up to rounding. Of equal motions, the one counts in which no contact slides
         // without force: its direction would be rounding.
-        let rubs = (0..states.len()).any(|i| states[i].is_open() && found.states[i].slides());
+        let rubs = rates.round && (0..states.len()).any(|i| states[i].is_open() && found.states[i].slides());
         let most = if rubs { 1.0 + NEGLIGIBLE } else { 1.0 - NEGLIGIBLE };
         match try_states(rates, states) {
             Judged::Holds(parted) if parted.twist.norm() < found.twist.norm() * most => parted,

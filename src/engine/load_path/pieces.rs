@@ -161,8 +161,7 @@ impl<'g> Follower<'g> for Pieces<'g> {
     }
 
     fn state_behind(&self, leg: usize, fraction: f64) -> Option<Equilibrium<3>> {
-        let stretch = self.stretch_behind(leg, fraction)?;
-        self.state_on(stretch, fraction.max(stretch.from))
+        self.state_on(self.stretch_behind(leg, fraction)?, fraction)
     }
 
     fn beyond_a_jump(&self, settings: &Settings) -> Option<Beyond<3>> {
@@ -223,10 +222,9 @@ impl<'g> Pieces<'g> {
         Ok(if leg_done? { Advance::EndOfLeg } else { Advance::OnTheWay })
     }
 
-    /// The piece of a place on the path so far. Pieces follow each other without a gap, but where the object snaps over: it rests again
-    /// under a slightly larger load, and this state counts from the load at which it snaps.
+    /// The piece of a place on the path so far; none between a snap and the slightly larger load under which the object rests again.
     fn stretch_behind(&self, leg: usize, fraction: f64) -> Option<&Stretch<'g>> {
-        self.behind.iter().find(|s| s.leg == leg && fraction <= s.to)
+        self.behind.iter().find(|s| s.leg == leg && fraction >= s.from && fraction <= s.to)
     }
 
     pub(super) fn state_on(&self, stretch: &Stretch<'g>, fraction: f64) -> Option<Equilibrium<3>> {

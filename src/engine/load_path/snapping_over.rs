@@ -161,7 +161,7 @@ impl<'g> Pieces<'g> {
     /// The event at which the object snaps over to another equilibrium under the load at which the equilibrium was lost; the path continues from
     /// there. `None` if the object comes to rest nowhere near.
     pub(super) fn snaps_over(&mut self, journey: &Journey<'g>, loss: &Loss<3>) -> Option<Event<3>> {
-        let ends_in_balance = !matches!(loss.kind, LossKind::LetsGo | LossKind::TooFar);
+        let ends_in_balance = !matches!(loss.kind, LossKind::LetsGo | LossKind::TooFar | LossKind::GivesWay);
         // The model keeps the pull of a vacuum even if its cup opens during the motion, so grasps with cups are excluded.
         let has_cups = self.segment.grasp.vacuum().is_some();
         if !ends_in_balance

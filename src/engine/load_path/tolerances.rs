@@ -17,8 +17,8 @@ pub(super) const LITTLE_BEYOND: f64 = 1e-6;
 pub(super) const AT_REST_AGAIN: f64 = 1e-3;
 
 /// The largest number of steps in which an object snaps over to another equilibrium; some dozens are enough as a rule. With fewer, an object that
-/// moves slowly away from the end of its path counts as lost.
-pub(super) const MOST_SNAPPING_STEPS: usize = 200;
+/// moves slowly away from the end of its path counts as lost: one that turns on about a stop takes two hundred.
+pub(super) const MOST_SNAPPING_STEPS: usize = 1000;
 
 /// The largest number of times that an object snaps over on a leg. If it snaps over more often, the load counts as lost.
 ///

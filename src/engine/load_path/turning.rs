@@ -53,7 +53,6 @@ impl<'g> Pieces<'g> {
         }
         if let Some(length) = self.straight_length(&point)
             && let Some(end) = self.step(&point, (length, 0), Rule::Straight)
-            && let Some(end) = self.up_to_a_crossing(&point, end, journey.settings.step_error)
         {
             self.node.starts_at_apex = false;
             return self.finish_step(journey, &point, &end);

@@ -73,7 +73,7 @@ impl Around {
             let is_far_behind =
                 if up { begin > FAR_BEHIND * bound.does } else { bound.does > FAR_BEHIND * begin };
             if is_beyond && is_far_behind && scan > 0 {
-                amounts.extend(plan.scanned(begin, up, NEAR_THE_START, true));
+                amounts.extend(plan.scanned(begin, up, NEAR_THE_START, false));
             }
             amounts.extend(plan.at_the_end(up).into_iter().filter(|_| is_beyond));
             if scan > 0 {

@@ -115,11 +115,11 @@ impl Needed {
             Amount::None { otherwise, .. } if self.has_no_squeeze() => {
                 write!(f, "NO squeeze does: {otherwise}")?;
             }
+            Amount::None { otherwise, .. } if self.quantity == Quantity::Angle => {
+                write!(f, "NO angle does, since it does not hold before it turns: {otherwise}")?;
+            }
             Amount::None { from, to, best, tried, is_proved, at_rest, otherwise } => {
-                let range = match self.quantity {
-                    Quantity::Angle => self.range(words, *from, *to),
-                    _ => self.range(words, roughly(*from, true), roughly(*to, false)),
-                };
+                let range = self.range(words, roughly(*from, true), roughly(*to, false));
                 let best = self.much(words, *best, &[]);
                 let best = best.trim_end_matches(',');
                 let what = self.quantity;
