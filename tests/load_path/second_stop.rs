@@ -1,5 +1,6 @@
 //! A body that slides to a stop turns on about it until a second stop, which has more play, carries as well.
 
+use grasp_lcp::equilibrium::ContactAnswer;
 use grasp_lcp::load_path::Ramp;
 use grasp_lcp::spatial::{Contact, Grasp, Wrench};
 
@@ -35,6 +36,6 @@ fn rests_against(stops: &[Contact], mu: f64, y: f64) {
     let verdict = grasp.hold(Ramp::load(weight, push)).expect("well posed");
     assert_eq!(verdict.holds(), Some(true), "{mu}: {verdict}");
     let state = verdict.state.as_ref().expect("held");
-    let carried: f64 = state.contacts[4..].iter().map(|stop| stop.normal_force()).sum();
+    let carried: f64 = state.contacts[4..].iter().map(ContactAnswer::normal_force).sum();
     assert!((100.0 - 196.2 * mu - 1e-9..=100.0 + 1e-9).contains(&carried), "{mu}: {carried}");
 }

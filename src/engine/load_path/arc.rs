@@ -101,24 +101,22 @@ impl<'s, 'g> Arc<'s, 'g> {
             if !states[i].slides() {
                 let pushed = site.map.times(&segment.problem.local(i).tangent(&states[i]).matrix());
                 let (a, b, ranges) = (&pushed, &site.map, site.support.ranges());
-                match (a.whole_columns(), b.whole_columns()) {
-                    (Some(a), Some(b)) => stiffness
-                        .add(&ranges, |i, j| a[0][i] * b[0][j] + a[1][i] * b[1][j] + a[2][i] * b[2][j]),
-                    _ => {
-                        // An entry of a map of several bodies is searched for once, not once for each entry of the stiffness.
-                        let rows = [a, b].each(|map| {
-                            ranges.clone().each(|range| range.map(|i| by_axis(|k| map[(i, k)])).list())
-                        });
-                        let [a, b] = &rows;
-                        let row = |of: &[Vec<SVector<f64, 3>>; 2], i: usize| {
-                            let which = usize::from(!ranges[0].contains(&i));
-                            of[which][i - ranges[which].start]
-                        };
-                        stiffness.add(&ranges, |i, j| {
-                            let (a, b) = (row(a, i), row(b, j));
-                            a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-                        });
-                    }
+                if let (Some(a), Some(b)) = (a.whole_columns(), b.whole_columns()) {
+                    stiffness.add(&ranges, |i, j| a[0][i] * b[0][j] + a[1][i] * b[1][j] + a[2][i] * b[2][j]);
+                } else {
+                    // An entry of a map of several bodies is searched for once, not once for each entry of the stiffness.
+                    let rows = [a, b].each(|map| {
+                        ranges.clone().each(|range| range.map(|i| by_axis(|k| map[(i, k)])).list())
+                    });
+                    let [a, b] = &rows;
+                    let row = |of: &[Vec<SVector<f64, 3>>; 2], i: usize| {
+                        let which = usize::from(!ranges[0].contains(&i));
+                        of[which][i - ranges[which].start]
+                    };
+                    stiffness.add(&ranges, |i, j| {
+                        let (a, b) = (row(a, i), row(b, j));
+                        a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+                    });
                 }
                 push += &pushed * segment.change[i];
             }

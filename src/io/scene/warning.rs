@@ -179,20 +179,7 @@ impl fmt::Display for Warning {
                 words.number(*force),
                 words.number(*told)
             ),
-            Self::PullsOtherwise { name, told, force, .. } if *told < 0.0 => write!(
-                f,
-                "{} pushes with {} N at rest, not with {} N: `pretension` acts before anything gives way; a larger one pushes with more",
-                printable(name),
-                words.number(-*force),
-                words.number(-*told)
-            ),
-            Self::PullsOtherwise { name, told, force, .. } => write!(
-                f,
-                "{} pulls with {} N at rest, not with {} N: `pretension` is its pull before anything gives way; say `tension` for the pull once it is installed",
-                printable(name),
-                words.number(*force),
-                words.number(*told)
-            ),
+            Self::PullsOtherwise { name, told, force, .. } => write_pull(f, words, name, [*force, *told]),
             Self::MuchFriction { names, friction, .. } => write!(
                 f,
                 "friction {} at {}: coefficients are rarely above 1; in percent? Then it is {}",
@@ -291,6 +278,20 @@ fn write_missing(f: &mut fmt::Formatter<'_>, words: Words, name: &str, missing: 
 fn lies_over_an_edge(f: &mut fmt::Formatter<'_>, words: Words, name: &str, angle: f64) -> fmt::Result {
     let (name, angle) = (printable(name), words.number(angle));
     write!(f, "{name} lies over an edge: pad and part meet at up to {angle}°, more than friction bridges")
+}
+
+/// Writes the force of a spring or a cable at rest, and its pretension, N. A spring that pushes has negative ones.
+fn write_pull(f: &mut fmt::Formatter<'_>, words: Words, name: &str, [force, told]: [f64; 2]) -> fmt::Result {
+    let [now, nominal] = [force, told].map(|x| words.number(x * told.signum()));
+    let (does, why) = if told < 0.0 {
+        ("pushes", "`pretension` acts before anything gives way; a larger one pushes with more")
+    } else {
+        (
+            "pulls",
+            "`pretension` is its pull before anything gives way; say `tension` for the pull once it is installed",
+        )
+    };
+    write!(f, "{} {does} with {now} N at rest, not with {nominal} N: {why}", printable(name))
 }
 
 /// A list of the names of contacts.

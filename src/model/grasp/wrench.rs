@@ -55,7 +55,6 @@ pub struct Wrench<const C: usize>(SVector<f64, 6>);
 /// assert!((work(load.transformed(&pose), turn.transformed(&pose)) - 0.03).abs() < 1e-16);
 /// ```
 #[derive(Clone, Copy, PartialEq)]
-#[must_use]
 pub struct Twist<const C: usize>(SVector<f64, 6>);
 
 macro_rules! vector_like {

@@ -16,7 +16,6 @@ pub struct Touched {
 impl Touched {
     /// The points at which the pad meets the part, as contacts of one fingertip: "left 0", "left 1" and so on. Points behind the foremost one
     /// have a clearance.
-    #[must_use]
     pub fn contacts(&self) -> &[Contact<3>] {
         &self.contacts
     }

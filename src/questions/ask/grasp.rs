@@ -319,7 +319,6 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// The contacts as given, with their commands in the contact frames.
-    #[must_use]
     pub fn contacts(&self) -> &[Contact<C>] {
         &self.door().contacts
     }

@@ -132,13 +132,12 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
     );
     let rests_otherwise = |one: f64, other: f64| tried.rests_otherwise(one, other);
     let rest_ends = |does: f64, does_not: f64| tried.rest_ends(does, does_not);
-    let is_planar = grasp.space() == Space::Planar;
     let tries = Tries {
         whole: &whole,
         quick: &quick,
         rests_otherwise: &rests_otherwise,
         rest_ends: &rest_ends,
-        is_planar,
+        is_planar: grasp.space() == Space::Planar,
     };
     let mut plan = tried.plan(look)?;
     if plan.range.is_empty {
@@ -214,9 +213,7 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
     if let (Some(far), None) = (far, &until) {
         until = far_end_near(far, does, tries)?;
     }
-    let until = until.map(far_end).transpose()?.flatten();
     let (presses, at_their_limit) = at_rest(does)?;
-    let unknown = bound.unknown.map(|(at, _)| at);
     let is_last = plan.is_monotone || plan.is_the_end(does_not, !plan.is_least);
     let tried = (!is_last).then(|| tried.amounts(demand));
     Ok(Amount::Bound {
@@ -224,9 +221,9 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
         does_not,
         otherwise,
         is_too_far,
-        unknown,
+        unknown: bound.unknown.map(|(at, _)| at),
         changes,
-        until,
+        until: until.map(far_end).transpose()?.flatten(),
         elsewhere,
         presses,
         at_their_limit,

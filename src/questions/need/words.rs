@@ -118,31 +118,34 @@ impl Needed {
             Amount::None { otherwise, .. } if self.quantity == Quantity::Angle => {
                 write!(f, "NO angle does, since it does not hold before it turns: {otherwise}")?;
             }
-            Amount::None { from, to, best, tried, is_proved, at_rest, otherwise } => {
-                let range = self.range(words, roughly(*from, true), roughly(*to, false));
-                let best = self.much(words, *best, &[]);
-                let best = best.trim_end_matches(',');
-                let what = self.quantity;
-                if *at_rest {
-                    write!(
-                        f,
-                        "NO {what} does: no forces of the contacts balance the load at rest alone, before the rest is put on"
-                    )?;
-                } else if *is_proved {
-                    write!(
-                        f,
-                        "NO {what} does, from {range}: no forces of the contacts balance the load with any"
-                    )?;
-                } else {
-                    write!(f, "NO {what} that was tried does, of {tried} from {range}")?;
-                }
-                write!(f, ". With {best}: {otherwise}")?;
+            Amount::None { otherwise, .. } => {
+                self.none(f)?;
+                write!(f, ": {otherwise}")?;
             }
             Amount::Undecided { at, doubt } => {
                 write!(f, "UNDECIDED at {}: {doubt}", self.much(words, *at, &[]))?;
             }
         }
         Ok(())
+    }
+
+    /// Writes that no amount suffices, by which proof or of which ones, and the best of them.
+    fn none(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (words, what) = (Words::of(f), self.quantity);
+        let Amount::None { from, to, best, tried, is_proved, at_rest, .. } = &self.amount else {
+            return Ok(());
+        };
+        let range = self.range(words, roughly(*from, true), roughly(*to, false));
+        if *at_rest {
+            let why = "no forces of the contacts balance the load at rest alone, before the rest is put on";
+            write!(f, "NO {what} does: {why}")?;
+        } else if *is_proved {
+            write!(f, "NO {what} does, from {range}: no forces of the contacts balance the load with any")?;
+        } else {
+            write!(f, "NO {what} that was tried does, of {tried} from {range}")?;
+        }
+        let best = self.much(words, *best, &[]);
+        write!(f, ". With {}", best.trim_end_matches(','))
     }
 
     /// Whether a squeeze is sought in a grasp in which no command presses.

@@ -80,7 +80,6 @@ impl HouseOfCards {
     }
 
     /// Its cards as bodies with this friction everywhere.
-    #[must_use]
     pub fn bodies(&self, friction: f64) -> Bodies {
         let name = |card: usize| format!("card {card}");
         let bodies = self.centres.iter().enumerate().map(|(card, at)| Body::new(name(card)).mass(MASS, *at));

@@ -95,23 +95,20 @@ fn all_around(name: &str, off: &Uncertainty, samples: u64, directions: usize) ->
     let path = format!("{}/../scenes/{name}.json", env!("CARGO_MANIFEST_DIR"));
     let scene = Scene::from_json(&std::fs::read(path)?)?;
     let mut tally = Tally::default();
-    match scene.planar() {
-        Some(setup) => {
-            let grasp = setup.grasp()?;
-            for k in 0..directions {
-                let (sin, cos) = (TAU * k as f64 / directions as f64).sin_cos();
-                tally.add(&grasp, planar::Wrench::force([cos, sin]), off, samples)?;
-            }
+    if let Some(setup) = scene.planar() {
+        let grasp = setup.grasp()?;
+        for k in 0..directions {
+            let (sin, cos) = (TAU * k as f64 / directions as f64).sin_cos();
+            tally.add(&grasp, planar::Wrench::force([cos, sin]), off, samples)?;
         }
-        None => {
-            let grasp = scene.setup.grasp()?;
-            for k in 0..directions {
-                // Directions on a spiral over the sphere.
-                let z = 1.0 - (2 * k + 1) as f64 / directions as f64;
-                let (sin, cos) = (PI * (3.0 - 5.0_f64.sqrt()) * k as f64).sin_cos();
-                let r = (1.0 - z * z).sqrt();
-                tally.add(&grasp, spatial::Wrench::force([r * cos, r * sin, z]), off, samples)?;
-            }
+    } else {
+        let grasp = scene.setup.grasp()?;
+        for k in 0..directions {
+            // Directions on a spiral over the sphere.
+            let z = 1.0 - (2 * k + 1) as f64 / directions as f64;
+            let (sin, cos) = (PI * (3.0 - 5.0_f64.sqrt()) * k as f64).sin_cos();
+            let r = (1.0 - z * z).sqrt();
+            tally.add(&grasp, spatial::Wrench::force([r * cos, r * sin, z]), off, samples)?;
         }
     }
     tally.print("", &format!("directions of {name}"));
