@@ -28,7 +28,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need wedge.json
-//! NEEDS a coefficient of friction of 0.131653 so that it holds and nothing slides, 0.146281 if friction is 10 % less. With less: GOES TOO FAR at rest already: right face slips by more than 1 mm; beyond this, results for small motions no longer apply. Tried were 11 amounts from 0.04 to 0.5
+//! NEEDS a coefficient of friction of 0.131653 so that it holds and nothing slides, 0.146281 if friction is 10 % less. With less: GOES TOO FAR at rest already: it turns by more than 5.7°; beyond this, results for small motions no longer apply. Tried were 13 amounts from 0.04 to 0.5
 //! ```
 //!
 //! The value is tan 7.5°, however hard the wedge is driven in.
