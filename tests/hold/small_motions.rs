@@ -146,3 +146,19 @@ fn what_normal_forces_hold_is_held() -> Tested {
     assert!(first.factor == 0.0 && first.slide.len() == 2, "{verdict}");
     Ok(())
 }
+
+/// A picture hangs on a wire, and both of its contacts with the wall slide from the start. The wire carries on, so that nothing slips out.
+#[test]
+fn what_a_wire_holds_does_not_slip_out() {
+    let text = r#"{"format": "grasp-lcp/1", "planar": {"contacts": [
+        {"point": [0, 0], "normal": [1, 0], "friction": 0.3, "stiffness": 1e6},
+        {"point": [0, 0.5], "normal": [1, 0], "friction": 0.3, "stiffness": 1e6}],
+        "links": [{"name": "wire", "cable": {"from": [0.02, 0.4], "to": [0, 0.7]}, "stiffness": 1e5}]}}"#;
+    let scene = grasp_lcp::scene::Scene::from_json(text.as_bytes()).expect("well posed");
+    let picture = scene.planar().expect("planar").grasp().expect("well posed");
+    let verdict =
+        picture.hold(grasp_lcp::planar::Wrench::force_at([0.0, -4000.0], [0.02, 0.25])).expect("well posed");
+    let lost = verdict.lost.as_ref().expect("a limit of small motions");
+    assert!(lost.too_far.is_some() && !lost.is_gross_slip, "{verdict}");
+    assert!(verdict.to_string().starts_with("GOES TOO FAR"), "{verdict}");
+}

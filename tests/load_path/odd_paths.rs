@@ -121,3 +121,25 @@ fn what_slides_away_is_on_its_cones() {
     let pushed = (0..1864).map(|_| in_space(IN_SPACE[2], &mut random).unwrap()).last().unwrap();
     followed(&pushed).unwrap();
 }
+
+/// A path that was lost or undecided. Seeds are those of `GRASP_LCP_SEED`.
+fn of_a_seed(odd: Odd, seed: u64, number: usize) -> OddPath<3> {
+    let mut random = Random(0xb ^ (seed << 32));
+    (0..=number).map(|_| in_space(odd, &mut random).unwrap()).last().unwrap()
+}
+
+/// Three fingers take up a load that grows from nothing, and a fourth touches without force. It opens, since its direction would be rounding.
+#[test]
+fn what_rubs_without_force_opens() {
+    followed(&of_a_seed(IN_SPACE[1], 902, 749)).unwrap();
+}
+
+/// A contact sticks and snaps over again and again within a thousandth of the leg. The object is held far beyond that.
+#[test]
+fn what_sticks_and_snaps_over_again_and_again_is_held() {
+    let handled = of_a_seed(IN_SPACE[1], 909, 620);
+    let mut path = handled.grasp.follow(handled.start, &handled.legs).unwrap();
+    let snaps = path.run().iter().filter(|event| event.jump.as_ref().is_some_and(|jump| jump.snaps)).count();
+    let (leg, fraction) = path.place();
+    assert!(snaps > 8 && (leg, fraction) > (0, 0.01), "{snaps} {leg} {fraction}");
+}

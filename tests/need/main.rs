@@ -3,6 +3,8 @@
 mod both_sides;
 mod brute_force;
 mod closed_forms;
+mod installed;
+mod reasons;
 mod repeated;
 mod said_in_full;
 mod windows;

@@ -16,10 +16,10 @@ use crate::arguments::{Ask, Command};
 use crate::failure::{EXIT_UNDECIDED, Failure};
 use crate::meaning::put;
 use crate::own_masses::shared_centre;
-use crate::types::{Answer, Setup};
 use crate::waiting::Waiting;
 use crate::words::Style;
 use crate::{files, report};
+use grasp_lcp::scene::{Answer, Setup};
 
 /// Answers the questions of a scene file, or the question of the command line, and prints the answers. The exit code says whether one is undecided.
 pub(crate) fn ask(ask: &Ask, asked: Command) -> Result<ExitCode, Failure> {
@@ -65,7 +65,7 @@ fn words(ask: &Ask, unit: Unit) -> Words {
 }
 
 /// Prints the answer to each question as soon as it is ready. Returns whether all are decided.
-fn one_by_one(setup: &Setup, ask: &Ask, unit: Unit) -> Result<bool, Failure> {
+fn one_by_one(setup: &Setup<3>, ask: &Ask, unit: Unit) -> Result<bool, Failure> {
     let refused = |error| files::refused(&ask.scene, &error);
     let style = Style { words: setup.words(words(ask, unit)), axes: setup.axes(), points: ask.points };
     // A malformed question is an error before any answer.
@@ -86,7 +86,7 @@ fn one_by_one(setup: &Setup, ask: &Ask, unit: Unit) -> Result<bool, Failure> {
     Ok(is_decided)
 }
 
-fn is_undecided(answer: &Answer) -> bool {
+fn is_undecided(answer: &Answer<3>) -> bool {
     match answer {
         Answer::Hold(answer) => matches!(answer.verdict.holding, Holding::Undecided { .. }),
         Answer::Need(answer) => matches!(answer.needed.amount, Amount::Undecided { .. }),

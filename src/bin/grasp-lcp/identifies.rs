@@ -12,7 +12,7 @@ use crate::failure::Failure;
 use crate::files::{bytes, name};
 use crate::loads::Meaning;
 use crate::needs::named;
-use crate::types::{Question, Setup};
+use grasp_lcp::scene::{Question, Setup};
 
 /// The unknowns, and the table of observed slips.
 #[derive(Debug, clap::Args)]
@@ -99,7 +99,11 @@ impl FromStr for Sum {
 
 impl Meaning {
     /// The question about observed slips.
-    pub(crate) fn identify(self, given: &Identifies, setup: &Setup) -> Result<Option<Question>, Failure> {
+    pub(crate) fn identify(
+        self,
+        given: &Identifies,
+        setup: &Setup<3>,
+    ) -> Result<Option<Question<3>>, Failure> {
         let Some(path) = &given.table else {
             let others = !given.unknown.is_empty() || !given.known.is_empty() || given.first;
             let missing = "say which slips were seen: a table behind the scene".to_owned();

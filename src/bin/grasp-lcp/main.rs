@@ -27,7 +27,6 @@ mod own_masses;
 mod report;
 mod shakes;
 mod table;
-mod types;
 mod values;
 mod waiting;
 mod words;

@@ -5,15 +5,15 @@ use crate::failure::Failure;
 use crate::loads::Meaning;
 use crate::of_the_scene::SceneLoads;
 use crate::own_masses::{of_own_masses, refuse_mass, tilted};
-use crate::types::{Question, Setup};
 use grasp_lcp::improve::{Improve, ImproveGoal};
 use grasp_lcp::load_path::Leg;
+use grasp_lcp::scene::{Question, Setup};
 use grasp_lcp::spatial::{Turn, Wrench};
 use grasp_lcp::squeeze::Loads;
 use std::collections::BTreeMap;
 
 /// Replaces the scene's questions by that of the command line. If the command line has no load, the scene's questions of the same kind are kept.
-pub(crate) fn put(setup: &mut Setup, asked: &Command) -> Result<(), Failure> {
+pub(crate) fn put(setup: &mut Setup<3>, asked: &Command) -> Result<(), Failure> {
     let words = Meaning { axes: setup.axes() };
     let question = match asked {
         Command::Hold { load, base, safety, .. } => {
@@ -115,8 +115,9 @@ pub(crate) fn put(setup: &mut Setup, asked: &Command) -> Result<(), Failure> {
 }
 
 /// The questions whether the object holds the loads of the scene's question `need`.
-fn of_the_scene(setup: &Setup, asked: &Command) -> Vec<Question> {
-    let is_needed = |question: &Question| matches!(question, Question::Need(_)) && question.loads().is_some();
+fn of_the_scene(setup: &Setup<3>, asked: &Command) -> Vec<Question<3>> {
+    let is_needed =
+        |question: &Question<3>| matches!(question, Question::Need(_)) && question.loads().is_some();
     let is_held = matches!(asked, Command::Hold { .. }) && setup.questions.iter().any(is_needed);
     match is_held.then(|| SceneLoads::of(setup)).flatten() {
         Some(SceneLoads { base, loads: Loads::Each(list), together_with }) => {
@@ -128,7 +129,7 @@ fn of_the_scene(setup: &Setup, asked: &Command) -> Vec<Question> {
 }
 
 /// The question whether the object is at rest without any load, if neither the command line nor the scene has a question.
-fn at_rest(asked: &Command) -> Option<Question> {
+fn at_rest(asked: &Command) -> Option<Question<3>> {
     let (load, together_with) = (Wrench::ZERO, BTreeMap::new());
     match asked {
         Command::Hold { .. } => Some(Question::Hold { base: Wrench::ZERO, load, together_with }),
@@ -137,7 +138,7 @@ fn at_rest(asked: &Command) -> Option<Question> {
     }
 }
 
-fn is_of_kind(question: &Question, asked: &Command) -> bool {
+fn is_of_kind(question: &Question<3>, asked: &Command) -> bool {
     matches!(
         (asked, question),
         (Command::Ask(_), _)
@@ -200,7 +201,7 @@ impl Meaning {
         load: &LoadArguments,
         base: Option<&Numbers>,
         safety: Option<f64>,
-    ) -> Result<Option<Question>, Failure> {
+    ) -> Result<Option<Question<3>>, Failure> {
         let wrench = self.wrench(load, base.is_some())?;
         let (wrench, times) = match (wrench, safety) {
             (None, Some(_)) => {
@@ -224,7 +225,7 @@ impl Meaning {
         any_force: Option<f64>,
         at_most: Option<f64>,
         reserve: bool,
-    ) -> Result<Option<Question>, Failure> {
+    ) -> Result<Option<Question<3>>, Failure> {
         if !load.together_with.is_empty() {
             let message = "--together-with: given, must be left out where fingers are improved";
             return Err(Failure::Usage(message.to_owned()));
@@ -262,7 +263,7 @@ impl Meaning {
         to: &[Numbers],
         from: Option<&Numbers>,
         at: Option<&Numbers>,
-    ) -> Result<Option<Question>, Failure> {
+    ) -> Result<Option<Question<3>>, Failure> {
         if to.is_empty() {
             let missing = from.map_or(Ok(None), |_| Err(Failure::Usage("--from without --to".to_owned())));
             return missing;

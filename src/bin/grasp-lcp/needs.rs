@@ -11,11 +11,11 @@ use crate::failure::Failure;
 use crate::loads::Meaning;
 use crate::of_the_scene::{SceneLoads, own_need};
 use crate::own_masses::{accelerated, of_own_masses, tilted};
-use crate::types::{Question, Setup};
+use grasp_lcp::scene::{Question, Setup};
 
 impl Meaning {
     /// The question for the quantity that the command line names; `None` if it names none.
-    pub(crate) fn need(self, wanted: &Wanted, setup: &mut Setup) -> Result<Option<Need>, Failure> {
+    pub(crate) fn need(self, wanted: &Wanted, setup: &mut Setup<3>) -> Result<Option<Need>, Failure> {
         let Some(sought) = wanted.quantity else { return Ok(None) };
         refuse_others(wanted, sought)?;
         let own = own_need(setup, wanted, sought);
@@ -54,7 +54,7 @@ impl Meaning {
         self,
         wanted: &Wanted,
         sought: SoughtQuantity,
-        setup: &mut Setup,
+        setup: &mut Setup<3>,
     ) -> Result<(Need, Option<Wrench>), Failure> {
         let beside = wanted.base.is_some() || wanted.any_force.is_some();
         let to_and_fro = to_and_fro(wanted);
@@ -161,7 +161,7 @@ fn refuse_others(wanted: &Wanted, sought: SoughtQuantity) -> Result<(), Failure>
 }
 
 /// The index of the contact with the name that an option gives.
-pub(crate) fn named(option: &str, name: &str, setup: &Setup) -> Result<usize, Failure> {
+pub(crate) fn named(option: &str, name: &str, setup: &Setup<3>) -> Result<usize, Failure> {
     let labels: Vec<_> = setup.entries().enumerate().map(|(i, entry)| entry.contact.label_text(i)).collect();
     let name = printable(name);
     let mut by_name = (0..labels.len()).filter(|i| labels[*i] == name);

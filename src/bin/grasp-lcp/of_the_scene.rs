@@ -7,7 +7,7 @@ use grasp_lcp::need::{Need, Quantity};
 use grasp_lcp::squeeze::Loads;
 
 use crate::arguments::{SoughtQuantity, Wanted};
-use crate::types::{Question, Setup};
+use grasp_lcp::scene::{Question, Setup};
 
 /// The loads of a scene's question: the load at rest, the loads beside it, and loads of other bodies that grow with these.
 pub(crate) struct SceneLoads {
@@ -19,18 +19,18 @@ pub(crate) struct SceneLoads {
 impl SceneLoads {
     /// The loads of the scene's first question `need`; without one those of all its questions `hold` that have the same load at rest, or of its first
     /// `solve`. A warning says which.
-    pub(crate) fn of(setup: &Setup) -> Option<Self> {
-        let kinds: [fn(&Question) -> bool; 3] = [
+    pub(crate) fn of(setup: &Setup<3>) -> Option<Self> {
+        let kinds: [fn(&Question<3>) -> bool; 3] = [
             |question| matches!(question, Question::Need(_)),
             |question| matches!(question, Question::Hold { .. }),
             |question| matches!(question, Question::Solve { .. }),
         ];
         let questions = || setup.questions.iter().enumerate();
-        let of_kind = |is: &fn(&Question) -> bool| {
+        let of_kind = |is: &fn(&Question<3>) -> bool| {
             questions().find_map(|(k, question)| question.loads().filter(|_| is(question)).zip(Some(k)))
         };
         let ((base, mut loads, together_with), first) = kinds.iter().find_map(of_kind)?;
-        let is_alone = |question: &Question| match question {
+        let is_alone = |question: &Question<3>| match question {
             Question::Hold { base: other, load, together_with } => {
                 (*other == base && together_with.is_empty()).then_some(*load)
             }
@@ -50,7 +50,7 @@ impl SceneLoads {
 }
 
 /// The scene's own question for the quantity that is sought without a load.
-pub(crate) fn own_need(setup: &Setup, wanted: &Wanted, sought: SoughtQuantity) -> Option<Need<3>> {
+pub(crate) fn own_need(setup: &Setup<3>, wanted: &Wanted, sought: SoughtQuantity) -> Option<Need<3>> {
     let given = [&wanted.load.force, &wanted.load.moment, &wanted.load.acceleration, &wanted.base];
     let others = [&wanted.along, &wanted.axis, &wanted.load.at];
     let is_given = given.iter().chain(&others).any(|given| given.is_some())

@@ -6,7 +6,7 @@ use grasp_lcp::words::printable;
 
 use crate::arguments::{LoadArguments, Numbers};
 use crate::failure::Failure;
-use crate::types::Setup;
+use grasp_lcp::scene::Setup;
 
 /// The weight of all bodies, N, and their centre of mass, m, for a turn.
 pub(crate) struct TurnedWeight {
@@ -15,7 +15,7 @@ pub(crate) struct TurnedWeight {
 }
 
 /// If bodies have masses, removes the scene's gravity and returns their weight, which the caller turns as a load.
-pub(crate) fn tilted(setup: &mut Setup) -> Option<TurnedWeight> {
+pub(crate) fn tilted(setup: &mut Setup<3>) -> Option<TurnedWeight> {
     let (mass, centre) = setup.own_mass()?;
     let gravity = setup.gravity?;
     *setup = setup.with_gravity_as_load();
@@ -27,7 +27,7 @@ pub(crate) fn tilted(setup: &mut Setup) -> Option<TurnedWeight> {
 
 /// Makes every load act on all bodies in proportion to their masses. Returns the total mass, kg, and its centre, m; `option` is the option that an
 /// error names.
-pub(crate) fn accelerated(setup: &mut Setup, option: &str) -> Result<(f64, [f64; 3]), Failure> {
+pub(crate) fn accelerated(setup: &mut Setup<3>, option: &str) -> Result<(f64, [f64; 3]), Failure> {
     let message = || {
         format!("--{option} without --mass: say it, unless bodies have masses and the scene has a gravity")
     };
@@ -37,14 +37,14 @@ pub(crate) fn accelerated(setup: &mut Setup, option: &str) -> Result<(f64, [f64;
 }
 
 /// The common centre of mass of bodies that share loads by mass, with gravity or without.
-pub(crate) fn shared_centre(setup: &Setup) -> Option<Vec<f64>> {
+pub(crate) fn shared_centre(setup: &Setup<3>) -> Option<Vec<f64>> {
     let mut setup = setup.shared_by_mass.then(|| setup.clone())?;
     setup.gravity = Some([1.0; 3].into());
     setup.own_mass().map(|(_, centre)| centre[..setup.axes()].to_vec())
 }
 
 /// Refuses `--mass` for a body that has a mass in the scene.
-pub(crate) fn refuse_mass(setup: &Setup, mass: Option<f64>) -> Result<(), Failure> {
+pub(crate) fn refuse_mass(setup: &Setup<3>, mass: Option<f64>) -> Result<(), Failure> {
     match mass.and_then(|_| setup.weighty_body(None)) {
         None => Ok(()),
         Some(body) => Err(Failure::Usage(format!(
@@ -59,7 +59,7 @@ pub(crate) fn refuse_mass(setup: &Setup, mass: Option<f64>) -> Result<(), Failur
 pub(crate) fn of_own_masses<'l>(
     load: &'l LoadArguments,
     beside: bool,
-    setup: &mut Setup,
+    setup: &mut Setup<3>,
 ) -> Result<Cow<'l, LoadArguments>, Failure> {
     refuse_mass(setup, load.mass)?;
     #[cfg(feature = "mesh")]

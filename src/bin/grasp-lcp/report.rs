@@ -13,15 +13,15 @@ use grasp_lcp::scene::{Angle, Factor, OnsetAnswer, OnsetAt, TurnAnswer};
 use grasp_lcp::words::printable;
 
 use crate::table::{compared, table};
-use crate::types::{Answer, Question, Setup};
 use crate::words::{NO_WORDS, Style};
+use grasp_lcp::scene::{Answer, Question, Setup};
 
 /// Prints the answer to a question of a scene: its first line, then its tables and details.
 pub(crate) fn print(
     out: &mut dyn Write,
     style: Style,
-    setup: &Setup,
-    (question, answer): (&Question, &Answer),
+    setup: &Setup<3>,
+    (question, answer): (&Question<3>, &Answer<3>),
 ) -> io::Result<()> {
     let question = &*setup.meant(question).unwrap_or(Cow::Borrowed(question));
     let sentence = question.first_line(answer, style.words);
@@ -82,7 +82,7 @@ impl Report<'_> {
     }
 
     /// Prints the tables and details below the first line of an answer.
-    fn details(&mut self, question: &Question, answer: &Answer) -> io::Result<()> {
+    fn details(&mut self, question: &Question<3>, answer: &Answer<3>) -> io::Result<()> {
         match (question, answer) {
             (_, Answer::Hold(answer)) => {
                 self.proved(&answer.verdict)?;

@@ -6,7 +6,7 @@ use crate::arguments::Numbers;
 use crate::failure::Failure;
 use crate::loads::Meaning;
 use crate::own_masses::{accelerated, refuse_mass};
-use crate::types::{Question, Setup};
+use grasp_lcp::scene::{Question, Setup};
 
 /// The loads that are applied and removed in turn, and the constant load.
 #[derive(Debug, clap::Args)]
@@ -34,7 +34,7 @@ pub(crate) struct Shakes {
 
 impl Meaning {
     /// The question whether the grasp survives the repeated loads.
-    pub(crate) fn shake(self, shakes: &Shakes, setup: &mut Setup) -> Result<Option<Question>, Failure> {
+    pub(crate) fn shake(self, shakes: &Shakes, setup: &mut Setup<3>) -> Result<Option<Question<3>>, Failure> {
         refuse_mass(setup, shakes.mass)?;
         let at = shakes.at.as_ref();
         let mut base = self.base(shakes.base.as_ref(), at)?;

@@ -39,7 +39,7 @@ pub struct Jump<const C: usize> {
     /// The contacts whose gaps close after the object has moved without resistance, in order. Empty if contacts that touch already stop the object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub reaches: Vec<ContactLabel>,
-    /// Whether the object snaps over from a fold or a corner of its path ([`LossKind`](super::LossKind)) to another equilibrium.
+    /// Whether the object snaps over from a fold, a corner or an asymptote of its path ([`LossKind`](super::LossKind)) to another equilibrium.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub snaps: bool,
     /// The motion of the object, or of each of several bodies, in the jump.

@@ -264,9 +264,7 @@ impl<'g> Pieces<'g> {
         let largest = largest(&state.contacts, &|contact| contact.force.norm());
         let carries = largest > WEIGHTLESS * self.segment.largest
             && self.node.at.forces.iter().any(|force| force.norm() > 0.0);
-        // Near the start of a leg, forces may be so small that rounding shows in them, though not in those of the whole load.
-        let whole = largest.max(journey.program.load_at(1.0).force_part().norm());
-        if carries && state.residuals.worst() * largest > ACCURATE * whole {
+        if carries && state.residuals.worst() > ACCURATE {
             return Err(journey.undecided(self.factor, Doubt::Inaccurate));
         }
         Ok(Some(Event {

@@ -1,4 +1,4 @@
-//! Snapping over: a path ends at a fold or a corner, and the object moves on under the same load until it rests again.
+//! Snapping over: a path ends, at a fold, a corner or an asymptote, and the object moves on under the same load until it rests again.
 //!
 //! Other equilibria may exist beyond the end of a path. Which of them the object reaches depends on its motion there. This motion is taken to be that of
 //! viscous contacts, with dampers in proportion to their springs K_i, under a load slightly beyond the end of the path:
@@ -22,7 +22,7 @@ use super::node::{Node, directions};
 use super::pieces::Pieces;
 use super::segment::Segment;
 use super::tolerances::{
-    AS_EXPECTED, AT_REST_AGAIN, FASTEST_GROWTH, LITTLE_BEYOND, MOST_SNAPPING_STEPS, MOST_SNAPS,
+    AS_EXPECTED, AT_REST_AGAIN, FASTEST_GROWTH, LEAST_FORCE, LITTLE_BEYOND, MOST_SNAPPING_STEPS, MOST_SNAPS,
     SHORTEST_SNAPPING_STEP,
 };
 use super::trajectory::Trajectory;
@@ -114,12 +114,12 @@ impl<'g> RestsAgain<'g> {
 /// The change of the load factor that puts forces out of balance by a small fraction of the largest force. `change` are the rates of the offsets and
 /// `rate` is that of the load.
 ///
-/// The largest force counts as at least a thousandth of what the whole leg adds: without any force the change would be zero.
+/// The largest force counts as at least [`LEAST_FORCE`] of what the whole leg adds: without any force the change would be zero.
 pub(super) fn a_little(sites: &[Site], change: &[SVector<f64, 3>], mut rate: Vector, largest: f64) -> f64 {
     for (site, change) in sites.iter().zip(change) {
         site.map.push(&site.springs.force(change), &mut rate);
     }
-    LITTLE_BEYOND * (largest / rate.norm()).max(1e-3)
+    LITTLE_BEYOND * (largest / rate.norm()).max(LEAST_FORCE)
 }
 
 /// The snaps on a leg so far.
@@ -145,7 +145,7 @@ fn is_small(grasp: &Engine, small: &SmallMotions, moved: &Vector) -> bool {
     turns_little && grasp.sites()[..grasp.len()].iter().all(|site| site.map.tr_mul(moved).norm() <= most)
 }
 
-/// Factor on the step length after an accepted step; the next constant is that after a refused one.
+/// Factor on the length of a step, in time or of the load, after an accepted one; the next constant is that after a refused one.
 const LONGER: f64 = 2.0;
 const SHORTER: f64 = 0.25;
 
@@ -179,7 +179,7 @@ impl<'g> Pieces<'g> {
         let least = a_little(grasp.sites(), change, rate, most);
         // An object that sticks and snaps over again and again moves on by larger and larger steps of the load.
         let is_again = self.factor - self.snapped.at <= self.snapped.step;
-        let mut step = if is_again { (2.0 * self.snapped.step).max(least) } else { least };
+        let mut step = if is_again { (LONGER * self.snapped.step).max(least) } else { least };
         loop {
             if let event @ Some(_) = self.snaps_within(step, journey) {
                 return event;
@@ -187,7 +187,7 @@ impl<'g> Pieces<'g> {
             if step <= least {
                 return None;
             }
-            step = (0.25 * step).max(least);
+            step = (SHORTER * step).max(least);
         }
     }
 

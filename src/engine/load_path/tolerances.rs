@@ -10,6 +10,11 @@ use crate::contact::ZERO_SLACK;
 /// If smaller, the equilibrium beyond differs from the end by rounding only; if larger, a later event decides.
 pub(super) const LITTLE_BEYOND: f64 = 1e-6;
 
+/// The largest force counts as at least this fraction of what the whole leg adds, where the distance beyond the end of a path is proportional to it.
+///
+/// If smaller, an object without force at the end of its path is tried under the same load again and again. If larger, a later event decides.
+pub(super) const LEAST_FORCE: f64 = 1e-3;
+
 /// An object that snaps over has come to rest where the imbalance of forces is below this fraction of the imbalance that has set it in motion. What
 /// is left is removed along a leg.
 ///

@@ -25,7 +25,7 @@ use super::tolerances::STANDS_STILL;
 use super::trajectory::Trajectory;
 use super::watch::{Watch, WatchedCondition, watch};
 use super::within_a_step::first_dip;
-use crate::contact::{ActiveSet, Exit, Line, MOST_SLACK, Mode, State, ZERO_SLACK, tangential};
+use crate::contact::{ActiveSet, Exit, Line, Mode, State, ZERO_SLACK, tangential};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::prelude::*;
 use crate::search::Doubt;
@@ -253,8 +253,6 @@ impl<'g> Pieces<'g> {
                 }
                 // At the end of a leg a slip rate of this leg does not matter any more.
                 _ if leg_done => {}
-                // Without a normal force the direction of friction is rounding, and with it the end of a slip: rates decide as at the apex.
-                _ if line.force[0] <= MOST_SLACK * line.force_size => at_edge.push((contact, vec![apex()])),
                 // Where the load itself turns back, all slips stop. The rates ahead then decide which contacts slide on.
                 _ if self.segment.load_turns_back(to) => stops = true,
                 _ => sticks.push(contact),

@@ -17,12 +17,6 @@ impl<const C: usize> Grasp<C> {
         Ok(Self::of(engine?).with(&self.settings))
     }
 
-    /// This grasp with commands under which each link with a given tension pulls with it at rest: after a change of what acts on it.
-    pub(crate) fn installed_again(self) -> Result<Self, Error> {
-        let settings = self.settings;
-        Ok(Self::installed_by(Arc::unwrap_or_clone(self.engine))?.with(&settings))
-    }
-
     /// This grasp with the body loads that acted at `equilibrium`; a load program may have applied some.
     pub(super) fn of_equilibrium(&self, equilibrium: &Equilibrium<C>) -> Self {
         let loads = &equilibrium.body_loads;

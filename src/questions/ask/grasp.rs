@@ -99,11 +99,6 @@ impl<const C: usize> Grasp<C> {
         Grasp::installed_by(engine_of_contacts(contacts)?)
     }
 
-    /// The grasp of an engine. If links have a given tension, commands are set such that they have this tension at rest.
-    pub(super) fn installed_by(engine: Engine) -> Result<Self, Error> {
-        Grasp::<3>::of(engine).installed().map(outside)
-    }
-
     pub(super) fn of(engine: Engine) -> Self {
         Self { engine: Arc::new(engine), settings: Settings::default(), door: Once::new() }
     }

@@ -1,18 +1,35 @@
 //! Links with a given tension at rest: Newton's method finds the commands under which each of them carries its tension.
 
-use crate::numerics::IntoList;
+use alloc::sync::Arc;
+
 use nalgebra::{DMatrix, DVector};
 
 use super::grasp::Grasp;
 use crate::error::Error;
-use crate::grasp::Wrench;
-use crate::numerics::mapped;
+use crate::grasp::{Engine, Wrench, outside};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
+use crate::numerics::{IntoList, mapped};
 use crate::prelude::*;
+
+impl<const C: usize> Grasp<C> {
+    /// The grasp of an engine. If links have a given tension, commands are set such that they have this tension at rest.
+    pub(super) fn installed_by(engine: Engine) -> Result<Self, Error> {
+        Grasp::<3>::of(engine).installed().map(outside)
+    }
+
+    /// This grasp with commands under which each link with a given tension pulls with it at rest: after a change of what acts on it.
+    pub(crate) fn installed_again(self) -> Result<Self, Error> {
+        if self.engine.contacts().iter().all(|contact| contact.at_rest.is_none()) {
+            return Ok(self);
+        }
+        let settings = self.settings;
+        Ok(Self::installed_by(Arc::unwrap_or_clone(self.engine))?.with(&settings))
+    }
+}
 
 impl Grasp<3> {
     /// This grasp with commands of links such that each link with a given tension has that tension at rest.
-    pub(super) fn installed(self) -> Result<Self, Error> {
+    fn installed(self) -> Result<Self, Error> {
         // A squeeze of zero leaves no tension, and no command.
         let wanted = |contact: &crate::grasp::Contact<3>| contact.at_rest.filter(|tension| *tension > 0.0);
         let pressed: Vec<(usize, f64)> =

@@ -3,7 +3,7 @@
 use super::answer::AmountWindow;
 use super::search::{SearchPlan, Tries};
 use super::threshold::Threshold;
-use super::tolerances::{BETWEEN, BETWEEN_STATES};
+use super::tolerances::{BETWEEN, BETWEEN_STATES, FAR_BEHIND, NEAR_THE_START, TOWARDS_ZERO};
 use super::trial::Trial;
 use crate::error::Error;
 use crate::numerics::{increasing, mapped, moved};
@@ -19,12 +19,6 @@ pub(super) struct Around {
     /// Further intervals of sufficient amounts.
     pub(super) elsewhere: Vec<AmountWindow>,
 }
-
-/// Ratio of the bound to the first amount tried above which amounts beyond the first one are scanned, too: those around the bound do not reach it.
-const FAR_BEHIND: f64 = 4.0;
-
-/// Number of amounts scanned there.
-const NEAR_THE_START: usize = 3;
 
 impl SearchPlan {
     /// `count` amounts beyond `from`, upwards or downwards, as far as contact forces can balance the loads. With `coarse`, one more amount is 16
@@ -74,6 +68,10 @@ impl Around {
                 if up { begin > FAR_BEHIND * bound.does } else { bound.does > FAR_BEHIND * begin };
             if is_beyond && is_far_behind && scan > 0 {
                 amounts.extend(plan.scanned(begin, up, NEAR_THE_START, false));
+                if !up {
+                    let amounts_below = TOWARDS_ZERO.map(|ratio| begin / ratio);
+                    amounts.extend(amounts_below.into_iter().filter(|amount| plan.contains(*amount)));
+                }
             }
             amounts.extend(plan.at_the_end(up).into_iter().filter(|_| is_beyond));
             if scan > 0 {

@@ -35,6 +35,7 @@
 //! Where no command presses there is no squeeze to scale. Then the force of the only loaded body is sought in its place, or the load at rest, and the
 //! answer says so.
 
+mod amount_words;
 mod answer;
 mod any_direction;
 mod around;

@@ -11,6 +11,7 @@ use crate::ask::Grasp;
 use crate::error::Error;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
+use crate::squeeze::Loads;
 
 /// The amounts for which contact forces may balance the loads. Beyond an end that is given, a proof excludes all amounts; beyond `None` there is no
 /// proof.
@@ -44,7 +45,8 @@ impl Range {
                     for up in [true, false] {
                         if !range.is_empty {
                             range.cut(&loading, which, up, [least, most])?;
-                            range.is_empty_at_rest = range.is_empty && which == 0;
+                            range.is_empty_at_rest =
+                                range.is_empty && which == 0 && !matches!(need.loads, Loads::Turn(_));
                         }
                     }
                 }

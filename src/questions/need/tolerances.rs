@@ -86,3 +86,20 @@ pub(super) const BETWEEN_STATES: f64 = 1.05;
 ///
 /// With fewer, intervals of other verdicts are missed. Each costs a verdict.
 pub(super) const BETWEEN: usize = 5;
+
+/// Ratio of the bound to the first amount tried above which amounts beyond the first one are tried as well, since those around the bound do not
+/// reach it.
+///
+/// If smaller, answers take more verdicts. If larger, an end of the sufficient amounts just beyond the first one is missed.
+pub(super) const FAR_BEHIND: f64 = 4.0;
+
+/// Number of amounts tried beyond the first one in this case, up to a ratio of 4.
+///
+/// With fewer, narrow intervals of other verdicts are missed. Each costs a verdict.
+pub(super) const NEAR_THE_START: usize = 3;
+
+/// Ratios of the first amount tried to those tried far below it, where a greatest amount is sought. An arm from which a load jams may be far shorter
+/// than the grasp.
+///
+/// Without them such an end is missed. Each costs a verdict.
+pub(super) const TOWARDS_ZERO: [f64; 3] = [16.0, 256.0, 65536.0];

@@ -5,16 +5,16 @@ use grasp_lcp::picture::{Chart, chart_of_load, chart_of_program, chart_of_turn, 
 use grasp_lcp::scene::OnsetAnswer;
 
 use crate::failure::Failure;
-use crate::types::{Answer, Question, Setup};
+use grasp_lcp::scene::{Answer, Question, Setup};
 
 /// The end of a chart, as a multiple of the farthest load factor of interest: the load itself, first slip or loss.
 const CHART_END: f64 = 1.25;
 
 /// The chart of a question, if it has a load path.
 pub(super) fn chart(
-    setup: &Setup,
+    setup: &Setup<3>,
     grasp: &Grasp<3>,
-    (question, answer): (&Question, &Answer),
+    (question, answer): (&Question<3>, &Answer<3>),
     title: &str,
 ) -> Result<Option<Chart>, Failure> {
     let grasp = &setup.grasp_of(grasp, question)?;
@@ -49,9 +49,9 @@ pub(super) fn chart(
 
 /// Charts of a repeated load: slips cycle by cycle from rest, and the loops of friction against slip in the last cycle.
 pub(super) fn cycles(
-    setup: &Setup,
+    setup: &Setup<3>,
     grasp: &Grasp<3>,
-    (question, answer): (&Question, &Answer),
+    (question, answer): (&Question<3>, &Answer<3>),
     title: &str,
 ) -> Result<Vec<Chart>, Failure> {
     let (Question::Shake { base, .. }, Answer::Shake(answer)) = (question, answer) else {

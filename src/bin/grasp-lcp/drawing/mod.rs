@@ -11,7 +11,7 @@ use self::charts::{chart, cycles};
 use self::shown::{Shown, What, shown};
 use crate::failure::Failure;
 use crate::files::Pictures;
-use crate::types::{Answer, Setup};
+use grasp_lcp::scene::{Answer, Setup};
 
 /// Draws a scene: a page and stills of its answers, or of the grasp alone, and charts.
 pub(crate) fn draw(scene: &Scene, pictures: &Pictures) -> Result<(), Failure> {
@@ -79,7 +79,7 @@ fn said_first(says: &mut Vec<String>) -> String {
 }
 
 /// Saves the charts of the fraction of friction that each contact uses, one below the other for each question with a load path; and charts of cycles.
-fn charts(setup: &Setup, answers: &[Answer], pictures: &Pictures) -> Result<(), Failure> {
+fn charts(setup: &Setup<3>, answers: &[Answer<3>], pictures: &Pictures) -> Result<(), Failure> {
     let (grasp, title) = (setup.grasp()?, pictures.title());
     let mut charts = Vec::new();
     for (index, (question, answer)) in setup.questions.iter().zip(answers).enumerate() {

@@ -12,8 +12,8 @@ use grasp_lcp::shake::Shaken;
 use grasp_lcp::words::Words;
 
 use crate::failure::Failure;
-use crate::types::{Answer, Question, Setup};
 use crate::words::NO_WORDS;
+use grasp_lcp::scene::{Answer, Question, Setup};
 
 /// One answer in a picture.
 pub(super) struct Shown {
@@ -53,10 +53,10 @@ const BEFORE_LABEL: &str = "before";
 
 /// The states that illustrate an answer. The state that [`ShownAnswers::keys`] lists first gets the first line of the answer.
 pub(super) fn shown(
-    setup: &Setup,
+    setup: &Setup<3>,
     grasp: &Grasp<3>,
-    question: &Question,
-    answer: Answer,
+    question: &Question<3>,
+    answer: Answer<3>,
     words: Words,
 ) -> Result<ShownAnswers, Failure> {
     let grasp = &setup.grasp_of(grasp, question)?;

@@ -1,0 +1,98 @@
+//! Amounts in words, each in the unit of its quantity: "12 N at left and right", "an arm of 0.25 m", "60°".
+
+use super::answer::{Needed, PressedBy, Quantity};
+use super::press::{self, Press};
+use crate::prelude::*;
+use crate::words::{Words, printable};
+
+impl Needed {
+    /// "0.1 to 3 times the load".
+    pub(super) fn range(&self, words: Words, from: f64, to: f64) -> String {
+        let [low, high] = [from, to].map(|amount| words.number(amount));
+        match self.quantity {
+            Quantity::Squeeze => format!("{low} to {high} times the squeeze given"),
+            Quantity::Friction => format!("{low} to {high}"),
+            Quantity::Load => format!("{low} to {high} times the load"),
+            Quantity::Arm => format!("{} to {}", words.reach(from), words.reach(to)),
+            Quantity::Angle => format!("{} to {}", words.angle(from), words.angle(to)),
+            Quantity::Force => match self.of.as_ref().and_then(PressedBy::unit_size) {
+                Some((size, unit)) => format!(
+                    "{} to {} {unit}{}",
+                    words.number(size * from),
+                    words.number(size * to),
+                    self.at()
+                ),
+                None => format!("{low} to {high} times the load given{}", self.at()),
+            },
+        }
+    }
+
+    /// "an arm of 0.25 m to 10.8 m", from one end of the sufficient amounts to the other.
+    pub(super) fn between_ends(&self, words: Words, from: f64, to: f64) -> String {
+        let range = self.range(words, from, to);
+        if self.quantity == Quantity::Arm { format!("an arm of {range}") } else { range }
+    }
+
+    /// An amount in the user's unit with its place: "12 N at left and right".
+    pub(super) fn much(&self, words: Words, amount: f64, presses: &[Press]) -> String {
+        match self.quantity {
+            Quantity::Squeeze => {
+                let times = format!("{} times the squeeze given", words.number(amount));
+                press::in_words(words, presses, times)
+            }
+            Quantity::Friction => format!("a coefficient of friction of {}", words.number(amount)),
+            Quantity::Load => match self.force {
+                Some(force) => {
+                    format!("{}, {} N,", self.short(words, amount, &[]), words.number(amount * force))
+                }
+                None => self.short(words, amount, &[]),
+            },
+            Quantity::Arm => format!("an arm of {}", words.reach(amount)),
+            Quantity::Angle | Quantity::Force => format!("{}{}", self.short(words, amount, &[]), self.at()),
+        }
+    }
+
+    /// An amount in the user's unit without its place, which the sentence has named before: "12 N".
+    pub(super) fn short(&self, words: Words, amount: f64, presses: &[Press]) -> String {
+        match self.quantity {
+            Quantity::Squeeze => match press::all_alike(words, presses) {
+                Some(force) => force,
+                None => format!("{} times the squeeze given", words.number(amount)),
+            },
+            Quantity::Friction => words.number(amount),
+            Quantity::Load => format!("{} times the load", words.number(amount)),
+            Quantity::Arm => words.reach(amount),
+            Quantity::Angle => format!("{}°", words.number(amount.to_degrees())),
+            Quantity::Force => match self.of.as_ref().and_then(PressedBy::unit_size) {
+                Some((size, unit)) => format!("{} {unit}", words.number(amount * size)),
+                None => format!("{} times what is given", words.number(amount)),
+            },
+        }
+    }
+
+    /// The place of a force: " on jaw".
+    pub(super) fn at(&self) -> String {
+        match &self.of {
+            None => String::new(),
+            Some(PressedBy { part: Some(part), is_body: true, .. }) => format!(" on {}", printable(part)),
+            Some(PressedBy { part: Some(part), .. }) => format!(" at {}", printable(part)),
+            Some(_) => " at rest".to_owned(),
+        }
+    }
+}
+
+impl PressedBy {
+    pub(super) fn unit_size(&self) -> Option<(f64, &str)> {
+        Some((self.size?, self.unit.as_deref()?))
+    }
+}
+
+/// Rounds the end of a searched interval to one digit, up or down, so that the rounded number stays inside the interval.
+pub(super) fn roughly(amount: f64, up: bool) -> f64 {
+    if amount <= 0.0 {
+        return amount;
+    }
+    let digit = 10.0_f64.powf(amount.log10().floor());
+    let digits = amount / digit;
+    digit * if up { digits.ceil() } else { digits.floor() }
+}

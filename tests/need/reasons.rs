@@ -1,0 +1,61 @@
+//! An answer names what bounds it: arms that are too short, the range of small motions, the load at rest alone, and a start that does not hold.
+
+use grasp_lcp::need::{Amount, Need};
+use grasp_lcp::planar::{Contact, Grasp, Turn, Wrench};
+
+type Tested = Result<(), Box<dyn std::error::Error>>;
+
+fn contact(point: [f64; 2], normal: [f64; 2], friction: f64, stiffness: f64) -> Contact {
+    Contact::new(point, normal).series_stiffness(stiffness, stiffness).friction(friction)
+}
+
+/// A drawer of width 0.5 m between guides of length L, friction 0.3, is pulled at a distance x from its middle. Both normal forces N of the couple
+/// `N L = F x` rub, and jam it from `x = L / (2 μ)` on. Some of these limits lie below the distances of the contacts from each other.
+#[test]
+fn a_drawer_jams_from_an_arm_on() -> Tested {
+    for length in [0.001, 0.05, 0.3, 0.6] {
+        let guide = |side: f64, y: f64| contact([0.25 * side, y], [-side, 0.0], 0.3, 1e7);
+        let drawer =
+            Grasp::new([guide(-1.0, 0.0), guide(-1.0, length), guide(1.0, 0.0), guide(1.0, length)])?;
+        let pull = Wrench::force([0.0, -10.0]);
+        let per_metre = Wrench::force_at([0.0, -10.0], [1.0, 0.0]) - pull;
+        let needed = drawer.need(&Need::arm(pull, per_metre).to_hold())?;
+        let (Amount::Bound { until: Some(end), is_too_far: true, .. } | Amount::Any { until: Some(end), .. }) =
+            &needed.amount
+        else {
+            panic!("{needed}")
+        };
+        // The bracket of an end other than the bound is at most 1e-4 wide, and holds the limit.
+        let [does, does_not] = [end.does, end.does_not].map(|x| x * 0.6 / length);
+        assert!(
+            does_not < 1.0 + 1e-9 && does > 1.0 - 1e-9 && does - does_not < 1e-4,
+            "{does} {does_not}: {needed}"
+        );
+    }
+    Ok(())
+}
+
+/// A box on a slope of 30° with friction 0.3 slides under its weight alone, and 50 N hold it. Neither multiple of one holds beside the other at rest.
+#[test]
+fn a_load_at_rest_that_is_not_held() -> Tested {
+    let (sin, cos) = (30.0_f64.to_radians()).sin_cos();
+    let foot = |along: f64| contact([along * cos, along * sin], [-sin, cos], 0.3, 1e6);
+    let slope = Grasp::new([foot(-0.1), foot(0.1)])?;
+    let (weight, push) = (Wrench::force([0.0, -100.0]), Wrench::force([50.0, 0.0]));
+    assert_eq!(slope.hold(weight + push)?.holds(), Some(true));
+    let needed = slope.need(&Need::load(push).on_top_of(weight).to_hold())?;
+    assert!(matches!(needed.amount, Amount::None { is_proved: true, at_rest: true, .. }), "{needed}");
+    Ok(())
+}
+
+/// A box at a vertical wall slides before the wall is tilted.
+#[test]
+fn a_turn_whose_start_is_not_held() -> Tested {
+    let wall = Grasp::new([-0.1, 0.1].map(|y| contact([0.0, y], [1.0, 0.0], 0.5, 1e6)))?;
+    let needed = wall.need(&Need::angle(Turn::tilting([0.0, -9.81], [0.0, 0.0])).to_hold())?;
+    assert!(
+        needed.to_string().starts_with("NO angle does, since it does not hold before it turns"),
+        "{needed}"
+    );
+    Ok(())
+}
