@@ -69,8 +69,8 @@ pub(crate) enum Command {
     Ask(Ask),
     /// Does the grasp hold the load? The load grows from zero beside the base load; the answer is a sentence.
     ///
-    /// Without a load on the command line, the scene's own questions are asked; without such a question, whether it holds the load of its question `need`,
-    /// or else whether it stands at rest.
+    /// Without a load on the command line, the scene's own questions `hold` are answered. If the scene has none, the answer is whether the grasp
+    /// holds the load of the scene's question `need`, or else whether it is in equilibrium without a load.
     Hold {
         #[command(flatten)]
         load: LoadArguments,
@@ -106,10 +106,10 @@ pub(crate) enum Command {
         /// A force that acts before the load and stays, N, at the same point.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         base: Option<Numbers>,
-        /// A force of any direction beside the load, N; this size counts as load factor 1.
+        /// A force of any direction beside the load, N; a load factor of 1 means a force of this size.
         #[arg(long, allow_hyphen_values = true, value_parser = newtons, value_name = "N")]
         any_force: Option<f64>,
-        /// Contacts may press with up to this force, N; if left out, the commands of the scene stay.
+        /// Contacts may press with up to this force, N; if left out, the finger commands of the scene do not change.
         #[arg(long, allow_hyphen_values = true, value_parser = newtons, value_name = "N")]
         at_most: Option<f64>,
         /// Maximises the friction reserve under the full load, instead of the load at first slip.
@@ -125,7 +125,7 @@ pub(crate) enum Command {
         #[command(flatten)]
         ask: Ask,
     },
-    /// Is the equilibrium the minimum of energy that the paper's quadratic program finds, and up to which part of the load?
+    /// Is the equilibrium the state of least energy, which a quadratic program finds, and up to which part of the load?
     Compare {
         #[command(flatten)]
         load: LoadArguments,
@@ -211,7 +211,7 @@ pub(crate) enum Command {
         /// The point where the force acts, m; the origin if left out.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         at: Option<Numbers>,
-        /// The unit of that point: m, cm, mm or in; that of the scene's field `unit` if left out.
+        /// The unit of the point `--at`: m, cm, mm or in; that of the scene's field `unit` if left out.
         #[arg(long, value_parser = unit, value_name = "UNIT")]
         unit: Option<Unit>,
         #[command(flatten)]
@@ -219,7 +219,7 @@ pub(crate) enum Command {
         /// Prints the map as one JSON object, and draws nothing.
         #[arg(long)]
         json: bool,
-        /// Where no terminal shows a bar, tells every second on standard error how far the map is.
+        /// Prints the progress of the map every second on standard error, where no terminal shows a progress bar.
         #[arg(long)]
         progress: bool,
         #[command(flatten)]
@@ -253,7 +253,7 @@ pub(crate) enum Command {
         /// Largest number of combinations of contact states that a scene may try.
         #[arg(long, allow_hyphen_values = true, value_parser = count, default_value_t = 20_000)]
         most_states: usize,
-        /// Largest number of steps along sliding arcs that a leg may take.
+        /// Largest number of integration steps on a leg of a load path along which directions of sliding turn.
         #[arg(long, allow_hyphen_values = true, value_parser = count, default_value_t = 20_000)]
         most_steps: usize,
     },
@@ -285,7 +285,7 @@ pub(crate) enum SchemaOf {
     Scene,
     /// The list of answers that `--json` prints.
     Answers,
-    /// A line of `stream`.
+    /// One line of the output of `stream`.
     Line,
 }
 
@@ -297,7 +297,7 @@ pub(crate) struct Ask {
     /// The answers in JSON in place of words.
     #[arg(long)]
     pub(crate) json: bool,
-    /// Points of soft fingertips one by one, each with its own margin.
+    /// Prints the points of soft fingertips one by one, each with its own friction reserve.
     #[arg(long)]
     pub(crate) points: bool,
     /// Number of significant digits.
@@ -307,7 +307,7 @@ pub(crate) struct Ask {
     /// not change their units.
     #[arg(long, value_parser = unit, value_name = "UNIT")]
     pub(crate) unit: Option<Unit>,
-    /// Where no terminal shows it, tells every second on standard error which question is being answered.
+    /// Prints every second on standard error which question is being answered, where no terminal shows the question.
     #[arg(long)]
     pub(crate) progress: bool,
 }
@@ -320,7 +320,7 @@ pub(crate) struct Wanted {
     pub(crate) quantity: Option<SoughtQuantity>,
     #[command(flatten)]
     pub(crate) load: LoadArguments,
-    /// A force that acts beside the load whatever the amount, N, at the same point.
+    /// A constant force beside the load, N, at the same point. It does not depend on the sought quantity.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
     pub(crate) base: Option<Numbers>,
     /// A force of this size and any direction beside the load, N.
@@ -335,26 +335,28 @@ pub(crate) struct Wanted {
     /// For friction: the name of the contact whose coefficient is sought; that of all contacts if left out.
     #[arg(long)]
     pub(crate) contact: Option<String>,
-    /// For a force: the name of the body whose load is sought, or of the contact, link or joint whose command or force is sought; the load at rest
-    /// (--base) if left out.
+    /// For a force: the name of the body whose load is sought, or of the contact, link or joint whose command or force is sought. If left out, the
+    /// constant load (--base) is sought.
     #[arg(long, value_name = "NAME")]
     pub(crate) of: Option<String>,
-    /// Seeks only the amount with which nothing slides; by default the answer adds it to the amount that holds the object.
+    /// Seeks only the value of the quantity with which no contact slides. By default the answer has both this value and the one that holds the
+    /// object.
     #[arg(long, conflicts_with_all = ["may_slide", "repeats"])]
     pub(crate) sticks: bool,
     /// Contacts may slide, as long as the object is held, which is the default; with --repeats they may slide to and fro in every cycle.
     #[arg(long)]
     pub(crate) may_slide: bool,
-    /// The load is applied and removed again and again, until the object comes to rest; with --may-slide the object only must not walk.
+    /// The load is applied and removed again and again, until the object comes to rest; with --may-slide the object only must not move farther in
+    /// every cycle.
     #[arg(long)]
     pub(crate) repeats: bool,
-    /// Factor on the load for the safe amount.
+    /// Safety factor on the load, for the safe value in the answer.
     #[arg(long, allow_hyphen_values = true, value_parser = times, value_name = "TIMES")]
     pub(crate) safety: Option<f64>,
-    /// Reduction of friction for the safe amount, percent; 10 if left out, 0 with --safety.
+    /// Reduction of friction, percent, for the safe value in the answer; 10 if left out, 0 with --safety.
     #[arg(long, allow_hyphen_values = true, value_parser = percent, value_name = "PERCENT")]
     pub(crate) friction_less: Option<f64>,
-    /// Reduction of the squeeze for the safe amount, percent; 5 if left out, 0 with --safety.
+    /// Reduction of the clamping force, percent, for the safe value in the answer; 5 if left out, 0 with --safety.
     #[arg(long, allow_hyphen_values = true, value_parser = percent, value_name = "PERCENT")]
     pub(crate) squeeze_less: Option<f64>,
 }
@@ -372,14 +374,14 @@ pub(crate) enum SoughtQuantity {
     Arm,
     /// The largest angle by which the load may be tilted.
     Angle,
-    /// The least load of a body, lever or screw, or command of one contact or cable.
+    /// The least load on a body, lever or screw, or the least command or force of a contact, cable or joint.
     Force,
 }
 
 /// The place and the names of pictures.
 #[derive(Debug, Args)]
 pub(crate) struct Output {
-    /// The folder for pictures, which is created if missing, or the file of the first of them, such as grasp.svg.
+    /// The folder for pictures, which is created if missing, or the file of the first picture, such as grasp.svg.
     #[arg(long, short, default_value = "output")]
     pub(crate) output: PathBuf,
     /// The beginning of the names of pictures; the name of the scene's file if left out.

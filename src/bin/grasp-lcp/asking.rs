@@ -21,7 +21,8 @@ use crate::words::Style;
 use crate::{files, report};
 use grasp_lcp::scene::{Answer, Setup};
 
-/// Answers the questions of a scene file, or the question of the command line, and prints the answers. The exit code says whether one is undecided.
+/// Answers the questions of a scene file, or the question of the command line, and prints the answers. The exit code says whether an answer is
+/// undecided.
 pub(crate) fn ask(ask: &Ask, asked: Command) -> Result<ExitCode, Failure> {
     ask_of(files::read(&ask.scene)?, ask, asked)
 }

@@ -19,7 +19,7 @@ pub(crate) fn schema(of: SchemaOf) -> Result<(), Failure> {
 }
 
 pub(crate) fn completions(shell: Shell, out: &mut impl Write) -> Result<(), Failure> {
-    // The generator panics on a write error, so that it writes to memory.
+    // The generator panics on a write error. It therefore writes to memory first, where no write fails.
     let mut text = Vec::new();
     clap_complete::generate(shell, &mut Arguments::command(), "grasp-lcp", &mut text);
     Ok(out.write_all(&text)?)

@@ -34,7 +34,7 @@ impl Failure {
     }
 }
 
-/// Exit code if all questions are answered, and an answer is "undecided".
+/// Exit code if all questions are answered and at least one answer is "undecided".
 pub(crate) const EXIT_UNDECIDED: u8 = 4;
 
 impl fmt::Display for Failure {

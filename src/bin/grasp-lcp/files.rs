@@ -55,7 +55,8 @@ pub(crate) fn warn(path: &Path, scene: &Scene) -> Result<(), Failure> {
     warn_of_stiffness(path, scene)
 }
 
-/// Prints the warnings that need no answers, also about loads of the scene as `given`, before the command line has replaced its questions.
+/// Prints the warnings that need no answers. `given` is the scene before the command line has replaced its questions: warnings about its loads are
+/// printed, too.
 pub(crate) fn warn_at_once(path: &Path, scene: &Scene, given: Option<&Scene>) -> Result<(), Failure> {
     let mut warnings = scene.warnings_at_once().map_err(|error| refused(path, &error))?;
     let of_loads =
@@ -70,7 +71,7 @@ pub(crate) fn warn_at_once(path: &Path, scene: &Scene, given: Option<&Scene>) ->
     Ok(())
 }
 
-/// Prints the warnings about stiffness that is left out. They take several answers to each question.
+/// Prints the warnings about stiffness that is left out. To find these warnings, each question is answered several times.
 pub(crate) fn warn_of_stiffness(path: &Path, scene: &Scene) -> Result<(), Failure> {
     tell(path, &scene.stiffness_left_out().map_err(|error| refused(path, &error))?);
     Ok(())

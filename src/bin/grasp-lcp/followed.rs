@@ -89,7 +89,8 @@ impl Report<'_> {
         }
     }
 
-    /// Prints the soft fingertips that slide or open completely where an equilibrium is lost: their last points reach the edge of their cone at that load.
+    /// Prints the soft fingertips that slide or open completely where an equilibrium is lost: the last of their points that still stick or press
+    /// reach the edge of the friction cone at that load.
     fn on_their_edge(&mut self, loss: &Loss<3>, state: &Equilibrium<3>) -> io::Result<()> {
         let is_closed = |contact: &&ContactAnswer<3>| contact.state != ContactState::Separated;
         let slides = |contact: &ContactAnswer<3>| {

@@ -19,7 +19,7 @@ use crate::numbers::{kilograms, newtons};
 /// The part and the jaws of `new grip`.
 #[derive(Debug, Args)]
 pub(crate) struct Grip {
-    /// Of a grip: the mesh of the part, an STL or OBJ. The scene belongs into the folder from which its path counts.
+    /// Of a grip: the mesh of the part, an STL or OBJ. Save the scene in the folder to which the path of the mesh is relative.
     mesh: Option<PathBuf>,
     /// Of a grip: sides of the jaws, such as 20x30mm; the first along the axis that is farthest from the closing direction.
     #[arg(long, value_name = "AxB")]
@@ -33,7 +33,7 @@ pub(crate) struct Grip {
     /// Of a grip: the point between the jaws, such as 3,25,15mm; the centre of mass if left out.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y,Z")]
     at: Option<Lengths>,
-    /// Of a grip: the distance of the open jaws, such as 80mm; they come from outside of the part if left out.
+    /// Of a grip: the distance of the open jaws, such as 80mm; if left out, the jaws start outside of the part.
     #[arg(long, value_name = "LENGTH")]
     opening: Option<Lengths>,
     /// Of a grip: the coefficient of friction.

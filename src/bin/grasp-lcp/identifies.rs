@@ -129,7 +129,7 @@ impl Meaning {
         Ok(Some(Question::Identify(Box::new(asked))))
     }
 
-    /// The rows of a table.
+    /// The observed slips of a table, one for each row.
     fn slips(self, path: &Path, given: &Identifies) -> Result<Vec<Slip<3>>, Failure> {
         let name = name(path);
         let refused =

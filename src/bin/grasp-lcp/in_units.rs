@@ -41,7 +41,7 @@ impl Command {
 }
 
 impl Command {
-    /// Lets forces act at this point where the command line names none.
+    /// Sets the point at which forces act to `centre`, if the command line names no point.
     pub(crate) fn act_at(&mut self, centre: &[f64]) {
         let is_pulled = |load: &LoadArguments| load.force.is_some() || load.mass.is_some();
         let (at, acts) = match self {

@@ -105,7 +105,7 @@ impl Meaning {
                     together_with = of_scene.together_with;
                     (of_scene.loads, Some(of_scene.base))
                 }
-                // Without a load on the command line, the question is about the loads at rest, if there are any.
+                // Without a load on the command line, the question is about the constant loads, if there are any.
                 None => (Vec::new().into(), None),
             },
             (SoughtQuantity::Load, None) if load.is_none() && wanted.any_force.is_none() => {

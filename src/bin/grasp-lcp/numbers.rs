@@ -30,7 +30,7 @@ impl std::str::FromStr for Numbers {
     }
 }
 
-/// Whether it is a number with a unit of length behind it.
+/// Whether `part` is a number followed by a unit of length.
 fn has_unit(part: &str) -> bool {
     let number = part.trim().trim_end_matches(char::is_alphabetic);
     number.trim().parse::<f64>().is_ok() && Unit::of(&part.trim()[number.len()..]).is_some()

@@ -9,7 +9,7 @@ use grasp_lcp::squeeze::Loads;
 use crate::arguments::{SoughtQuantity, Wanted};
 use grasp_lcp::scene::{Question, Setup};
 
-/// The loads of a scene's question: the load at rest, the loads beside it, and loads of other bodies that grow with these.
+/// The loads of a scene's question: the constant load, the loads added to it, and loads on other bodies that grow in proportion to the added loads.
 pub(crate) struct SceneLoads {
     pub(crate) base: Wrench<3>,
     pub(crate) loads: Loads<3>,
@@ -17,8 +17,8 @@ pub(crate) struct SceneLoads {
 }
 
 impl SceneLoads {
-    /// The loads of the scene's first question `need`; without one those of all its questions `hold` that have the same load at rest, or of its first
-    /// `solve`. A warning says which.
+    /// The loads of the scene's first question `need`. Without such a question: the loads of all its questions `hold` that have the same constant
+    /// load, or else of its first question `solve`. A warning names the question.
     pub(crate) fn of(setup: &Setup<3>) -> Option<Self> {
         let kinds: [fn(&Question<3>) -> bool; 3] = [
             |question| matches!(question, Question::Need(_)),
@@ -49,7 +49,7 @@ impl SceneLoads {
     }
 }
 
-/// The scene's own question for the quantity that is sought without a load.
+/// The scene's own question `need` for the sought quantity; `None` if the command line gives a load or another option that replaces the question.
 pub(crate) fn own_need(setup: &Setup<3>, wanted: &Wanted, sought: SoughtQuantity) -> Option<Need<3>> {
     let given = [&wanted.load.force, &wanted.load.moment, &wanted.load.acceleration, &wanted.base];
     let others = [&wanted.along, &wanted.axis, &wanted.load.at];

@@ -107,7 +107,7 @@ impl Report<'_> {
                     (true, true) => format!("from {base} along {along}, commands changing along"),
                     (true, false) => format!("from {base} along {along}"),
                 };
-                // If only commands change, the load is constant and does not say where the onset is.
+                // If only finger commands change, the load is constant, and printing it would not locate the onset.
                 let place = |report: &Self, event: &OnsetAt<3, Factor>| {
                     let at = report.number(event.at.factor);
                     let there = if *direction == Wrench::ZERO {
@@ -167,7 +167,7 @@ impl Report<'_> {
         }
     }
 
-    /// Prints each contact and drive that reaches the limit of its state while a load turns, without exceeding it.
+    /// Prints each contact that reaches the edge of its friction cone while a load turns, and each drive that reaches its limit, without crossing it.
     fn touches(&mut self, answer: &TurnAnswer<3>) -> io::Result<()> {
         let mut named = Vec::new();
         for touch in &answer.touches {

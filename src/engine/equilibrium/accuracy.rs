@@ -13,11 +13,11 @@ use crate::search::FoundBy;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// Estimated errors of an equilibrium, relative to the exact one with the same contact states, and its condition.
+/// Estimated errors of an equilibrium, relative to the exact one with the same contact states, and the condition number of its contact forces.
 ///
-/// For the errors the residuals of the conditions are evaluated in twice the working precision, and the linear problem is solved for them. The
-/// condition comes from varying all data at once, in a few patterns of signs (small-sample estimates, C. S. Kenney and A. J. Laub, SIAM J. Sci.
-/// Comput. 15, 1994).
+/// The residuals of all conditions are evaluated in twice the working precision. Solving the linear problem with these residuals as right-hand side
+/// gives the errors. The condition number comes from varying all data at once, in a few patterns of signs (small-sample estimates, C. S. Kenney and
+/// A. J. Laub, SIAM J. Sci. Comput. 15, 1994).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -30,8 +30,8 @@ pub struct Accuracy {
     /// Estimated error of the displacements of the body at the contacts, m: the largest of all contacts. Motions that nothing resists do not count.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement: f64,
-    /// Condition of the contact forces: if all data have a relative error ε, the forces have about this times ε, relative to the largest. Rounding of
-    /// a normal to double precision alone causes `condition · 1.1e-16`.
+    /// Condition number of the contact forces: a relative error ε of all data causes errors of about `condition · ε` in the forces, relative to the
+    /// largest force. Rounding of a normal to double precision alone causes `condition · 1.1e-16`.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub condition: f64,
 }
@@ -130,7 +130,8 @@ impl Variation {
                 }
             }
             site.map.push(&variation.dragged[i], &mut variation.load);
-            // A point changes by its own coordinates: their relative error refers to the origin, not to neighbouring points.
+            // The coordinates of a point are varied by their own size: a relative error refers to the distance from the origin, not from neighbouring
+            // points.
             let point = grasp
                 .contacts()
                 .get(i)

@@ -61,8 +61,8 @@ pub struct Equilibrium<const C: usize> {
     pub load: Wrench<C>,
     /// Motion of the object from its place before load and commands: translation of the origin (m) and rotation (rad). If `free_motions` remain, it
     /// has the least norm that gaps and slips allow; on a load path it is nearest to the last place of the object. The norm is about the centroid of
-    /// the contact points, with lengths in units of their root mean square distance from it. A joint's displacement counts times a power of two near
-    /// the longest motion of its contacts.
+    /// the contact points, with lengths in units of their root mean square distance from it. The displacement of a joint counts times its reference
+    /// length, a power of two near the largest motion of its contacts per radian.
     pub twist: Twist<C>,
     /// The motion of each of [several bodies](crate::grasp::Bodies); `twist` is then the motion of the body on which loads act. Empty for one object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
@@ -76,7 +76,7 @@ pub struct Equilibrium<const C: usize> {
     /// the theory, since the object may move any distance. `None` where all motions are small.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub too_far: Option<TooFar>,
-    /// The contacts, in the order of the grasp; each point of a soft fingertip is one of them.
+    /// The contacts, in the order of the grasp; each point of a soft fingertip is one contact.
     pub contacts: Vec<ContactAnswer<C>>,
     /// The soft fingertips, with the resultants of their points.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
@@ -114,8 +114,9 @@ pub struct Equilibrium<const C: usize> {
     /// `free_motions`. Empty except at loads at which friction just balances on a wedge.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub neutral_motions: Vec<Motion<C>>,
-    /// On the round cone: the largest change of a contact force, N, from the answer of the polygon with which the search started.
-    /// `None` without a polygon: no contact slides, Newton's method found the answer, it is a state of a load path, or it is for the polygon itself.
+    /// On the round cone: the largest difference, N, between a contact force and its value on the polygonal cone with which the search started.
+    /// `None` if no polygon was used: no contact slides, Newton's method found the equilibrium, it is a state of a load path, or its own friction
+    /// cone is a polygon.
     #[cfg_attr(
         feature = "serde",
         serde(default, with = "AsComputed::<Option<f64>>", skip_serializing_if = "Option::is_none")
@@ -176,13 +177,13 @@ pub(crate) struct LocalAnswer {
     pub(crate) free_motions: Vec<Coordinates>,
     /// Commanded displacements minus clearance and `slips`, m, in the contact frames.
     pub(crate) offsets: Vec<SVector<f64, 3>>,
-    /// The slips along a load path that were subtracted from the offsets, m.
+    /// The slips along a load path that were subtracted from `offsets`, m.
     pub(crate) slips: Vec<SVector<f64, 3>>,
     /// Present friction cones, narrower at contacts that slide with kinetic friction. An empty list stands for the static cones.
     pub(crate) cones: Vec<Coulomb>,
 }
 
-/// Counts of the work of a search, and of the rows that it left out.
+/// Counts of the work of a search, and of the complementary pairs that its problems did not need.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -190,10 +191,10 @@ pub(crate) struct LocalAnswer {
 pub struct WorkDone {
     /// Pivots of Lemke's method, all runs together.
     pub pivots: usize,
-    /// Complementary pairs of the largest problem that was made.
+    /// Number of complementary pairs of the largest complementarity problem that the search made.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub rows_made: usize,
-    /// Complementary pairs that a full kinematic form would have had in addition, and why they were left out.
+    /// Complementary pairs that a kinematic form of all contacts would have had in addition, and the reason why the search left them out.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub rows_left_out: Vec<LeftOut>,
     /// Combinations of contact states that were tried one by one.

@@ -58,7 +58,7 @@ impl Cone {
 }
 
 impl Engine {
-    /// The problem at rest with this friction cone.
+    /// The equilibrium problem of this grasp with this friction cone, finger offsets and load.
     pub(crate) fn problem_on(&self, cone: Cone, offsets: Vec<SVector<f64, 3>>, load: &Load) -> Problem<'_> {
         let facets = if let Cone::Polygon(facets) = cone { facets } else { PolygonCone::default() };
         self.problem(Polygon::shared(self.space(), &facets), cone == Cone::Round, offsets, load)

@@ -26,21 +26,23 @@ pub struct ContactAnswer<const C: usize> {
     /// The contact force along the coordinate axes, N.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub force_world: SVector<f64, C>,
-    /// Gap between the surfaces along the normal, `n·u_c - a_n` if that is positive, m; zero for a closed contact.
+    /// Gap between the surfaces along the normal, `n·u_c - a_n` if that is positive, m, with the body's displacement u_c and the finger's offset a_n
+    /// along the normal n; zero for a closed contact.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub gap: f64,
-    /// Slip of the finger over the body in the contact frame, `s = a_t - t·u_c - F_t/k_t`, m; its normal component is zero. It is along F_t where the
-    /// contact slides, and zero where it sticks. On a load path it is all the slip so far, which a sticking contact keeps. For a separated or
-    /// frictionless contact it is the displacement of the surfaces past each other.
+    /// Slip of the finger over the body in the contact frame, `s = a_t - t·u_c - F_t/k_t`, m, with the finger's offset a_t, the body's displacement
+    /// u_c and the stiffness k_t along the tangents. The normal component of the slip is zero. The slip is along F_t where the contact slides, and
+    /// zero where it sticks. On a load path it is the whole slip so far, which a sticking contact keeps. For a separated or frictionless contact it
+    /// is the displacement of the surfaces past each other.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub slip: SVector<f64, C>,
-    /// Friction in reserve of a sticking contact, N: `μ F_n - |F_t|` in the plane and on the round cone, on a polygon the least of
-    /// `μ F_n - h·F_t` over its facets. Infinite if the contact is bonded or has infinite friction. Zero for a sliding, separated or
-    /// frictionless contact.
+    /// Friction in reserve of a sticking contact, N: `μ F_n - |F_t|` in the plane and on the round cone, on a polygonal cone the least of `μ F_n -
+    /// h·F_t` over its facet normals h. Infinite if the contact is bonded or has infinite friction. Zero for a sliding, separated or frictionless
+    /// contact.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
-    /// Whether working precision distinguishes the state from its neighbours, see [`Grasp::distinct`](crate::ask::Grasp::distinct). `None` where it
-    /// was not computed; scenes that ask to `solve` compute it.
+    /// Whether working precision distinguishes the state from neighbouring states, such as sticking from sliding, see
+    /// [`Grasp::distinct`](crate::ask::Grasp::distinct). `None` where it was not computed; scenes that ask to `solve` compute it.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub distinct: Option<bool>,
     /// Displacement u_c of the body's core at the contact, as part of the rigid object, along the coordinate axes, m.
@@ -99,7 +101,7 @@ impl ContactAnswer<2> {
         self.force[1]
     }
 
-    /// `F_t / F_n` with the sign of `F_t`, as the paper tabulates it; zero without tangential force.
+    /// `F_t / F_n` with the sign of `F_t`, as the paper "Position Control for Multifingered Robot Hand" tabulates it; zero without tangential force.
     #[must_use]
     pub fn ratio(&self) -> f64 {
         self.friction_used().copysign(self.force[1])
@@ -117,8 +119,9 @@ impl ContactAnswer<2> {
 pub enum ContactState<const C: usize> {
     /// Open, or touching without force: F = 0, gap >= 0.
     Separated,
-    /// Closed and stuck: gap = 0, no slip (on a load path no more than before), `|F_t| <= μ F_n`. The paper calls it rolling; today that word is used
-    /// for a fingertip that rolls. A bonded contact is always in this state, whatever its force.
+    /// Closed and stuck: gap = 0, no slip (on a load path no more than before), `|F_t| <= μ F_n`. The paper "Position Control for Multifingered Robot
+    /// Hand" calls this state rolling; today that word is used for a fingertip that rolls. A bonded contact is always in this state, whatever its
+    /// force.
     #[doc(alias = "rolling")]
     Sticking,
     /// Closed and on the edge of its cone: gap = 0, `|F_t| = μ F_n`, F_t along the slip.

@@ -15,9 +15,10 @@ use crate::prelude::*;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Decomposition<const C: usize> {
-    /// The smallest forces that balance the load: `F_E = -G⁺W` over the contacts that carry force.
+    /// The smallest forces that balance the load: `F_E = -G⁺W` with the load W and the pseudo-inverse of the grasp map G of the contacts that carry
+    /// force.
     pub equilibrating: Vec<SVector<f64, C>>,
-    /// Forces that contacts exert on each other only: `F_I = F - F_E`, with `Σ G_i F_I = 0`.
+    /// Forces that contacts exert on each other only: `F_I = F - F_E`, whose resultant `Σ G_i F_I` is zero.
     pub interaction: Vec<SVector<f64, C>>,
 }
 

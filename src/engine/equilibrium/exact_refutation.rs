@@ -1,8 +1,9 @@
-//! Checks a case-by-case proof of no equilibrium in exact rational arithmetic, on the numbers of the problem.
+//! Checks a case-by-case proof of no equilibrium ([`Refutation`](super::Refutation)) in exact rational arithmetic, on the numbers of the problem.
 //!
-//! Virtual forces are first balanced exactly, by changing six of them. Then every generator of the relaxed contact law in a case is tested, with
-//! polygons around arcs of directions. Its work, divided by its length in √J, must not exceed the gain divided by [`ESCAPE`] and the size of the
-//! data.
+//! The virtual contact forces of each case are first balanced exactly, by changing six of their components. The gain is the total work of the virtual
+//! forces and the virtual motion. In each case the contact law is relaxed to a convex cone, with polygons around arcs of friction directions, and
+//! each generator of this cone is tested. The work on a generator, divided by the square root of its energy, must not exceed the gain divided by
+//! [`ESCAPE`] and by the size of the data.
 
 use core::f64::consts::FRAC_PI_8;
 
@@ -49,8 +50,8 @@ impl Exact {
         }
     }
 
-    /// Generators, pairs of stretch and force, of the contact law relaxed to its convex hull in the case of a label. The contact may open and has
-    /// finite friction.
+    /// Generators of the contact law, relaxed to its convex hull, in the case that `label` describes: pairs of stretch and force. The contact may
+    /// open and has finite friction.
     fn generators(&self, label: &Label) -> Vec<[[Rational; 3]; 2]> {
         let zero = Rational::zero;
         let none = || [zero(), zero(), zero()];
@@ -137,7 +138,8 @@ fn balanced(contacts: &[Exact], forces: &[SVector<f64, 3>]) -> Vec<Rational> {
     forces
 }
 
-/// Whether motion and forces contradict the case with these labels, in exact arithmetic.
+/// Whether a virtual motion and virtual contact forces contradict the case in which each contact has the state that its label describes, in exact
+/// arithmetic. `data` is the size of the data, the square root of an energy.
 fn is_contradicted(
     problem: &Problem,
     contacts: &[Exact],
@@ -194,7 +196,8 @@ fn every_leaf_is_contradicted_in_exact_arithmetic() -> Result<(), crate::Error> 
         let escape = check(&problem, &steps).expect("a proof");
         let laws = problem.sites.iter().zip(problem.locals()).zip(&problem.offsets);
         let contacts: Vec<_> = laws.map(|(law, offset)| Exact::new(law, offset)).collect();
-        // As in `check` the size of the data is that of the elastic trial state, √J.
+        // As in `check`, the size of the data is the square root of twice the spring energy in the elastic trial state, in which every contact
+        // sticks.
         let trial = problem.trial();
         let state = trial.solve(problem.sites, &problem.offsets, problem.load()).expect("it is held");
         let stored = problem.sites.iter().zip(&state.forces).map(|(s, f)| 2.0 * s.springs.stored(f));

@@ -28,8 +28,8 @@ pub struct JointAnswer {
     /// Displacement φ of the joint from the posture in which the contacts were given, rad or m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement: f64,
-    /// Torque of all drives on the joint along φ – its own, couplings, tendons, and constant torques – N m or N. It balances the contact forces, `τ =
-    /// Σ Jᵀ F - τ_ext`.
+    /// Torque of all drives on the joint along φ – its own, couplings, tendons, and constant torques – N m or N. It balances the contact forces F and
+    /// the external torque: `τ = Σ Jᵀ F - τ_ext` with the Jacobians J of the contacts.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub torque: f64,
     /// Torque of the joint's own drive, without constant torques, N m or N; zero without a drive.
@@ -38,8 +38,8 @@ pub struct JointAnswer {
     /// Margin to the limit of the drive, the bound minus |drive|, N m or N; infinite without a limit.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
-    /// Displacement by which the joint's own drive has yielded beyond its spring, `θ - φ - drive/k`, rad or m: zero while it holds, apart from
-    /// earlier slip of a clutch.
+    /// Displacement by which the joint's own drive has yielded beyond its spring, `θ - φ - drive/k`, rad or m, with the command θ, the joint's
+    /// displacement φ and the stiffness k: zero while it holds, apart from earlier slip of a clutch.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub yielded: f64,
 }
@@ -61,7 +61,8 @@ pub struct TendonAnswer {
     /// Margin to the greatest tension of the drive, N; infinite without a limit.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
-    /// Displacement by which the tendon's drive has yielded beyond its spring, `x - r·φ - T/k`, m.
+    /// Displacement by which the tendon's drive has yielded beyond its spring, `x - r·φ - T/k`, m, with the motor's displacement x, the moment arms
+    /// r, the joint displacements φ, the tension T and the stiffness k.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub yielded: f64,
 }
@@ -90,7 +91,7 @@ struct Own {
 }
 
 impl Engine {
-    /// Answers for joints and tendons, from a solution of the problem.
+    /// Answers for the joints and the tendons of the hand, from the solution `found` of the equilibrium problem.
     pub(super) fn hand_answers(
         &self,
         problem: &Problem,

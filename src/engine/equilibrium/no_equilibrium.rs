@@ -44,19 +44,20 @@ pub enum Proof<const C: usize> {
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         work: f64,
     },
-    /// Every combination of contact states was tried; each violates a condition clearly. In the plane and on polygons.
+    /// Every combination of contact states was tried, and each clearly violates a condition. Only in the plane, and in space with polygonal friction
+    /// cones.
     EveryStateTried {
         /// Number of combinations of contact states.
         combinations: usize,
     },
     /// On the round cone: contact states were divided into cases, open or closed, sticking or sliding, friction between two angles. In each case a
-    /// linear combination of the conditions contradicts the contact laws, even when these are relaxed to convex sets. Beyond an onset or the end of a
-    /// path, in the plane too, a single case may suffice: once everything on an edge slides, nothing resists a motion.
+    /// linear combination of the conditions contradicts the contact laws, even when these are relaxed to convex sets. Beyond the first slip or the
+    /// end of a load path a single case may suffice, in the plane too: once all contacts on the edge of their cones slide, nothing resists a motion.
     EveryCaseContradicted {
         /// Number of cases into which the contact states were divided.
         cases: usize,
-        /// Least factor by which an equilibrium that rounding hides from the proof would have to exceed the data. Both are measured in √J: stretches
-        /// and forces of all contacts together, and those of the elastic trial state. At least 1e4.
+        /// Rounding might hide an equilibrium from the proof only if it is larger than the elastic trial state, in which every contact sticks, by at
+        /// least this factor. Both are measured by the square root of their energy: stretches and forces of all contacts together. At least 1e4.
         escape: f64,
     },
 }

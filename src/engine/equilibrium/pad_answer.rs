@@ -192,7 +192,7 @@ impl Engine {
         })
     }
 
-    /// Forces and their moment about a point, along the axes of the contact frame.
+    /// The resultant of the forces of a fingertip's points, and their moment about the point `about`, along the axes of the contact frame.
     fn wrench_of_pad(&self, of: &[ContactAnswer<3>], first: usize, about: &SVector<f64, 3>) -> Wrench<3> {
         let frame = &self.sites()[first].frame;
         let (space, axes) = (self.space(), self.space().axes());

@@ -1,16 +1,17 @@
 //! Exact derivatives of forces and motion by one datum, while contacts keep their states.
 //!
-//! In known states the law is linear, `F_i = K_i (a_i - G_iᵀq)`, where K_i depends on stiffness, friction and state. A small change of any datum p
-//! leads to one more solve with the same factors:
+//! In known states the contact law is linear, `F_i = K_i (a_i - G_iᵀq)`, where K_i depends on stiffness, friction and state. A small change of any
+//! datum z leads to one more solve with the same factors:
 //!
 //! ```text
-//! dF_i = K_i (da_i - G_iᵀdq) + f_i,   f_i = (∂K_i/∂p) v_i,      Σ G_i dF_i + dW = 0
-//! friction     sliding:  f = F_n p (the unit edge p)             sticking: 0
-//! stiffness    normal:   f = (e_n + μ p) F_n / k_n               tangential: f = e_a F_a/k_a minus its part across the facet
+//! dF_i = K_i (da_i - G_iᵀdq) + f_i,   f_i = (∂K_i/∂z) v_i,      Σ G_i dF_i + dW = 0
+//! friction     sliding:  f = F_n p                     sticking: 0
+//! stiffness    normal:   f = (e_n + μ p) F_n / k_n     tangential: f = e_a F_a/k_a minus its part across the facet
 //! ```
 //!
-//! The stretches v are taken as F/k, so that no difference of large displacements is needed. A change dG_i of the geometry
-//! (`geometry`) changes the stretch by `-dG_iᵀq` and the balance by `dG_i F_i`.
+//! Here p is the friction force of a sliding contact per unit of its limit μ F_n, and e_a the unit vector along axis a of the contact frame. The
+//! stretches v are taken as F/k, so that no difference of large displacements is needed. A change dG_i of the geometry (`geometry`) changes the
+//! stretch by `-dG_iᵀq` and the balance by `dG_i F_i`.
 
 use nalgebra::SVector;
 
@@ -86,7 +87,8 @@ pub enum Parameter {
 }
 
 impl StickingResponse<'_> {
-    /// The derivative of a state by one datum; `None` if there is no such datum, or if its change leaves no equilibrium in these states.
+    /// The derivative of a state by one datum; `None` if the grasp has no such datum, or if no equilibrium with the present contact states exists
+    /// after its change.
     pub(crate) fn derivative(&self, state: &PieceState, by: Parameter) -> Option<PieceState> {
         let PieceState { forces, twist } = state;
         let mut offsets = self.at_rest();
@@ -177,7 +179,7 @@ impl StickingResponse<'_> {
         self.piece.free_motions().iter().all(stays_free).then_some(change)
     }
 
-    /// The direct change of a contact's force with its coefficient of friction, (∂K/∂μ) v.
+    /// The change of a contact's force with its coefficient of friction at constant spring stretches v: (∂K/∂μ) v, with the tangent stiffness K.
     fn by_friction(&self, contact: usize, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         let state = &self.states[contact];
         if !state.slides() {
@@ -186,7 +188,7 @@ impl StickingResponse<'_> {
         self.problem.local(contact).edge(state).pull * force[0]
     }
 
-    /// The direct change of a contact's force with its stiffness along one axis, (∂K/∂k) v.
+    /// The change of a contact's force with its stiffness k along one axis at constant spring stretches v: (∂K/∂k) v, with the tangent stiffness K.
     fn by_stiffness(&self, contact: usize, axis: usize, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         let local = self.problem.local(contact);
         let state = &self.states[contact];
@@ -203,7 +205,8 @@ impl StickingResponse<'_> {
         } else if !matches!(state, Mode::Corner(_))
             && let Some(h) = local.outward(state)
         {
-            // `e_a F_a/k_a` minus the part that slip takes up, so that h·F_t stays at μ F_n. On the round cone slip also reduces the stiffness across it.
+            // The change of force along the axis, minus the part that slip takes up: the component of friction along the facet normal h stays at its
+            // limit. On the round cone slip also reduces the stiffness across the direction of sliding.
             let softened =
                 state.slide().map_or(stretch, |slide| stretch * local.springs.softening(axis, slide.lambda));
             f = local.edge(state).pull * (-h[axis] * softened);

@@ -71,7 +71,8 @@ impl Engine {
         for found in search.found {
             add(found, FoundBy::Enumeration, &effort);
         }
-        // The polygon lies inside the round cone, on which there may be an equilibrium where the polygon has none, or one far from any on the polygon.
+        // The polygon lies inside the round cone. On the round cone there may be an equilibrium although the polygon has none, or one far from every
+        // equilibrium on the polygon.
         if problem.round
             && let (Settled::Found(found, rule), effort) = settle(&problem, settings)
         {
@@ -81,7 +82,7 @@ impl Engine {
         Ok(list)
     }
 
-    /// The problem at rest under a load.
+    /// The equilibrium problem of this grasp under a load.
     pub(super) fn problem_under(&self, load: &Wrench<3>, settings: &Settings) -> Result<Problem<'_>, Error> {
         settings.small_motions.check()?;
         let polygon = Polygon::shared(self.space(), &settings.cone);

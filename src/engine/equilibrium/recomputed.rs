@@ -12,7 +12,7 @@ use crate::object::{NO_FORCE, Problem, least_spring_force};
 use crate::prelude::*;
 use crate::search::Found;
 
-/// Values whose residuals are computed, at a contact or at a drive of a hand.
+/// Values of one contact, or of one drive of a hand, whose residuals are computed.
 struct SiteAnswer<'a> {
     force: &'a SVector<f64, 3>,
     gap: f64,
@@ -220,8 +220,8 @@ impl Engine {
         (object..count).map(|k| sums[k].abs() / sizes[k].max(force_size)).fold(0.0, f64::max)
     }
 
-    /// Imbalance of forces and moments on the object, relative to the sizes of their terms. To these sizes `spring_force` is added, at least the
-    /// least force that a spring could have from the displacements of its contact.
+    /// Relative imbalance of the forces and moments on the object: divided by the sum of the absolute values of its terms, plus `spring_force`. This
+    /// is at least the force that the displacements of the contacts could cause in a spring.
     fn out_of_balance(&self, load: &Wrench<3>, answers: &[ContactAnswer<3>], spring_force: f64) -> f64 {
         let (space, axes) = (self.space(), self.space().axes());
         let mut sum = load.coordinates(space);

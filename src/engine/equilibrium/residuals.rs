@@ -15,22 +15,24 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Residuals {
-    /// Equilibrium: `|Σ F_i + W|` over the sum of the sizes of its terms and the least force that a spring could have from the displacements of its
-    /// contact; the same for moments, where forces count at the root mean square distance of the contacts; the larger of both.
+    /// Equilibrium: the imbalance `|Σ F_i + W|` of contact forces and load, divided by the sum of the sizes of its terms and of the least force that
+    /// the displacements of a contact could cause in its spring. Moments are compared in the same way, with forces times the root mean square
+    /// distance of the contacts; the larger ratio counts.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub equilibrium: f64,
-    /// Contact springs: `|F/k - (a - u_c + g - s)|` axis by axis, with the gap g along the normal and the slip s along the tangents.
+    /// Contact springs: `|F/k - (a - u_c + g - s)|` axis by axis, with the finger's offset a, the body's displacement u_c, the gap g along the normal
+    /// and the slip s along the tangents.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub springs: f64,
-    /// Friction cone: `max(0, -F_n)`, and `max(0, |F_t| - μ F_n)` over 1 + μ. For a polygon the size of `F_t` is the largest `h·F_t`. Only for
-    /// contacts that are bound by it, see [`Hold`](crate::grasp::Hold).
+    /// Friction cone: `max(0, -F_n)`, and `max(0, |F_t| - μ F_n)` over 1 + μ. On a polygonal cone the largest `h·F_t` over the facet normals h takes
+    /// the place of |F_t|. Only for contacts whose force the cone limits, see [`Hold`](crate::grasp::Hold).
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub cone: f64,
     /// Penetration: `max(0, -g)`; `|g|` of a bonded contact.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub gap: f64,
-    /// Complementarity: `|F_n g|`, and `|μ F_n |s| - F_t·s|` over 1 + μ, which is zero iff the slip follows the friction force; `|s|` where nothing
-    /// may slip.
+    /// Complementarity: `|F_n g|` with the gap g, and `|μ F_n |s| - F_t·s|` over 1 + μ with the slip s, which is zero iff the slip follows the
+    /// friction force; `|s|` at contacts that may not slip.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub complementarity: f64,
 }

@@ -1,8 +1,9 @@
 //! The response of a grasp whose contacts keep their states. It is linear in loads, commands and small changes of data, so that one factorisation
 //! serves all of these sources.
 //!
-//! Each source gives forces of all contacts and drives, contacts first and then the drives of a hand. Where everything sticks, the columns of the
-//! response to unit loads are the influence matrix of the grasp. [`Edges`] are the conditions on any sum of these forces.
+//! Each load, command or change of data gives forces of all contacts and drives, contacts first and then the drives of a hand. Where everything
+//! sticks, the columns of the response to unit loads are the influence matrix of the grasp. [`Edges`] are the conditions that a contact's force, any
+//! sum of these responses, must satisfy for the contact to keep its state.
 
 use alloc::sync::Arc;
 
@@ -26,7 +27,7 @@ pub(crate) struct StickingResponse<'g> {
     pub(crate) edges: Vec<Edges>,
 }
 
-/// Forces contact by contact, and the sizes that scale their rounding.
+/// Forces contact by contact, and for each force the size of the terms of which it is the sum, which scales its rounding.
 #[derive(Debug, Clone)]
 pub(crate) struct ContactForces {
     pub(crate) of: Vec<SVector<f64, 3>>,
@@ -41,7 +42,7 @@ impl<'g> StickingResponse<'g> {
         Self::of(grasp, problem, &states)
     }
 
-    /// The response while contacts keep these states on this cone.
+    /// The linear response of the grasp while contacts keep these states, with the friction cone `cone`.
     pub(crate) fn in_states(grasp: &'g Engine, cone: Cone, states: &[State]) -> Self {
         Self::of(grasp, Self::at_rest_on(grasp, cone), states)
     }
@@ -50,7 +51,7 @@ impl<'g> StickingResponse<'g> {
         grasp.problem_on(cone, grasp.offsets(), &Load::from(&Vector::zeros()))
     }
 
-    /// The response of a problem in these states of its contacts, whatever its offsets and its load.
+    /// The linear response of the grasp while contacts keep these states. The offsets and the load of `problem` do not matter.
     pub(crate) fn of(grasp: &'g Engine, problem: Problem<'g>, states: &[State]) -> Self {
         let piece = problem.piece(states);
         let edges = problem.locals().zip(states).map(|(local, state)| local.edges(state)).list();
@@ -67,7 +68,8 @@ impl<'g> StickingResponse<'g> {
         vec![SVector::zeros(); self.problem.len()]
     }
 
-    /// Forces with these offsets under a load in the engine's coordinates. The error is a motion along which the load does work and nothing resists.
+    /// Contact forces at these finger offsets (commands minus clearances) and this load, in the engine's coordinates. The error is a motion that
+    /// nothing resists and on which the load does work.
     pub(crate) fn forces(
         &self,
         offsets: &[SVector<f64, 3>],
@@ -90,15 +92,16 @@ impl<'g> StickingResponse<'g> {
         self.forces(&self.at_rest(), &self.grasp.inside_unchecked(load))
     }
 
-    /// Forces and motion with these offsets under a load in the engine's coordinates; `None` where nothing balances them in these states.
+    /// Forces and motion at these finger offsets and this load, in the engine's coordinates; `None` if no forces in the given contact states balance
+    /// them.
     pub(crate) fn state(&self, offsets: &[SVector<f64, 3>], load: &Vector) -> Option<PieceState> {
         self.piece.solve(self.problem.sites, offsets, load).ok()
     }
 }
 
 impl Engine {
-    /// The least margin to opening or sliding of any contact under a load, divided by the largest contact force. It is computed as if every contact
-    /// stuck, and may be negative. `None` if nothing resists the load, or without forces.
+    /// The least margin of any contact to opening or sliding under a load, divided by the largest contact force. It is computed as if every contact
+    /// stuck, and may be negative. `None` if nothing resists the load, or if all contact forces are zero.
     pub(crate) fn sticking_margin(&self, load: &Wrench<3>, settings: &Settings) -> Option<f64> {
         let sticking = StickingResponse::new(self, settings);
         let forces = sticking.forces(&self.offsets(), &self.load_alone(load, "load").ok()?).ok()?.of;

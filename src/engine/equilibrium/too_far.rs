@@ -115,7 +115,7 @@ pub(crate) fn farthest(motions: &[CountedMotion]) -> Option<&CountedMotion> {
     motions.iter().max_by(|a, b| a.over_the_limit().total_cmp(&b.over_the_limit()))
 }
 
-/// An equilibrium, with the data from which its motions are measured: contact states, forces, offsets of the springs, slips and twist.
+/// An equilibrium, given by the data from which its motions are measured: contact states, forces, finger offsets, slips and twist.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Standing<'s> {
     pub(crate) offsets: &'s [SVector<f64, 3>],
@@ -126,7 +126,7 @@ pub(crate) struct Standing<'s> {
 }
 
 impl<'s> Standing<'s> {
-    /// The contacts in a solution `found` of a problem.
+    /// The equilibrium `found` of a problem, with the problem's finger offsets and slips.
     pub(crate) fn found(problem: &'s Problem<'_>, found: &'s Found) -> Self {
         let (offsets, slips) = (&problem.offsets, &problem.slips);
         Self { offsets, slips, states: &found.states, forces: &found.forces, twist: &found.twist }

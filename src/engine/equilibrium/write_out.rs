@@ -15,7 +15,7 @@ use crate::prelude::*;
 use crate::search::{Effort, Found, FoundBy};
 
 impl Engine {
-    /// The answer in physical quantities for a solution of the scaled problem.
+    /// The answer in physical quantities for `found`, a solution of the equilibrium problem in the engine's scaled units.
     pub(crate) fn equilibrium(
         &self,
         problem: &Problem,

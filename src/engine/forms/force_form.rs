@@ -1,7 +1,7 @@
-//! The force form (see [`super`]): forces as unknowns, compliances on the diagonal, the twist free.
+//! The force form (see [`super`]): forces as unknowns, compliances on the diagonal, the twist q of any sign.
 //!
-//! The twist is split into a positive and a negative part. A spring that acts both ways (bonded, kept closed, infinite
-//! friction) needs no row: its force is linear in q.
+//! The twist is split into a positive and a negative part. A spring that acts both ways (bonded, kept closed, infinite friction) needs no
+//! complementary pair: its force is linear in q.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -12,8 +12,8 @@ use crate::numerics::{IntoList, Map, Square, Vector};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The force form. `None` if a number overflows, or for a problem in rates in which a contact is on the edge of its cone: the force form of its rates
-/// would not be copositive.
+/// Returns the force form of a problem. `None` if a number overflows, or if the unknowns are rates and a contact is on the edge of its cone: the
+/// matrix would not be copositive.
 pub(crate) fn force_form(problem: &Problem) -> Option<Form> {
     if problem.locals().any(|local| local.is_on_an_edge()) {
         return None;
@@ -96,9 +96,10 @@ struct Builder<'p, 'g> {
     rows: Vec<Row>,
     z_unit: Vec<f64>,
     w_unit: Vec<f64>,
-    /// Index of the first row of each contact.
+    /// For each contact, the index of its first complementary pair, a row of the matrix.
     first: Vec<usize>,
-    /// `Σ G k Gᵀ` of the springs that act both ways; the next field, `W + Σ G k a`, has the load and the forces of their offsets.
+    /// Stiffness `Σ G k Gᵀ` of the springs that act both ways, with grasp maps G and stiffnesses k. The next field, `W + Σ G k a`, is the load W plus
+    /// the forces of these springs at their offsets a.
     stiffness: Square,
     load: Vector,
 }
@@ -153,8 +154,8 @@ impl<'p, 'g> Builder<'p, 'g> {
             row
         });
         let facets = local.facets().len();
-        // Adds `v·q` to a row of the matrix, with the twist q scaled and split into its positive and negative part. If `skew`, it also adds the
-        // negative transpose to the rows of equilibrium.
+        // Adds the product of `v` with the twist to a row of the matrix; the twist is scaled and split into its positive and negative part. If
+        // `skew`, it also adds the negative transpose to the rows of the equilibrium equations.
         let couple = |m: &mut DMatrix<f64>, row: usize, v: Vector, skew: bool| {
             for (axis, entry) in v.component_mul(unit).iter().enumerate() {
                 let column = twist_columns + 2 * axis;
@@ -205,7 +206,7 @@ impl<'p, 'g> Builder<'p, 'g> {
         }
     }
 
-    /// Adds a spring that acts both ways, F = k (a - G_iᵀq) along this axis.
+    /// Adds a spring that acts both ways, with the force F = k (a - G_iᵀq) along this axis at the twist q.
     fn both_ways(&mut self, contact: usize, axis: usize) {
         let site = &self.problem.sites[contact];
         let g = site.map.column(axis);

@@ -1,6 +1,7 @@
 //! The kinematic form (see [`super`]): jumps, gaps and slips, on top of the elastic trial state.
 //!
-//! The projector is computed by orthogonal factors, whose accuracy does not depend on stiffness ratios:
+//! With the grasp map G and the diagonal matrix K of all stiffnesses, the matrix P of the form is a projection. It is computed by orthogonal factors
+//! Q and R, whose accuracy does not depend on stiffness ratios:
 //!
 //! ```text
 //! P = K - K Gᵀ (G K Gᵀ)⁻¹ G K = K^{1/2} (I - Q Qᵀ) K^{1/2},   K^{1/2}Gᵀ = Q R
@@ -17,8 +18,8 @@ use crate::numerics::{IntoList, mapped, matrix_of, numbered, vector_of};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
-/// One gap or slip as unknown ẑ with its slack, in energy coordinates x = K^{-1/2} F of the contact: ẑ adds `column ẑ` to x, and the slack is `ŵ =
-/// row · x`.
+/// One complementary pair of the form: a gap or slip ẑ of a contact as unknown, and its slack ŵ. In energy coordinates, x = K^{-1/2} F with the
+/// contact's stiffnesses K and force F, the unknown adds `column · ẑ` to x, and the slack is `ŵ = row · x`.
 struct Jump {
     contact: usize,
     row: SVector<f64, 3>,
@@ -27,7 +28,7 @@ struct Jump {
     z_unit: f64,
 }
 
-/// The rows that these contacts need in the kinematic form, and the jumps (gaps and slips) of their columns.
+/// The complementary pairs of these contacts in the kinematic form: the meaning of each, and its jump (a gap or slip).
 fn jumps(problem: &Problem, contacts: &[usize]) -> (Vec<Row>, Vec<Jump>) {
     let (mut rows, mut jumps) = (Vec::new(), Vec::new());
     for &contact in contacts {
@@ -51,7 +52,7 @@ fn jumps(problem: &Problem, contacts: &[usize]) -> (Vec<Row>, Vec<Jump>) {
     (rows, jumps)
 }
 
-/// The kinematic form on the elastic trial state, in which every contact sticks; `None` if no contact needs a row or a number overflows.
+/// The kinematic form on the elastic trial state, in which every contact sticks; `None` if no contact may open or slide, or if a number overflows.
 pub(crate) fn kinematic_form(problem: &Problem, trial: &Piece, state: &PieceState) -> Option<Form> {
     let (rows, jumps) = jumps(problem, &numbered(problem.len(), &|contact| contact));
     if jumps.is_empty() {
@@ -66,7 +67,7 @@ pub(crate) fn kinematic_form(problem: &Problem, trial: &Piece, state: &PieceStat
             trial.weighted_stretch(jumps[i].contact, &jumps[i].row, &displacements[j])
         });
     }
-    // Qᵀ times the rows and columns of all jumps.
+    // The row and the column of each jump, multiplied by Qᵀ, the transposed orthogonal factor of the trial state.
     let mut transformed = Vec::with_capacity(jumps.len());
     for of_contact in jumps.chunk_by(|a, b| a.contact == b.contact) {
         let by_contact = trial.factor_rows(of_contact[0].contact);
@@ -77,11 +78,12 @@ pub(crate) fn kinematic_form(problem: &Problem, trial: &Piece, state: &PieceStat
     form(problem, state, rows, &jumps, &|i, j| transformed[i][0].dot(&transformed[j][1]))
 }
 
-/// Displacements of all coordinates under unit jumps (gaps or slips), stored for each contact: a later form of another set of contacts reuses them.
+/// Displacements of all coordinates under unit jumps (gaps or slips), stored for each contact: a later kinematic form of another set of contacts
+/// reuses the stored displacements.
 #[derive(Debug, Default)]
 pub(crate) struct Moved(Vec<Option<Vec<Vec<f64>>>>);
 
-/// The kinematic form of a few contacts among many coordinates, with all others in the elastic trial state, in which they stick.
+/// The kinematic form of a few contacts in a problem with many coordinates. All other contacts stick, as in the elastic trial state.
 pub(crate) fn kinematic_form_among(
     problem: &Problem,
     trial: &Piece,
@@ -117,7 +119,7 @@ pub(crate) fn kinematic_form_among(
     })
 }
 
-/// Assembles the form; `coupling(i, j)` returns the product of row i with `Q Qᵀ` and column j.
+/// Assembles the kinematic form. `coupling(i, j)` returns by how much the unknown of jump j reduces the slack of jump i because the object gives way.
 fn form(
     problem: &Problem,
     state: &PieceState,

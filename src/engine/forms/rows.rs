@@ -1,4 +1,4 @@
-//! The meaning of each row of a linear complementarity problem, and the rows that were left out.
+//! The meaning of each complementary pair (each row) of a linear complementarity problem, and the pairs that a contact does not need.
 
 use crate::lcp::Lcp;
 use crate::prelude::*;
@@ -12,7 +12,7 @@ pub enum Row {
         /// Index of the contact, from 0.
         contact: usize,
     },
-    /// Kinematic form: z = slip σ across one facet (m), w = distance to that facet, `μ F_n - h·F_t` (N).
+    /// Kinematic form: z = slip σ across one facet (m), w = distance of the force to that facet, `μ F_n - h·F_t` (N), with the facet normal h.
     Slip {
         /// Index of the contact, from 0.
         contact: usize,
@@ -24,7 +24,8 @@ pub enum Row {
         /// Index of the contact, from 0.
         contact: usize,
     },
-    /// Force form: z = coefficient β of one corner d_j in the tangential force `F_t = Σ β_j d_j` (N), w = `λ - d_j·s` (m).
+    /// Force form: z = coefficient β of one corner d_j in the tangential force `F_t = Σ β_j d_j` (N), w = `λ - d_j·s` (m), with the slip s and its
+    /// size λ.
     TangentialForce {
         /// Index of the contact, from 0.
         contact: usize,
@@ -61,7 +62,7 @@ pub struct LeftOut {
     pub why: Why,
 }
 
-/// The reason why a contact needs fewer rows.
+/// The reason why a contact needs fewer complementary pairs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Why {

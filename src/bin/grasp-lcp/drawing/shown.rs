@@ -36,8 +36,8 @@ pub(super) enum What {
 pub(super) struct ShownAnswers(pub(super) Vec<Shown>);
 
 impl ShownAnswers {
-    /// The states that become pictures of their own, by index, with the ends of their file names: the last state of a program, the first of other
-    /// questions. Improved fingers also have a picture of the grasp before.
+    /// The states that are saved as pictures of their own: the index of each, and the end of its file name. For a load program this is the last
+    /// state, for other questions the first. Improved fingers also have a picture of the grasp before the improvement.
     pub(super) fn keys(&self) -> Vec<(usize, &'static str)> {
         let begins = |shown: &Shown, with| shown.label.starts_with(with);
         let key = self.0.first().map(|first| if begins(first, EVENT_LABEL) { self.0.len() - 1 } else { 0 });
@@ -51,7 +51,7 @@ const EVENT_LABEL: &str = "leg ";
 /// The label of a grasp before its improvement.
 const BEFORE_LABEL: &str = "before";
 
-/// The states that illustrate an answer. The state that [`ShownAnswers::keys`] lists first gets the first line of the answer.
+/// The states that illustrate an answer. The state that [`ShownAnswers::keys`] lists first is shown with the first line of the answer.
 pub(super) fn shown(
     setup: &Setup<3>,
     grasp: &Grasp<3>,
@@ -117,7 +117,7 @@ fn under(outcome: Outcome<3>, load: Wrench<3>) -> Shown {
     }
 }
 
-/// The grasp under the load, or where it is lost with the motion of the object. The loss beyond the load comes second.
+/// The equilibrium under the load; then, if the object is lost on the load path, the equilibrium at the loss, with the motion of the object.
 fn held(verdict: Verdict<3>, load: Wrench<3>) -> Vec<Shown> {
     let lost = verdict.lost.and_then(|lost| Some(state("where it is lost", *lost.state?, lost.motion)));
     let under = verdict.state.map(|found| state("under the load", *found, None));
@@ -148,7 +148,8 @@ fn needed(grasp: &Grasp<3>, need: &Need<3>, needed: &Needed) -> Result<Shown, Fa
     })
 }
 
-/// The improved grasp and the original one. Each is at its first slip along the load, under the load that leaves a reserve, or else at rest.
+/// The improved grasp and the original one. Each is shown under the load at first slip or, if the friction reserve is the goal, under the full load;
+/// without such a load it is shown at rest.
 fn improved(grasp: &Grasp<3>, asked: &Improve<3>, improved: &Improved<3>) -> Result<Vec<Shown>, Failure> {
     let base = asked.base();
     let (times, when): (fn(f64) -> f64, _) = match improved.goal {

@@ -63,7 +63,8 @@ pub(crate) struct Last {
 /// Load paths are followed up to this multiple of the largest force at first slip. Larger forces would lie outside of the picture.
 pub(crate) const FOLLOWED_TO: f64 = 5.0;
 
-/// Error of one step along sliding arcs, relative to the largest force. It is invisible in a picture, and smaller steps would take most of the time.
+/// Allowed error of one integration step along which directions of sliding turn, relative to the largest force. It is invisible in a picture, and
+/// smaller steps would take most of the time.
 pub(crate) const STEP_ERROR: f64 = 1e-6;
 
 /// Follows the load path from `base` to `base + most * direction`, and returns its end.
