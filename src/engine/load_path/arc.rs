@@ -1,14 +1,15 @@
 //! An arc: a piece of the path on which contact states stay while directions of sliding turn. This file has the linear algebra at a point of it.
 //!
-//! Let a contact slide along p = F_t / |F_t| with `|F_t| = μ F_n`. Its tangent `C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ`, see [`Tangent`], depends on p
-//! alone. Offsets a are affine in the load factor λ; the load W is affine in λ or turns with it. Twist and factor change together:
+//! Let a contact slide along p = F_t / |F_t| with `|F_t| = μ F_n`. Its tangent stiffness `C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ`, see [`Tangent`],
+//! depends on p alone: k_n is the normal stiffness, and κ the stiffness along the tangent d across the slip. Offsets a are affine in the load factor
+//! λ; the load W is affine in λ or turns with it. Twist q and load factor change together, with grasp maps G_i and a unit u of displacement:
 //!
 //! ```text
 //! T q' = b λ',     T = Σ G_i C_i G_iᵀ,     b = Σ G_i C_i a_i' + W',     |q'|²/u² + λ'² = 1
 //! ```
 //!
-//! The null vector of `[T | -b]` stays smooth where the load factor has a maximum and T is singular. A row below this matrix, transverse to the path,
-//! makes it regular there, too.
+//! The null vector of `[T | -b]` is the direction of the path. It stays smooth where the load factor has a maximum and T is singular. One more row
+//! below this matrix, transverse to the path, makes it regular there, too.
 
 use core::cell::OnceCell;
 
@@ -35,18 +36,20 @@ pub(super) struct Arc<'s, 'g> {
     unit: f64,
     /// Motions that nothing resists, each with its velocity per unit of the load factor.
     free_motions: Vec<(Vector, f64)>,
-    /// The terms of contacts that do not slide. They are computed when first needed, since rates of relaxation need only the sliding contacts.
+    /// The terms of contacts that do not slide. They are computed when first needed: the rates at which friction forces turn need only the sliding
+    /// contacts.
     fixed: OnceCell<Fixed>,
     /// Whether commands change along the leg.
     pub(super) driven: bool,
 }
 
-/// The parts of `T q' = b λ'`, tangent stiffness and right-hand side, that are constant along an arc.
+/// The constant parts of `T q' = b λ'` along an arc: those of the tangent stiffness T and of the right-hand side b. Here q is the twist and λ the
+/// load factor.
 struct Fixed {
-    /// The tangent stiffness of the contacts that do not slide. Motions that nothing resists get an artificial stiffness, which keeps them at rest or
-    /// at the speed at which contacts without force push.
+    /// The tangent stiffness of the contacts that do not slide. Motions that nothing resists get an artificial stiffness. It keeps the object at rest
+    /// along them, or at the velocity with which touching contacts without force push the object.
     stiffness: PathStiffness,
-    /// The part of the right-hand side b that commands of contacts that do not slide contribute.
+    /// The part of the right-hand side b of `T q' = b λ'` that comes from finger commands at contacts that do not slide.
     push: Vector,
 }
 
@@ -72,7 +75,8 @@ impl Direction {
 }
 
 impl<'s, 'g> Arc<'s, 'g> {
-    /// The arc in these states, on which motions that nothing resists continue at the given velocities per unit of the load factor.
+    /// The arc on which contacts keep these states, and on which motions that nothing resists continue at the given velocities per unit of the load
+    /// factor.
     pub(super) fn new<'m>(
         segment: &'s Segment<'g>,
         states: &'s [State],
@@ -104,7 +108,7 @@ impl<'s, 'g> Arc<'s, 'g> {
                 if let (Some(a), Some(b)) = (a.whole_columns(), b.whole_columns()) {
                     stiffness.add(&ranges, |i, j| a[0][i] * b[0][j] + a[1][i] * b[1][j] + a[2][i] * b[2][j]);
                 } else {
-                    // An entry of a map of several bodies is searched for once, not once for each entry of the stiffness.
+                    // The entries of each contact's grasp map are read once, since a map of several bodies must search for an entry.
                     let rows = [a, b].each(|map| {
                         ranges.clone().each(|range| range.map(|i| by_axis(|k| map[(i, k)])).list())
                     });
@@ -133,7 +137,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.segment.grasp.sites()
     }
 
-    /// The part of the right-hand side b at a load factor that comes from the load and from contacts that do not slide.
+    /// The part of the right-hand side b of `T q' = b λ'` at a load factor that comes from the load and from contacts that do not slide.
     fn push_at(&self, factor: f64) -> Vector {
         self.segment.course.rate_at(factor) + &self.fixed().push
     }
@@ -157,13 +161,15 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.sliding.iter().zip(frictions).map(|(&i, friction)| self.tangent(i, &friction)).list()
     }
 
-    /// LU factors of `[T u | -b]` at a load factor, completed by the row `across` transverse to the path, and the size of the entries.
+    /// LU factors of the bordered matrix at a load factor: the tangent stiffness in units of `unit` beside the negative right-hand side, and below
+    /// them the row `across`, transverse to the path. Also returns the size of the entries. `None` if the path may continue in more than one
+    /// direction.
     fn bordered(&self, tangents: &[Tangent], factor: f64, across: &Direction) -> Option<(PathFactors, f64)> {
         let (stiffness, push) = self.balance(tangents, factor);
         self.factored(stiffness, &push, across)
     }
 
-    /// The tangent stiffness T and the right-hand side b at a load factor.
+    /// The tangent stiffness T and the right-hand side b of `T q' = b λ'` at a load factor.
     pub(super) fn balance(&self, tangents: &[Tangent], factor: f64) -> (PathStiffness, Vector) {
         let (mut t, mut push) = (self.fixed().stiffness.clone(), self.push_at(factor));
         for (&i, tangent) in self.sliding.iter().zip(tangents) {
@@ -182,8 +188,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         (t, push)
     }
 
-    /// LU factors of `[T u | -b]`, completed by the row `across` transverse to the path, and the size of the entries. `None` if the path may continue
-    /// in more than one direction.
+    /// LU factors of the bordered matrix: the tangent stiffness `t` beside the negative right-hand side `push`, and below them the row `across`,
+    /// transverse to the path. Also returns the size of the entries. `None` if the path may continue in more than one direction.
     pub(super) fn factored(
         &self,
         mut t: PathStiffness,
@@ -195,20 +201,21 @@ impl<'s, 'g> Arc<'s, 'g> {
         Some((bordered, scale))
     }
 
-    /// Scales T, and returns the size of the entries of the bordered matrix and its transverse row.
+    /// Scales the tangent stiffness `t` to the unit of displacement. Returns the size of the entries of the bordered matrix, and its last row, which
+    /// is transverse to the path.
     fn border(&self, t: &mut PathStiffness, push: &Vector, across: &Direction) -> (f64, Vector) {
         t.scale(self.unit);
         let scale = t.amax().max(push.amax());
         (scale, &across.twist * (scale / self.unit))
     }
 
-    /// Twist and load factor from a solution of the bordered system, in which the twist is measured in units of `unit`.
+    /// Twist and load factor from a solution of the bordered linear system, in which the twist is measured in units of `unit`.
     pub(super) fn unscaled(&self, (x, factor): (Vector, f64)) -> Direction {
         Direction { twist: x * self.unit, factor }
     }
 
     /// The direction of the path per unit of arclength, at a load factor and with these tangent stiffnesses of sliding contacts. It has a positive
-    /// component along `along`.
+    /// component along `along`. `None` if the path may continue in more than one direction, or turns too far.
     pub(super) fn direction(
         &self,
         tangents: &[Tangent],
@@ -225,14 +232,14 @@ impl<'s, 'g> Arc<'s, 'g> {
         turned.then(|| Direction { twist: x * (self.unit / length), factor: factor / length })
     }
 
-    /// Rates of stretch and force of a contact with this tangent.
+    /// The rates of stretch and force of a contact with this tangent stiffness, as the path continues in the direction `way`.
     pub(super) fn rates(&self, contact: usize, tangent: &Tangent, way: &Direction) -> [SVector<f64, 3>; 2] {
         let site = &self.sites()[contact];
         let stretch = site.stretch(&(self.segment.change[contact] * way.factor), &way.twist);
         [stretch, tangent.force(&stretch)]
     }
 
-    /// Rates of all forces, given the tangents of the sliding contacts.
+    /// The rates of all contact forces in the direction `way` of the path, given the tangent stiffnesses of the sliding contacts.
     pub(super) fn force_rates(&self, slid: &[Tangent], way: &Direction) -> Vec<SVector<f64, 3>> {
         let mut slid = slid.iter();
         let rate = |(i, state): (usize, &State)| {
@@ -243,8 +250,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.states.iter().enumerate().map(rate).list()
     }
 
-    /// Corrects a state, transverse to the direction `across`, until forces balance and sliding contacts are on their cones with friction in these
-    /// directions. Returns the state and its load factor.
+    /// Corrects a state, transverse to the direction `across` of the path, until forces balance and the friction forces of sliding contacts lie on
+    /// their cones in the directions of `frictions`. Returns the corrected state and its load factor; `None` if it does not converge.
     pub(super) fn balanced(
         &self,
         mut twist: Vector,
@@ -314,7 +321,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         most
     }
 
-    /// Forces at a twist and a load factor, with friction on the cones in these directions.
+    /// Contact forces at a twist and a load factor. The friction force of each sliding contact is on its cone, in the direction given in `frictions`.
     fn forces_at(&self, twist: &Vector, factor: f64, frictions: &[SVector<f64, 3>]) -> Vec<SVector<f64, 3>> {
         let offsets = self.segment.offsets(factor);
         let mut slid = frictions.iter();
@@ -339,8 +346,9 @@ impl<'s, 'g> Arc<'s, 'g> {
 }
 
 impl Segment<'_> {
-    /// State and rates of a path on which contacts slide on the round cone. The state is the one near `at` that is in balance with friction on the
-    /// cones; if a contact has opened, the others take over its force. Along motions that nothing resists the object moves at the rates `pushed`.
+    /// State and rates of a path on which contacts slide on the round cone. The state is the equilibrium near `at` with the friction forces of
+    /// sliding contacts on their cones. If a contact has opened, the other contacts take over its force. Along motions that nothing resists the
+    /// object moves at the rates `pushed`.
     pub(super) fn tangent(
         &self,
         states: &[State],

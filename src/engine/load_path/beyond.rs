@@ -1,9 +1,9 @@
-//! Beyond the end of an equilibrium: whether any other exists under a slightly larger load.
+//! Beyond the end of an equilibrium: whether any other equilibrium exists under a slightly larger load.
 //!
-//! A motion may prove that there is none: the motion with which the object leaves, or another one that separates the load from all possible contact
-//! forces. In the plane and on polygons every combination of contact states is tried at the load factor `τ* + ε`, with τ* at the end and ε
-//! infinitesimal. A condition holds there if its value at τ* is positive, or zero with a rate that is not negative. On the round cone an equilibrium
-//! slightly beyond is searched for without regard to the path.
+//! A motion may prove that no equilibrium exists: the motion with which the object leaves, or another motion that separates the load from all
+//! possible contact forces. In the plane, and in space with polygonal friction cones, every combination of contact states is tried at the load factor
+//! `τ* + ε`, with τ* at the end and ε infinitesimal. A condition holds there if its value at τ* is positive, or zero with a rate that is not
+//! negative. On the round cone an equilibrium slightly beyond the end is searched for without regard to the path.
 
 use nalgebra::SVector;
 
@@ -38,18 +38,19 @@ use crate::serial::AsComputed;
 pub enum Beyond<const C: usize> {
     /// The equilibrium continues with these contacts sliding or open. Only after an onset: a load path is itself followed as far as it continues.
     Continues(Box<Continuation<C>>),
-    /// No equilibrium exists just beyond: a limit load. A motion proves this, or in the plane and on polygons a trial of every combination of contact
-    /// states. On the round cone it may be proved only at a distance beyond the end. The distance is at most a hundredth of the whole load, or of all
-    /// commands, or of the leg if there is no load yet.
+    /// No equilibrium exists just beyond: a limit load. A motion proves this or, in the plane and on polygonal friction cones, a trial of every
+    /// combination of contact states. On the round cone there may be a proof only for a somewhat larger load. It exceeds the load at the end by at
+    /// most a hundredth of the whole load, of all commands, or of the leg if there is no load yet.
     LimitLoad,
-    /// This equilibrium ends here, but others exist at slightly larger loads. After an onset a load path decides whether the grasp snaps over to one
-    /// of them ([`Jump::snaps`](super::Jump::snaps)). At the end of a load path that has already been excluded: moving as viscous contacts would, the
-    /// object reaches none of them by small motions.
+    /// This equilibrium ends here, but others exist at slightly larger loads. After a first slip, a load path decides whether the grasp snaps over to
+    /// one of them ([`Jump::snaps`](super::Jump::snaps)). At the end of a load path the answer is known: if the object moves as with viscous
+    /// contacts, it reaches none of them by small motions.
     Snap,
-    /// This equilibrium ends here: the problem in rates has no solution. Whether others exist beyond is not known, and no proof was found that there
-    /// are none. The cause is too many contacts: more than 32 on the round cone, or else more combinations of states than [`Settings::most_states`].
+    /// This equilibrium ends here: the complementarity problem for the rates of forces and motion has no solution. Whether other equilibria exist
+    /// beyond is not known, and there is no proof that none exists. The grasp has too many contacts: more than 32 on the round cone, or else more
+    /// combinations of contact states than [`Settings::most_states`].
     Ends {
-        /// The reason why the rates have no solution. The work in it is that of the rate of the load, J per unit of the load factor.
+        /// The reason why no rates of forces and motion exist. Its work is that of the rate of the load, J per unit of the load factor.
         reason: NoEquilibrium<C>,
     },
     /// The lips of these suction cups are open all around, and their vacuum is gone. What remains is another grasp, without their vacuum.
@@ -77,11 +78,12 @@ pub struct Continuation<const C: usize> {
     pub force_rates: Vec<SVector<f64, C>>,
     /// Rate of the object's twist, m and rad for one unit of the load factor.
     pub twist_rate: Motion<C>,
-    /// The rule that found the solution of the problem in rates.
+    /// The rule that found the solution of the complementarity problem for the rates.
     pub rule: FoundBy,
 }
 
-/// The continuation of an equilibrium for which the problem in rates has the solution `found`.
+/// The continuation of an equilibrium past an event. `found` is the solution of `rates`, the complementarity problem for the rates of forces and
+/// motion.
 pub(super) fn continuation(grasp: &Engine, rates: &Problem, found: Found, rule: FoundBy) -> Beyond<3> {
     let (mut states, mut force_rates) = (site_states(rates, &found), found.forces);
     states.truncate(grasp.len());
@@ -98,7 +100,7 @@ pub(super) fn continuation(grasp: &Engine, rates: &Problem, found: Found, rule: 
     }))
 }
 
-/// The place at which an equilibrium ends, and the contact forces there.
+/// The load factor at which an equilibrium ends, and the contact forces there.
 pub(super) struct EquilibriumEnd<'f> {
     pub(super) factor: f64,
     pub(super) forces: &'f [SVector<f64, 3>],
@@ -106,7 +108,7 @@ pub(super) struct EquilibriumEnd<'f> {
     pub(super) motion: Option<Vector>,
 }
 
-/// The situation beyond the end of an equilibrium, where the problem in rates has no solution.
+/// The situation beyond the end of an equilibrium, where the complementarity problem `rates` for the rates of forces and motion has no solution.
 pub(super) fn beyond_end(
     segment: &Segment<'_>,
     rates: &Problem,
@@ -115,7 +117,7 @@ pub(super) fn beyond_end(
     settings: &Settings,
 ) -> Beyond<3> {
     let problem = segment.problem_at(end.factor);
-    // The problem at a finite distance beyond the end, in units of [`way_beyond`].
+    // The equilibrium problem at a finite distance beyond the end, in units of [`way_beyond`].
     let past = |part: f64| segment.problem_at(end.factor + part * way_beyond(&problem, rates));
     let separates = |v: &Vector| separates_from_here_on(&problem, v, &rates.wrench);
     if end.motion.as_ref().is_some_and(separates)
@@ -149,8 +151,9 @@ pub(super) fn beyond_end(
     }
 }
 
-/// Whether Farkas' lemma excludes every choice of slips and gaps, so that the rates have no solution. The form is computed in floating point: the
-/// proof holds up to its rounding. The proof is searched for by linear programs with twice as many rows as the form.
+/// Whether Farkas' lemma excludes every choice of slip rates and gap rates, so that no rates of forces and motion exist. The lemma is applied to the
+/// kinematic form of `rates`, which is computed in floating point: the proof holds up to the rounding of its matrix. Linear programs with twice as
+/// many rows as the form search for the proof.
 pub(super) fn no_rates(rates: &Problem) -> bool {
     if !dense_is_affordable(rates, 2) {
         return false;
@@ -183,7 +186,7 @@ fn from_scratch<'g>(
                 // If the forces found are nearly those at the end, shorter distances decide: only the forces of another equilibrium then stay
                 // different from those at the end.
                 let is_another = !is_near(&found.forces, forces, part) || [1e-8, 1e-10].iter().any(another);
-                // If not, the equilibrium found may be the one that ends here, which rounding lets exist a little further.
+                // If the forces do not differ, the equilibrium found may be the one that ends here: rounding may let it exist a little further.
                 return if is_another {
                     Beyond::Snap
                 } else {
@@ -221,7 +224,7 @@ fn whole_way(problem: &Problem, rates: &Problem) -> f64 {
 }
 
 fn search_beyond(problem: &Problem, rates: &Problem) -> Beyond<3> {
-    // The problem whose load and commands are the present rates. Its contact laws are the complete ones, since any states may occur.
+    // The problem whose load and finger offsets are the present rates. Each contact has its complete law, since any contact states may occur.
     let rates = &Problem {
         offsets: rates.offsets.clone(),
         wrench: rates.wrench.clone(),

@@ -89,8 +89,8 @@ impl<const C: usize> Leg<C> {
 pub(super) struct BodyLoads(Option<Arc<[Vec<Wrench<3>>; 2]>>);
 
 impl BodyLoads {
-    /// Continues to the next leg. It begins with the loads at the end of the last leg, which its goals change body by body; `names` are those of all
-    /// bodies.
+    /// Continues to the next leg, which begins with the body loads at the end of the last leg. Each entry of `goals` changes the load of one body
+    /// along the new leg; `names` are the names of all bodies.
     pub(super) fn append(&mut self, names: &[Arc<str>], goals: &[BodyGoal<3>]) {
         if goals.is_empty() && self.0.is_none() {
             return;

@@ -38,7 +38,7 @@ struct FreeWay {
 }
 
 /// Whether a contact with this force lets the body move at this velocity (in the contact frame) without a change of the force. Velocities up to
-/// `none` are rounding.
+/// `none` count as zero.
 fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f64, 3>, none: f64) -> bool {
     match local.resistance(velocity) {
         Resistance::Unlimited => false,

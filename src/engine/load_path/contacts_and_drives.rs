@@ -1,4 +1,4 @@
-//! Events of a hand: the engine treats a drive like a contact, but its changes are reported for its joint or tendon.
+//! Events of a hand: the engine treats a drive like a contact, but answers name its joint or tendon.
 
 use super::drive_change::{DriveChange, PartChange};
 use super::event::{Change, ContactChange};
@@ -70,7 +70,8 @@ impl Engine {
         }
     }
 
-    /// The label of the contact with this index; for the index of a drive, that of its joint or tendon.
+    /// The label of the contact with this index; for the index of a drive, the label of its joint or tendon. `None` for a drive without a joint or
+    /// tendon.
     pub(super) fn edge_of(&self, site: usize) -> Option<EdgeOf> {
         match self.contacts().get(site) {
             Some(contact) => Some(EdgeOf::Contact(contact.label(site))),

@@ -66,7 +66,7 @@ impl CycleRecord {
         self.states.extend(next.states.iter().cloned());
     }
 
-    /// Whether the same events have happened in both cycles.
+    /// Whether the contacts have gone through the same states on the same legs in both cycles.
     pub(crate) fn is_like(&self, other: &Self) -> bool {
         let mut both = self.states.iter().zip(&other.states);
         self.states.len() == other.states.len()
@@ -95,7 +95,8 @@ impl<'g> Cycles<'g> {
         Ok(Self { path, legs: legs.to_vec(), base: *base, completed: 0 })
     }
 
-    /// The program at the beginning of a cycle, from the given state; `None` if this state is no equilibrium of the grasp with the slips in it.
+    /// The program at the beginning of a cycle, from the given state; `None` if this state, with the slips stored in it, is no equilibrium of the
+    /// grasp.
     pub(crate) fn beginning_at(&self, from: &CycleState, settings: &Settings) -> Option<Self> {
         let grasp = self.path.journey.grasp;
         let largest = largest(&from.forces, &Matrix::norm);

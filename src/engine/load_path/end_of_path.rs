@@ -1,4 +1,4 @@
-//! The end of a path where the rates have no solution, as far as the state at the end determines it.
+//! The end of a path where no rates of forces and motion satisfy the contact laws, as far as the state at the end determines the kind of end.
 
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end, no_rates};
 use super::event::{Loss, LossKind, PathEnd};
@@ -10,10 +10,11 @@ use crate::object::{Piece, Problem};
 use crate::prelude::*;
 use crate::search::{Effort, Settings, Settled};
 
-/// The end of a path whose rates have no solution.
+/// The end of a path where no rates of forces and motion satisfy the contact laws.
 ///
-/// The object gives way if a motion meets no resistance. Otherwise the end is a corner: in no combination of states of the contacts on the edge of
-/// their cones do forces and motion have rates. If the search for rates was undecided, a proof that no equilibrium exists beyond serves as well.
+/// The object gives way if a motion meets no resistance. Otherwise the end is a corner: no combination of states of the contacts on the edge of their
+/// cones admits rates of forces and motion. If the search for rates was undecided, the path also ends if a proof shows that no equilibrium exists
+/// beyond.
 pub(super) fn end_of_path(
     edge: &StateAtEdge<'_>,
     (settled, effort): (Settled, &Effort),
@@ -51,14 +52,13 @@ pub(super) fn end_of_path(
 ///
 /// The object leaves by a motion that changes no contact force, and on which the load works. The virtual motion is one on which no contact force of
 /// these states does work. Because of friction it differs from the motion: for a block that slides to the right, it points upwards along the edge of
-/// the cone. If there are no such motions, both are the motion that solves the problem in rates in these states, reversed if it slips against
-/// friction.
+/// the cone. If no such motions exist, both are the rate of motion with these contact states, reversed if contacts would slip against friction.
 pub(super) fn leaving_motions(rates: &Problem, load: &Vector, states: &[State]) -> Option<[Vector; 2]> {
     let piece = Piece::new(rates, states);
     let solved = match piece.solve(rates.sites, &rates.offsets, &rates.wrench) {
         Err(unbalanced) => {
-            // No spring resists a motion along which friction is exhausted everywhere. Of several, the one on which the rate of the load does the
-            // most work is taken. If only commands change, the load itself takes the place of its rate.
+            // No spring resists a motion along which friction is exhausted everywhere. Of several such motions, the one on which the rate of the load
+            // does the most work is taken. If only commands change, the load itself takes the place of its rate.
             let along = |motions: &[Vector], wrench: &Vector| {
                 let v = motions.iter().fold(Vector::zeros(), |sum, v| sum + v * v.dot(wrench));
                 (v.norm() > 0.0).then(|| v.normalize())

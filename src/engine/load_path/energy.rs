@@ -63,7 +63,8 @@ impl LegEnergy {
         self.turnover += part.turnover;
     }
 
-    /// Adds the energies of a piece of the path that begins at a load factor, on which contacts keep their states and none slides on a round cone.
+    /// Adds the energies of a piece of the path that begins at a load factor, on which contacts keep their states and no contact slides on a round
+    /// cone.
     pub(super) fn add(
         &mut self,
         segment: &Segment,
@@ -88,7 +89,7 @@ impl LegEnergy {
                 if states[i].slides() { site.springs.slip(&moving, &line.rate) } else { SVector::zeros() };
             for axis in 0..site.springs.axes() {
                 let pushed = force[axis] * segment.change[i][axis] * step;
-                // `Δ(½F²/k) = F ΔF / k` with the force F at the middle of the piece, which is exact.
+                // The spring energy changes by `Δ(½F²/k) = F ΔF / k` with the force F at the middle of the piece and the stiffness k, which is exact.
                 let stored = force[axis] * give[axis] * step;
                 let dissipated = force[axis] * slip[axis] * step;
                 self.finger_work += pushed;

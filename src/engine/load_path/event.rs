@@ -37,9 +37,9 @@ pub struct Event<const C: usize> {
     /// unless a contact that touches without force pushes the object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
-    /// Number of other continuations of the contacts on an edge. `Some(0)` means that the continuation is unique: the matrix of the rates is a
-    /// P-matrix, or a trial of all states of few contacts found no other. `None`, and not written, if neither decides, as at the apex of a round
-    /// cone.
+    /// Number of other ways in which the contacts on the edge of their cones could continue. `Some(0)` means that the continuation is unique: the
+    /// matrix of the complementarity problem for the rates is a P-matrix, or a trial of all states of few contacts found no other. `None`, and not
+    /// written, if neither test decides, as at the apex of a round cone.
     ///
     /// The path prefers in this order: nothing changes; sliding contacts keep sliding and contacts at an edge slide; everything sticks; the solution
     /// of Lemke's method. If several motions belong to the same forces, the path takes one in which contacts without force do not drag the object
@@ -115,8 +115,8 @@ pub enum Change<const C: usize> {
 pub enum PathEnd<const C: usize> {
     /// All legs were followed to their end.
     Completed,
-    /// The equilibrium ends here: in no contact states do forces and motion have rates under the growing load. Whether another exists beyond is a
-    /// separate question, see [`LoadPath::beyond`](super::LoadPath::beyond).
+    /// The equilibrium ends here: no contact states admit rates of forces and motion under the growing load. Whether another equilibrium exists
+    /// beyond is a separate question, see [`LoadPath::beyond`](super::LoadPath::beyond).
     Lost(Box<Loss<C>>),
     /// There is no equilibrium from which the path could start.
     NoStart(Box<Outcome<C>>),
@@ -227,7 +227,7 @@ impl Loss<3> {
 pub enum LossKind {
     /// The load has a smooth maximum along a sliding arc of the round cone: in these contact states the equilibrium continues under less load only.
     Fold,
-    /// Contacts are on the edge of their cones, and in no combination of their states do forces and motion have rates under the growing load.
+    /// Contacts are on the edge of their cones, and no combination of their states admits rates of forces and motion under the growing load.
     Corner,
     /// The object moves without bound while the load approaches this one and never reaches it. Directions of sliding have turned along this motion,
     /// and nothing else resists it.

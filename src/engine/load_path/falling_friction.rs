@@ -84,8 +84,8 @@ impl<'g> Pieces<'g> {
         self.stalls = 0;
     }
 
-    /// On a leg along which nothing changes, sliding contacts with kinetic friction come to rest, since such a leg stands for time that passes.
-    /// Returns these changes.
+    /// On a leg along which nothing changes, sliding contacts with kinetic friction come to rest, since such a leg represents passing time. Returns
+    /// the changes of these contacts to sticking.
     pub(super) fn pause(&mut self) -> Vec<(usize, Change<3>)> {
         let segment = &self.segment;
         let is_still = matches!(&segment.course, Trajectory::Straight { rate, .. } if rate.norm() == 0.0)

@@ -1,21 +1,22 @@
-//! The first edges of their cones that contacts reach along a piece of the path.
+//! The first places along a piece of the path at which contacts reach an edge of their friction cone, its apex, or a closing gap.
 
 use crate::contact::Exit;
 use crate::prelude::*;
 
-/// Contacts that reach the end of their state, each with its exits: the edges of its cone that it reaches, the apex, or a closed gap.
+/// Contacts whose present state stops being valid, each with its exits: the edges of its cone that the force reaches, the apex, or a closing gap.
 pub(super) type ExitsReached = Vec<(usize, Vec<Exit>)>;
 
-/// The first places along a piece of the path at which contacts reach the end of their state.
+/// The first places along a piece of the path at which the present states of contacts stop being valid.
 pub(super) struct FirstExits {
-    /// The step at which the first contact reaches the end of its state, and all contacts that do so at that step.
+    /// The first step at which the present state of a contact stops being valid, and all contacts for which that happens at this step.
     pub(super) reached: Option<(f64, ExitsReached)>,
-    /// Contacts and drives that reach the edge of their cone before this step without crossing it, while a load turns; with the angle, rad.
+    /// While a load turns: contacts and drives whose force touches the edge of its cone before the step of `reached`, without crossing it, each with
+    /// the angle, rad.
     pub(super) touches: Vec<(usize, f64)>,
 }
 
-/// The smallest step to an exit, and all contacts with exits there. In symmetric grasps several contacts reach an edge at once: steps that are equal
-/// up to the rounding of both count as equal.
+/// The smallest step to an exit (a place where a contact's state stops being valid), and all contacts with exits there. In symmetric grasps several
+/// contacts reach an edge at once: steps that are equal up to the rounding of both count as equal.
 pub(super) fn first_reached(mut ways: ExitsReached) -> Option<(f64, ExitsReached)> {
     let mut first = ways.iter().find_map(|(_, exits)| exits.first()).copied()?;
     for (_, exits) in &ways {

@@ -1,6 +1,6 @@
 //! The onset in the common case: everything clearly sticks at the base load, and one contact reaches the edge of its cone before all others.
 //!
-//! This case is cheap: one factorisation for two loads, a ratio test, and one more solve at the onset, which makes the last digits of its factor
+//! This case is cheap: one factorisation for two loads, a ratio test, and one more solve at the onset, which makes the last digits of its load factor
 //! exact. [`super::sticking_path`] handles all other cases.
 
 use nalgebra::{Matrix, SVector};
@@ -39,7 +39,8 @@ pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) ->
     piece.solve_roughly_into(&segment.change, &direction, (solution, rate));
     piece.solve_roughly_into(&problem.offsets, &problem.wrench, (solution, base));
     let First { contact, exit, line } = first_exit(segment, base, (&direction, rate))?;
-    // The state is solved again at the onset, because a load factor extrapolated from the base load has the rounding errors of the forces there.
+    // The state is solved again at the onset, because a load factor extrapolated from the base load has the rounding errors of the forces under the
+    // base load.
     let mut factor = exit.step;
     let load = segment.course.at(factor);
     segment.offsets_into(factor, offsets);
@@ -120,7 +121,7 @@ pub(super) fn first_to_leave_on_turn(
 }
 
 impl FirstToLeave {
-    /// The onset as an answer, on this segment and under the given load.
+    /// The onset as an answer. `segment` is the ramp or the turn along which it was found, and `load` the load at the onset.
     pub(super) fn onset(
         self,
         mut segment: Segment<'_>,
@@ -155,23 +156,24 @@ impl FirstToLeave {
     }
 }
 
-/// Whether a contact meets all conditions of sticking (or of being absent) by more than rounding.
+/// Whether a contact meets all conditions of sticking, or of being open for a contact that is absent, by more than rounding.
 fn clearly_sticks(local: &LocalLaw<'_>, at: &SpringState<'_>) -> bool {
     let mut clear = true;
-    // The least margin of a condition, relative to its size. If a margin is smaller, the contact may be on the edge of its cone, and `StickingPath`
-    // decides.
+    // The least margin of a condition, relative to the size of its terms. If a margin is smaller, the contact may be on the edge of its cone, and
+    // `StickingPath` decides.
     local.for_each_condition(&local.unjumped(), at, |value, size| clear &= value > NEGLIGIBLE * size);
     clear
 }
 
-/// The contact that reaches the edge of its cone before all others, with its exit and the affine course of its force.
+/// The contact that reaches the edge of its cone before all others, with the exit (edge and step) and the affine course of its force.
 struct First {
     contact: usize,
     exit: Exit,
     line: Line,
 }
 
-/// The first contact to leave its cone, if everything clearly sticks at the base load and no other contact leaves at nearly the same load factor.
+/// The first contact whose force leaves its cone. `None` unless everything clearly sticks at the base load, and no other contact leaves its cone at
+/// nearly the same load factor.
 fn first_exit(
     segment: &Segment<'_>,
     base: &PieceState,

@@ -1,13 +1,14 @@
 //! Steps along an arc, in arclength.
 //!
-//! Along an [`Arc`] twist q, load factor λ and friction forces satisfy a differential equation whose right-hand side depends on the directions of
+//! Along an [`Arc`] twist q, load factor λ and friction forces F_t satisfy a differential equation whose right-hand side depends on the directions of
 //! sliding alone,
 //!
 //! ```text
 //! (q', λ') the null vector of [T | -b],     F_t' = C (a' λ' - Gᵀq')_t
 //! ```
 //!
-//! so that a fold, where the load factor has a maximum, is passed like any other point. Balance is linear in all variables, and steps preserve it.
+//! with the tangent stiffness T, the right-hand side b, and for each contact the tangent stiffness C, the rate a' of its offset and the grasp map G.
+//! So a fold, where the load factor has a maximum, is passed like any other point. Balance is linear in all variables, and steps preserve it.
 //! Newton's method transverse to the path removes the violation of the cones that a step leaves.
 
 use nalgebra::SVector;
@@ -46,7 +47,7 @@ impl Rule {
     }
 }
 
-/// The load factor at which a step should end, and how near to it a step counts as arrived.
+/// The load factor at which a step should end, and the distance from it within which the step counts as having reached it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StepGoal {
     factor: f64,
@@ -89,8 +90,8 @@ pub(super) struct FlowStep {
     /// The state at the end of the step, with rates per unit of arclength.
     pub(super) point: PathPoint,
     pub(super) energy: LegEnergy,
-    /// Estimated relative error: that of forces, divided by the largest force, or that of the twist, divided by the largest displacement, whichever
-    /// is larger.
+    /// Estimated relative error: the error of forces divided by the largest force, or the error of the twist divided by the largest displacement,
+    /// whichever is larger.
     pub(super) error: f64,
     /// Whether some contact slipped against its friction force, or the load factor decreased.
     pub(super) backwards: bool,
@@ -103,7 +104,8 @@ impl FlowStep {
 }
 
 impl<'s, 'g> Flow<'s, 'g> {
-    /// The differential equation that starts at a state with its rates. Arclength is that of the curve (q/unit, λ).
+    /// The differential equation that starts at a state with its rates. Arclength is that of the curve (q/unit, λ), with the twist q and the load
+    /// factor λ.
     pub(super) fn new(
         segment: &'s Segment<'g>,
         states: &'s [State],
@@ -139,7 +141,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         Self { arc, from, point, begin, vanishing, sizes }
     }
 
-    /// The direction of the path at the start.
+    /// The direction of the path (rates of twist and load factor) at the start.
     fn initial_direction(&self) -> Direction {
         Direction { twist: self.point.twist_rate.clone(), factor: self.point.factor_rate }
     }
@@ -149,8 +151,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         self.relaxations().map(|(_, rate)| rate).fold(0.0, f64::max)
     }
 
-    /// The sliding contacts, and the rate at which each friction force turns towards the direction of its slip at the start, per unit of arclength:
-    /// `κ γ / |F_t|`.
+    /// The sliding contacts, and the rate at which each friction force turns towards the direction of its slip at the start, per unit of arclength.
+    /// This is the stiffness across the slip times the slip rate along the friction force, divided by the friction force.
     pub(super) fn relaxations(&self) -> impl Iterator<Item = (usize, f64)> {
         let rate = |(&i, friction): (&usize, &SVector<f64, 3>)| {
             let tangent = self.arc.tangent(i, friction);
@@ -191,7 +193,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         let tangents = self.arc.tangents(frictions.iter().copied());
         let way = self.arc.direction(&tangents, factor, &self.initial_direction())?;
         let stays = |factor: f64| (factor - goal.factor).abs() <= goal.near;
-        // A step that has not arrived may still arrive by the correction onto the cones.
+        // A step that has not yet reached the load factor of its goal may reach it by the correction onto the cones.
         let arrived = if stays(factor) {
             None
         } else {
@@ -223,7 +225,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         Some(FlowStep { to, point, energy, error, backwards })
     }
 
-    /// Indices of the load factor and of the first of the works in the list of variables; friction forces and twist come before.
+    /// Indices of two variables of the differential equation: the load factor and the first of the works. Friction forces and twist come before them.
     fn places(&self) -> [usize; 2] {
         let load = 2 * self.begin.len() + self.size().count();
         [load, load + 1]
@@ -233,13 +235,14 @@ impl<'s, 'g> Flow<'s, 'g> {
         self.arc.segment.grasp.size()
     }
 
-    /// The change of the twist since the start, from the list of variables.
+    /// The change of the twist since the start, from the list `y` of the changes of all variables.
     fn twist_change(&self, y: &[f64]) -> Vector {
         let first = 2 * self.begin.len();
         Vector::from_fn(self.size(), |k| y[first + k])
     }
 
-    /// Rates of the variables, which are changes since the start. Returns whether a contact slips against its friction force or the load factor decreases.
+    /// Writes the rates of all variables of the differential equation to `out`; `y` are their changes since the start. Returns whether a contact
+    /// slips against its friction force or the load factor decreases; `None` if the path has no unique direction.
     fn rate(&self, y: &[f64], out: &mut [f64]) -> Option<bool> {
         let [load, works] = self.places();
         let segment = self.arc.segment;
@@ -269,11 +272,11 @@ impl<'s, 'g> Flow<'s, 'g> {
         out[works..].copy_from_slice(&[fingers, heat, worked.sum(), turnover]);
         let is_straight = matches!(segment.course, Trajectory::Straight { .. });
         // A decrease of the load factor by less than this fraction of the arclength counts as none. Near a maximum the load factor itself then
-        // changes by less than the square of this fraction.
+        // changes by less than the square of this fraction, in units of the leg.
         Some(backwards > 0.0 || is_straight && way.factor < -1e-8)
     }
 
-    /// Friction forces of the sliding contacts, in order, after the changes `y` of the variables.
+    /// Friction forces of the sliding contacts, in order, after the changes `y` of all variables since the start.
     fn frictions(&self, y: &[f64]) -> impl Iterator<Item = SVector<f64, 3>> {
         self.begin.iter().zip(y.chunks_exact(2)).map(|(begin, change)| {
             let mut force = *begin;
@@ -282,7 +285,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         })
     }
 
-    /// Power of the fingers, `Σ F·a'` per unit of the load factor, after the changes `y` of the variables.
+    /// Power of the fingers, the sum of F·a' over the contacts with the forces F and the rates a' of their offsets, per unit of the load factor. `y`
+    /// are the changes of all variables since the start.
     fn power_of_fingers(&self, y: &[f64]) -> f64 {
         let [load, _] = self.places();
         let (moved, further) = (self.twist_change(y), y[load]);
@@ -304,7 +308,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         sum
     }
 
-    /// Relative size of an error of the variables. Forces are compared with the largest force, the twist with the largest displacement.
+    /// Relative size of an error of the variables of the differential equation. Forces are compared with the largest force, the twist with the
+    /// largest displacement.
     fn error_size(&self, error: &[f64], length: f64) -> f64 {
         let count = self.size().count();
         let size = |k: usize| self.sizes[k] + length * self.point.rate_sizes[k];
@@ -314,8 +319,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         let of_forces = of_frictions.chunks_exact(2).map(norm).fold(0.0, f64::max);
         let with_sizes = of_frictions.chunks_exact(2).zip(&self.begin).zip(&self.vanishing);
         let vanishing = with_sizes.filter(|(_, vanishes)| **vanishes).map(|(of_one, _)| of_one);
-        // The error of a friction force counts relative to the largest force. That of a vanishing one also counts relative to the force itself, with
-        // this weight, so that its direction stays accurate.
+        // The error of a friction force counts relative to the largest force. The error of a vanishing friction force also counts relative to the
+        // force itself, with this weight, so that its direction stays accurate.
         let of_itself = |(error, friction): (&[f64], &SVector<f64, 3>)| 1e-6 * norm(error) / friction.norm();
         let of_themselves = vanishing.map(of_itself).fold(0.0, f64::max);
         let of_load = others[count].abs() * self.arc.load_rate(self.from);
@@ -330,7 +335,7 @@ impl<'s, 'g> Flow<'s, 'g> {
             if !(length > low && length < high) {
                 length = 0.5 * (low + high);
             }
-            // A shorter step uses the rule of the whole step.
+            // After many trials a step may end farther from the goal and be extended to it.
             let goal_here = StepGoal::after(goal, trial);
             // The allowed error of an implicit rule is multiplied by these factors, tried in turn: rounding may prevent smaller errors.
             let mut rules = [1.0, 10.0, 100.0, 1000.0].into_iter().map(|times| rule.looser(times));

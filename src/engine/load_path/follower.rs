@@ -1,4 +1,4 @@
-//! The interface of the methods that follow a load program.
+//! The interface of the two methods that follow a load program, piece by piece or in steps.
 
 use core::fmt::Debug;
 
@@ -16,18 +16,19 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// Result of one call of [`Follower::advance`].
+/// Result of one call of [`Follower::advance`], with an event or a step of type `T`.
 #[derive(Debug)]
 pub(crate) enum Advance<T> {
-    /// The follower has reached an event or a step to report.
+    /// The follower has reached an event or the end of a step, which the path returns to the caller.
     Reached(T),
-    /// The follower has advanced, with nothing to report.
+    /// The follower has advanced, and has no event or step for the caller.
     OnTheWay,
-    /// The leg is complete, and everything on it has been reported.
+    /// The leg is complete, and all its events or steps have been returned.
     EndOfLeg,
 }
 
-/// The state at the present place, and the problem in rates that decides about the contacts on the edge of their cones.
+/// The state at the present place, and `rates`, the complementarity problem for the rates of forces and motion. Its solution decides whether contacts
+/// on the edge of their cones stick, slide or open.
 #[derive(Debug)]
 pub(crate) struct StateAtEdge<'g> {
     pub(super) segment: Segment<'g>,
@@ -38,19 +39,19 @@ pub(crate) struct StateAtEdge<'g> {
 /// A method of following a program: piece by piece for a few contacts, or in steps for thousands. The follower stores its place on the present leg
 /// and the slips so far; the [`Journey`] stores the legs.
 pub(crate) trait Follower<'g>: Debug {
-    /// The type of what is reported: events, or steps.
+    /// The type of the items that the path returns: events, or steps.
     type Report;
 
     /// Starts the present leg of the program.
     ///
     /// # Errors
-    /// How the path ends if it cannot start.
+    /// The end of the path, if the leg cannot start.
     fn start_leg(&mut self, journey: &Journey<'g>) -> Result<(), PathEnd<3>>;
 
     /// Advances to the next place of an event, or by a step, or decides how the path continues at the present place.
     ///
     /// # Errors
-    /// How the path ends here.
+    /// The end of the path, if it ends here.
     fn advance(&mut self, journey: &Journey<'g>) -> Result<Advance<Self::Report>, PathEnd<3>>;
 
     /// The fraction of the leg already followed.
@@ -62,7 +63,8 @@ pub(crate) trait Follower<'g>: Debug {
     /// Contact forces at the present place, N, in the contact frames.
     fn forces(&self, journey: &Journey<'g>) -> Vec<SVector<f64, 3>>;
 
-    /// The contacts on the edge of their cones at the present place, with their problem in rates.
+    /// The state at the present place, with the complementarity problem for the rates of forces and motion; contacts on the edge of their cones may
+    /// slide or open in it.
     fn edge(&self, journey: &Journey<'g>) -> StateAtEdge<'g>;
 
     /// The situation beyond a jump that found no equilibrium, from a follower that knows kinetic friction; `None` if the path did not end in such a jump.

@@ -28,7 +28,7 @@ pub(crate) struct Following<'g, F> {
 }
 
 impl<'g, F: Follower<'g>> Following<'g, F> {
-    /// A path from rest under a load. The follower begins at the equilibrium under that load, if there is one.
+    /// A path that starts at the equilibrium under the load `start`, from which the follower begins, if such an equilibrium exists.
     pub(super) fn start(
         grasp: &'g Engine,
         (start, legs): (&Wrench<3>, &[Leg<3>]),
@@ -38,7 +38,7 @@ impl<'g, F: Follower<'g>> Following<'g, F> {
         Self::of(Journey::new(grasp, start, settings)?, legs, begin)
     }
 
-    /// The path of a load program that has no legs yet.
+    /// The path of the load program `journey`, which has no legs yet, with `legs` appended. `begin` makes the follower at the start.
     pub(super) fn of(
         mut journey: Journey<'g>,
         legs: &[Leg<3>],
@@ -75,7 +75,8 @@ impl<'g, F: Follower<'g>> Following<'g, F> {
         }
     }
 
-    /// Calls `advance` on the follower and returns its report; `None` if the path has ended or there is nothing to report yet.
+    /// Calls `advance` on the follower and returns the event or step that it reaches; `None` if the path has ended, or if there is no event or step
+    /// yet.
     pub(super) fn advance_with(
         &mut self,
         advance: impl FnOnce(&mut F, &Journey<'g>) -> Result<Advance<F::Report>, PathEnd<3>>,

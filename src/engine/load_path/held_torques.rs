@@ -83,7 +83,8 @@ impl<const C: usize> Leg<C> {
 pub(super) struct HeldTorques(Option<Arc<[Vec<f64>; 2]>>);
 
 impl HeldTorques {
-    /// Continues to the next leg. It begins with the torques at the end of the last leg, or with those of the hand, and its goal changes them.
+    /// Continues to the next leg, which begins with the torques at the end of the last leg, or with those of the hand. `goal` changes them along the
+    /// new leg.
     pub(super) fn append(&mut self, of_the_hand: &[f64], goal: &LegGoal<Vec<f64>>) {
         if self.0.is_none() && *goal == LegGoal::Stay {
             return;
@@ -94,7 +95,8 @@ impl HeldTorques {
         self.0 = Some(Arc::new(both));
     }
 
-    /// These torques minus those that the hand itself has, as loads in the engine's coordinates, at the beginning and at the end of the leg.
+    /// The torques that hold the joints, minus those of the hand before the program, as loads in the engine's coordinates, at the beginning and at
+    /// the end of the leg.
     pub(super) fn inside(&self, grasp: &Engine) -> Option<[Vector; 2]> {
         let (torques, linkage) = self.0.as_ref().zip(grasp.linkage())?;
         Some([0, 1].each(|end| {

@@ -1,15 +1,15 @@
-//! A load that is put on while contacts stick or slide, in the coordinates of their slips: for verdicts on many grasps.
+//! Follows a growing load while contacts stick or slide, with the slips of the sliding contacts as unknowns: for hold questions about many grasps.
 //!
-//! As long as no contact opens or closes, forces and motion are affine in the load factor λ and in the slips s_j; the columns are responses of the
-//! grasp in which everything sticks. A contact slips along its friction force,
+//! As long as no contact opens or closes, forces F and motion are affine in the load factor λ and in the slips s_j. The matrices R_ij are responses
+//! of the grasp in which everything sticks to unit slips of contact j. A contact slips along its friction force,
 //!
 //! ```text
 //! F_i = F_i⁰ + λ F_i¹ + Σ_j R_ij s_j,     s_j' = γ_j p_j,     p_j = F_t,j / |F_t,j|
 //! ```
 //!
-//! and (γ, λ') is such that the margins `μ F_n - |F_t|` of all sliding contacts stay zero: one equation for each sliding contact, where an
-//! [arc](super::arc) has one for each coordinate. Some cases give no answer here and are left to a load path: an onset that does not begin from clear
-//! sticking, a slip that ends, a contact that opens, events that coincide, and several continuations.
+//! and the slip rates γ_j and λ' are such that the margins `μ F_n - |F_t|` of all sliding contacts stay zero. This is one equation for each sliding
+//! contact, where an [arc](super::arc) has one for each coordinate. Some cases give no answer here and are left to a load path: an onset that does
+//! not begin from clear sticking, a slip that ends, a contact that opens, events that coincide, and several continuations.
 
 use nalgebra::SVector;
 
@@ -157,8 +157,8 @@ impl Slips<'_> {
         }
     }
 
-    /// Adds a contact that has reached the edge of its cone to those that slide, and sets their rates. Returns `Held` if the path continues with
-    /// these rates, `Lost` if forces and motion have no rates, and `None` if neither is clear.
+    /// Adds a contact that has reached the edge of its cone to the sliding contacts, and computes the rates of load factor and slips. Returns `Held`
+    /// if the path continues with these rates, `Lost` if no rates of forces and motion exist, and `None` if neither is clear.
     fn begins_to_slide(
         &mut self,
         contact: usize,
@@ -195,15 +195,15 @@ impl Slips<'_> {
         let along = |(slip, p): (&f64, &SVector<f64, 3>)| [p[1] * slip, p[2] * slip];
         rates.extend(slips.iter().zip(directions).flat_map(along));
         if slips.iter().all(|slip| *slip > 0.0) {
-            // The unit of slip is chosen so that slips and load count equally in arclength at the beginning.
+            // The unit of slip is chosen so that the rates of slips and load count equally in arclength at the beginning.
             self.unit = summed(slips, &|slip| slip * slip).sqrt();
             for rate in rates.iter_mut() {
                 *rate *= core::f64::consts::FRAC_1_SQRT_2;
             }
             return Some(SlipEnd::Held);
         }
-        // A combination of sliding contacts is a continuation if no slip rate is negative and no margin becomes negative. If any other than that of
-        // all contacts is one, a load path decides.
+        // A combination of sliding contacts is a continuation if no slip rate is negative and no margin becomes negative. If another combination than
+        // that of all sliding contacts is a continuation, a load path decides.
         let holds = |combination: usize| {
             let slips = slid(margins, &|i| combination >> i & 1 == 1)?;
             let mut holds = slips.iter().all(|slip| *slip >= -clear);
@@ -229,7 +229,7 @@ impl Slips<'_> {
         self.lost_by(LossKind::Corner, at, &motion, ramp)
     }
 
-    /// The end of a path at a fold or a corner; `None` if the object snaps over to another equilibrium there.
+    /// The end of the path as the loss of equilibrium at a fold or a corner; `None` if the object snaps over to another equilibrium there.
     fn lost_by(&self, kind: LossKind, at: &[f64], motion: &Vector, ramp: &Ramp<3>) -> Option<SlipEnd> {
         if self.snaps_over(at, ramp) != Some(false) {
             return None;
@@ -274,6 +274,7 @@ impl Slips<'_> {
 }
 
 /// The slips of the chosen contacts with which their margins stay zero while the load factor grows by one. The slips of all other contacts are zero.
+/// `None` if the equations do not determine them.
 fn slid(margins: &[Equation], is_chosen: &dyn Fn(usize) -> bool) -> Option<[f64; MOST_UNKNOWNS]> {
     let mut equations = [[0.0; MOST_UNKNOWNS + 1]; MOST_UNKNOWNS];
     for (i, (equation, rates)) in equations.iter_mut().zip(margins).enumerate() {

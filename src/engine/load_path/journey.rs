@@ -17,7 +17,7 @@ use crate::object::{Load, Problem};
 use crate::prelude::*;
 use crate::search::{Doubt, Effort, Found, FoundBy, Settings, Settled, settle_at_rest};
 
-/// The result of the search for the equilibrium from which a path starts, and its effort.
+/// The result of the search for the equilibrium from which a path starts, and the effort of the search.
 pub(crate) type Rest = (Settled, Effort);
 
 /// A load program in progress, with its grasp and settings.
@@ -40,18 +40,18 @@ impl<'g> Journey<'g> {
         Ok(Self { grasp, settings: *settings, polygon, program: Program::new(grasp, *start), rest: None })
     }
 
-    /// The problem of one equilibrium with these offsets, on the cone of the settings.
+    /// The equilibrium problem with these finger offsets (commands minus clearances) and this load, on the friction cone of the settings.
     pub(super) fn problem(&self, offsets: Vec<SVector<f64, 3>>, load: &Vector) -> Problem<'g> {
         let round = self.settings.is_round(self.grasp.space());
         self.grasp.problem(self.polygon.clone(), round, offsets, &Load::from(load))
     }
 
-    /// The problem at the start, with contacts that have not slipped yet.
+    /// The equilibrium problem at the start of the program, with contacts that have not slipped yet.
     pub(super) fn problem_at_start(&self) -> Problem<'g> {
         self.problem(self.grasp.offsets(), &self.program.inside_course(self.grasp).at(0.0))
     }
 
-    /// The equilibrium to start from. If there is none, the error is the end of the path before its first leg.
+    /// The equilibrium from which the path starts. If there is none, the error is the end of the path before its first leg.
     pub(super) fn start(&self, problem: &Problem<'g>) -> Result<Found, PathEnd<3>> {
         match self.rest.clone().unwrap_or_else(|| settle_at_rest(problem, &self.settings)) {
             (Settled::Found(found, _), _) => Ok(found),
@@ -63,8 +63,8 @@ impl<'g> Journey<'g> {
         }
     }
 
-    /// The present leg, with the slips up to its beginning. Loads and commands are computed from the goals of the legs, so that rounding does not add
-    /// up over many legs.
+    /// The present leg, with the accumulated slips at its beginning. Loads and commands are computed from the goals of the legs, so that rounding
+    /// does not add up over many legs.
     pub(super) fn segment(&self, slips: Vec<SVector<f64, 3>>) -> Segment<'g> {
         let course = self.program.inside_course(self.grasp);
         let [mut offsets, change] = self.program.offsets(self.grasp);

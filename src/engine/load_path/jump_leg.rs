@@ -42,7 +42,8 @@ pub(super) struct JumpInProgress<'g> {
 }
 
 impl<'g> JumpInProgress<'g> {
-    /// A jump at the beginning of its leg. `slips` are those before the jump: contacts whose slips on the leg differ have slid already.
+    /// A jump at the beginning of its leg. `slips` are the slips before the jump. Contacts whose slips at the beginning of the leg differ from these
+    /// have slid in the jump already.
     pub(super) fn after(leg: Pieces<'g>, slips: &[SVector<f64, 3>]) -> Self {
         let mut slid = vec![false; slips.len()];
         for (i, slip) in slips.iter().enumerate() {
@@ -111,8 +112,9 @@ impl<'g> JumpInProgress<'g> {
 }
 
 impl<'g> Pieces<'g> {
-    /// The leg along which an external force is removed after the contacts `begin` have begun to slide; at its end the load is `goal`. `None` if they
-    /// start from the apex of their cone, with no force to lose: the caller then decides once more how the path continues, with kinetic friction.
+    /// The leg along which an external force is removed after the contacts `begin` have begun to slide; at its end the load is `goal`. `None` if
+    /// these contacts start from the apex of their cone, with no force to lose. The caller then decides again how the path continues, now with
+    /// kinetic friction.
     pub(super) fn leg_of_release(
         &mut self,
         goal: &Vector,

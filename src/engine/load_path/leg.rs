@@ -18,8 +18,8 @@ use crate::prelude::*;
 ///
 /// A squeeze is a leg of commands, loading and unloading are legs of the load; a quantity that the leg does not mention stays. Loads act on the
 /// object (N, N m about the origin); commands are displacements of the fingers in their contact frames (m), the normal part positive into the object.
-/// All points of a soft fingertip follow one command, unless there is one for each point.
-/// Both change in proportion to the fraction of the leg, from 0 to 1.
+/// All points of a soft fingertip follow one command, unless there is one for each point. Loads and commands change in proportion to the fraction of
+/// the leg, from 0 to 1.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
@@ -282,7 +282,7 @@ impl<const C: usize> LegLoad<C> {
 }
 
 impl<T: Copy + Add<Output = T>> LegGoal<Vec<T>> {
-    /// Replaces the commands at the beginning and the end of the previous leg by those of this leg.
+    /// Replaces `commands`, at the beginning and at the end of the previous leg, by those of a leg with this goal.
     pub(super) fn append(&self, commands: &mut [Vec<T>; 2]) {
         commands.swap(0, 1);
         let [from, to] = commands;

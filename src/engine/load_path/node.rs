@@ -22,9 +22,9 @@ use crate::search::{
     solution_near, try_states,
 };
 
-/// The problem in rates at a node (the place of an event), and its result.
+/// The complementarity problem for the rates of forces and motion at a node (the place of an event), and its solution.
 struct Decided<'g> {
-    /// The load factor at which the rates were evaluated: that of the node, or one slightly ahead.
+    /// The load factor at which load and commands have the rates of the problem: that of the node, or one slightly ahead.
     ahead: f64,
     rates: Problem<'g>,
     settled: Settled,
@@ -46,7 +46,8 @@ pub(super) struct Node {
     /// Contacts whose slip has ended at this node.
     pub(super) stopped: Vec<usize>,
     pub(super) at: PieceState,
-    /// The load factor whose rates decide how the path continues: the present one, or one a little ahead while the load turns.
+    /// The load factor at which the rates of load and commands are taken to decide how the path continues: the present one, or one a little ahead
+    /// while the load turns.
     pub(super) ahead: f64,
 }
 
@@ -58,7 +59,8 @@ pub(super) struct NextPiece {
 }
 
 impl Node {
-    /// Decides the states of all contacts on the edge of their cones, by solving the problem in rates, and so how the path continues.
+    /// Solves the complementarity problem for the rates of forces and motion. The solution decides the states of all contacts on the edge of their
+    /// cones, and so how the path continues.
     pub(super) fn continue_path(
         &mut self,
         segment: &mut Segment<'_>,
@@ -113,7 +115,7 @@ impl Node {
         Ok(NextPiece { point, changes, other_continuations })
     }
 
-    /// Solves the problem in rates at the node.
+    /// Solves the complementarity problem for the rates of forces and motion at the node.
     ///
     /// While the load turns, a slip may stop, or a force may touch the edge of its cone, exactly at the node. The rates at the node then do not show
     /// whether the slip reverses or the force leaves the cone; rates slightly ahead do. The load rates for which given states hold form a convex
@@ -157,7 +159,7 @@ impl Node {
 
     /// Tries the two usual continuations: nothing changes, or contacts on the edge of their cones slide.
     fn guess(&self, segment: &Segment<'_>, factor: f64, rates: &Problem) -> Judged {
-        // Only at the start of a leg may nothing change: within a leg some contact has just reached the end of its state.
+        // Only at the start of a leg may nothing change: within a leg the present state of some contact has just stopped being valid.
         let as_before =
             (factor == 0.0).then(|| nothing_changes(&segment.problem, rates, &self.states)).flatten();
         if let Some(holds @ Judged::Holds(_)) = as_before.map(|states| try_states(rates, states)) {
@@ -207,8 +209,8 @@ impl Node {
         if nothing && (0..states.len()).all(comes_no_nearer) {
             return Found { forces: vec![SVector::zeros(); states.len()], states, ..found };
         }
-        // Motions whose lengths differ by less than this fraction are equal up to rounding. Of equal motions, the one counts in which no contact slides
-        // without force: its direction would be rounding.
+        // Motions whose lengths differ by less than this fraction are equal up to rounding. Of equal motions, the one without sliding contacts that
+        // carry no force is chosen, since the direction of such a slide would be rounding.
         let rubs = rates.round && (0..states.len()).any(|i| states[i].is_open() && found.states[i].slides());
         let most = if rubs { 1.0 + NEGLIGIBLE } else { 1.0 - NEGLIGIBLE };
         match try_states(rates, states) {
@@ -217,7 +219,7 @@ impl Node {
         }
     }
 
-    /// Sets the states from a solution in rates, and returns the changes.
+    /// Sets the states of all contacts to those in `found`, the solution of the complementarity problem for the rates, and returns the changes.
     pub(super) fn apply_rates(
         &mut self,
         segment: &mut Segment<'_>,

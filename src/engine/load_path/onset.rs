@@ -31,7 +31,7 @@ pub enum Onset<const C: usize> {
     GivesWay {
         /// The load factor up to which the grasp holds.
         factor: f64,
-        /// The reason for the loss beyond; the work in it is that of the rate of the load, J per unit of the load factor (J/rad for a turn).
+        /// The reason why no equilibrium exists beyond; its work is that of the rate of the load, J per unit of the load factor (J/rad for a turn).
         reason: NoEquilibrium<C>,
     },
     /// The equilibrium at load factor 0 could not be decided.
@@ -76,7 +76,7 @@ pub struct OnsetEvent<const C: usize> {
     pub drives: Vec<PartChange>,
     /// The friction cone for which the event was computed.
     pub cone: Cone,
-    /// The engine's state at the onset, from which further questions about it start.
+    /// The engine's state at the onset, from which the questions for the equilibrium there and for the continuation start.
     pub(super) local: StickingState,
 }
 

@@ -1,4 +1,5 @@
-//! The margins that vanish at an onset, and the derivative of its load factor by the data, `dτ = -dm / m'`.
+//! The margins m that vanish at an onset, and the derivative of its load factor τ by the data, `dτ = -dm / m'`, with the rate m' of the margin along
+//! the ramp.
 
 use nalgebra::SVector;
 
@@ -38,12 +39,13 @@ pub struct OnsetMargins<'g> {
     margins: Vec<Margin>,
 }
 
-/// The margin `row·F` of the leaving contact or drive: `μ F_n - h·F_t`, or `F_n` alone where friction is absent or unlimited.
+/// The margin of a contact or drive that stops sticking, linear in its force F: `row·F` is `μ F_n - h·F_t` with a facet normal h, or F_n alone where
+/// friction is absent or unlimited.
 struct Margin {
     leaver: Leaver,
     site: usize,
     row: SVector<f64, 3>,
-    /// The rate m' along the ramp, N per unit of the load factor.
+    /// The rate of the margin along the ramp, N per unit of the load factor.
     slope: f64,
 }
 
@@ -56,7 +58,7 @@ impl<'g> OnsetMargins<'g> {
         let has_slipped = |i: usize| {
             found.states[i].is_sticking() && !response.law(i).is_frictionless() && slips[i].norm() != 0.0
         };
-        // If a contact slides as soon as it touches, no margin vanishes at the onset; a gap closes there.
+        // If a contact slides as soon as it touches, no margin vanishes at the onset: a gap closes there, and the load factor has no such derivative.
         let opens = |site: &usize| found.states[*site].is_open();
         if (0..grasp.len()).any(has_slipped) || leaving.iter().any(opens) {
             return None;

@@ -81,8 +81,8 @@ impl Engine {
         Ok(onset)
     }
 
-    /// The onset along a trajectory of the load up to the load factor `end`, if contacts may close before it. It starts from the equilibrium `rest`
-    /// under the base load.
+    /// The onset along a trajectory of the load up to the load factor `end`, where contacts may close before the onset. It starts from the
+    /// equilibrium `rest` under the base load.
     pub(super) fn onset_with_closing<'a>(
         &'a self,
         segment: Segment<'a>,
@@ -132,7 +132,7 @@ impl Engine {
         Some(beyond_end(&segment, &rates, (settled, &effort), &end, settings))
     }
 
-    /// The problem of the equilibrium at an onset.
+    /// The equilibrium problem at an onset; `None` if the event belongs to a grasp with another number of contacts.
     pub(super) fn problem_at_onset(&self, event: &OnsetEvent<3>) -> Option<Problem<'_>> {
         let local = &event.local;
         if local.found.states.len() != self.sites().len() {

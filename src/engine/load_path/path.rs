@@ -18,11 +18,11 @@ use crate::grasp::{Face, outside};
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// A load program being followed: an iterator over its events or steps. The caller can inspect each report, and stop at any. When the iterator has
-/// ended, [`end`](Self::end) says how the path ended.
+/// A load program being followed: an iterator over its events or steps. The caller can inspect each of these, and stop after any. When the iterator
+/// has ended, [`end`](Self::end) says how the path ended.
 ///
-/// The method of following determines the type `T` of the reports and how many contacts are affordable: [`LoadPath`] or [`SteppedPath`]. The law is
-/// the same for both: contacts stick, slide with memory of their slip, open and close again.
+/// The method of following determines the type `T` of the items, events or steps, and how many contacts are affordable: [`LoadPath`] or
+/// [`SteppedPath`]. The law is the same for both: contacts stick, slide with memory of their slip, open and close again.
 #[derive(Debug)]
 pub struct Path<'g, const C: usize, T>(Box<dyn AnyPath<C, T> + 'g>);
 
@@ -56,14 +56,14 @@ pub struct Path<'g, const C: usize, T>(Box<dyn AnyPath<C, T> + 'g>);
 /// ```
 pub type LoadPath<'g, const C: usize> = Path<'g, C, Event<C>>;
 
-/// A load program being followed in steps: an iterator over them, so that the caller can inspect each and stop at any. It is made by
+/// A load program being followed in steps: an iterator over its [`Step`]s, so that the caller can inspect each step and stop after any. Made by
 /// [`Grasp::follow_in_steps`](crate::ask::Grasp::follow_in_steps); when the iterator has ended, [`end`](Self::end) says how the path ended.
 ///
 /// The law is the same as for a [`LoadPath`], on the round cone, with slip memory: contacts stick, slide in directions that turn, open and close
-/// again. The path does not report their events one by one; [`state`](Self::state) returns the equilibrium at the present place.
+/// again. The path does not return the events of contacts one by one; [`state`](Self::state) returns the equilibrium at the present place.
 pub type SteppedPath<'g, const C: usize> = Path<'g, C, Step<C>>;
 
-/// A path of the engine, whose reports and answers are converted to vectors of `C` components.
+/// A path of the engine, whose events or steps and answers are converted to vectors of `C` components.
 struct AtTheDoor<'g, const C: usize, T: Face> {
     inside: Box<dyn AnyPath<3, T::Inside> + 'g>,
     end: Option<PathEnd<C>>,
@@ -192,7 +192,7 @@ impl<'g, const C: usize, T> Path<'g, C, T> {
         self.0.forces()
     }
 
-    /// Follows the path to its end and returns all its reports.
+    /// Follows the path to its end and returns all its events, or all its steps.
     pub fn run(&mut self) -> Vec<T> {
         self.by_ref().list()
     }
@@ -230,7 +230,7 @@ impl<const C: usize, T> Iterator for Path<'_, C, T> {
 
 impl<const C: usize> LoadPath<'_, C> {
     /// Sum of the estimated errors of all steps along sliding arcs on the round cone. Each is below [`Settings::step_error`] unless rounding forbids
-    /// that. Zero if nothing had to be integrated, as always in the plane and on polygons.
+    /// that. Zero if nothing had to be integrated, as always in the plane and on polygonal friction cones.
     ///
     /// The estimate is relative: of forces to the largest force of the step, of displacements to the largest one, whichever is worse. The error is
     /// usually smaller. The growth of an earlier error on later steps is not included; sliding damps most of it.
@@ -251,7 +251,7 @@ impl<const C: usize> LoadPath<'_, C> {
         self.0.farthest()
     }
 
-    /// [`Self::run`] as long as motions are small: it stops after the first piece on which they cease to be small.
+    /// [`Self::run`] as long as motions are small: the path stops after the first piece on which motions cease to be small.
     pub fn run_while_small(&mut self) -> Vec<Event<C>> {
         core::iter::from_fn(|| self.0.next_small()).list()
     }

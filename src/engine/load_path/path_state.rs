@@ -28,7 +28,7 @@ pub(super) fn forces_are_rounding(problem: &Problem<'_>, forces: &[SVector<f64, 
 
 impl Node {
     /// The node at the start of the path. Active sets (the edges of its cone that a contact is on) are derived from forces and gaps, since the search
-    /// for an equilibrium does not report them. Slip from rest to the start becomes slip memory.
+    /// for an equilibrium does not return active sets. Slip from rest to the start becomes slip memory.
     pub(super) fn at_start(segment: &mut Segment<'_>, found: Found) -> Self {
         let n = segment.problem.len();
         let mut node = Self {
@@ -54,12 +54,13 @@ impl Node {
         node
     }
 
-    /// Whether a contact slides on the round cone: then the path is an arc.
+    /// Whether a contact slides on the round cone: then the path is an arc, along which directions of sliding turn.
     pub(super) fn turns(&self) -> bool {
         self.states.iter().any(|state| state.slide().is_some())
     }
 
-    /// Forces and their rates in the present states. Along motions that nothing resists the object moves at the rates `pushed`.
+    /// Forces, gaps and their rates at a load factor, in the contact states of this node. Along motions that nothing resists the object moves at the
+    /// rates `pushed`.
     pub(super) fn point_at(
         &self,
         segment: &Segment<'_>,

@@ -1,5 +1,5 @@
-//! Tangent stiffness T at a point of a path, and LU factors of T bordered by one row and one column. Matrices are full, or bands if there are many
-//! coordinates.
+//! Tangent stiffness at a point of a path, and LU factors of this matrix with one more row and column (a bordered matrix). Matrices are full, or
+//! bands if there are many coordinates.
 
 use crate::numerics::Each;
 use alloc::sync::Arc;
@@ -33,14 +33,14 @@ impl NarrowOrder {
     }
 }
 
-/// The tangent stiffness T.
+/// The tangent stiffness at a point of a path: a full matrix, or a band in the narrow order of the coordinates.
 #[derive(Debug, Clone)]
 pub(super) enum PathStiffness {
     Whole(Square),
     Narrow { order: Arc<NarrowOrder>, band: Band },
 }
 
-/// Factors of T with one more column and row: the bordered matrix.
+/// LU factors of the tangent stiffness with one more column and row: the bordered matrix.
 #[derive(Debug, Clone)]
 pub(super) enum PathFactors {
     Whole(Bordered),
@@ -58,7 +58,7 @@ impl PathStiffness {
         }
     }
 
-    /// Adds the entries of a contact, which couple the coordinates in `ranges`.
+    /// Adds the stiffness of a contact, given by `entry(row, column)`; its entries couple the coordinates in `ranges`.
     #[inline(always)]
     pub(super) fn add(&mut self, ranges: &[Range<usize>; 2], entry: impl Fn(usize, usize) -> f64) {
         match self {
@@ -102,8 +102,8 @@ impl PathStiffness {
         }
     }
 
-    /// Solves the bordered system once. Its right-hand side is zero, except for `last` in the row of the border. `None` if the path may continue in
-    /// more than one direction.
+    /// Solves the bordered linear system once: the tangent stiffness with the column `cover`, the row `gradient` and the entry `corner`. The
+    /// right-hand side is zero, except for `last` in the added row. `None` if the path may continue in more than one direction.
     pub(super) fn solved_once(
         self,
         size: Size,
@@ -125,7 +125,8 @@ impl PathStiffness {
         }
     }
 
-    /// Factors of T bordered by one column and one row. `None` if the path may continue in more than one direction.
+    /// LU factors of the tangent stiffness with the column `cover`, the row `gradient` and the entry `corner` added. `None` if the path may continue
+    /// in more than one direction.
     pub(super) fn bordered(
         self,
         size: Size,
@@ -155,7 +156,7 @@ impl PathStiffness {
 }
 
 impl PathFactors {
-    /// The solution for a right-hand side `balance`, with `last` in the row of the border.
+    /// The solution for the right-hand side `balance`, with `last` in the added row: the twist and the last unknown.
     pub(super) fn solve(&self, balance: &Vector, last: f64) -> (Vector, f64) {
         match self {
             Self::Whole(bordered) => bordered.solve(balance, last),
