@@ -50,15 +50,15 @@ pub(crate) struct Pieces<'g> {
     pub(super) pace: Pace,
     /// The load factor at which events that follow each other ever more closely were last moved to one place; NaN before that.
     pub(super) gathered: f64,
-    /// The load factor at which slips last ended on an arc, and the contacts whose slips these were.
+    /// The load factor at which slips last ended on an arc, and the contacts whose slips ended there.
     pub(super) stopped: (f64, Vec<usize>),
-    /// The snaps on this leg so far.
+    /// How often the object has snapped over to another equilibrium on this leg so far, and at which load factor it last came to rest.
     pub(super) snapped: Snapped,
     /// Sum of the estimated errors of the steps along sliding arcs.
     pub(super) step_error: f64,
-    /// An event to report before the first leg: a contact slides at the start, and its friction falls from the static to the kinetic value.
+    /// An event to return before the first leg: a contact slides at the start, and its friction falls from the static to the kinetic value.
     pub(super) first: Option<Box<Event<3>>>,
-    /// The problem at the end of a jump that found no equilibrium.
+    /// The equilibrium problem at the end of a jump after which no equilibrium was found.
     pub(super) failed_jump: Option<Problem<'g>>,
     /// The place where motions cease to be small, if they do.
     pub(super) end_of_small_motions: Option<EndOfSmallMotions>,
@@ -222,7 +222,8 @@ impl<'g> Pieces<'g> {
         Ok(if leg_done? { Advance::EndOfLeg } else { Advance::OnTheWay })
     }
 
-    /// The piece of a place on the path so far; none between a snap and the slightly larger load under which the object rests again.
+    /// The stored piece that contains a place of the path. `None` between the load at which the object snaps over to another equilibrium and the
+    /// slightly larger load under which it rests again.
     fn stretch_behind(&self, leg: usize, fraction: f64) -> Option<&Stretch<'g>> {
         self.behind.iter().find(|s| s.leg == leg && fraction >= s.from && fraction <= s.to)
     }
@@ -254,7 +255,7 @@ impl<'g> Pieces<'g> {
         self.pace = self.pace.at_node();
         let jump = if self.friction_falls() { self.friction_after(journey, &next.changes)? } else { None };
         let (changes, drives) = grasp.contacts_and_drives(next.changes);
-        // At the start of a leg an event is reported if several continuations exist, even if the chosen one changes nothing.
+        // At the start of a leg an event is returned if several continuations exist, even if the chosen one changes nothing.
         let branches = self.factor == 0.0 && next.other_continuations.is_some_and(|others| others > 0);
         if changes.is_empty() && drives.is_empty() && !(set_free && before.is_some()) && !branches {
             return Ok(None);
@@ -285,7 +286,7 @@ impl<'g> Pieces<'g> {
         self.state_on(&self.present_stretch(journey)?, self.factor)
     }
 
-    /// The present place as a piece of the path with zero length.
+    /// The present place as a piece of the path with zero length; `None` if forces and motion there cannot be computed because of rounding.
     pub(super) fn present_stretch(&self, journey: &Journey<'g>) -> Option<Stretch<'g>> {
         let point =
             match &self.point {

@@ -1,4 +1,4 @@
-//! A load, finger commands, or both, that change in proportion to one factor.
+//! A load, finger commands, or both, that change in proportion to one load factor.
 
 use crate::numerics::IntoList;
 use alloc::borrow::Cow;

@@ -1,15 +1,18 @@
-//! Relaxation of the directions of sliding along an arc, to first order: the derivative J of the rates of a [`Flow`](super::flow::Flow).
+//! How the directions of sliding relax along an arc, to first order: the derivative J, by the friction forces, of the rates of a
+//! [`Flow`](super::flow::Flow).
 //!
-//! A friction force along p that turns by the angle φ towards d changes the tangent C of its contact. So it changes the rate `r = C s` of its own
-//! force, with the rate s of the stretch. Balance then changes the motion of the object, which affects all contacts. With φ = d·Δ / |F_t| for a
-//! change Δ of the friction forces
+//! A friction force along p that turns by the angle φ towards d changes the tangent stiffness C of its contact. So it changes the rate `r = C s` of
+//! its own force, with the rate s of the stretch. Balance then changes the motion q of the object and the load factor λ, which affects all contacts.
+//! T and b are the tangent stiffness and right-hand side of the arc, G_i the grasp maps, and a_i' the rates of the offsets. With φ = d·Δ / |F_t| for
+//! a change Δ of the friction forces
 //!
 //! ```text
 //! (J Δ)_i = v_i φ_i + C_i s_i',     v = (∂C/∂φ) s,     s_i' = a_i' δλ - G_iᵀ δq
 //! T δq - b δλ = Σ G_i v_i φ_i,      (δq, δλ) across the path
 //! ```
 //!
-//! J is a diagonal with one number for each contact, plus a matrix of rank D + 1, and so is the inverse of 1 - hJ. With c = Cᵀ d
+//! For D coordinates, J is a diagonal with one number for each contact, plus a matrix of rank D + 1, and so is the inverse of 1 - hJ for a step of
+//! length h. With c = Cᵀ d
 //!
 //! ```text
 //! (1 - hJ) Δ = g:     φ_i = (d_i·g_i + h c_i·s_i') / e_i,     e_i = |F_t,i| - h d_i·v_i
@@ -30,40 +33,40 @@ struct Turning {
     tangent: Tangent,
     /// Size of the friction force, |F_t|, N.
     size: f64,
-    /// The direction d in which the friction force can turn; zero for a contact without friction force.
+    /// The unit direction in which the friction force can turn; zero for a contact without friction force.
     across: SVector<f64, 3>,
-    /// The change v of the force's rate as the force turns, N for one radian and one unit of arclength.
+    /// The change of the rate of the contact force as the friction force turns, N for one radian and one unit of arclength.
     change: SVector<f64, 3>,
-    /// The wrench G v of the change `change`.
+    /// The wrench on the object of the force `change`.
     push: Vector,
-    /// The row c = Cᵀ d: the force along `across` per unit of stretch, N/m.
+    /// The change of the force component along `across` per unit of stretch, N/m, axis by axis.
     gradient: SVector<f64, 3>,
-    /// The wrench G c of the row `gradient`.
+    /// The wrench on the object of the vector `gradient`.
     pull: Vector,
 }
 
-/// The derivative J of the rates by the friction forces, at the start of a step.
+/// The derivative of the rates along an arc by the friction forces (the matrix J of this file), at the start of a step.
 pub(super) struct Relaxation<'f, 's, 'g> {
     arc: &'f Arc<'s, 'g>,
     contacts: Vec<Turning>,
-    /// The tangent stiffness T.
+    /// The tangent stiffness of the grasp (the matrix T of this file).
     stiffness: PathStiffness,
-    /// The right-hand side b of `T q' = b λ'`.
+    /// The right-hand side b of `T q' = b λ'`, with the tangent stiffness T, the twist q and the load factor λ.
     load: Vector,
     way: Direction,
 }
 
-/// The factors of the matrix 1 - hJ of an implicit step of length h.
+/// The factors of the matrix 1 - hJ of an implicit step of length h, with the derivative J of [`Relaxation`].
 pub(super) struct Damped {
     length: f64,
-    /// The factors of `[T' | -b']` with the transverse row below.
+    /// LU factors of the tangent stiffness and right-hand side as the implicit step changes them, bordered by a row transverse to the path.
     bordered: PathFactors,
-    /// The number e_i of each contact, N.
+    /// For each sliding contact, the friction force minus the part by which it changes over the step as it turns, N: the divisor e_i of this file.
     sizes: Vec<f64>,
 }
 
 impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
-    /// Computes J at the load factor `factor`, from the friction forces of the sliding contacts and the direction of the path.
+    /// The derivative of the rates by the friction forces `frictions` of the sliding contacts, at a load factor and a direction of the path.
     pub(super) fn new(
         arc: &'f Arc<'s, 'g>,
         frictions: &[SVector<f64, 3>],
@@ -102,7 +105,7 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
         Self { arc, contacts, stiffness, load, way }
     }
 
-    /// Factors of 1 - hJ for steps of length h. `None` where it is singular.
+    /// The factors of 1 - hJ for steps of length h, with the derivative J of the rates by the friction forces. `None` where this matrix is singular.
     pub(super) fn damped(&self, length: f64) -> Option<Damped> {
         let (mut stiffness, mut load) = (self.stiffness.clone(), self.load.clone());
         let mut sizes = Vec::with_capacity(self.contacts.len());
@@ -120,8 +123,8 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
         Some(Damped { length, bordered, sizes })
     }
 
-    /// Solves `(1 - hJ) Δ = g` in place: friction forces, then twist and load factor. Works, which follow in the list, stay unchanged, since no rate
-    /// depends on them.
+    /// Solves `(1 - hJ) Δ = g` in place, with the derivative J of the rates and the step length h: `side` holds g before, and Δ after. Its entries
+    /// are friction forces, then twist and load factor. Works, which follow in the list, stay unchanged, since no rate depends on them.
     pub(super) fn solve(&self, damped: &Damped, side: &mut [f64]) {
         let length = damped.length;
         let mut left = Vector::zeros();

@@ -9,15 +9,17 @@ use crate::numerics::{IntoList, Size, Vector};
 use crate::object::{PieceState, least_combination};
 use crate::prelude::*;
 
-/// Response of an equilibrium of n contacts to the finger commands, as long as every contact keeps its state: the matrices of position control, the
-/// paper's aim. Columns are the commands, contact by contact, axis by axis (m): column `c i + a` is axis a of contact i. Columns of a [response to
+/// Response of an equilibrium of n contacts to the finger commands, as long as every contact keeps its state: the matrices of position control.
+/// Columns are the commands, contact by contact, axis by axis (m): with c axes, column `c i + a` is axis a of contact i. Columns of a [response to
 /// joint commands](crate::ask::Sensitivity::joint_response) are joints, then tendons (rad, m).
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Response {
-    /// dq/da, `d x (n c)`: twist about the origin, translation first; 1 and rad/m.
+    /// Derivative of the twist by the commands: one row for each component of the twist about the origin, translation first (m/m), then rotation
+    /// (rad/m).
     pub twist: DMatrix<f64>,
-    /// dF/da, `(n c)` rows, N/m: contact forces in the contact frames, contact by contact, axis by axis. By joint commands N/rad or N/m.
+    /// Derivative of the contact forces by the commands, N/m; N/rad or N/m for joint commands. Rows are forces in the contact frames, contact by
+    /// contact, axis by axis.
     pub forces: DMatrix<f64>,
 }
 

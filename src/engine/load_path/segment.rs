@@ -13,14 +13,15 @@ use crate::numerics::{Each, IntoList, Vector, cleared_for, mapped, paired};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
-/// A leg or a part of it: load and offsets at load factor 0 and their rates, with the accumulated slips of the contacts.
+/// A leg or a part of it: load and finger offsets (commands minus clearances) at load factor 0 and their rates, with the accumulated slips of the
+/// contacts.
 #[derive(Debug, Clone)]
 pub(super) struct Segment<'g> {
     pub(super) grasp: &'g Engine,
     pub(super) answer_for: AnswerFor,
-    /// The problem at load factor 0; its offsets have the accumulated slips subtracted.
+    /// The equilibrium problem at load factor 0. Accumulated slips are subtracted from its finger offsets.
     pub(super) problem: Problem<'g>,
-    /// Rates of the offsets; zero while the load turns.
+    /// Rates of the finger offsets for one unit of the load factor; zero while the load turns.
     pub(super) change: Vec<SVector<f64, 3>>,
     /// Trajectory of the load.
     pub(super) course: Trajectory<Vector>,
@@ -39,10 +40,11 @@ pub(super) struct PathPoint {
     /// Motions that stretch no spring in these states.
     pub(super) free_motions: Vec<Vector>,
     pub(super) neutral_motions: Vec<Vector>,
-    /// The linear problem in which contacts keep these states.
+    /// The linear problem for forces and motion while contacts keep their states.
     pub(super) piece: alloc::sync::Arc<Piece>,
     pub(super) gaps: Vec<GapLine>,
-    /// Largest force (N) and displacement (m) among the terms that add up to the state; the next field has those of the rates. They scale rounding.
+    /// Largest force (N) and displacement (m) among the terms that add up to the state, and in the next field among those of its rates. Rounding
+    /// errors are measured by these sizes.
     pub(super) sizes: [f64; 2],
     pub(super) rate_sizes: [f64; 2],
     /// While the load turns, the state as harmonic functions of its angle. `None` if rates are constant, or if only the present rates are known.
@@ -60,7 +62,7 @@ impl PathPoint {
         PieceState { forces, twist: &self.twist + &self.twist_rate * step }
     }
 
-    /// A copy of this state with all rates multiplied by `part`.
+    /// A copy of this state in which all rates are multiplied by `part`.
     pub(super) fn slowed(&self, part: f64) -> Self {
         let mut point = self.clone();
         point.twist_rate *= part;
@@ -77,8 +79,9 @@ impl PathPoint {
 }
 
 impl<'g> Segment<'g> {
-    /// Forces, gaps and their rates at a load factor. If nothing resists some motion in these states, the twist is the one nearest to `near`, and its
-    /// rate the one nearest to `pushed`. No force drives the object along free motions, but a contact that touches without force may push it.
+    /// Forces, gaps and their rates at a load factor, while contacts have the states `states`. If no contact resists some motion, the twist is the
+    /// one nearest to `near`, and its rate the one nearest to `pushed`. No force drives the object along free motions, but a contact that touches
+    /// without force may push it.
     pub(super) fn point_at(
         &self,
         states: &[State],
@@ -107,7 +110,7 @@ impl<'g> Segment<'g> {
         Ok(self.point_with_rates(piece, factor, at, (&rate, 1.0), (0.0, &base)))
     }
 
-    /// A state on an arc, with rates per unit of arclength. Along one unit the load factor changes by `factor_rate`.
+    /// A state on an arc, with rates per unit of arclength. Along one unit of arclength the load factor changes by `factor_rate`.
     pub(super) fn point_on_arc(
         &self,
         piece: &alloc::sync::Arc<Piece>,
@@ -119,7 +122,7 @@ impl<'g> Segment<'g> {
         self.point_with_rates(piece.clone(), factor, at.clone(), (rate, factor_rate), (factor, at))
     }
 
-    /// A loss beyond a load factor because nothing resists the motion `motion`, as the reason that an answer reports.
+    /// The reason for a loss of equilibrium beyond a load factor: nothing resists the motion `motion`.
     pub(super) fn unbalanced(&self, factor: f64, motion: Option<Vector>) -> NoEquilibrium<3> {
         let v = motion.unwrap_or_else(Vector::zeros);
         let work = v.dot(&self.course.rate_at(factor));
@@ -127,8 +130,8 @@ impl<'g> Segment<'g> {
         NoEquilibrium { proof }
     }
 
-    /// A state at a load factor with its rates. The sizes that scale rounding are those of two terms, so that they do not vanish with their sum: the
-    /// state `base` at the load factor `since`, and the change from there.
+    /// A state at a load factor with its rates. Sizes that scale rounding are taken from two terms, since their sum may vanish: the state `base` at
+    /// the load factor `since`, and the change from there.
     pub(super) fn point_with_rates(
         &self,
         piece: alloc::sync::Arc<Piece>,
@@ -189,15 +192,15 @@ impl<'g> Segment<'g> {
         }
     }
 
-    /// Forces and twist at a load factor, solved there: extrapolation from another load factor would add the rounding of larger terms. If nothing
-    /// resists some motion in these states, the twist is the one nearest to `near`.
+    /// Forces and twist at a load factor, from a solution at that load factor: extrapolation from another load factor would add the rounding of
+    /// larger terms. If no contact resists some motion, the twist is the one nearest to `near`.
     pub(super) fn state(&self, piece: &Piece, factor: f64, near: Option<&Vector>) -> Option<PieceState> {
         let wrench = self.course.at(factor);
         let at = piece.solve(self.problem.sites, &self.offsets(factor), &wrench).ok()?;
         Some(if let Some(near) = near { self.nearest(piece, at, near) } else { at })
     }
 
-    /// The step along a straight piece, from the state `at` to the place at which a contact reaches the end of its state.
+    /// The step along a straight piece, from the state `at` to the exit `exit` of a contact, where its present state stops being valid.
     pub(super) fn step_to_exit(
         &self,
         contact: usize,
@@ -235,7 +238,7 @@ impl<'g> Segment<'g> {
         Segment { problem: self.problem_at(factor), change, course, ..self.clone() }
     }
 
-    /// The problem of the equilibrium at a load factor.
+    /// The equilibrium problem at a load factor.
     pub(super) fn problem_at(&self, factor: f64) -> Problem<'g> {
         let wrench = self.course.at(factor);
         Problem {
@@ -246,7 +249,7 @@ impl<'g> Segment<'g> {
         }
     }
 
-    /// Adds the present slip of a contact to its slip memory: from now on its offset has this slip subtracted.
+    /// Adds the present slip of a contact to its slip memory: from now on this slip is subtracted from the contact's offset.
     pub(super) fn remember_slip(
         &mut self,
         contact: usize,
@@ -264,19 +267,19 @@ impl<'g> Segment<'g> {
         self.problem.offsets[contact] -= slip;
     }
 
-    /// The ways in which a contact may reach the end of its state (edges of its cone, apex, closed gap), with the step to each.
+    /// The exits at which a contact's present state may stop being valid (edges of its cone, the apex, a closing gap), with the step to each.
     pub(super) fn ways_out(&self, contact: usize, state: &State, point: &PathPoint) -> Vec<Exit> {
         self.problem.local(contact).ways_out(state, &point.lines[contact], &point.gaps[contact])
     }
 
-    /// The contact law that the rates obey, for every contact, from its active set (the edges that it is on) and its state.
+    /// The contact law that the rates of force and motion obey, for every contact, from its active set (the edges that it is on) and its state.
     pub(super) fn laws_of_rates(&self, active_sets: &[ActiveSet], states: &[State]) -> Vec<Law> {
         let locals = self.problem.locals().zip(active_sets).zip(states);
         locals.map(|((local, active), state)| local.law_of_rates(active, state)).list()
     }
 
-    /// The smallest step after which a contact reaches the end of its state (an edge of its cone, the apex, a closed gap or a reversal of slip), with
-    /// all contacts that do so at that step. For a load that turns, steps up to `rest` are searched.
+    /// The smallest step after which the present state of a contact stops being valid (at an edge of its cone, the apex, a closing gap or a reversal
+    /// of slip), with all contacts for which that happens at this step. For a load that turns, steps up to `rest` are searched.
     pub(super) fn first_exits(&self, states: &[State], point: &PathPoint, rest: f64) -> FirstExits {
         if let Some(turned) = &point.turned {
             return turned.first_exits(&self.problem, states, rest);
@@ -285,7 +288,7 @@ impl<'g> Segment<'g> {
         FirstExits { reached: first_reached(ways.list()), touches: Vec::new() }
     }
 
-    /// The problem in rates of this segment at a load factor, with these laws.
+    /// The complementarity problem for the rates of forces and motion on this segment at a load factor, with the contact laws `laws`.
     pub(super) fn rates(&self, factor: f64, laws: Vec<Law>) -> Problem<'g> {
         self.problem.at_rates(laws, self.change.clone(), self.course.rate_at(factor))
     }

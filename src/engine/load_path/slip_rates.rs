@@ -1,4 +1,4 @@
-//! Forces, motions and rates in the coordinates of slips.
+//! Forces, motions and rates as linear combinations of the load factor and the slips of sliding contacts.
 
 use nalgebra::SVector;
 
@@ -10,28 +10,28 @@ use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::search::SmallMotions;
 
-/// The largest number of sliding contacts. With more, an [arc](super::arc) takes less time: each of its stages solves one equation for each
-/// coordinate, not one for each sliding contact.
+/// The largest number of sliding contacts. With more, an [arc](super::arc) takes less time: each stage of its integration solves one equation for
+/// each coordinate, not one for each sliding contact.
 pub(super) const MOST_SLIDING: usize = MOST_UNKNOWNS - 1;
 
 /// A vector for each sliding contact, followed by zero vectors.
 pub(super) type OfSliding = [SVector<f64, 3>; MOST_SLIDING];
 
-/// Sliding contacts with the responses to their slips. The state of the grasp is a sum of parts, and is stored as the list of their weights: 1, λ,
-/// and the slips.
+/// Sliding contacts with the responses to their slips. The state of the grasp is a sum of parts, and is stored as the list of their weights: 1, the
+/// load factor, and the slips.
 pub(super) struct Slips<'g> {
     pub(super) grasp: &'g Engine,
     pub(super) problem: Problem<'g>,
     pub(super) piece: alloc::sync::Arc<Piece>,
-    /// Contact forces of the parts, one part after the other: the state at load factor 0, its rate with the load factor, and the responses to a unit
-    /// slip of each sliding contact along both tangents.
+    /// Contact forces of all parts, one part after the other. The parts are the state at load factor 0, its rate with the load factor, and the
+    /// responses to a unit slip of each sliding contact along both tangents.
     pub(super) forces: Vec<SVector<f64, 3>>,
-    /// Motions of the object in the parts, in the same order.
+    /// Motions of the object in the parts, in the same order as `forces`.
     pub(super) twists: Vec<Vector>,
     pub(super) sliding: Vec<usize>,
     /// The largest force at the first slip, N.
     pub(super) largest: f64,
-    /// The largest load factor asked about.
+    /// The largest load factor of the question.
     pub(super) most: f64,
     /// The unit of slip: it counts in arclength as much as a change of the load factor by one, m.
     pub(super) unit: f64,
@@ -41,7 +41,7 @@ pub(super) struct Slips<'g> {
 }
 
 impl Slips<'_> {
-    /// Adds a part of the state: the response of the grasp to one source.
+    /// Adds a part of the state: forces and motion caused by one source, a load or a unit slip.
     pub(super) fn push(&mut self, PieceState { forces, twist }: &PieceState) {
         self.forces.extend_from_slice(forces);
         self.twists.push(twist.clone());
@@ -57,7 +57,8 @@ impl Slips<'_> {
         (0..self.contacts()).filter(|i| !self.sliding.contains(i))
     }
 
-    /// Writes the rates of a state per unit of arclength; their component along the rates `along` is positive.
+    /// Writes the rates of the load factor and of the slips per unit of arclength to `rates`; their component along the rates `along` is positive.
+    /// `at` lists the weights of the parts of the state. `None` if the rates are not unique.
     pub(super) fn flow(&self, at: &[f64], along: &[f64], rates: &mut [f64]) -> Option<()> {
         let (directions, count) = (self.directions(at), self.sliding.len());
         let (mut equations, mut scale) = (self.margin_rates(&directions), 0.0_f64);
@@ -77,7 +78,7 @@ impl Slips<'_> {
         Some(())
     }
 
-    /// The directions of the friction forces of sliding contacts.
+    /// The unit directions of the friction forces of sliding contacts in the state `at`.
     pub(super) fn directions(&self, at: &[f64]) -> OfSliding {
         let mut directions = OfSliding::default();
         for (direction, i) in directions.iter_mut().zip(&self.sliding) {
@@ -87,8 +88,8 @@ impl Slips<'_> {
         directions
     }
 
-    /// The rates of the margin of each sliding contact: with the load factor, and with the slip of each sliding contact in units of `unit`. They are
-    /// coefficients of equations with right-hand sides zero: margins of sliding contacts stay zero.
+    /// The rates of the margin of each sliding contact: with the load factor, and with the slip of each sliding contact in units of `unit`. These
+    /// rates are the coefficients of equations for the rates of load factor and slips: the margins of sliding contacts stay zero.
     pub(super) fn margin_rates(&self, directions: &OfSliding) -> [Equation; MOST_UNKNOWNS] {
         let mut rates = [[0.0; MOST_UNKNOWNS + 1]; MOST_UNKNOWNS];
         for ((row, i), p) in rates.iter_mut().zip(&self.sliding).zip(directions) {
@@ -118,7 +119,7 @@ impl Slips<'_> {
         twist
     }
 
-    /// The motions of a state that are compared with their limits.
+    /// The rotation, slips and openings in the state `at`, which are compared with the limits of small motions.
     pub(super) fn motions(&self, at: &[f64]) -> Vec<CountedMotion> {
         let none = vec![SVector::zeros(); self.contacts()];
         let (offsets, forces, twist) = (&none[..], &none[..], &self.twist(at));
@@ -126,7 +127,7 @@ impl Slips<'_> {
         for (i, slip) in self.sliding.iter().zip(at[2..].chunks_exact(2)) {
             (slips[*i][1], slips[*i][2]) = (slip[0], slip[1]);
         }
-        // The slips are known already. With every contact as sticking, no further slip is derived from its springs.
+        // The slips are known already. If every contact counts as sticking, no further slip is derived from its springs.
         let states: Vec<State> = vec![Mode::Sticking; slips.len()];
         let standing = Standing { offsets, slips: &slips, states: &states, forces, twist };
         self.grasp.counted_motions(&self.small, &standing)

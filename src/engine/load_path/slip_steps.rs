@@ -14,11 +14,11 @@ pub(super) struct SlipStep {
     pub(super) at: Vec<f64>,
     pub(super) rates: Vec<f64>,
     pub(super) error: f64,
-    /// The values of the conditions that must stay positive.
+    /// The values of the conditions that must stay positive: see [`GROWS`].
     pub(super) values: Vec<f64>,
 }
-/// Indices of the conditions: the load factor grows, it is below the largest one asked about, motions are small. After these come the slip rates γ of
-/// the sliding contacts, their normal forces, and the margins of the sticking contacts.
+/// Indices of the conditions that must stay positive: the load factor grows, the load factor is below the largest one of the question, and motions
+/// are small. After these come the slip rates of the sliding contacts, their normal forces, and the margins of the sticking contacts.
 pub(super) const GROWS: usize = 0;
 pub(super) const GOES_ON: usize = 1;
 pub(super) const SMALL: usize = 2;
@@ -47,8 +47,8 @@ impl Slips<'_> {
         Some(SlipStep { length, at, rates: there, error, values })
     }
 
-    /// The step, shortened to the place where the first condition becomes zero within it, and the index of that condition. `None` if several become
-    /// zero together.
+    /// The step, shortened to the place where the first condition becomes zero within it, and the index of that condition. `None` if several
+    /// conditions become zero together.
     pub(super) fn up_to_an_event(
         &self,
         from: (&[f64], &[f64]),
@@ -126,11 +126,13 @@ impl Slips<'_> {
             }
         }
         end.values = self.conditions(&end.at, &end.rates);
-        // The remaining distance `rest` is then below the error of the step. At a maximum of the load factor it changes the factor only by its square.
+        // The remaining distance `rest` is then below the error of the step. At a maximum of the load factor, an error of the place changes the load
+        // factor only by the square of the error.
         (rest.abs() <= NEGLIGIBLE * length).then_some(end)
     }
 
-    /// The derivative of a condition's value by arclength, from a difference over a small fraction of `length`.
+    /// The derivative of a condition's value by arclength, from a difference over a small fraction of `length`; `None` if the path has no unique
+    /// direction there.
     fn slope(&self, k: usize, (at, rates): (&[f64], &[f64]), length: f64) -> Option<f64> {
         // The length of the difference. With a slope this accurate each Newton iteration gains six digits.
         let little = 1e-6 * length;
@@ -153,7 +155,7 @@ impl Slips<'_> {
         }
         first
     }
-    /// The conditions that must stay positive, in their order.
+    /// The values of the conditions that must stay positive, in the order of their indices.
     fn conditions(&self, at: &[f64], rates: &[f64]) -> Vec<f64> {
         numbered(SMALL + 1 + self.sliding.len() + self.contacts(), &|k| self.condition(k, at, rates))
     }

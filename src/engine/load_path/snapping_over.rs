@@ -34,7 +34,7 @@ use crate::object::{Problem, tangent_stiffness, uses_band};
 use crate::prelude::*;
 use crate::search::{Found, SmallMotions};
 
-/// A state of the moving object: its twist, the responses of the contacts, and the imbalance of forces and load.
+/// A state of the moving object: its twist, the force and state of each contact in response, and the imbalance of contact forces and load.
 struct MovingObject {
     twist: Vector,
     contacts: Vec<ContactResponse>,
@@ -43,7 +43,7 @@ struct MovingObject {
 
 /// The state in which the object rests again after it has snapped over.
 pub(super) struct RestsAgain<'g> {
-    /// The problem with the slips after the motion. Its load is the one that the forces balance exactly.
+    /// The equilibrium problem with the slips after the motion. Its load is the one that the contact forces balance exactly.
     problem: Problem<'g>,
     contacts: Vec<ContactResponse>,
     twist: Vector,
@@ -111,10 +111,10 @@ impl<'g> RestsAgain<'g> {
     }
 }
 
-/// The change of the load factor that puts forces out of balance by a small fraction of the largest force. `change` are the rates of the offsets and
-/// `rate` is that of the load.
+/// The change of the load factor that puts forces out of balance by a small fraction of the largest force. `change` are the rates of the finger
+/// offsets, and `rate` is the rate of the load.
 ///
-/// The largest force counts as at least [`LEAST_FORCE`] of what the whole leg adds: without any force the change would be zero.
+/// The largest force counts as at least [`LEAST_FORCE`] of the force that the whole leg adds: without any force the change would be zero.
 pub(super) fn a_little(sites: &[Site], change: &[SVector<f64, 3>], mut rate: Vector, largest: f64) -> f64 {
     for (site, change) in sites.iter().zip(change) {
         site.map.push(&site.springs.force(change), &mut rate);
@@ -122,18 +122,18 @@ pub(super) fn a_little(sites: &[Site], change: &[SVector<f64, 3>], mut rate: Vec
     LITTLE_BEYOND * (largest / rate.norm()).max(LEAST_FORCE)
 }
 
-/// The snaps on a leg so far.
+/// How often the object has snapped over to another equilibrium on a leg so far, and at which load factors it did so last.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Snapped {
     count: usize,
-    /// Load factor at which the object rested again after the last one.
+    /// Load factor at which the object rested again after it last snapped over.
     at: f64,
-    /// Difference of the load factors at which the object rested again, and at which it snapped.
+    /// The load factor at which the object last rested again, minus the one at which it had snapped over before.
     step: f64,
 }
 
 impl Snapped {
-    /// No snap yet.
+    /// The object has not snapped over yet.
     pub(super) const NEVER: Self = Self { count: 0, at: f64::NAN, step: 0.0 };
 }
 
@@ -145,12 +145,14 @@ fn is_small(grasp: &Engine, small: &SmallMotions, moved: &Vector) -> bool {
     turns_little && grasp.sites()[..grasp.len()].iter().all(|site| site.map.tr_mul(moved).norm() <= most)
 }
 
-/// Factor on the length of a step, in time or of the load, after an accepted one; the next constant is that after a refused one.
+/// Factor by which the length of a step grows after an accepted step, both for steps in time and for steps of the load. The next constant is the
+/// factor after a refused step.
 const LONGER: f64 = 2.0;
 const SHORTER: f64 = 0.25;
 
 impl MovingObject {
-    /// The state at a twist. The contacts respond to it, starting from their last responses, and `problem` remembers their slips.
+    /// The state of the object at a twist. The contacts respond to the twist, starting from their last responses in `contacts`; their slips are added
+    /// to those in `problem`.
     fn at(twist: Vector, mut contacts: Vec<ContactResponse>, problem: &mut Problem) -> Self {
         let left = problem.yield_to(&twist, &mut contacts);
         Self { twist, contacts, left }
@@ -174,7 +176,7 @@ impl<'g> Pieces<'g> {
         }
         let Segment { grasp, change, course, .. } = &self.segment;
         let (load, rate) = (course.at(self.factor), course.rate_at(self.factor));
-        // The load is included, since contacts may carry no force at all.
+        // The largest force includes the load, since contacts may carry no force at all.
         let most = largest(&self.node.at.forces, &SVector::norm).max(load.norm());
         let least = a_little(grasp.sites(), change, rate, most);
         // An object that sticks and snaps over again and again moves on by larger and larger steps of the load.
@@ -201,7 +203,7 @@ impl<'g> Pieces<'g> {
         let mut jump = JumpInProgress::after(leg, &self.segment.problem.slips);
         jump.leg.pace.steps = self.pace.steps + 1;
         jump.note(&changes);
-        // These first changes belong to the event; the jump lists only those that follow.
+        // The changes of contact states at the end of the path belong to the event itself; the jump lists only the changes after them.
         jump.changes.clear();
         jump.run(&goal, journey).ok()?;
         let event = self.caught(journey, changes, state);
@@ -243,8 +245,8 @@ impl<'g> Pieces<'g> {
 }
 
 impl Problem<'_> {
-    /// Computes the responses of the contacts to a twist, and adds the slip of each to the slips in this problem. Returns the imbalance of forces and
-    /// load.
+    /// Computes the responses of the contacts to a twist, and adds the slip of each contact to the slips in this problem. Returns the imbalance of
+    /// forces and load.
     fn yield_to(&mut self, twist: &Vector, contacts: &mut [ContactResponse]) -> Vector {
         let mut left = self.wrench.clone();
         for i in 0..contacts.len() {

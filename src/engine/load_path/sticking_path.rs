@@ -81,8 +81,8 @@ impl StickingPath<'_> {
         Onset::Undecided(Undecided { doubt: Doubt::OnTheBoundary, work: WorkDone::default() })
     }
 
-    /// Contacts on the edge of their cones under the base load: those whose distance to the end of their state is zero up to rounding, and those that
-    /// touch without force. For both, only the rates decide whether they leave.
+    /// Contacts on the edge of their cones under the base load: contacts whose distance to an exit (edge, apex or closing gap) is zero up to
+    /// rounding, and contacts that touch without force. For both, only the rates of the forces decide whether they leave their cones.
     fn at_edge_at_base(&self, states: &[State], point: &PathPoint) -> ExitsReached {
         let mut at_edge = Vec::new();
         for (i, state) in states.iter().enumerate() {

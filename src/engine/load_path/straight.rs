@@ -13,8 +13,8 @@ use crate::prelude::*;
 use crate::search::Doubt;
 
 impl<'g> Pieces<'g> {
-    /// Advances along the present piece to its end: where a contact reaches the end of its state, or the end of the leg. Returns whether the leg is
-    /// complete.
+    /// Advances along the present piece to its end: where the present state of a contact stops being valid, or the end of the leg. Returns whether
+    /// the leg is complete.
     pub(super) fn advance_straight(&mut self, journey: &Journey<'g>) -> Result<bool, PathEnd<3>> {
         let Some(point) = self.point.clone() else {
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
@@ -44,7 +44,8 @@ impl<'g> Pieces<'g> {
         // to the other, such steps would never end.
         let uncertain = reached.iter().any(|(_, exits)| exits.iter().any(|exit| step <= exit.uncertainty));
         self.stalls = if to > self.factor && (leg_done || !uncertain) { 0 } else { self.stalls + 1 };
-        // Up to this many such steps in a row may be events at one place; more mean that rounding makes the path cycle.
+        // Up to this many steps in a row, each no longer than its own rounding error, may be events at one place. More mean that rounding makes the
+        // path cycle.
         let piled_up = self.stalls > 64;
         if piled_up && !self.runs_out(&reached) {
             // The path alternates between continuations, so its further course depends on rounding.

@@ -24,7 +24,8 @@ pub(super) struct Stretch<'g> {
     pub(super) leg: usize,
     pub(super) from: f64,
     pub(super) to: f64,
-    /// The problem at fraction 0 of the leg, with the accumulated slip; the rates of its offsets; the trajectory of its load.
+    /// The equilibrium problem at fraction 0 of the leg, with the accumulated slip. The next fields have the rates of its finger offsets and the
+    /// trajectory of its load.
     pub(super) problem: Problem<'g>,
     pub(super) change: Vec<SVector<f64, 3>>,
     pub(super) course: Trajectory<Vector>,
@@ -104,7 +105,7 @@ impl<'g> Stretch<'g> {
         grasp.equilibrium(problem, &load, found, FoundBy::LoadPath, &Effort::default(), answer_for)
     }
 
-    /// Problem and solution at a fraction of the leg; `None` if a step to this fraction fails because of rounding.
+    /// The equilibrium problem at a fraction of the leg, and its solution; `None` if a step to this fraction fails because of rounding.
     pub(super) fn found_at(
         &self,
         grasp: &'g Engine,
@@ -129,7 +130,7 @@ impl<'g> Stretch<'g> {
                 &self.here.twist * (1.0 - part) + &self.there.twist * part,
             ),
         };
-        // While the load turns, the sizes are already the largest over all angles, so no change is added.
+        // While the load turns, the sizes of force and displacement are already the largest over all angles, so no change is added.
         let step = if self.here.turned.is_some() { 0.0 } else { step };
         let found = Found {
             free_motions: self.here.free_motions.clone(),

@@ -4,7 +4,7 @@ use core::ops::{Add, Mul, Sub};
 
 use crate::numerics::Harmonic;
 
-/// A trajectory of wrenches, in the coordinates of the question or in the engine's coordinates.
+/// A trajectory of load wrenches `X`, in the coordinates of the question or in the engine's coordinates.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Trajectory<X> {
     Straight {

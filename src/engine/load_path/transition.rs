@@ -11,13 +11,15 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Found, combinations, search_among};
 
-/// The states of the problem in rates if no contact changes its state; `None` if the contact laws of the rates exclude that.
+/// The states in the complementarity problem `rates` for the rates of forces and motion if no contact changes its state; `None` if the contact laws
+/// of the rates exclude that.
 pub(super) fn nothing_changes(problem: &Problem, rates: &Problem, states: &[State]) -> Option<Vec<State>> {
     let locals = problem.locals().zip(&rates.laws).zip(states);
     locals.map(|((local, law), state)| local.in_the_rates(law, *state)).collect()
 }
 
-/// The change of a contact from one state to the next, if it is to be reported. Each state comes with the direction of slip if the contact slides.
+/// The change of a contact from one state to the next; `None` if an event does not list it. Each state comes with the direction of slip if the
+/// contact slides.
 pub(super) fn change(
     (was, before): (State, Option<SVector<f64, 3>>),
     (is, direction): (State, Option<SVector<f64, 3>>),
@@ -36,10 +38,11 @@ pub(super) fn change(
     }
 }
 
-/// Number of solutions of the problem in rates other than `found`: with other forces, or with motions that differ by more than motions nothing
-/// resists. Zero if a P-matrix proves uniqueness. Otherwise all combinations of states are tried; `None` if they are too many.
+/// Number of solutions of the complementarity problem `rates` other than `found`: with other rates of forces, or with motions that differ by more
+/// than motions nothing resists. Zero if a P-matrix proves uniqueness. Otherwise all combinations of contact states are tried; `None` if they are too
+/// many.
 pub(super) fn other_solutions(rates: &Problem, found: &Found) -> Option<usize> {
-    // At the apex of a round cone the number of solutions is not that on polygons, so it is not known.
+    // At the apex of a round cone, the number of solutions with a polygonal cone is not that with the round cone, so it is not known.
     if rates.round {
         return None;
     }
@@ -54,7 +57,8 @@ pub(super) fn other_solutions(rates: &Problem, found: &Found) -> Option<usize> {
     }
     let size = found.forces.iter().map(nalgebra::Matrix::norm).fold(rates.wrench.norm(), f64::max);
     let mut distinct: Vec<Found> = vec![found.clone()];
-    // With many coordinates solving for one combination of states takes long. A test on the few rows of the form excludes most combinations first.
+    // With many coordinates solving for one combination of states takes long. A test on the few complementary pairs of the kinematic form excludes
+    // most combinations first.
     let is_planar = rates.space() == Space::Planar;
     let ruled_out = |states: &[State]| {
         few.as_ref().is_some_and(|few| few.many && clearly_breaks(&few.form, is_planar, states, few.largest))
@@ -77,18 +81,18 @@ pub(super) fn other_solutions(rates: &Problem, found: &Found) -> Option<usize> {
     Some(distinct.len() - 1)
 }
 
-/// The kinematic form (a complementarity problem) of the rates, with few rows.
+/// The kinematic form of the complementarity problem for the rates, with few complementary pairs.
 struct FewRows {
     form: Form,
-    /// The largest force of the elastic trial state, in units of the rows.
+    /// The largest force of the elastic trial state, in units of the form's slacks.
     largest: f64,
     /// Whether there are so many coordinates that a band is used.
     many: bool,
 }
 
-/// The kinematic form (a complementarity problem) of the rates, if it has at least one row and not too many.
+/// The kinematic form of the complementarity problem `rates`, which has `rows` complementary pairs; `None` without any, or with too many.
 fn few_rows(rates: &Problem, rows: usize) -> Option<FewRows> {
-    // With more rows than this, testing for a P-matrix costs more than all other work at the event.
+    // With more complementary pairs than this, testing for a P-matrix costs more than all other work at the event.
     if rows == 0 || rows > 64 {
         return None;
     }

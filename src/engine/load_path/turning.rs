@@ -1,6 +1,7 @@
 //! Advances along a sliding arc of the round cone, step by step, to the next event.
 //!
-//! Steps are in arclength, see [`super::flow`], and as long as the error of the settings allows. An event is where one of these values vanishes,
+//! Steps are in arclength, see [`super::flow`], and as long as the allowed error of the settings permits. An event is where one of these values
+//! vanishes,
 //!
 //! ```text
 //! sticking  μ F_n - |F_t|, or F_n where friction is infinite or zero
@@ -9,7 +10,7 @@
 //! path      the rate of the load factor, and the rest of the leg
 //! ```
 //!
-//! It is found by repeating the last step until it ends there, see [`super::crossing`].
+//! The event is found by repeating the last step with other lengths until the step ends there, see [`super::crossing`].
 
 use crate::numerics::IntoList;
 use nalgebra::SVector;
@@ -100,7 +101,8 @@ impl<'g> Pieces<'g> {
                 end = self.locate(point, &start, end, condition)?;
             }
             let ends = [point, &end.reached.point];
-            // The bounds on margins within a step are valid for a straight leg only; while the load turns, they would shorten steps needlessly.
+            // The bounds on margins within a step are valid for a straight leg only; while the load turns, these bounds would shorten steps
+            // needlessly.
             let is_straight = matches!(self.segment.course, Trajectory::Straight { .. });
             let dip = is_straight
                 .then(|| first_dip(&self.segment, &self.node.states, ends, (end.length, tolerance)))
@@ -139,8 +141,8 @@ impl<'g> Pieces<'g> {
     fn stable(&mut self, point: &PathPoint, length: f64, tolerance: f64) -> (f64, Rule) {
         let unit = self.pace.unit.unwrap_or(1.0);
         let flow = Flow::new(&self.segment, &self.node.states, self.factor, point, unit);
-        // The longest explicit step is four times the length over which the fastest direction of friction relaxes. From six times on the method is
-        // unstable.
+        // The longest explicit step is four times the length over which the fastest direction of friction relaxes. From six times this length on, the
+        // integration is unstable.
         let stable = 4.0 / flow.fastest_relaxation();
         let rest = (1.0 - self.factor) / point.factor_rate;
         self.pace.stiff |= self.pace.is_cramped(stable, rest);
@@ -152,8 +154,8 @@ impl<'g> Pieces<'g> {
     }
 
     /// Whether the object moves on while all forces stay constant: the load factor then approaches a limit that it never reaches. The faster a
-    /// friction force relaxes, the more rounding turns it, so its tolerance grows with that rate. Sticking contacts balance all others and have the
-    /// largest tolerance.
+    /// friction force relaxes, the more rounding turns it, so its tolerance grows with the rate of relaxation. The forces of sticking contacts
+    /// balance all others, and have the largest tolerance.
     fn slides_away(&self, point: &PathPoint) -> bool {
         if point.factor_rate.abs() > STANDS_STILL {
             return false;
@@ -172,7 +174,7 @@ impl<'g> Pieces<'g> {
         let rest = (1.0 - self.factor) / point.factor_rate;
         let all_but_gone = |(line, state): (&Line, &State)| {
             let falls = state.slides() && line.rate[0] < -ZERO_SLACK * line.rate_size;
-            // A falling normal force below this fraction of its size is followed to zero along the tangent.
+            // A falling normal force below this fraction of the size of its terms is followed to zero along the tangent.
             let little = falls && line.force[0] > 0.0 && line.force[0] <= 1e-10 * line.force_size;
             little.then(|| line.force[0] / -line.rate[0])
         };
@@ -232,7 +234,7 @@ impl<'g> Pieces<'g> {
         self.pace.accept(end.length, end.reached.error / tolerance, end.located.is_some());
         let to = end.reached.to;
         let leg_done = to >= 1.0;
-        // Whether the load factor has a maximum at the end of the step: its rate is zero there.
+        // Whether the load factor has a maximum at the end of the step, where the rate of the load factor is zero.
         let grows = |watch: &Watch| watch.what == WatchedCondition::Growth && watch.is_met();
         let tops = end.located.is_some() && end.watches.iter().any(grows);
         let next = end.reached.point.clone();
@@ -269,7 +271,7 @@ impl<'g> Pieces<'g> {
         }
         self.take_step(journey, point, (end.length, end.rule), &end.reached);
         self.node.add_exits(self.segment.problem.space().axes(), &at_edge);
-        // If another event happens at the same place, contacts that have not slipped during the step are left to its decision.
+        // If another event happens at the same place, the solution at that event decides about contacts that have not slipped during the step.
         for contact in sticks.iter().filter(|contact| at_edge.is_empty() || !idle.contains(contact)) {
             self.node.stick(*contact);
         }
@@ -280,7 +282,7 @@ impl<'g> Pieces<'g> {
         lost.map_or(Ok(leg_done), Err)
     }
 
-    /// The contacts among these that have not slipped since the step began.
+    /// Those of `contacts` that have not slipped since the step began: their slip rate is zero already at its beginning.
     fn stands_still(&self, point: &PathPoint, contacts: &[usize]) -> Vec<usize> {
         if contacts.is_empty() {
             return Vec::new();
@@ -300,7 +302,7 @@ impl<'g> Pieces<'g> {
     }
 }
 
-/// The end of a contact state at which a normal force or a gap vanishes.
+/// The exit of a contact at which a normal force or a gap vanishes.
 fn apex() -> Exit {
     Exit { step: 0.0, uncertainty: 0.0, facet: SVector::zeros() }
 }

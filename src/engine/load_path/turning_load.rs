@@ -1,4 +1,5 @@
-//! The state under a load that turns, and all quantities from there on as harmonic functions of the load's angle, by three linear solves.
+//! The state of a path under a load that turns, and all forces, gaps and motions from there on as harmonic functions of the load's angle, by three
+//! linear solves.
 
 use alloc::sync::Arc;
 
@@ -21,7 +22,7 @@ impl Segment<'_> {
         load.rate_at(angle * factor).norm() <= SOLVED_ROUNDING * (load.cosine.norm() + load.sine.norm())
     }
 
-    /// Forces, gaps and their rates at a load factor, and their harmonic functions of the load's angle from there on.
+    /// Forces, gaps and their rates at a load factor, and the same quantities from there on as harmonic functions of the load's angle.
     pub(super) fn point_on_turn(
         &self,
         piece: &Arc<Piece>,
@@ -67,8 +68,8 @@ impl Segment<'_> {
         Ok(point)
     }
 
-    /// All quantities as harmonic functions of the load's angle. `parts` are the solutions under the three parts of the load: the constant one, with
-    /// the offsets, and those of cosine and sine.
+    /// Forces, stretches and twist as harmonic functions of the load's angle. `parts` are the solutions under the three parts of the load: the
+    /// constant part, with the finger offsets, and the parts of cosine and sine.
     pub(super) fn harmonics(
         &self,
         load: &Harmonic<Vector>,

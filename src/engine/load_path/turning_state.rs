@@ -1,5 +1,5 @@
-//! Forces and motions under a load that turns while contacts keep their states: harmonics of its angle. The first exit is a root of a trigonometric
-//! polynomial.
+//! Forces and motions under a load that turns while contacts keep their states: harmonics of its angle. The first exit, where the present state of a
+//! contact stops being valid, is a root of a trigonometric polynomial.
 
 use super::first_exits::{FirstExits, first_reached};
 use crate::contact::{Exit, State, TurningExit, Wave};
@@ -7,7 +7,7 @@ use crate::numerics::{Harmonic, Vector, mapped};
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 
-/// All quantities as harmonic functions of the load's angle, counted from a place on the path, while contacts keep their states.
+/// Forces, stretches and twist as harmonic functions of the load's angle, counted from a place on the path, while contacts keep their states.
 #[derive(Debug)]
 pub(super) struct TurningState {
     /// Force and stretch of every contact as harmonic functions of the angle.
@@ -26,7 +26,7 @@ impl TurningState {
         PieceState { forces, twist: self.twist.at(angle) - self.twist.at(0.0) }
     }
 
-    /// The first places at which contacts reach the end of these states, within a step `rest` of the load factor.
+    /// The first places at which the contact states `states` stop being valid, within a step `rest` of the load factor.
     pub(super) fn first_exits(&self, problem: &Problem<'_>, states: &[State], rest: f64) -> FirstExits {
         let (mut ways, mut touches) = (Vec::new(), Vec::new());
         for (i, ((local, state), [force, stretch])) in

@@ -68,7 +68,7 @@ pub(super) fn has_vanished(line: &Line) -> bool {
     line.force[0] < 0.0 && line.force[0] >= -VANISHING_NORMAL * line.force_size
 }
 
-/// The conditions that hold along an arc in these states, evaluated at a point of it.
+/// The conditions that must hold along an arc while contacts keep the states `states`, evaluated at a point of the arc.
 pub(super) fn watch(
     segment: &Segment<'_>,
     states: &[State],

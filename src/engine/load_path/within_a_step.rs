@@ -22,7 +22,7 @@ pub(super) struct Bounded {
     points: Points,
     /// The cone of a force, which defines the margin; `None` if the margin is the first component (a normal force or a gap).
     cone: Option<Coulomb>,
-    /// g of the error `s²(1 - s)² g`, in the unit of the margin.
+    /// The factor g in the bound `s²(1 - s)² g` on the error of the cubic at the fraction s of the step, in the unit of the margin.
     bend: f64,
     /// The condition counts as satisfied if its margin is above minus this number.
     nothing: f64,
@@ -75,7 +75,7 @@ impl Bounded {
         let weight = cone.map_or(1.0, Coulomb::round_weight);
         // A margin counts as violated if it is negative by more than this fraction of the allowed error of a step.
         let within_the_error = 0.02;
-        // The rounding of margins, relative to their size: no smaller violation counts.
+        // The rounding of margins, relative to the size of their terms: no smaller violation counts.
         let rounded = 2e-13;
         let nothing = (within_the_error * step_error).max(rounded) * size * weight;
         let third = (a - b) * 2.0 + da + db;

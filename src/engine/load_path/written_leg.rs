@@ -131,7 +131,7 @@ impl<const C: usize> Leg<C> {
         self.bodies.iter().map(|(name, _)| &**name)
     }
 
-    /// The change of the load, or its final value, if the load changes in a straight line.
+    /// The load of this leg, its change or its final value; `None` if the load stays or turns.
     pub(crate) fn straight_load(&self) -> Option<Wrench<C>> {
         match self.load {
             LegLoad::Straight(LegGoal::By(load) | LegGoal::To(load)) => Some(load),
@@ -140,12 +140,12 @@ impl<const C: usize> Leg<C> {
     }
 }
 
-/// Refuses a list of commands without one row for each contact.
+/// Refuses a list of commands that does not have one entry for each contact.
 pub(super) fn check_rows(given: usize, what: &'static str, expected: usize) -> Result<(), Error> {
     if given == expected { Ok(()) } else { Err(Error::Size { what, given, expected }) }
 }
 
-/// Refuses a list without one number for each drive.
+/// Refuses a list that does not have one number for each drive.
 pub(super) fn check_drives(given: usize, what: &'static str, expected: usize) -> Result<(), Error> {
     if given == expected { Ok(()) } else { Err(Error::JointCommands { what, given, expected }) }
 }

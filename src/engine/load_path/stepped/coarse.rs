@@ -1,13 +1,16 @@
-//! A second path with the same steps, each made as a whole and not in two halves. The distance between both paths measures what remains of all errors.
+//! A second path with the same steps, each made as a whole and not in two halves. The distance between both paths measures the error that all steps
+//! so far have left.
 //!
-//! The error of a step in two halves is a third of its difference from the step made as a whole. But errors do not add up: directions of slip relax,
-//! so that their errors decay, and errors of different steps affect different contacts. Errors of the second path decay in the same way, so that
+//! The error of a step in two halves is a third of its difference from the step made as a whole. But errors do not add up: directions of slip turn
+//! towards the friction force, so that their errors decay, and errors of different steps affect different contacts. Errors of the second path decay
+//! in the same way, so that
 //!
 //! ```text
 //! distance = error of the second - error of the first = 3 times the error of the first
 //! ```
 //!
-//! The path reports the distance. If directions relax within a step, the distance is not three times the error but about as large as it.
+//! The distance is returned as the estimated error of the path. If directions of slip settle within a step, the distance is about as large as the
+//! error, not three times as large.
 
 use super::one_step::{StepProblem, SteppedState};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
@@ -16,9 +19,10 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 #[derive(Debug, Clone)]
 pub(super) struct Coarse {
     pub(super) present: SteppedState,
-    /// The second path is sometimes restarted from the first. This is the sum of the distances between both at these places, divided by the largest force.
+    /// The second path is sometimes restarted from a state of the first. This is the sum of the distances between both paths at these restarts,
+    /// divided by the largest force.
     lost: f64,
-    /// The largest distance between both paths so far plus that sum, divided by the largest force.
+    /// The largest distance between both paths so far plus the sum `lost`, divided by the largest force.
     pub(super) farthest: f64,
 }
 

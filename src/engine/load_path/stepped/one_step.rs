@@ -53,7 +53,7 @@ impl SteppedState {
     }
 }
 
-/// The problem of a step along a leg; each step sets its offsets and load.
+/// The equilibrium problem at the end of a step along a leg; each step sets its finger offsets and load.
 #[derive(Debug)]
 pub(super) struct StepProblem<'g> {
     pub(super) problem: Problem<'g>,
@@ -66,7 +66,7 @@ pub(super) struct StepProblem<'g> {
 }
 
 impl<'g> StepProblem<'g> {
-    /// The problem along the present leg.
+    /// The equilibrium problem for steps along the present leg.
     pub(super) fn along(journey: &Journey<'g>) -> Self {
         let course = journey.program.inside_course(journey.grasp);
         let offsets = journey.program.offsets(journey.grasp);
@@ -80,7 +80,7 @@ impl<'g> StepProblem<'g> {
         journey.program.offsets_into(journey.grasp, &mut self.offsets);
     }
 
-    /// Change of the offset of a contact along the leg.
+    /// Change of a contact's finger offset (command minus clearance) along the leg.
     pub(super) fn change(&self, i: usize) -> SVector<f64, 3> {
         self.offsets[1][i]
     }
@@ -108,9 +108,9 @@ impl<'g> StepProblem<'g> {
     }
 }
 
-/// The equilibrium at the end of a step that begins at `from`; the slips of `from` are subtracted from the offsets of the problem. `before` are the
-/// stretches before the step. The search starts at the twist `near`. `None` if Newton's method does not converge, or if a contact would have to pull
-/// although it cannot.
+/// The equilibrium at the end of a step that begins at `from`; the slips of `from` are subtracted from the finger offsets of `problem`. `before` are
+/// the stretches before the step. The search starts at the twist `near`. `None` if Newton's method does not converge, or if a contact would have to
+/// pull although it cannot.
 fn equilibrium_after(
     (from, before): (&SteppedState, &[SVector<f64, 3>]),
     problem: &Problem<'_>,
@@ -125,7 +125,7 @@ fn equilibrium_after(
     let answer = |i: usize, stretch: &SVector<f64, 3>, _: &ContactResponse| {
         problem.local(i).answer_after(&before[i], stretch)
     };
-    // Newton's method may leave an imbalance of [`SOLVED_ROUNDING`] relative to the forces, which is below the error of any step.
+    // Newton's method may leave an imbalance of [`SOLVED_ROUNDING`] relative to the contact forces, which is below the error of any step.
     (to.twist, ..) = newton(problem, (near, SOLVED_ROUNDING, rounded), answers, &answer)?;
     to.slips.clone_from(&from.slips);
     cleared_for(&mut to.forces, answers.len());

@@ -17,7 +17,7 @@ impl SteppedState {
         let spans =
             problem.sites.iter().zip(&problem.offsets).map(|(site, offset)| site.span(offset, &self.twist));
         let sizes = [self.largest_force().max(problem.wrench.norm()), spans.fold(0.0, f64::max)];
-        // All slip so far is subtracted from the offsets already, so a sliding state keeps only its direction.
+        // All slip so far is subtracted from the finger offsets already, so a sliding contact keeps only its direction of sliding.
         let standing = |state: &Mode<Slide>| match state {
             Mode::Round(slide) => Mode::Round(Slide { lambda: 0.0, ..*slide }),
             other => *other,
@@ -27,13 +27,14 @@ impl SteppedState {
         journey.equilibrium(&problem, self.fraction, found)
     }
 
-    /// The problem in rates. Contacts near the edge of their cones, as near as the length of the last steps resolves, are treated as on it.
+    /// The present state, with the complementarity problem for the rates of forces and motion. Contacts are treated as on the edge of their cones if
+    /// they are as near as the length of the last steps resolves.
     pub(super) fn edge<'g>(&self, journey: &Journey<'g>) -> StateAtEdge<'g> {
         let segment = journey.segment(self.slips.clone());
         let (offsets, largest) = (segment.offsets(self.fraction), self.largest_force());
-        // A friction reserve, or a force to close a gap, counts as zero below this fraction of the largest force. The last steps are 1e-12 of a leg.
-        // With a smaller fraction, a contact that such a step would bring to its edge would still count as inside its cone, and the limit load would
-        // not be recognised.
+        // A friction reserve, or the force that would close a gap, counts as zero below this fraction of the largest force. The last steps are 1e-12
+        // of a leg. With a smaller fraction, a contact that such a step would bring to its edge would still count as inside its cone, and the limit
+        // load would not be recognised.
         let at_an_edge = 1e-9;
         let near = largest * (at_an_edge / ZERO_SLACK);
         let law = |i: usize| {

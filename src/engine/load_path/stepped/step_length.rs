@@ -18,14 +18,15 @@ use crate::search::Doubt;
 struct Twice {
     /// The largest contact force at the ends of the step, N.
     largest: f64,
-    /// The error that the step and its two halves may have in common, so that their difference does not show it, as a fraction of the largest force.
+    /// The error that the step and its two halves may have in common, so that their difference does not reveal the error, as a fraction of the
+    /// largest force.
     unseen: f64,
     /// The largest change of force that the motion of the object would cause in the springs of a sticking contact, N.
     force_change: f64,
 }
 
 impl<'g> Steps<'g> {
-    /// Tries a step; returns its report if its error is allowed.
+    /// Tries a step. Returns the step if its error is within the allowed one, or `OnTheWay` if a shorter step is to be tried.
     pub(super) fn try_step(&mut self, journey: &Journey<'g>) -> Result<Advance<Step<3>>, PathEnd<3>> {
         let from = self.present.fraction;
         if self.pace.tried == journey.settings.most_steps {
@@ -65,7 +66,7 @@ impl<'g> Steps<'g> {
         Ok(Advance::Reached(self.accept_step(journey, &twice)))
     }
 
-    /// The error of a step, as a fraction of the allowed one.
+    /// The error of a step, as a fraction of the allowed error.
     fn part_of_what_is_allowed(&self, twice: &Twice) -> f64 {
         let (from, Places { to, at_once, .. }, largest) = (&self.present, &self.places, twice.largest);
         let length = to.fraction - from.fraction;
@@ -74,8 +75,8 @@ impl<'g> Steps<'g> {
         // leg, the change of forces, and the change of forces that the motion would cause in sticking springs, both over the largest force. Errors in
         // the directions of friction decay while the last measure grows to one.
         let even = 0.5 * self.error * length.max(way).max(twice.force_change / largest);
-        // The distance between both paths that a contact may have by now grows with the sum of the changes of forces, up to twice the allowed error.
-        // The error is about a third of this distance.
+        // The allowed difference of a contact's force between this path and the second one (see `coarse`). It grows with the sum of the changes of
+        // forces, up to twice the allowed error. The error is about a third of this difference.
         let budget = self.error * (self.way + way).min(2.0);
         // Below this fraction of the largest force an error is rounding.
         let rounding = 1e-13;

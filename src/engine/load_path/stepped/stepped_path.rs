@@ -25,7 +25,7 @@ use crate::serial::AsComputed;
 /// The method of following behind [`SteppedPath`].
 #[derive(Debug)]
 pub(crate) struct Steps<'g> {
-    /// The problem whose solution is the end of a step.
+    /// The equilibrium problem at the end of a step.
     pub(super) along: StepProblem<'g>,
     /// The state at the present place.
     pub(super) present: SteppedState,

@@ -1,19 +1,20 @@
-//! Errors that a step and its halves share, so that their difference does not show them.
+//! Errors that a step and its halves share, so that their difference does not reveal them.
 //!
-//! Along a step of length h the twist deviates from a straight line by up to `off`. At the end of the step the force of sticking springs differs by
-//! `K v'' h² = 8 K Gᵀ off` from the value extrapolated with the rate at its beginning. A contact that slides on its cone along p is driven out of the
-//! cone at the rate `a = p·K v_t' - μ k_n v_n'`. With `c = a' h`, c < 0,
+//! Along a step of length h the twist deviates from a straight line by up to `off`. At the end of the step the force of sticking springs with
+//! stiffness K and stretch v differs by `K v'' h² = 8 K Gᵀ off` from the value extrapolated with the rate at its beginning. A contact that slides on
+//! its cone along p is driven out of the cone at the rate `a = p·K v_t' - μ k_n v_n'`. At the fraction s of the step this rate is a + c s, with `c =
+//! a' h` < 0:
 //!
 //! ```text
 //! the contact stops where a + c s = 0.  A straight stretch lets it slide on, or stop where the stretch begins,
 //! and so errs by the force a² / 2|c| if that place is nearer than half a straight part, 1/4 of the step
 //! ```
 //!
-//! This is at most c / 32, a quarter of the force that springs make of `off`. A sticking contact may have been beyond the edge of its cone by as much
-//! in between, and the force of an opening or closing contact may have been wrong by as much.
+//! This is at most c / 32, a quarter of the force that the displacement `off` would cause in the springs. By as much, a sticking contact may have
+//! been beyond the edge of its cone in between, and the force of an opening or closing contact may have been wrong.
 //!
-//! A contact that begins to slide bends the line, from which the twist then deviates by up to `2 off`. Of this, sliding contacts lose the part along
-//! their slips and keep the part across, as if they had stuck. So only the rotation of their forces on the cones makes a difference.
+//! A contact that begins to slide bends the line, from which the twist then deviates by up to `2 off`. Of this deviation, sliding contacts lose the
+//! part along their slips and keep the part across, as if they had stuck. So only the rotation of their forces on the cones makes a difference.
 
 use nalgebra::SVector;
 
@@ -43,8 +44,8 @@ impl StepProblem<'_> {
         let bend_at = |began: &SVector<f64, 3>, slide: &Slide| {
             let began = tangential(began);
             let turned = (began / tangential_norm(&began) - slide.direction).norm();
-            // A bend somewhere in a half deviates by up to twice the deviation in the middle of the step. The friction force turns no farther than
-            // its slip.
+            // If the line bends somewhere in a half of the step, it deviates by up to twice the deviation in the middle. A friction force turns no
+            // farther than the direction of slip.
             let most = (2.0 * bend.norm()).min(tangential_norm(&began));
             if turned > 0.0 { most * turned } else { 0.0 }
         };
@@ -54,7 +55,7 @@ impl StepProblem<'_> {
                 (off - margin / local.cone().round_weight()).max(0.0)
             }
             (Mode::Sticking, Mode::Round(slide)) => {
-                // Slip has softened the springs by the fraction of the step on which the contact slid; on the rest it stuck.
+                // The softening of the springs by slip gives the fraction of the half step on which the contact slid; before, it stuck.
                 let stuck = 1.0 - site.springs.softening(1, slide.lambda);
                 bend_at(&(a.forces[i] + drawn(a, b) * stuck), slide)
             }
