@@ -4,10 +4,14 @@
 //! T = BᵀA = Σ G_i C_i G_iᵀ,      T q = Bᵀx + W,      x - A q
 //! ```
 //!
-//! The rows of A and B are those of `piece`, x are spring forces. T has an entry where a contact couples two coordinates; a suitable order puts these
-//! near its diagonal. LU factors of T cost a few thousandths of orthogonal factors of A and B, but lose twice as many digits where stiffnesses differ
-//! widely. Iterative refinement in twice the working precision restores the digits, or shows that it cannot. T may be singular along motions that
-//! stretch no spring, if the springs also leave equally many loads unbalanced. Every other nearly singular T is left to orthogonal factors.
+//! Row r of A is the stretch of spring r per unit of each coordinate, and row r of B the direction in which this spring pushes (see `piece`). The
+//! tangent stiffness T is the sum over the contacts of their tangent stiffnesses C_i, with the grasp maps G_i. Under the load W, spring forces x at
+//! zero motion become x - A q at the twist q.
+//!
+//! T has an entry where a contact couples two coordinates; a suitable order puts these entries near its diagonal. LU factors of T cost a few
+//! thousandths of orthogonal factors of A and B, but lose twice as many digits where stiffnesses differ widely. Iterative refinement in twice the
+//! working precision restores the digits, or shows that it cannot. T may be singular along motions that stretch no spring, if the springs also leave
+//! equally many loads unbalanced. Every other nearly singular T is left to orthogonal factors.
 
 use crate::numerics::{
     Band, BandFactors, Size, Vector, generic, mapped, moved, narrow_order, numbered, summed, widest,
@@ -28,15 +32,15 @@ pub(crate) fn uses_band(coordinates: Size) -> bool {
     coordinates.count() >= 36
 }
 
-/// The tangent stiffness `T = BᵀA` as a band matrix, with its LU factors.
+/// The tangent stiffness `T = BᵀA` as a band matrix, with its LU factors; A has the stretches of springs, B their directions.
 #[derive(Debug, Clone)]
 pub(crate) struct BandPiece {
     /// Position of each coordinate in the order that makes the band narrow.
     pub(super) numbers: Vec<usize>,
     pub(super) springs: SpringLists,
-    /// The matrix A of `T = BᵀA`: the stretch of each spring per unit of each coordinate.
+    /// The matrix A of the tangent stiffness `BᵀA`: the stretch of each spring per unit of each coordinate.
     pub(super) right: Side,
-    /// The matrix B of `T = BᵀA`: the directions in which springs push, if a contact slides; otherwise B = A.
+    /// The matrix B of the tangent stiffness `BᵀA`: the directions in which springs push. `None` if no contact slides, since then B = A.
     pub(super) left: Option<Side>,
     pub(super) factors: BandFactors,
 }
@@ -54,10 +58,10 @@ pub(super) struct SpringLists {
     first_rows: Vec<usize>,
 }
 
-/// One factor of `T = BᵀA`, A or B, with a row for each spring.
+/// One factor of the tangent stiffness `BᵀA`: the matrix A or B, with a row for each spring.
 #[derive(Debug, Clone)]
 pub(super) struct Side {
-    /// The entries of each row, spring after spring: one for each coordinate that stretches the spring.
+    /// The nonzero entries of each row of the matrix, spring after spring: one for each coordinate that stretches the spring.
     rows: Vec<f64>,
     /// Factors that scale each column to length one; one for a zero column.
     units: Vec<f64>,
@@ -66,8 +70,8 @@ pub(super) struct Side {
 }
 
 impl BandPiece {
-    /// The factors for these contacts and their springs; `first_springs` holds the first spring of each contact. `None` with few coordinates, or where T
-    /// is nearly singular other than by free motions.
+    /// The factorised tangent stiffness of these contacts and their springs; `first_springs` holds the index of the first spring of each contact.
+    /// `None` with few coordinates, or where the stiffness is nearly singular other than by motions that stretch no spring.
     pub(super) fn new(sites: &[Site], springs: &[Spring], first_springs: &[usize]) -> Option<Self> {
         let count = size_of(sites).count();
         if !uses_band(size_of(sites)) {
@@ -117,7 +121,8 @@ impl BandPiece {
         Some(Self { numbers, springs: lists, right, left, factors })
     }
 
-    /// Lets the object give way until forces balance: replaces the spring forces x by `x - A T⁻¹ (Bᵀx + W)` and returns the twist `T⁻¹ (Bᵀx + W)`.
+    /// Lets the object give way until forces balance the load W = `wrench`: replaces the spring forces x by `x - A q` and returns the twist `q = T⁻¹
+    /// (Bᵀx + W)`, with the tangent stiffness T and its factors A and B.
     pub(super) fn respond(&self, x: &mut [f64], wrench: &Vector) -> Vector {
         let mut q = vec![0.0; self.numbers.len()];
         wrench.iter().zip(&self.numbers).for_each(|(w, k)| q[*k] = *w);
@@ -127,12 +132,12 @@ impl BandPiece {
         Vector::from_fn(Size::of(q.len()), |k| q[self.numbers[k]])
     }
 
-    /// Whether T is nearly singular.
+    /// Whether the tangent stiffness is nearly singular.
     pub(super) fn is_singular(&self) -> bool {
         self.factors.is_singular()
     }
 
-    /// Null vectors of the tangent stiffness T, as motions of all coordinates.
+    /// Null vectors of the tangent stiffness, as motions of all coordinates.
     pub(super) fn loose_motions(&self) -> Vec<Vector> {
         let motion = |q: Vec<f64>| {
             let entry = |k: usize| q[self.numbers[k]] * self.right.units[self.numbers[k]];
@@ -141,12 +146,12 @@ impl BandPiece {
         moved(self.factors.null_vectors(), &motion)
     }
 
-    /// The twist `T⁻¹ W` under a load W at zero offsets.
+    /// The twist under a load at zero finger offsets: the solution of the equations with the tangent stiffness.
     pub(super) fn solve(&self, load: &Vector) -> Vector {
         self.respond(&mut vec![0.0; self.springs.counts.iter().sum()], load)
     }
 
-    /// Displacements of the coordinates, in the narrow order, if the springs of a contact push with the forces `pushes`: `T⁻¹Bᵀ` of `pushes`.
+    /// Displacements of the coordinates, in the narrow order, if the springs of a contact push with the forces `pushes` and nothing else acts.
     pub(super) fn displacements_under(&self, contact: usize, pushes: &[f64]) -> Vec<f64> {
         let left = self.left.as_ref().unwrap_or(&self.right);
         let mut q = vec![0.0; self.numbers.len()];
@@ -159,7 +164,7 @@ impl BandPiece {
         q
     }
 
-    /// The stretches of a contact's springs under these displacements of the coordinates, summed with the weights `times`.
+    /// The stretches of a contact's springs under the displacements `displacements` of the coordinates, summed with the weights `times`.
     pub(super) fn weighted_stretch(&self, contact: usize, times: &[f64], displacements: &[f64]) -> f64 {
         let mut sum = 0.0;
         self.springs.of(contact, |k, coordinates, range| {
@@ -170,7 +175,8 @@ impl BandPiece {
         sum
     }
 
-    /// Estimate of the growth of relative rounding errors: the norm of the oblique projection `A T⁻¹ Bᵀ`, by a few steps of the power method.
+    /// Estimate of the growth of relative rounding errors in a solution: the norm of the oblique projection `A T⁻¹ Bᵀ` of spring forces (with the
+    /// tangent stiffness T = BᵀA), by a few steps of the power method.
     pub(super) fn growth(&self) -> f64 {
         let Some(left) = &self.left else { return 1.0 };
         let springs: usize = self.springs.counts.iter().sum();
@@ -196,7 +202,7 @@ impl BandPiece {
         2.0 * growth
     }
 
-    /// The rows of A and, if a contact slides, of B, with all zeros.
+    /// The rows of the matrix A and, if a contact slides, of the matrix B of the tangent stiffness `BᵀA`, with their zero entries.
     pub(super) fn rows(&self) -> [Option<Vec<Vector>>; 2] {
         let whole = |side: &Side| {
             let mut list = Vec::new();
@@ -233,7 +239,8 @@ impl SpringLists {
         }
     }
 
-    /// One factor of T, A or B, from these rows; `count` is the number of coordinates.
+    /// One factor of the tangent stiffness, the matrix A or B of this file, from the nonzero entries of its rows; `count` is the number of
+    /// coordinates.
     fn side(&self, rows: Vec<f64>, count: usize) -> Side {
         let (mut squares, mut longest) = (vec![0.0; count], 0.0_f64);
         self.for_each(|_, coordinates, range| {
@@ -244,7 +251,8 @@ impl SpringLists {
         Side { rows, units: moved(squares, &unit), longest: longest.sqrt() }
     }
 
-    /// Adds the generalised forces of the spring forces x to q (Aᵀx or Bᵀx), and scales q by the units of the columns.
+    /// Adds the generalised forces of the spring forces x to q (Aᵀx or Bᵀx, with the matrix A or B in `side`), and scales q by the units of the
+    /// matrix columns.
     pub(super) fn add(&self, side: &Side, x: &[f64], q: &mut [f64]) {
         self.for_each(|spring, coordinates, range| {
             coordinates.iter().zip(&side.rows[range]).for_each(|(k, b)| q[*k] += b * x[spring]);
@@ -252,7 +260,7 @@ impl SpringLists {
         q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
     }
 
-    /// Scales the motion q by the units of the columns, and calls `visit(spring, stretch)` for every spring.
+    /// Scales the motion q by the units of the matrix columns, and calls `visit(spring, stretch)` for every spring.
     pub(super) fn stretch(&self, side: &Side, q: &mut [f64], mut visit: impl FnMut(usize, f64)) {
         q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
         self.for_each(|spring, coordinates, range| {

@@ -1,13 +1,16 @@
 //! The error of given forces and twist: their difference from the exact solution with the same contact states.
 //!
-//! The residuals of the contact law and of equilibrium are evaluated in twice the working precision, and the linear problem is solved for them:
+//! The residuals of the contact law and of equilibrium are evaluated in twice the working precision. The linear problem is then solved with these
+//! residuals as right-hand side:
 //!
 //! ```text
 //! w_i = a_i - G_iᵀ q - K_i⁻¹ F_i,      e_r = right_r · w_i,      ρ = Σ G_i F_i + W      with F_i on its cone
 //! ```
 //!
-//! At the solution w is zero along a spring that resists; its other components are gaps and slips. Solving for the residuals gives the error itself,
-//! not only a bound. On the round cone it is of first order, which suffices where Newton's method has converged.
+//! For contact i, with offset a_i, grasp map G_i, stiffness K_i and force F_i, w_i is the residual displacement at the twist q. Spring r of the
+//! contact is stretched along the vector right_r, and e_r is its residual. W is the load, and ρ the imbalance. At the solution w is zero along a
+//! spring that resists; its other components are gaps and slips. Solving with the residuals gives the error itself, not only a bound. On the round
+//! cone it is of first order, which suffices where Newton's method has converged.
 
 use nalgebra::SVector;
 
@@ -31,8 +34,8 @@ pub(crate) struct Correction {
 }
 
 impl Piece {
-    /// The exact solution in the contact states `states`, from which this [`Piece`] was made, minus given forces and twist. `size` is the largest force
-    /// of the problem, N.
+    /// The exact solution in the contact states `states`, from which this [`Piece`] was made, minus the given forces and twist. `size` is the largest
+    /// force of the problem, N.
     pub(crate) fn correction(
         &self,
         problem: &Problem,
@@ -76,7 +79,8 @@ impl Piece {
         Correction { forces: forces.iter().zip(at).map(missing).list(), twist: way, doubt }
     }
 
-    /// Moves forces of sliding contacts onto their cones, writes the residual e of each spring, and returns the residual ρ of equilibrium.
+    /// Moves the forces of sliding contacts onto their cones, writes the residual stretch of each spring to `e`, and returns the imbalance of forces
+    /// and load.
     fn residual_of(
         &self,
         problem: &Problem,
@@ -115,8 +119,8 @@ impl Piece {
     }
 }
 
-/// The component `c·w` of the residual w perpendicular to the friction of a contact that slides on the round cone, `c = (-F_2, F_1) / |F_t|`. The
-/// direction is taken from the force, since w may have any direction before convergence.
+/// For a contact that slides on the round cone: the component of its residual displacement w perpendicular to the friction force, `c·w` with `c =
+/// (-F_2, F_1) / |F_t|`. The direction is taken from the force, since w may have any direction before convergence.
 struct Across {
     along: [DoubleDouble; 3],
     length: f64,
@@ -137,7 +141,7 @@ impl Across {
         self.sum.add_product_of_twice((along.high, along.low), w);
     }
 
-    /// `c·w` times the square root of the stiffness of the spring along c.
+    /// The residual component perpendicular to the friction force, times the square root of the spring's stiffness in that direction.
     fn times(&self, spring: Option<&Spring>) -> DoubleDouble {
         let root = spring.map_or(0.0, |spring| spring.right.norm());
         let part = if self.length > 0.0 { root / self.length } else { 0.0 };

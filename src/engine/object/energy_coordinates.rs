@@ -4,8 +4,10 @@
 //! x = K^{-1/2}F,   K^{1/2}Gᵀ = QR,   u = x⁰ - Q y,   x = P u
 //! ```
 //!
-//! x⁰ is the elastic trial state in which every contact sticks, and y the further motion of the object. P is the projection by the contact's state. A
-//! facet is `κ x_n + c·x_t >= 0` with c of length one; slip across it moves x along (0, c). Consecutive equal contacts share their facets.
+//! F are the contact forces, K the stiffnesses, G the grasp maps, and QR an orthogonal factorisation. x⁰ is the elastic trial state in which every
+//! contact sticks, and y the further motion of the object. u are the stretches, and P is the projection of each contact's state, which leaves the
+//! part that becomes force. A facet of a cone is `κ x_n + c·x_t >= 0` with c of length one and a number κ for the normal part; slip across it moves x
+//! along (0, c). Consecutive equal contacts share their facets.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -14,25 +16,25 @@ use crate::contact::{LocalLaw, cross, tangential, tangential_norm};
 use crate::numerics::{Each, Orthogonal, ScaledMap, by_axis};
 use crate::prelude::*;
 
-/// A facet of a friction cone, scaled so that the tangential part c of its row has length one. The condition `x_n >= 0` of a contact that may open is
-/// the facet (1, 0).
+/// A facet of a friction cone, the condition `row·x >= 0` on the contact force x in energy coordinates. It is scaled so that the tangential part of
+/// `row` has length one. The condition `x_n >= 0` of a contact that may open is the facet (1, 0).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Facet {
-    /// The row (κ, c), with c of length one.
+    /// The facet's normal in energy coordinates; its tangential part has length one.
     pub(crate) row: SVector<f64, 3>,
-    /// Length of `row`. Entries of covering or perturbation vectors for the row scaled to length one, times this length, are those for `row`.
+    /// Length of `row`. Covering and perturbation vectors are given for facet normals of length one; this factor converts their entries to `row`.
     pub(crate) unit: f64,
 }
 
 impl Facet {
-    /// The facet `μ F_n - h·F_t = 0`; `root` holds the square roots of the stiffnesses.
+    /// The facet `μ F_n - h·F_t = 0` of a contact, with the facet normal h; `root` holds the square roots of the contact's stiffnesses.
     fn new(law: &LocalLaw<'_>, root: &SVector<f64, 3>, h: &SVector<f64, 3>) -> Self {
         let row = root.component_mul(&law.cone().facet_row(h));
         let row = row / tangential_norm(&row);
         Self { row, unit: row.norm() }
     }
 
-    /// The column (0, c): the change of x by slip across this facet.
+    /// The change of the contact force in energy coordinates by a unit slip across this facet: the tangential part of `row`.
     pub(crate) fn column(&self) -> SVector<f64, 3> {
         tangential(&self.row)
     }
@@ -41,9 +43,10 @@ impl Facet {
 /// A contact in energy coordinates, in which forces are divided by the square roots of stiffnesses.
 #[derive(Debug, Clone)]
 pub(crate) struct EnergyContact {
-    /// Q_i, the map from the motion y of the object to x of the contact, scaled so that the mean of |Q_i|² over the contacts is one.
+    /// The map from the motion y of the object to the contact's force in energy coordinates. It is scaled so that the mean square of its norm over
+    /// the contacts is one.
     pub(crate) seen: ScaledMap,
-    /// Index in the common list of facets: `x_n >= 0` of a contact that may open, then its facets.
+    /// Index of the contact's first condition in the common list of facets: `x_n >= 0` if the contact may open, then its facets.
     first: u32,
     pub(crate) facet_count: u16,
     /// Whether the contact may open.
@@ -61,14 +64,15 @@ impl EnergyContact {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct EnergyCoordinates {
     facets: Vec<Facet>,
-    /// The factor by which the sum of `Q_iᵀQ_i` with the scaled maps must be multiplied to be the identity.
+    /// The factor that scales the sum of `QᵀQ` over the contacts to the identity, with the scaled map Q of each contact.
     pub(crate) weight: f64,
-    /// Rank of Q: components of y from this index on move no contact.
+    /// Rank of the maps of all contacts together: components of the motion from this index on move no contact.
     pub(crate) rank: usize,
 }
 
 impl EnergyCoordinates {
-    /// Computes the energy coordinates of all contacts from the orthogonal factor of their springs, and calls `visit` for each contact in order.
+    /// Computes the energy coordinates of all contacts from `factor`, the orthogonal factor of the scaled grasp map, and calls `visit` for each
+    /// contact in order.
     pub(crate) fn lay_out(
         &mut self,
         problem: &Problem<'_>,
@@ -134,7 +138,7 @@ impl EnergyCoordinates {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Slipping {
     rows: [SVector<f64, 3>; 2],
-    /// Dual basis of the facets' tangents c: `z_a·c_b` is 1 for a = b, else 0.
+    /// Dual basis z_a of the tangential parts c_b of the facets' rows: `z_a·c_b` is 1 for a = b, else 0.
     pub(crate) across: [SVector<f64, 3>; 2],
     pub(crate) count: usize,
 }
@@ -166,8 +170,8 @@ impl Slipping {
         }
     }
 
-    /// The vector z with `z_n = n` and `row_a·z = d_a` on the facets across which the contact slips. For d = 0, z is the point x on the edge of the
-    /// cone with `x_n = n`.
+    /// The vector z with the normal part n and `row_a·z = d_a` for each facet a across which the contact slips. For d = 0, z is the point x on the
+    /// edge of the cone with `x_n = n`.
     pub(crate) fn reaching(&self, n: f64, d: [f64; 2]) -> SVector<f64, 3> {
         let mut z = SVector::zeros();
         for a in 0..self.count {
@@ -177,7 +181,7 @@ impl Slipping {
         z
     }
 
-    /// The row Z_a that gives the slip across facet a, `-Z_a·u`, from the stretch u.
+    /// The vector Z whose product with the stretch u of the contact gives the slip across facet `a`: the slip is `-Z·u`.
     pub(crate) fn slip(&self, a: usize) -> SVector<f64, 3> {
         if self.count == 1 {
             return self.rows[0];
@@ -187,10 +191,10 @@ impl Slipping {
         z
     }
 
-    /// The projection P of this state, with `x = P u`: it removes the stretch that slip takes up.
+    /// The projection P that gives the contact force `x = P u` from the stretch u: it removes the part of the stretch that slip takes up.
     pub(crate) fn hold(&self) -> SMatrix<f64, 3, 3> {
         if self.count + 1 == 3 {
-            // With two slips the whole tangential part is free, so the projection must remove u_t without rounding.
+            // With two slips the whole tangential part is free, so the projection must remove the tangential stretch without rounding.
             let mut hold = SMatrix::<f64, 3, 3>::zeros();
             hold.set_column(0, &self.reaching(1.0, [0.0; 2]));
             return hold;

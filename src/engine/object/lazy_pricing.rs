@@ -1,9 +1,9 @@
-//! Lazy pricing: a step evaluates only those contacts that can reach the end of their state within it.
+//! Lazy pricing: a step evaluates only those contacts whose present state may stop being valid within the step.
 //!
 //! While every contact keeps its state, every condition is affine in the motion y of the object and the parameter s that drives the path. So the path
-//! is a piecewise straight curve in d + 1 dimensions, whose direction e mostly changes little from one event to the next. Split the path's length in
-//! two: a along e, and b across e. A condition of value v and gradient g stays positive as long as `max(-g·e, 0) a + |g| b < v`. With the clock t = a
-//! + b/ε this is certain until
+//! is a piecewise straight curve in d + 1 dimensions, whose direction e mostly changes little from one event to the next. The path's length has two
+//! parts: a along e, and b across e. A condition of value v and gradient g stays positive as long as `max(-g·e, 0) a + |g| b < v`. With the clock t =
+//! a + b/ε and a small number ε this is certain until
 //!
 //! ```text
 //! t = min over the conditions of   v / max(-g·e, ε |g|)
@@ -18,12 +18,12 @@ use crate::numerics::Vector;
 use crate::numerics::EventQueue;
 use crate::prelude::*;
 
-/// A point of a path, or a direction of it.
+/// A point of the path that pricing follows, or a direction of this path.
 #[derive(Debug, Clone)]
 pub(crate) struct Point {
     /// Motion y of the object in energy coordinates.
     pub(crate) y: Vector,
-    /// The parameter that drives the path, such as z₀ in Lemke's method, scaled so that its unit weighs as much as a unit of y.
+    /// The parameter that drives the path, such as z₀ in Lemke's method, scaled so that its unit weighs as much as a unit of the motion `y`.
     pub(crate) s: f64,
 }
 
@@ -50,7 +50,8 @@ impl Point {
     }
 }
 
-/// The clock time during which a condition is certain to stay positive, from its value, its rate along e and the norm of its gradient.
+/// The clock time during which a condition is certain to stay positive, from its value, its rate along the reference direction of the path, and the
+/// norm of its gradient.
 #[inline]
 pub(crate) fn slack(value: f64, rate: f64, gradient: f64) -> f64 {
     let fastest = (-rate).max(PRICED_ACROSS * gradient);
@@ -61,7 +62,7 @@ pub(crate) fn slack(value: f64, rate: f64, gradient: f64) -> f64 {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct LazyPricing {
     pub(crate) line: EventQueue,
-    /// The reference direction e of the path.
+    /// The reference direction e of the path, along which waiting times are computed.
     pub(crate) towards: Point,
     contacts: usize,
     /// Length of the path since all contacts were queued; the next field counts its steps.
@@ -87,7 +88,7 @@ impl LazyPricing {
         (self.towards, self.contacts, self.length, self.steps) = (e, contacts, 0.0, 0);
     }
 
-    /// Time by which the clock advances in a step of length one along a direction of the path.
+    /// The advance of the clock in a step of length one along a direction of the path.
     pub(crate) fn speed(&self, along: &Point) -> f64 {
         let e = &self.towards;
         let forward = (along.y.dot(&e.y) + along.s * e.s).max(0.0);
@@ -101,17 +102,18 @@ impl LazyPricing {
         self.steps += 1;
     }
 
-    /// Whether the path has turned so far from e that the queue is worth rebuilding for its new direction.
+    /// Whether the path has turned so far from its reference direction that rebuilding the queue for the new direction is worthwhile.
     pub(crate) fn has_turned(&self) -> bool {
-        // The clock runs faster than the path's length where the path deviates from e. Beyond this ratio a new e is due.
+        // The clock runs faster than the path's length where the path deviates from its reference direction. Beyond this ratio a new reference
+        // direction is due.
         let turned = 1.25;
-        // Queueing all contacts evaluates each of them. It pays only after a number of steps, a sixteenth of the number of contacts.
+        // Queueing all contacts evaluates each of them. This is worthwhile only after a number of steps, a sixteenth of the number of contacts.
         let again = 16;
         self.line.clock > turned * self.length && self.steps * again > self.contacts
     }
 
-    /// Queues a contact again if its slack exceeds the clock time `within` of this step; otherwise the step must evaluate it. Returns whether it is
-    /// queued.
+    /// Queues a contact again if its slack exceeds the clock time `within` of this step; otherwise the step must evaluate it. Returns whether the
+    /// contact is queued.
     pub(crate) fn puts_off(&mut self, within: f64, contact: u32, stamp: u32, slack: f64) -> bool {
         let waits = self.line.schedule_if_later(within, contact, stamp, slack);
         if !waits {
