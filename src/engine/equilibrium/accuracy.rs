@@ -76,7 +76,8 @@ impl Engine {
         })
     }
 
-    /// The problem that an equilibrium solves; `None` for an equilibrium with another number of contacts.
+    /// The equilibrium problem (contact laws, finger offsets and load) that an equilibrium solves; `None` for an equilibrium with another number of
+    /// contacts.
     pub(crate) fn problem_of(&self, equilibrium: &Equilibrium<3>) -> Option<Problem<'_>> {
         if !equilibrium.knows_all_of(self.sites().len()) {
             return None;

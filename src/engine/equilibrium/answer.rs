@@ -57,7 +57,7 @@ impl<const C: usize> Outcome<C> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Equilibrium<const C: usize> {
-    /// The balanced load, about the origin.
+    /// The load that the contact forces balance; its moment is about the origin.
     pub load: Wrench<C>,
     /// Motion of the object from its place before load and commands: translation of the origin (m) and rotation (rad). If `free_motions` remain, it
     /// has the least norm that gaps and slips allow; on a load path it is nearest to the last place of the object. The norm is about the centroid of
@@ -97,7 +97,7 @@ pub struct Equilibrium<const C: usize> {
     /// else `None`.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub accuracy: Option<Accuracy>,
-    /// The friction cone of the answer.
+    /// The friction cone for which the answer was computed.
     pub cone: Cone,
     /// The rule that found this equilibrium; there may be others, see
     /// [`Grasp::equilibria`](crate::ask::Grasp::equilibria).
@@ -144,7 +144,7 @@ impl<const C: usize> Equilibrium<C> {
         self.contacts.iter().map(|contact| contact.force.norm()).fold(load, f64::max)
     }
 
-    /// This answer as it is after it was written and read back: without `local`, and of `work` only with the pivots.
+    /// This answer as written and read back: without `local`, and of `work` only with the pivots.
     #[cfg(feature = "serde")]
     pub(crate) fn written(self) -> Self {
         let work = WorkDone { pivots: self.work.pivots, ..WorkDone::default() };
@@ -179,7 +179,7 @@ pub(crate) struct LocalAnswer {
     pub(crate) offsets: Vec<SVector<f64, 3>>,
     /// The slips along a load path that were subtracted from `offsets`, m.
     pub(crate) slips: Vec<SVector<f64, 3>>,
-    /// Present friction cones, narrower at contacts that slide with kinetic friction. An empty list stands for the static cones.
+    /// Present friction cones, narrower at contacts that slide with kinetic friction. An empty list means the static cones.
     pub(crate) cones: Vec<Coulomb>,
 }
 

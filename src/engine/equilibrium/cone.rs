@@ -16,7 +16,7 @@ pub(crate) struct AnswerFor {
 }
 
 impl AnswerFor {
-    /// The cone and the limits of answers under these settings.
+    /// The friction cone and the limits of small motions to which answers with these settings refer.
     pub(crate) fn of(space: Space, settings: &Settings) -> Self {
         Self { cone: Cone::of(space, settings), small: settings.small_motions }
     }
@@ -28,16 +28,16 @@ impl AnswerFor {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Cone {
-    /// The planar cone, which is polygonal and so exact.
+    /// The friction cone in the plane. It has two edges, and needs no approximation by a polygon.
     Planar,
-    /// A polygon that replaces the round cone.
+    /// A polygonal cone that replaces the round cone in space.
     Polygon(PolygonCone),
     /// The round cone in space.
     Round,
 }
 
 impl Cone {
-    /// The friction cone of answers under these settings.
+    /// The friction cone of answers with these settings.
     pub(crate) fn of(space: Space, settings: &Settings) -> Self {
         if settings.is_round(space) { Self::Round } else { Self::polygonal(space, settings) }
     }

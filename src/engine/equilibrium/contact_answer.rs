@@ -8,7 +8,7 @@ use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// One contact of an equilibrium.
+/// State, force and displacements of one contact in an equilibrium.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -95,7 +95,7 @@ impl<const C: usize> ContactAnswer<C> {
 }
 
 impl ContactAnswer<2> {
-    /// Tangential force `F_t` along t, N, with its sign.
+    /// Tangential force `F_t` along the tangent t, N, with its sign.
     #[must_use]
     pub fn tangential_force(&self) -> f64 {
         self.force[1]

@@ -21,14 +21,14 @@ impl Engine {
         let forces = equilibrium.site_forces();
         let sizes = forces.iter().map(nalgebra::Matrix::norm);
         let largest = largest_force(self.sites(), &problem.offsets, twist, problem.wrench.norm(), sizes);
-        // A margin below ten times the estimated error may be zero in truth.
+        // A gap, force, friction reserve or slip below ten times its estimated error may be zero in truth.
         let part = |error: f64, size: f64| if size > 0.0 { 10.0 * error / size } else { 0.0 };
         let distinct = |(i, state): (usize, &State)| {
             let at = problem.at(i, &forces[i], twist, largest);
             let of_forces = part(force_error, largest);
             let of_displacements = part(displacement_error, at.span);
-            // A margin below this fraction of its terms may be zero in truth, because the data are rounded. Normals, arms and their products have
-            // errors of a few 1e-16, which even well-posed grasps magnify a hundredfold.
+            // A gap, force, friction reserve or slip below this fraction of the size of its terms may be zero in truth, because the data are rounded.
+            // Normals, arms and their products have errors of a few 1e-16, which even well-posed grasps magnify a hundredfold.
             let least = SOLVED_ROUNDING.max(match state {
                 Mode::Open => of_displacements,
                 Mode::Sticking => of_forces,

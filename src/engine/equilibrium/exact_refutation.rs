@@ -31,7 +31,7 @@ fn dot(a: &[Rational], b: &[Rational]) -> Rational {
 
 /// One contact in rational numbers.
 struct Exact {
-    /// The columns of the grasp map G.
+    /// The columns of the contact's grasp map.
     map: [[Rational; 6]; 3],
     stiffness: [Rational; 3],
     friction: Rational,
@@ -106,7 +106,7 @@ fn around(from: f64, to: f64) -> Vec<[Rational; 2]> {
     (0..2 * pieces).map(corner).chain([point(from, 1.0), point(to, 1.0)]).collect()
 }
 
-/// Forces that balance one another exactly: six of them are changed, by elimination.
+/// Virtual contact forces that balance one another exactly: six components of `forces` are changed, by elimination.
 fn balanced(contacts: &[Exact], forces: &[SVector<f64, 3>]) -> Vec<Rational> {
     let mut forces: Vec<Rational> = forces.iter().flat_map(|f| f.iter().map(|x| exact(*x))).collect();
     let column = |j: usize| &contacts[j / 3].map[j % 3];

@@ -11,7 +11,7 @@ use crate::search::Found;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// One joint of an equilibrium.
+/// Displacement, torque and drive of one joint in an equilibrium.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -44,7 +44,7 @@ pub struct JointAnswer {
     pub yielded: f64,
 }
 
-/// One tendon of an equilibrium.
+/// Tension and drive of one tendon in an equilibrium.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -55,7 +55,7 @@ pub struct TendonAnswer {
     pub tendon: PartLabel,
     /// State of the tendon's drive.
     pub state: DriveState,
-    /// Tension of the tendon, N: that of its spring and the constant one.
+    /// Tension of the tendon, N: the sum of the tension of its spring and its constant tension.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub tension: f64,
     /// Margin to the greatest tension of the drive, N; infinite without a limit.
@@ -149,7 +149,7 @@ impl Engine {
     }
 }
 
-/// Distance of a drive from its limit, N m or N.
+/// The margin of a drive to its limit at the force `carried`, N m or N; infinite without a limit.
 fn margin(named: &Named, carried: f64, state: DriveState) -> f64 {
     match named.limit {
         None => f64::INFINITY,

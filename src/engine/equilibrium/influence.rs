@@ -1,4 +1,4 @@
-//! The influence of a force of any direction at a point on each contact.
+//! The change of each contact force by a force of any direction at a point, while contacts keep their states.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -7,7 +7,7 @@ use crate::contact::ZERO_SLACK;
 use crate::grasp::{Motion, Wrench};
 use crate::prelude::*;
 
-/// The matrix A of a contact: column k is its contact force if a force of 1 N along coordinate axis k acts at the point.
+/// The influence matrix of a contact: column k is its contact force if a force of 1 N along coordinate axis k acts at a given point.
 pub(crate) struct Influence {
     pub(crate) of: SMatrix<f64, 3, 3>,
     /// Sum of the force sizes under the three unit loads, which scales rounding.
@@ -15,7 +15,7 @@ pub(crate) struct Influence {
 }
 
 impl Influence {
-    /// `Aᵀ row`: for a condition `row·F` on the contact force F, its change by 1 N along each coordinate axis; zero if within rounding.
+    /// The change of a condition `row·F` on the contact force F by 1 N along each coordinate axis at the point; zero if within rounding.
     pub(crate) fn gradient_of(&self, row: &SVector<f64, 3>) -> SVector<f64, 3> {
         let gradient = self.of.tr_mul(row);
         if gradient.norm() > ZERO_SLACK * row.norm() * self.size { gradient } else { SVector::zeros() }
@@ -23,7 +23,7 @@ impl Influence {
 }
 
 impl StickingResponse<'_> {
-    /// The influence of forces at a point on each contact. The error is a motion along which such a force does work and nothing resists.
+    /// The influence matrix of each contact for forces at a point. The error is a motion that nothing resists and on which such a force does work.
     pub(crate) fn influences(&self, point: &[f64; 3]) -> Result<Vec<Influence>, Motion<3>> {
         let mut influences = Vec::new();
         influences.resize_with(self.edges.len(), || Influence { of: SMatrix::zeros(), size: 0.0 });

@@ -82,7 +82,7 @@ impl<const C: usize> PadAnswer<C> {
     }
 }
 
-/// A contact as users count them: a soft fingertip is one.
+/// A contact as users count contacts: all points of a soft fingertip are one contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum WholeAnswer<'a, const C: usize> {
     /// A contact that is a point itself.

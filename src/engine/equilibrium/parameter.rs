@@ -60,7 +60,7 @@ pub enum Parameter {
     Normal {
         /// The contact, from 0.
         contact: usize,
-        /// The tangent towards which the normal tilts, by its axis in the contact frame: 1, in space also 2. In space 0 stands for a turn about the
+        /// The tangent towards which the normal tilts, by its axis in the contact frame: 1, in space also 2. In space 0 means a turn about the
         /// normal, from t₁ to t₂.
         axis: usize,
     },
@@ -152,8 +152,9 @@ impl StickingResponse<'_> {
         Some(solved)
     }
 
-    /// The change dG of the grasp map of one contact. `None` if the axis is out of range, and for the position of a contact of a hand. `None` also if
-    /// a motion that is free at present would be resisted in the changed geometry: the derivative of that motion is then not defined.
+    /// The change of the grasp map of one contact by a change of its point or frame. `None` if the axis is out of range, and for the position of a
+    /// contact of a hand. `None` also if a motion that is free at present would be resisted in the changed geometry: the derivative of that motion is
+    /// then not defined.
     fn map_change(&self, contact: usize, by: Parameter) -> Option<Map> {
         let site = &self.problem.sites[contact];
         let change = match by {
@@ -170,8 +171,8 @@ impl StickingResponse<'_> {
             offsets[contact] = change.tr_mul(motion);
             let alone = self.problem.local(contact).springs.stiffest() * change.norm() * motion.norm();
             let response = self.state(&offsets, &Vector::zeros());
-            // Forces count as rounding below this fraction of the force that the same displacement would cause in the stiffest spring of the contact
-            // alone.
+            // Forces count as rounding below this fraction of the force that the same displacement of the contact alone would cause in its stiffest
+            // spring.
             response.is_some_and(|response| {
                 response.forces.iter().all(|force| force.norm() <= NEGLIGIBLE * alone)
             })

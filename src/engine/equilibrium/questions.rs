@@ -134,7 +134,7 @@ impl Engine {
 
 /// Whether the residuals are small enough for an equilibrium.
 fn accurate(equilibrium: &Equilibrium<3>) -> bool {
-    // Largest residual on the round cone; a larger one means that Newton's method has not converged.
+    // Largest allowed residual on the round cone; a larger one means that Newton's method has not converged.
     let most = if equilibrium.cone == Cone::Round { 1e-12 } else { ACCURATE };
     equilibrium.residuals.worst() <= most
 }
@@ -142,7 +142,7 @@ fn accurate(equilibrium: &Equilibrium<3>) -> bool {
 /// Whether two solutions are the same equilibrium. Positions along a free motion may differ.
 fn same(problem: &Problem, a: &Found, b: &Found) -> bool {
     let size = |found: &Found| problem.largest_force(&found.forces, &found.twist);
-    // Solutions are the same if forces and motions differ by less than this fraction of the largest.
+    // Solutions are the same if forces and motions differ by less than this fraction of the largest force or motion.
     let force = NEGLIGIBLE * size(a).max(size(b));
     let motion = NEGLIGIBLE * a.twist.norm().max(b.twist.norm());
     let moves_freely = !a.free_motions.is_empty() && !b.free_motions.is_empty();

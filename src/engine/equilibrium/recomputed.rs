@@ -95,7 +95,7 @@ impl Engine {
         let object = self.space().of_the_object();
         let turned: f64 = twist.iter().take(object).skip(self.space().axes()).map(|x| x.abs()).sum();
         let translated = self.space().object_alone(twist);
-        // The contact law holds for the slip since the contact's state was last decided; earlier slip is part of the offsets.
+        // The contact law holds for the slip since the contact's state was last decided; earlier slip is subtracted from the finger offsets.
         let slip = |i: usize| answers[i].slip - problem.slips[i];
         let of_drives = self.drive_site_answers(problem, twist, found);
         let mut travels: Vec<f64> = numbered(self.len(), &|i| {
@@ -150,7 +150,7 @@ impl Engine {
         r
     }
 
-    /// Displacement of a contact by the joints of its finger, along the coordinate axes, and the size of the terms of that sum.
+    /// Displacement of a contact by the joints of its finger, along the coordinate axes, and the sum of the sizes of its terms.
     fn displacement_by_joints(&self, contact: usize, twist: &Vector) -> (SVector<f64, 3>, f64) {
         let (mut sum, mut size) = (SVector::zeros(), 0.0);
         let Some(linkage) = self.linkage() else { return (sum, size) };
@@ -162,7 +162,7 @@ impl Engine {
         (sum, size)
     }
 
-    /// The values at the drives of a hand, which obey contact laws, too.
+    /// The values at each drive of a hand whose residuals are computed: drives obey contact laws, too.
     fn drive_site_answers<'a>(
         &self,
         problem: &Problem,

@@ -35,7 +35,7 @@ pub(crate) struct ContactForces {
 }
 
 impl<'g> StickingResponse<'g> {
-    /// The response while every contact that is present sticks.
+    /// The linear response of the grasp while every contact that is present sticks.
     pub(crate) fn new(grasp: &'g Engine, settings: &Settings) -> Self {
         let problem = Self::at_rest_on(grasp, Cone::of(grasp.space(), settings));
         let states = problem.unjumped();
@@ -58,12 +58,12 @@ impl<'g> StickingResponse<'g> {
         Self { grasp, problem, states: states.to_vec(), piece, edges }
     }
 
-    /// The law of a contact.
+    /// The contact law of one contact.
     pub(crate) fn law(&self, contact: usize) -> LocalLaw<'_> {
         self.problem.local(contact)
     }
 
-    /// Zero offsets of all contacts and drives: no commands.
+    /// Zero finger offsets of all contacts and drives: no commands.
     pub(crate) fn at_rest(&self) -> Vec<SVector<f64, 3>> {
         vec![SVector::zeros(); self.problem.len()]
     }

@@ -48,7 +48,7 @@ pub(crate) fn force_form(problem: &Problem) -> Option<Form> {
     Some(Form { lcp: Lcp::new(m, q).ok()?, rows: b.rows, z_unit: b.z_unit, w_unit: b.w_unit })
 }
 
-/// The contact states of a complementary basis.
+/// The contact states that a complementary basis of the force form describes.
 pub(crate) fn force_states(problem: &Problem, form: &Form, basis: &Basis) -> Vec<State> {
     let n = problem.len();
     let (mut pressed, mut slips) = (vec![true; n], vec![false; n]);

@@ -144,7 +144,7 @@ fn form(
     Some(Form { lcp: Lcp::new(m, q).ok()?, rows, z_unit, w_unit })
 }
 
-/// The contact states of a complementary basis.
+/// The contact states that a complementary basis of the kinematic form describes.
 pub(crate) fn kinematic_states(problem: &Problem, form: &Form, basis: &Basis) -> Vec<State> {
     let mut slipping: Vec<Vec<u16>> = vec![Vec::new(); problem.len()];
     let mut open = vec![false; problem.len()];

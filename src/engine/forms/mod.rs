@@ -1,4 +1,4 @@
-//! The two complementarity problems of a grasp, the meaning of their rows, and the rows left out.
+//! The two complementarity problems of a grasp, the meaning of their rows (complementary pairs), and the rows that a contact does not need.
 //!
 //! The symbols are those of the [crate page](crate#the-problem); K is the diagonal matrix of all series stiffnesses, G = [G_1 G_2 …], and the friction
 //! cone a polygon with facet normals h_j and corners d_j ([`PolygonCone`](crate::PolygonCone)).

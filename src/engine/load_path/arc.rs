@@ -142,7 +142,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.segment.course.rate_at(factor) + &self.fixed().push
     }
 
-    /// Norm of the rate of the load, with that of the forces by which commands push contacts that do not slide, N per unit of the load factor.
+    /// Norm of the rate of the load plus the rate of the forces by which commands push contacts that do not slide, N per unit of the load factor.
     pub(super) fn load_rate(&self, factor: f64) -> f64 {
         self.push_at(factor).norm()
     }
@@ -259,7 +259,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         across: &Direction,
         frictions: &[SVector<f64, 3>],
     ) -> Option<(PieceState, f64)> {
-        // Imbalance below this fraction of the sum of all terms, times the root of their number, is rounding.
+        // An imbalance of forces counts as rounding below this fraction of the sum of all terms; rounding grows with the root of their number.
         let rounding = 2e-16 * ((self.sites().len() + 2) as f64).sqrt();
         let (mut frictions, mut balanced) = (frictions.to_vec(), None);
         for _ in 0..4 {
@@ -268,7 +268,8 @@ impl<'s, 'g> Arc<'s, 'g> {
             let mut forces = self.forces_at(&twist, factor, &frictions);
             let initial_force: f64 = forces.iter().map(Matrix::norm).sum();
             let mut ended = None;
-            // At most six Newton corrections: a step violates the cones by its error, and the first correction already leaves only the square of it.
+            // At most six Newton corrections: a step violates the cones by its error, and the first correction already leaves only the square of this
+            // error.
             for _ in 0..6 {
                 let load = self.segment.course.at(factor);
                 let Imbalance { left, size: carried } = Imbalance::of(self.sites(), &forces, &load, 0.0);
@@ -288,8 +289,8 @@ impl<'s, 'g> Arc<'s, 'g> {
             }
             let carried = ended?;
             let off = self.off_the_cones(&forces);
-            // If hardly anything resists a motion, the correction along it may turn friction forces off the cones. It is then repeated with their new
-            // directions.
+            // If hardly anything resists a motion, the correction along it may turn friction forces off the cones. The correction is then repeated
+            // with the new directions of friction.
             let is_on_them = off <= SLACK_ON_AN_ARC * carried;
             if !is_on_them {
                 self.sliding
@@ -297,7 +298,7 @@ impl<'s, 'g> Arc<'s, 'g> {
                     .zip(&mut frictions)
                     .for_each(|(&i, friction)| *friction = tangential(&forces[i]));
             }
-            // A state whose forces have shrunk to less than a quarter during the correction still carries the rounding of the larger ones, and is
+            // A state whose forces have shrunk to less than a quarter during the correction still carries the rounding of the larger forces, and is
             // corrected again.
             if initial_force <= 4.0 * carried {
                 balanced = Some((PieceState { forces, twist: twist.clone() }, factor));

@@ -26,7 +26,7 @@ use crate::search::{
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// The situation after an onset or after the end of a path.
+/// The situation just beyond an onset or beyond the end of a path.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -36,7 +36,8 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Beyond<const C: usize> {
-    /// The equilibrium continues with these contacts sliding or open. Only after an onset: a load path is itself followed as far as it continues.
+    /// The equilibrium continues with these contacts sliding or open. This is an answer only after a first slip, since a load path is itself followed
+    /// as far as it continues.
     Continues(Box<Continuation<C>>),
     /// No equilibrium exists just beyond: a limit load. A motion proves this or, in the plane and on polygonal friction cones, a trial of every
     /// combination of contact states. On the round cone there may be a proof only for a somewhat larger load. It exceeds the load at the end by at
@@ -65,7 +66,7 @@ pub enum Beyond<const C: usize> {
     },
 }
 
-/// The continuation of an equilibrium past an event, per unit of load factor.
+/// The continuation of an equilibrium past an event, with rates per unit of the load factor.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -134,7 +135,7 @@ pub(super) fn beyond_end(
             _ => beyond,
         };
     }
-    // With many contacts the search may end undecided although the rates have no solution. Farkas' lemma may then prove it.
+    // With many contacts the search may end undecided although no rates of forces and motion exist. Farkas' lemma may then prove this.
     let settled = match settled {
         Settled::Undecided(_) if effort.no_slips || no_rates(rates) => Settled::NoneOf(0),
         settled => settled,
@@ -143,7 +144,7 @@ pub(super) fn beyond_end(
         return search_beyond(&problem, rates);
     }
     match segment.grasp.outcome(rates, &load(), settled, effort, segment.answer_for) {
-        // The proof covers all loads up to this distance beyond the end; with a shorter one rounding might hide it.
+        // The proof covers all loads up to this distance beyond the end; with a shorter distance, rounding might hide the proof.
         Outcome::NoEquilibrium(_) if nothing_holds(&problem, &past(1e-2)) => Beyond::LimitLoad,
         Outcome::NoEquilibrium(reason) => Beyond::Ends { reason },
         Outcome::Undecided(undecided) => Beyond::Undecided { doubt: undecided.doubt },
@@ -170,7 +171,7 @@ fn from_scratch<'g>(
     forces: &[SVector<f64, 3>],
     settings: &Settings,
 ) -> Beyond<3> {
-    // Whether there is an equilibrium at this distance whose forces differ from those at the end by more than on a continued path.
+    // Whether there is an equilibrium at the distance `part` whose forces differ from those at the end by more than on a continued path.
     let another = |part: &f64| match settle(&past(*part), settings).0 {
         Settled::Found(found, _) => !is_near(&found.forces, forces, *part),
         _ => false,
@@ -179,7 +180,7 @@ fn from_scratch<'g>(
     // Distances are tried in turn, since at a short one the search on the round cone may not decide.
     for part in [LITTLE_BEYOND, 1e-4, 1e-2] {
         match settle(&past(part), settings).0 {
-            // At a larger distance the search would need as many pivots again.
+            // At a larger distance the search would exceed the number of pivots again.
             Settled::Undecided(Doubt::OutOfPivots) => return Beyond::Undecided { doubt: Doubt::OutOfPivots },
             Settled::Undecided(doubt) => why = doubt,
             Settled::Found(found, _) => {
@@ -241,8 +242,8 @@ fn search_beyond(problem: &Problem, rates: &Problem) -> Beyond<3> {
         ) else {
             return false;
         };
-        // Tolerance for rounding, relative to the size of a condition. It has an upper bound: a larger violation is real, however badly conditioned
-        // the linear problem is.
+        // Tolerance for rounding, relative to the size of a condition's terms. The tolerance has an upper bound: a larger violation is real, however
+        // badly conditioned the linear problem is.
         let rounding = (ZERO_SLACK * piece.growth()).min(MOST_SLACK);
         let mut values = Vec::new();
         for_each_condition(problem, &states, &now.forces, &now.twist, |value, size| {

@@ -9,12 +9,12 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Each, Vector, paired};
 use crate::prelude::*;
 
-/// The body and the change of its load along a leg.
+/// The name of a body, and the change of its load along a leg.
 pub(super) type BodyGoal<const C: usize> = (Arc<str>, LegGoal<Wrench<C>>);
 
 impl<const C: usize> Leg<C> {
-    /// A leg along which the load on one of several bodies changes by `change`, N and N m about the origin. It acts beside the load of the leg and
-    /// the permanent load of the body. Such loads are zero when a program starts, and loads that a leg does not mention stay.
+    /// A leg along which the load on one of several bodies changes by `change`, N and N m about the origin. This load acts beside the load of the leg
+    /// and the permanent load of the body. Such loads are zero when a program starts, and loads that a leg does not mention stay.
     ///
     /// ```
     /// use grasp_lcp::planar::{Bodies, Body, Contact, Leg, Wrench};
@@ -42,7 +42,7 @@ impl<const C: usize> Leg<C> {
         Self::STAY.and_body_load_by(body, change)
     }
 
-    /// A leg at whose end the load on one of several bodies is `load`. It acts beside the load of the leg and the permanent load of the body.
+    /// A leg at whose end the load on one of several bodies is `load`. This load acts beside the load of the leg and the permanent load of the body.
     #[must_use]
     pub fn body_load_to(body: impl Into<String>, load: Wrench<C>) -> Self {
         Self::STAY.and_body_load_to(body, load)

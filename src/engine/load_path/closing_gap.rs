@@ -48,8 +48,8 @@ fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f
         Resistance::ByFriction(_) if velocity[0].abs() > none => false,
         Resistance::ByFriction(_) if !local.may_slide() || tangential(velocity).norm() <= none => true,
         Resistance::ByFriction(most) => {
-            // `most` is the greatest resistance per unit of normal stretch, here scaled to the present force. Friction reaches it if the directions
-            // of slip and friction differ by less than √(2·1e-10) rad. A normal velocity that is rounding may reduce it.
+            // `most` is the greatest resistance per unit of normal stretch, here scaled to the present force. Friction reaches this resistance if the
+            // directions of slip and friction differ by less than √(2·1e-10) rad. A normal velocity that is only rounding may reduce the resistance.
             let most = most * force[0] / local.springs.force_along(0, 1.0);
             -force.dot(velocity) >= most - 1e-10 * most.abs() - force[0] * none
         }
@@ -65,7 +65,7 @@ impl<'g> Pieces<'g> {
         let (mut still, mut gaps, mut fastest) = (Vec::new(), Vec::new(), 0.0);
         for (i, site) in grasp.sites().iter().enumerate() {
             let velocity = site.map.tr_mul(motion);
-            // A contact velocity below this fraction of the largest that the motion could give it is rounding.
+            // A contact velocity is rounding below this fraction of the largest velocity that a motion of this size could give the contact.
             let none = NEGLIGIBLE * site.span_moved(&SVector::zeros(), motion.norm());
             let (local, force) = (self.segment.problem.local(i), &self.node.at.forces[i]);
             still.push(velocity.norm() <= none);

@@ -43,7 +43,7 @@ impl Pieces<'_> {
         violated.min_by(|&i, &j| part(i).total_cmp(&part(j)))
     }
 
-    /// Returns the step that ends where condition `k` is just met and no other is violated.
+    /// Returns the step that ends where the watched condition `k` is just met and no other condition is violated; `None` if no such step is found.
     pub(super) fn locate(
         &self,
         point: &PathPoint,

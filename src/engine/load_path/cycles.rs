@@ -83,7 +83,7 @@ impl<'g> Cycles<'g> {
     /// The program before its first cycle, at the equilibrium under the base load.
     ///
     /// # Errors
-    /// As for [`Grasp::follow`](crate::ask::Grasp::follow), and [`Error::NotClosed`] for legs that do not lead back.
+    /// As for [`Grasp::follow`](crate::ask::Grasp::follow), and [`Error::NotClosed`] for legs that do not lead back to their beginning.
     pub(crate) fn at_rest(
         grasp: &'g Engine,
         (base, legs): (&Wrench<3>, &[Leg<3>]),
@@ -126,7 +126,7 @@ impl<'g> Cycles<'g> {
         is_there.then_some(begun)
     }
 
-    /// Sets how many steps along sliding arcs are allowed on each leg from now on.
+    /// Sets how many integration steps along arcs, on which directions of sliding turn, are allowed on each leg from now on.
     pub(crate) fn allow_steps(&mut self, most_steps: usize) {
         self.path.journey.settings.most_steps = most_steps;
     }
@@ -147,7 +147,7 @@ impl<'g> Cycles<'g> {
         self.path.state()
     }
 
-    /// Follows one cycle; `None` if the path [ends](Self::end) before.
+    /// Follows one cycle; `None` if the path [ends](Self::end) before the cycle is complete.
     pub(crate) fn follow_cycle(&mut self) -> Option<CycleRecord> {
         if self.completed > 0 && self.path.end().is_some() {
             self.path.journey.program.return_to(self.path.journey.grasp, &self.base);
@@ -173,7 +173,7 @@ impl<'g> Cycles<'g> {
             states: Vec::new(),
         };
         for (k, stretch) in behind.iter().enumerate().skip(before) {
-            // Slips at the end of the piece. Those of a jump that follows are counted with the jump, which is a piece of its own.
+            // Slips at the end of the piece. The slips of a jump that follows are counted with the jump, which is a piece of its own.
             let next = behind
                 .get(k + 1)
                 .map(|next| next.jump.as_ref().map_or(&next.problem.slips, |jump| &jump.slips));
@@ -212,7 +212,7 @@ impl CycleState {
 }
 
 impl CycleRecord {
-    /// Adds a piece of the path to the totals; `after` are the slips at its end.
+    /// Adds a piece of the path to the totals. `after` are the slips at its end, and `first` is the index of the cycle's first leg.
     fn add(&mut self, piece: &Stretch<'_>, after: &[SVector<f64, 3>], first: usize) {
         let leg = piece.leg.saturating_sub(first);
         if let Some(jump) = &piece.jump {

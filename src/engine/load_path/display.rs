@@ -114,7 +114,7 @@ impl<const C: usize> fmt::Display for PathEnd<C> {
     }
 }
 
-/// The answer in words, for example "no equilibrium; it is the limit load".
+/// The situation beyond an onset or the end of a path in words, for example "no equilibrium; it is the limit load".
 impl<const C: usize> fmt::Display for Beyond<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let digits = Words::of(f).precision();

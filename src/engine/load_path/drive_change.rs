@@ -2,13 +2,13 @@
 
 use crate::grasp::PartLabel;
 
-/// A joint or a tendon whose drive changes at an event.
+/// A joint or a tendon whose drive changes its state at an event.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct PartChange {
-    /// The joint or tendon whose drive changes.
+    /// The joint or tendon whose drive changes its state.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub part: PartLabel,
     /// The behaviour of the drive from this event on.

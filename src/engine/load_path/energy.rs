@@ -18,16 +18,16 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct LegEnergy {
-    /// Work of the load on the object, `∫ W·dq`.
+    /// Work of the load W on the motion q of the object, `∫ W·dq`.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub load_work: f64,
-    /// Work of the fingers' drives, `Σ ∫ F·du_f`, positive where a finger pushes forward.
+    /// Work of the fingers' drives, `Σ ∫ F·du_f` with the contact forces F and the finger displacements u_f, positive where a finger pushes forward.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub finger_work: f64,
     /// Change of the energy stored in the springs, `Δ Σ ½ F²/k`.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub stored: f64,
-    /// Heat from friction, `Σ ∫ F_t·ds`, plus the energy lost in [jumps](super::Jump), never negative.
+    /// Heat from friction, `Σ ∫ F_t·ds` with the friction forces F_t and the slips s, plus the energy lost in [jumps](super::Jump), never negative.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub dissipated: f64,
     /// Sum of the absolute values of all contributions, piece by piece and contact by contact: the scale for the rounding of the balance, since works
@@ -54,7 +54,7 @@ impl LegEnergy {
         }
     }
 
-    /// Adds the energies of another stretch of the leg.
+    /// Adds the energies of another part of the leg.
     pub(super) fn add_part(&mut self, part: &Self) {
         self.load_work += part.load_work;
         self.finger_work += part.finger_work;
@@ -100,7 +100,7 @@ impl LegEnergy {
         }
     }
 
-    /// Adds the energies of a piece of the path on which all quantities are harmonic functions of the load's angle.
+    /// Adds the energies of a piece of the path on which forces and motions are harmonic functions of the load's angle.
     fn add_turned(&mut self, segment: &Segment, states: &[State], turned: &TurningState, step: f64) {
         let angle = turned.angle * step;
         for k in 0..segment.grasp.size().count() {

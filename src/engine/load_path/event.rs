@@ -27,8 +27,8 @@ pub struct Event<const C: usize> {
     pub fraction: f64,
     /// The load at the event.
     pub load: Wrench<C>,
-    /// Changes, contact by contact. Empty if only a motion has lost its resistance, or if contacts at the start of a leg keep their states although other
-    /// continuations exist. Symmetric grasps change several contacts at once.
+    /// Changes of contact states, contact by contact. Empty if only a motion has lost its resistance, or if contacts at the start of a leg keep their
+    /// states although other continuations exist. Symmetric grasps change several contacts at once.
     pub changes: Vec<ContactChange<C>>,
     /// Changes in the hand, if one holds the object: drives of joints and tendons that yield, hold, slacken or tighten.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
@@ -60,7 +60,7 @@ pub struct Event<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct ContactChange<const C: usize> {
-    /// The contact that changes.
+    /// The contact whose state changes.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: ContactLabel,
     /// The behaviour of the contact from here on.
@@ -91,7 +91,8 @@ pub enum Change<const C: usize> {
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
-    /// A sliding contact turns to another facet or corner of its cone (space, on a polygon; on the round cone it turns continuously).
+    /// A sliding contact turns to another facet or corner of its cone (only in space, on a polygonal cone; on the round cone the direction of sliding
+    /// turns continuously).
     Turns {
         /// The new direction, as for [`Self::Slides`].
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
@@ -159,7 +160,7 @@ impl<const C: usize> PathEnd<C> {
     }
 }
 
-/// The place where an equilibrium cannot be continued.
+/// The place on a load path beyond which its equilibrium cannot be continued.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -229,10 +230,10 @@ pub enum LossKind {
     Fold,
     /// Contacts are on the edge of their cones, and no combination of their states admits rates of forces and motion under the growing load.
     Corner,
-    /// The object moves without bound while the load approaches this one and never reaches it. Directions of sliding have turned along this motion,
-    /// and nothing else resists it.
+    /// The object moves without bound while the load approaches the load of this loss and never reaches it. Directions of sliding have turned along
+    /// this motion, and nothing else resists it.
     Asymptote,
-    /// From here on nothing resists the motion, and the change of the load does work on it.
+    /// From here on nothing resists some motion, and the change of the load does work on this motion.
     GivesWay,
     /// Motions cease to be [small](crate::Settings::small_motions) at this load. What follows is beyond the theory of small motions.
     TooFar,

@@ -91,7 +91,7 @@ impl<T: Face> Face for LegGoal<T> {
 }
 
 impl<const C: usize> OnsetEvent<C> {
-    /// Swaps the fields that have the same type in the engine and for the caller.
+    /// Swaps with `inside` the fields that have the same type in the engine and for the caller.
     pub(crate) fn exchange(&mut self, inside: &mut OnsetEvent<3>) {
         core::mem::swap(&mut self.local, &mut inside.local);
         core::mem::swap(&mut self.drives, &mut inside.drives);

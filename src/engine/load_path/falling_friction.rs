@@ -13,7 +13,7 @@ use crate::prelude::*;
 
 impl<'g> Pieces<'g> {
     /// Lists the present friction cone of every contact, if some have kinetic friction. At the start contacts that slide already get kinetic
-    /// friction, which may cause a jump. If the list exists already, the path is in progress, and the list stays as it is.
+    /// friction, which may cause a jump. If the list exists already, the path is in progress, and the list is not changed.
     pub(super) fn with_falling_friction(mut self, journey: &Journey<'g>) -> Result<Self, PathEnd<3>> {
         let grasp = journey.grasp;
         if self.friction_falls() || grasp.weaker_once_they_slide().next().is_none() {
@@ -62,8 +62,8 @@ impl<'g> Pieces<'g> {
         }
     }
 
-    /// Whether a contact with kinetic friction has all but lost its force. While it is unloaded it alternately sticks and slips, infinitely often
-    /// before its force vanishes.
+    /// Whether one of the contacts in `reached` has kinetic friction and has almost lost its force. While such a contact is unloaded, it alternately
+    /// sticks and slips, infinitely often before its force vanishes.
     pub(super) fn runs_out(&self, reached: &ExitsReached) -> bool {
         let largest = self.segment.largest;
         let is_weaker = |i: usize| self.segment.problem.sites[i].kinetic.is_some();
@@ -101,7 +101,8 @@ impl<'g> Pieces<'g> {
         moved(rest, &|i| (i, Change::Sticks))
     }
 
-    /// Sets the friction of contacts after these changes, and makes the jump that follows if contacts begin to slide with kinetic friction.
+    /// Sets the friction of contacts after the changes of state `changes`, and makes the jump that follows if contacts begin to slide with kinetic
+    /// friction.
     pub(super) fn friction_after(
         &mut self,
         journey: &Journey<'g>,
@@ -112,7 +113,7 @@ impl<'g> Pieces<'g> {
         Ok(self.jump(journey, &begin)?.map(Box::new))
     }
 
-    /// The contacts that begin to slide with kinetic friction below their static friction.
+    /// Those contacts among `changes` that begin to slide with kinetic friction below their static friction.
     pub(super) fn begin_to_slide(&self, changes: &[(usize, Change<3>)]) -> Vec<usize> {
         let problem = &self.segment.problem;
         let falls = |(i, change): &(usize, Change<3>)| {

@@ -88,8 +88,8 @@ pub(super) fn first_to_leave_on_turn(
         return None;
     }
     let mut turned = segment.harmonics(inside, 1.0, &parts);
-    // These solutions are not refined, so each force has the rounding error of the largest force. Cases that this error could change are left to
-    // `sticking_path`.
+    // The solutions under the parts of the load are not refined, so each force has the rounding error of the largest force. Cases that this error
+    // could change are left to `sticking_path`.
     let roughly = parts.map(|part| problem.largest_force(&part.forces, &part.twist));
     let roughly = roughly.parts().into_iter().sum::<f64>();
     for [force, _] in &mut turned.waves {

@@ -51,15 +51,15 @@ impl Rule {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StepGoal {
     factor: f64,
-    /// A step that ends within this fraction of the leg of the goal is extended to it along the tangent.
+    /// A step that ends within this distance of the goal, as a fraction of the leg, is extended to the goal along the tangent.
     near: f64,
 }
 
 impl StepGoal {
     /// The goal of a step after this number of trials that missed it. Implicit steps have large rounding errors and may miss a goal again and again.
     pub(super) fn after(factor: f64, trials: usize) -> Self {
-        // The distance that is covered along the tangent grows after sixteen and after thirty-two trials; the last one is as small as the error of
-        // steps.
+        // The distance that is covered along the tangent grows after sixteen and after thirty-two trials; even the largest distance is as small as
+        // the error of steps.
         let near = match trials / 16 {
             0 => 2e-13,
             1 => 1e-11,
@@ -73,7 +73,7 @@ impl StepGoal {
 pub(super) struct Flow<'s, 'g> {
     arc: Arc<'s, 'g>,
     from: f64,
-    /// The start, with rates for one unit of arclength.
+    /// The state at the start of the step, with rates for one unit of arclength.
     point: &'s PathPoint,
     /// Friction forces of the sliding contacts at the start.
     begin: Vec<SVector<f64, 3>>,

@@ -44,7 +44,7 @@ pub(crate) struct InSlips {
 
 /// The way in which the path of a load ends.
 pub(crate) enum SlipEnd {
-    /// The grasp holds up to the largest load factor asked about.
+    /// The grasp holds up to the largest load factor of the question.
     Held,
     /// This motion is no longer small.
     TooFar(CountedMotion),
@@ -222,8 +222,8 @@ impl Slips<'_> {
         if along.abs() <= NEGLIGIBLE * summed(slips, &|slip| slip.abs()) {
             return None;
         }
-        // With these rates forces balance the load, but contacts slip against friction. The object leaves with the reversed motion, along which they
-        // slip with friction.
+        // With these rates forces balance the load, but contacts slip against friction. The object leaves with the reversed motion, along which
+        // contacts slip with friction.
         let twist = self.twist(rates);
         let motion = &twist * (1.0_f64.copysign(along) / twist.norm());
         self.lost_by(LossKind::Corner, at, &motion, ramp)

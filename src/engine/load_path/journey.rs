@@ -32,7 +32,7 @@ pub(crate) struct Journey<'g> {
 }
 
 impl<'g> Journey<'g> {
-    /// A load program that has not begun yet, from rest under a load.
+    /// A load program that has not begun yet, at the equilibrium under the load `start`.
     pub(super) fn new(grasp: &'g Engine, start: &Wrench<3>, settings: &Settings) -> Result<Self, Error> {
         grasp.load_alone(start, "start load")?;
         settings.small_motions.check()?;

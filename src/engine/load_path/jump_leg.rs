@@ -34,7 +34,7 @@ use crate::search::{Doubt, Found, Settings, Settled, settle};
 pub(super) struct JumpInProgress<'g> {
     /// The leg along which the external force that stands in for the lost friction is removed.
     pub(super) leg: Pieces<'g>,
-    /// Slips before the jump, and the states of all contacts and drives in it so far.
+    /// Slips before the jump, and the states of all contacts and drives in the jump so far.
     record: JumpRecord,
     pub(super) changes: Vec<(usize, Change<3>)>,
     /// Contacts whose gaps have closed at the end of a free motion.
@@ -175,8 +175,8 @@ impl<'g> Pieces<'g> {
         if begin.is_empty() {
             return Ok(None);
         }
-        // Contacts may alternate between sticking and sliding, with a jump each time: the smaller the fall of friction, the more jumps. Their number
-        // is limited.
+        // Contacts may alternate between sticking and sliding, with a jump each time: the smaller the fall of friction, the more jumps. The number of
+        // jumps is limited.
         if self.pace.steps >= journey.settings.most_steps {
             return Err(journey.undecided(self.factor, Doubt::OutOfSteps));
         }
@@ -246,7 +246,7 @@ impl<'g> Pieces<'g> {
         Ok(Jump { changes, slips, reaches, snaps: false, moved, energy_lost: energy.dissipated, state })
     }
 
-    /// Energies of a jump that began with these forces and this twist. What springs do not take up of the work of the load is dissipated.
+    /// Energies of a jump that began with these forces and this twist. The part of the load's work that springs do not take up is dissipated.
     fn energy_of(&self, load: &Vector, forces: &[SVector<f64, 3>], twist: &Vector) -> LegEnergy {
         let works = load.component_mul(&(&self.node.at.twist - twist));
         let mut energy =
@@ -257,7 +257,8 @@ impl<'g> Pieces<'g> {
     }
 }
 
-/// Whether any equilibrium exists at the load at which a jump found none, with the kinetic friction of contacts that slide.
+/// The situation at the load at which a jump found no equilibrium: whether any equilibrium exists there, with the kinetic friction of contacts that
+/// slide.
 pub(super) fn beyond_a_jump(problem: &Problem<'_>, settings: &Settings) -> Beyond<3> {
     match settle(problem, settings).0 {
         Settled::Found(..) => Beyond::Snap,

@@ -221,7 +221,7 @@ impl<const C: usize> Leg<C> {
 }
 
 impl Leg<3> {
-    /// This leg with one command for each point: those of soft fingertips are repeated for all of their points. Links between bodies keep their
+    /// This leg with one command for each point: the command of a soft fingertip is repeated for all of its points. Links between bodies keep their
     /// pretension.
     pub(super) fn of_points(&self, grasp: &Engine) -> Result<Self, Error> {
         let (what, none) = ("commands of a leg", SVector::zeros());

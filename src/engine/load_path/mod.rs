@@ -26,7 +26,7 @@
 //! cone the direction of sliding turns along the way, `ds = γ F_t` with `|F_t| = μ F_n` at all times; slips are integrated with an estimate of the
 //! error.
 //!
-//! A [`Path`] stores the load program, the present place in it, and the end; the type of its reports is a parameter.
+//! A [`Path`] stores the load program, the present place in it, and the end; the type of its items (events or steps) is a parameter.
 //!
 //! | path | advances by | reports | affordable |
 //! |---|---|---|---|

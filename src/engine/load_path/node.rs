@@ -132,16 +132,17 @@ impl Node {
         };
         let Trajectory::Turn { angle, .. } = segment.course else { return at(factor) };
         let mut last = None;
-        // The rates at this angle (rad) beyond the node decide. Smaller angles are tried next, in case another event comes first.
+        // The complementarity problem for the rates at this angle (rad) beyond the node decides. Smaller angles are tried next, in case another event
+        // comes first.
         for little in [1e-3, 1e-5, 1e-7, 1e-9] {
             let decided = at(factor + little / angle);
             let Settled::Found(found, _) = &decided.settled else {
                 last = Some(decided);
                 continue;
             };
-            // At the apex of a round cone the direction of sliding turns with the load. Elsewhere the states must also hold just behind the node. The
-            // distance of 1e-12 rad is the accuracy of an event's angle. Closer to the node, the rate of a load that turns back might have the wrong
-            // sign.
+            // At the apex of a round cone the direction of sliding turns with the load. Elsewhere the contact states found must also solve the
+            // problem just behind the node. The distance of 1e-12 rad is the accuracy of an event's angle. Closer to the node, the rate of a load
+            // that turns back might have the wrong sign.
             let rates_behind = segment.rates(factor + 1e-12 / angle, laws.clone());
             if decided.rates.round
                 || matches!(try_states(&rates_behind, found.states.clone()), Judged::Holds(_))
@@ -185,8 +186,9 @@ impl Node {
         try_states(rates, sliding)
     }
 
-    /// Opens contacts that touch without force and gain none, so that they do not drag the object along. They open if forces are the same without
-    /// them and the object then moves less. If no contact presses at all, and one would slide on the round cone, all contacts that touch open.
+    /// Opens contacts that touch without force and gain no force, so that they do not drag the object along. These contacts open if forces are the
+    /// same without them and the object then moves less. If no contact presses at all, and one would slide on the round cone, all contacts that touch
+    /// open.
     fn without_dragging(&self, rates: &Problem, found: Found) -> Found {
         let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
         // On the round cone the direction of sliding is that of the friction force, which a zero force does not have.

@@ -81,8 +81,8 @@ impl<'g> OnsetMargins<'g> {
         mapped(&self.margins, &|margin| margin.leaver)
     }
 
-    /// The derivative of the load factor by one datum, for each contact or drive that leaves; its units are those of the inverse datum, and those of the
-    /// base load are 1/N and 1/(N m). `None` if [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative of the forces.
+    /// The derivative of the load factor by one datum, for each contact or drive that stops sticking; its units are those of the inverse datum, and
+    /// those of the base load are 1/N and 1/(N m). `None` if [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative of the forces.
     #[must_use]
     pub fn by(&self, parameter: Parameter) -> Option<Vec<f64>> {
         let change = self.response.derivative(&self.state, parameter)?;

@@ -48,7 +48,7 @@ impl Engine {
         self.onset_in_memory(ramp, settings, memory)
     }
 
-    /// [`Self::onset`], with the equilibrium under the base load if it had to be searched for: a path can start from it.
+    /// [`Self::onset`]; also returns the equilibrium under the base load if a search for it was necessary, so that a path can start from it.
     pub(crate) fn onset_from_rest(
         &self,
         ramp: &Ramp<3>,
@@ -142,7 +142,7 @@ impl Engine {
         Some(Problem { slips: local.slips.clone(), ..problem })
     }
 
-    /// The equilibrium at load factor 0 if no contact slides in it.
+    /// The equilibrium at load factor 0, if no contact slides in it; otherwise the error is the answer to the question.
     fn sticking_base(
         &self,
         segment: &Segment<'_>,

@@ -23,7 +23,7 @@ pub(super) struct OnsetMemory {
     pub(super) change: Vec<SVector<f64, 3>>,
     polygon: Option<((Space, PolygonCone), Arc<Polygon>)>,
     pub(super) solution: SolutionMemory,
-    /// The state under the base load. The next fields have its rate, and the state and the offsets at the onset.
+    /// The state under the base load. The next fields have the rate of this state, and the state and the finger offsets at the onset.
     pub(super) base: PieceState,
     pub(super) rate: PieceState,
     pub(super) there: PieceState,
@@ -41,7 +41,7 @@ pub(super) struct OnsetMemory {
 }
 
 impl OnsetMemory {
-    /// The ramp or turn as a [`Segment`], with the rates of offsets in `change`. No contact has slipped yet.
+    /// The ramp or turn as a [`Segment`], with the rates of the finger offsets in `change`. No contact has slipped yet.
     pub(super) fn segment<'g>(
         &mut self,
         grasp: &'g Engine,

@@ -3,7 +3,7 @@
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Order of the error of a step in its length.
+/// The error of a step is proportional to this power of its length.
 const ERROR_ORDER: f64 = 8.0;
 /// The next step has this fraction of the length that the error estimate allows. Its error is then a sixth of the allowed one: few steps are refused,
 /// and errors that add up have a reserve.
@@ -26,7 +26,7 @@ pub(super) struct Pace {
     patience: u8,
     pub(super) steps: usize,
     loosened: u8,
-    /// The allowed error, relative to that of the settings.
+    /// The allowed error, as a multiple of the allowed error of the settings.
     pub(super) looser: f64,
 }
 
@@ -54,8 +54,8 @@ impl Pace {
     pub(super) fn loosen(&mut self, rest: f64) -> bool {
         let may = self.loosened < 2;
         if may {
-            // Rounding may be the reason why steps are refused, so the allowed error grows by this factor, at most twice. The path reports the error
-            // actually made.
+            // Rounding may be the reason why steps are refused, so the allowed error grows by this factor, at most twice. The estimated error of the
+            // path includes the errors actually made.
             (self.loosened, self.looser) = (self.loosened + 1, self.looser * 30.0);
             // First step after the allowed error has been raised, as a fraction of the rest of the leg.
             (self.length, self.refused) = (Some(1e-3 * rest), 0);

@@ -205,7 +205,8 @@ impl<'g, const C: usize, T> Path<'g, C, T> {
         self.0.continue_with(legs)
     }
 
-    /// Whether another equilibrium exists just beyond the loss of this one; `None` if the path has not been lost. See [`Self::beyond`].
+    /// Whether another equilibrium exists just beyond the loss of this one; `None` if the path has not been lost. The search has the limits of the
+    /// path's own settings, see [`Self::beyond_with`].
     #[must_use]
     pub fn beyond(&self) -> Option<Beyond<C>> {
         self.0.beyond(None)

@@ -124,8 +124,8 @@ impl Node {
         segment.largest = segment.largest.max(point.sizes[0]);
         for (i, (line, force)) in point.lines.iter().zip(&end.forces).enumerate() {
             let closed = !self.states[i].is_open();
-            // A sticking contact that began the piece without force has not come to the apex on this piece. One that slides from the apex, still
-            // without force, is there.
+            // A sticking contact that began the piece without force has not come to the apex on this piece. A contact that slides from the apex,
+            // still without force, is at the apex.
             let comes_there = line.force.norm() > 0.0 || self.states[i].slides();
             if closed && comes_there && ActiveSet::is_weightless(force, line.force_size) {
                 self.active_sets[i].apex = true;
@@ -137,7 +137,7 @@ impl Node {
     }
 
     /// While the load turns, removes from active sets the edges from which contacts have moved away since the last event. The rates at that event did
-    /// not show this.
+    /// not reveal this departure.
     fn drop_by_force(&mut self, segment: &Segment<'_>, point: &PathPoint, factor: f64) {
         let offsets = segment.offsets(factor);
         for (i, (active, state)) in self.active_sets.iter_mut().zip(&self.states).enumerate() {

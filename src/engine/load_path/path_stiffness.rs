@@ -141,7 +141,7 @@ impl PathStiffness {
                 if let Some(bordered) = BorderedBand::new(band.clone(), column, row, corner) {
                     return Some(PathFactors::Narrow { order, bordered: Box::new(bordered) });
                 }
-                // The whole bordered matrix is factorised, since T itself is singular at a maximum of the load.
+                // The whole bordered matrix is factorised, since the tangent stiffness itself is singular at a maximum of the load.
                 let mut square = Square::zeros(size);
                 let entry = |(i, j): (usize, usize)| band.entry(order.numbers[i], order.numbers[j]);
                 let places = (0..size.count()).flat_map(|j| (0..size.count()).map(move |i| (i, j)));

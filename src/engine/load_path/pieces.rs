@@ -33,7 +33,7 @@ use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{Doubt, Settings};
 
-/// The method of following behind [`LoadPath`]; it stores all pieces that the path has passed.
+/// The method that follows a load program for a [`LoadPath`], piece by piece. It stores all pieces that the path has passed.
 #[derive(Debug)]
 pub(crate) struct Pieces<'g> {
     pub(super) factor: f64,
@@ -176,7 +176,7 @@ impl<'g> Follower<'g> for Pieces<'g> {
 }
 
 impl<'g> Pieces<'g> {
-    /// Starts at the equilibrium of the problem, if there is one.
+    /// Starts the path at the equilibrium that solves `problem`. If there is none, the error is the end of the path.
     pub(super) fn at_start(journey: &Journey<'g>, problem: &Problem<'g>) -> Result<Self, PathEnd<3>> {
         let found = journey.start(problem)?;
         // The path has not begun: load and commands have no rates yet.
@@ -261,7 +261,7 @@ impl<'g> Pieces<'g> {
             return Ok(None);
         }
         let Some(state) = before.or_else(|| self.present_state(journey)) else { return Ok(None) };
-        // If all forces vanish together, what remains of them is rounding, and residuals relative to it mean nothing.
+        // If all forces vanish together, the remaining forces are rounding, and residuals relative to them mean nothing.
         let largest = largest(&state.contacts, &|contact| contact.force.norm());
         let carries = largest > WEIGHTLESS * self.segment.largest
             && self.node.at.forces.iter().any(|force| force.norm() > 0.0);
@@ -281,7 +281,7 @@ impl<'g> Pieces<'g> {
         }))
     }
 
-    /// The equilibrium at the present place in the present states.
+    /// The equilibrium at the present place with the present contact states.
     pub(super) fn present_state(&self, journey: &Journey<'g>) -> Option<Equilibrium<3>> {
         self.state_on(&self.present_stretch(journey)?, self.factor)
     }
@@ -291,7 +291,7 @@ impl<'g> Pieces<'g> {
         let point =
             match &self.point {
                 Some(point) => point.clone(),
-                // If the path does not continue, there are no rates along the leg: load and commands are held constant.
+                // If the path does not continue, no rates along the leg exist: load and commands are then held constant.
                 None => self.node.point_at(&self.segment, self.factor, None).ok().or_else(|| {
                     self.node.point_at(&self.segment.at_rest(self.factor), self.factor, None).ok()
                 })?,

@@ -7,7 +7,7 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::object::{Piece, PieceState};
 
 impl Segment<'_> {
-    /// The rates with velocities along free motions (which nothing resists) as in `pushed`.
+    /// The rates of forces and twist, with the velocities of `pushed` along free motions (which nothing resists).
     pub(super) fn pushed_along(
         &self,
         piece: &Piece,

@@ -13,7 +13,7 @@ use crate::numerics::mapped;
 use crate::prelude::*;
 
 /// A load and finger commands that grow in proportion to a factor τ >= 0. The load is `base + τ direction`; commands are those of the grasp plus τ
-/// times their change. τ has no unit; with a direction of 1 N it counts newtons.
+/// times their change. τ has no unit; with a direction of 1 N it is the load in newtons.
 ///
 /// ```
 /// use grasp_lcp::planar::{Ramp, Wrench};
@@ -59,7 +59,7 @@ impl<const C: usize> Ramp<C> {
         self
     }
 
-    /// Multiplies base and direction of the load by a factor; changes of commands stay as they are.
+    /// Multiplies base and direction of the load by a factor; the changes of commands are not multiplied.
     ///
     /// ```
     /// use grasp_lcp::planar::{Ramp, Wrench};
@@ -107,7 +107,7 @@ impl<const C: usize> Ramp<C> {
 }
 
 impl Ramp<3> {
-    /// Rates of the offsets of all contacts and drives of a grasp, for each unit of the load factor.
+    /// Rates of the finger offsets (commands minus clearances) of all contacts and drives of a grasp, for each unit of the load factor.
     pub(crate) fn offset_changes(&self, grasp: &Engine) -> Result<Vec<SVector<f64, 3>>, Error> {
         let mut changes = Vec::new();
         self.offset_changes_into(grasp, &mut changes)?;

@@ -78,7 +78,7 @@ impl Response {
         let command = DVector::from_vec(self.least_combination(Size::of(wanted.len()), wanted));
         let wanted = DVectorView::from_slice(wanted, wanted.len());
         let missed = (&self.twist * &command - wanted).norm();
-        // The fingers can produce a twist if commands miss it by at most this fraction of it.
+        // The fingers can produce a twist if the best commands miss it by at most this fraction of its size.
         (missed <= NEGLIGIBLE * wanted.norm()).then_some(command)
     }
 

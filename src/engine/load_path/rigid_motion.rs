@@ -65,8 +65,8 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     if motion.norm() > NO_RIGID_MOTION * load.norm() {
         return Some(motion.normalize());
     }
-    // Near a limit load, contact forces almost balance the load, and the motion above is only rounding. The motion is then the one along the load in
-    // which contacts at their friction limit slide, other pressing ones stick, and none comes nearer.
+    // Near a limit load, contact forces almost balance the load, and the motion computed above is only rounding. The motion is then the one along the
+    // load in which contacts at their friction limit slide, other pressing contacts stick, and no contact comes nearer.
     let largest = pushes.r.amax();
     for (k, &i) in touching.iter().enumerate() {
         let push = pushes.r.rows(axes * k, axes);
@@ -85,10 +85,10 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     (free.norm() > NO_RIGID_MOTION * load.norm()).then(|| free.normalize())
 }
 
-/// Adds a motion to the basis of resisted ones, unless it depends on them.
+/// Adds a motion to the basis of resisted motions, unless it depends linearly on the basis.
 fn resist(basis: &mut Vec<Vector>, motion: &Vector) {
     let rest = orthogonal_part(motion.clone(), basis);
-    // A direction depends on the others if less than this fraction of it remains after their components are removed.
+    // A motion depends linearly on the basis if less than this fraction of it remains after its components along the basis are removed.
     if rest.norm() > 1e-9 * motion.norm() {
         basis.push(rest.normalize());
     }

@@ -37,7 +37,7 @@ pub(super) struct PathPoint {
     pub(super) twist_rate: Vector,
     /// Rate of the load factor: one on a straight piece, less along an arc.
     pub(super) factor_rate: f64,
-    /// Motions that stretch no spring in these states.
+    /// Motions that stretch no spring in the present contact states.
     pub(super) free_motions: Vec<Vector>,
     pub(super) neutral_motions: Vec<Vector>,
     /// The linear problem for forces and motion while contacts keep their states.
@@ -163,7 +163,7 @@ impl<'g> Segment<'g> {
             let (stretch, stretching) =
                 (site.stretch(&offsets[i], &twist), site.stretch(&change[i], &rate.twist));
             let span_rate = site.span_moved(&change[i], norm_of_rate);
-            // Offsets have the accumulated slips subtracted. If both cancel, the rounding of the slips remains.
+            // Accumulated slips are subtracted from the finger offsets. If both cancel, the rounding of the slips remains.
             let memory = self.problem.slips[i].norm();
             let span_here = site.span_moved(&offsets[i], norm);
             let span =
@@ -218,7 +218,7 @@ impl<'g> Segment<'g> {
         self.problem.local(contact).step_to_exit(exit, &at.forces[contact], &point.lines[contact].rate)
     }
 
-    /// The offsets at a load factor.
+    /// The finger offsets (commands minus clearances and accumulated slips) at a load factor.
     pub(super) fn offsets(&self, factor: f64) -> Vec<SVector<f64, 3>> {
         let mut offsets = Vec::new();
         self.offsets_into(factor, &mut offsets);

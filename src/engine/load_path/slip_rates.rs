@@ -133,8 +133,8 @@ impl Slips<'_> {
         self.grasp.counted_motions(&self.small, &standing)
     }
 
-    /// The largest ratio among [`Self::motions`] of a motion to its limit. The rotation is given by the last coordinates of the twist, since the
-    /// object is alone.
+    /// The largest ratio among [`Self::motions`] of a motion to its limit. The rotation is given by the last coordinates of the twist, since the only
+    /// coordinates are those of one object.
     pub(super) fn far(&self, at: &[f64]) -> f64 {
         let space = self.grasp.space();
         let mut turned = 0.0;

@@ -1,4 +1,4 @@
-//! A step of a load path that is followed in the slips of sliding contacts (`in_slips`), and the first event within it.
+//! A step of a load path whose unknowns are the slips of sliding contacts (see `in_slips`), and the first event within the step.
 
 use super::slip_rates::Slips;
 use super::tolerances::LITTLE_NORMAL_FORCE;
@@ -75,8 +75,8 @@ impl Slips<'_> {
         None
     }
 
-    /// The step that ends where condition `k` becomes zero, or another one that does so before, with the index of that condition. Each trial ends at
-    /// the root of the cubic through values and slopes at both ends of a bracket; mostly the first trial is close enough.
+    /// The step that ends where condition `k` becomes zero, or where another condition becomes zero before, with the index of that condition. Each
+    /// trial ends at the root of the cubic through values and slopes at both ends of a bracket; mostly the first trial is close enough.
     fn located(
         &self,
         from: (&[f64], &[f64]),

@@ -69,8 +69,8 @@ impl<'g> Pieces<'g> {
         self.end_of_small_motions = found.and_then(end);
     }
 
-    /// The leg and fraction from which every contact with friction and a normal force slides, up to the place `until`; `None` if one sticks just
-    /// before it.
+    /// The leg and fraction from which every contact with friction and a normal force slides, up to the place `until`; `None` if such a contact
+    /// sticks just before `until`.
     pub(super) fn pieces_all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
         let mut since = None;
         for piece in self.behind.iter().rev() {

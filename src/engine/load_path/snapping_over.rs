@@ -7,10 +7,10 @@
 //! Σ G_i K_i G_iᵀ dq/dt = R(q),      R(q) = Σ G_i F_i(a_i - s_i - G_iᵀq) + W
 //! ```
 //!
-//! A step of length h solves `(T + D/h) Δq = R`, where D is the matrix on the left and T the tangent stiffness; then every contact remembers what it
-//! has slipped. Steps grow as long as the imbalance after them is nearly the expected one, D Δq/h. Once forces nearly balance, the rest of R is
-//! removed along a leg of its own, as in [`super::jump_leg`], and the path continues from there. If the motion would not be small it is not made, and
-//! the load counts as lost.
+//! A step of length h solves `(T + D/h) Δq = R`, where D is the matrix on the left and T the tangent stiffness; then every contact stores its slip.
+//! Steps grow as long as the imbalance after them is nearly the expected one, D Δq/h. Once forces nearly balance, the rest of R is removed along a
+//! leg of its own, as in [`super::jump_leg`], and the path continues from there. If the motion would not be small it is not made, and the load counts
+//! as lost.
 
 use nalgebra::SVector;
 
@@ -50,8 +50,8 @@ pub(super) struct RestsAgain<'g> {
 }
 
 impl<'g> RestsAgain<'g> {
-    /// Moves the object, as viscous contacts would let it, from a twist at which forces do not balance until they do. `None` if the motion is not
-    /// small, or does not end.
+    /// Moves the object, as viscous contacts would let it, from a twist at which forces do not balance to one at which they do. `None` if the motion
+    /// is not small, or does not end.
     pub(super) fn near(
         grasp: &Engine,
         small: &SmallMotions,

@@ -152,7 +152,8 @@ impl StickingPath<'_> {
     }
 }
 
-/// The active sets (the edges that contacts are on) after these exits. In the list, a contact without an exit touches without force.
+/// The active sets (the edges of their cones that contacts are on) after the exits in `at_edge`. In this list, a contact without an exit touches
+/// without force.
 fn active_sets_after(
     axes: usize,
     states: &[State],

@@ -15,7 +15,7 @@ impl Pieces<'_> {
         [Mode::Sticking, slides].into_iter().all(|state| self.fails_at_once(contact, state, tolerance))
     }
 
-    /// Whether a contact in this state clearly breaks its condition after every accurate trial step, however short.
+    /// Whether a contact in the state `state` clearly violates the condition of this state after every accurate trial step, however short.
     fn fails_at_once(&self, contact: usize, state: State, tolerance: f64) -> bool {
         let mut states = self.node.states.clone();
         states[contact] = state;
@@ -39,7 +39,7 @@ impl Pieces<'_> {
                 return false;
             }
             failures += 1;
-            // Three accurate trial steps must clearly break the condition.
+            // Three accurate trial steps must clearly violate the condition of the state.
             if failures == 3 {
                 return true;
             }

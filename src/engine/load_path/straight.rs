@@ -1,5 +1,5 @@
-//! Advance along a piece without sliding on a round cone. All quantities are affine in the fraction of the leg, and the next event is a ratio test.
-//! While the load turns they are harmonics of its angle, and the event is a root ([`super::turning_load`]).
+//! Advance along a piece without sliding on a round cone. Forces and motions are affine in the fraction of the leg, and a ratio test gives the next
+//! event. While the load turns they are harmonics of its angle, and the event is a root ([`super::turning_load`]).
 
 use super::event::PathEnd;
 use super::first_exits::ExitsReached;

@@ -68,7 +68,8 @@ pub(super) struct ArcStep {
 }
 
 impl<'g> Stretch<'g> {
-    /// The equilibrium at a fraction of the leg, with all contacts open that carry no force. `None` if a step to this fraction fails because of rounding.
+    /// The equilibrium at a fraction of the leg, in which contacts without force count as open. `None` if a step to this fraction fails because of
+    /// rounding.
     pub(super) fn state_at(
         &self,
         grasp: &'g Engine,
@@ -82,7 +83,8 @@ impl<'g> Stretch<'g> {
         Some(self.answer(grasp, answer_for, fraction, &problem, found))
     }
 
-    /// The equilibrium at the end of the piece of the path, with the contact states that it has on the piece; the event there lists their changes.
+    /// The equilibrium at the end of the piece of the path, with the contact states along the piece; the event at its end lists the changes of these
+    /// states.
     pub(super) fn state_before_event(
         &self,
         grasp: &'g Engine,

@@ -86,7 +86,7 @@ struct FewRows {
     form: Form,
     /// The largest force of the elastic trial state, in units of the form's slacks.
     largest: f64,
-    /// Whether there are so many coordinates that a band is used.
+    /// Whether there are so many coordinates that band matrices are used.
     many: bool,
 }
 

@@ -34,8 +34,8 @@ pub struct Turn<const C: usize> {
     pub(super) load: Harmonic<Wrench<C>>,
     /// Angle of the turn, rad.
     pub(super) angle: f64,
-    /// The axis about which the bodies of a scene are tilted under their own weight, which then takes the place of `load`; the weight is known only
-    /// to the scene that asks.
+    /// The axis about which the bodies of a scene are tilted under their own weight, which then takes the place of `load`; only the scene knows this
+    /// weight.
     pub(crate) tilts_bodies_about: Option<SVector<f64, 3>>,
 }
 
@@ -156,7 +156,7 @@ impl<const C: usize> Turn<C> {
         Ok(())
     }
 
-    /// A force that turns, from its parts along the axis, at θ = 0 and a quarter turn later.
+    /// A force that turns, from its constant part along the axis, its turning part at θ = 0, and this part a quarter turn later.
     fn of_forces(parts: [SVector<f64, C>; 3], wrench: impl Fn(SVector<f64, C>) -> Wrench<C>) -> Self {
         let [constant, cosine, sine] = parts.each(wrench);
         Self::new(constant, cosine, sine)

@@ -186,7 +186,7 @@ impl<'g> Pieces<'g> {
         // Forces that would double within this fraction of the rest of the leg are rounding of vanishing forces.
         let way = if force_way > SOLVED_ROUNDING * rest { rest.min(force_way) } else { rest };
         // The first step from an apex is this fraction of the length along which forces change by their own size. Directions of friction meanwhile
-        // turn by about the square of it.
+        // turn by about the square of this fraction.
         self.node.starts_at_apex.then_some(1e-6 * way)
     }
 
@@ -255,7 +255,7 @@ impl<'g> Pieces<'g> {
                 }
                 // At the end of a leg a slip rate of this leg does not matter any more.
                 _ if leg_done => {}
-                // Where the load itself turns back, all slips stop. The rates ahead then decide which contacts slide on.
+                // Where the load itself turns back, all slips stop. The rates of the load slightly ahead then decide which contacts slide on.
                 _ if self.segment.load_turns_back(to) => stops = true,
                 _ => sticks.push(contact),
             }

@@ -18,7 +18,7 @@ impl Segment<'_> {
     /// Whether the load turns back at a load factor: its rate vanishes there.
     pub(super) fn load_turns_back(&self, factor: f64) -> bool {
         let Trajectory::Turn { load, angle } = &self.course else { return false };
-        // A rate below this fraction of the fastest counts as zero, since the angle is known to the rounding of a full turn.
+        // A rate of the load below this fraction of its fastest rate counts as zero, since the angle is known to the rounding of a full turn.
         load.rate_at(angle * factor).norm() <= SOLVED_ROUNDING * (load.cosine.norm() + load.sine.norm())
     }
 
@@ -94,7 +94,7 @@ impl Segment<'_> {
             let of = states.map(|(offsets, _, part)| sites[i].stretch(&offsets[i], &part.twist));
             let spans = states.map(|(offsets, _, part)| sites[i].span(&offsets[i], &part.twist));
             let turning_size = spans.cosine + spans.sine;
-            // Offsets have the accumulated slips subtracted. If both cancel, the rounding of the slips remains.
+            // Accumulated slips are subtracted from the finger offsets. If both cancel, the rounding of the slips remains.
             let size = problem.slips[i].norm() + spans.constant + turning_size;
             [force, Wave { of, size, turning_size }]
         };

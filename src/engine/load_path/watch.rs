@@ -75,7 +75,7 @@ pub(super) fn watch(
     (factor, point): (f64, &PathPoint),
 ) -> Vec<Watch> {
     // The rate of the load factor, at most 1, counts as zero up to 1e-8. Near a maximum the load factor itself then changes by less than the square
-    // of that.
+    // of this rate.
     let mut list = vec![
         Watch {
             what: WatchedCondition::Growth,

@@ -13,7 +13,7 @@ use crate::words::{Words, opens};
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct WholeChange<const C: usize> {
-    /// The contact that changes.
+    /// The contact whose state changes.
     pub contact: ContactLabel,
     /// The behaviour of the contact from here on.
     pub what: PadChange<C>,
@@ -99,8 +99,8 @@ impl<const C: usize> WholeChange<C> {
 }
 
 impl<const C: usize> Event<C> {
-    /// The changes, with the points of a soft fingertip taken together and described by the first and the last of them. Empty if only points in
-    /// between change.
+    /// The changes at this event, contact by contact: the points of a soft fingertip are taken together, and described by the first and the last
+    /// point that change. Empty if only points in between change.
     #[must_use]
     pub fn whole_changes(&self) -> Vec<WholeChange<C>> {
         whole_changes(&self.state, &self.changes)

@@ -120,7 +120,7 @@ impl Bounded {
     }
 }
 
-/// De Casteljau's halves of a piece.
+/// The two halves of a piece of the cubic, by De Casteljau's algorithm.
 fn halves(points: &Points) -> [Points; 2] {
     let mean = |a: &SVector<f64, 3>, b: &SVector<f64, 3>| (a + b) * 0.5;
     let [p, q, r, s] = points;

@@ -126,7 +126,7 @@ impl EnergyCoordinates {
         (first, count)
     }
 
-    /// The conditions of a contact: `x_n >= 0` if it may open, then its facets.
+    /// The conditions of a contact: `x_n >= 0` for its normal force x_n if it may open, then its facets.
     #[inline]
     pub(crate) fn pairs(&self, contact: &EnergyContact) -> &[Facet] {
         let first = contact.first as usize;
@@ -144,7 +144,7 @@ pub(crate) struct Slipping {
 }
 
 impl Slipping {
-    /// Slips across one facet or two neighbouring ones, or none.
+    /// A contact that slips across one facet, two neighbouring facets, or none.
     pub(crate) fn new(facets: [Option<&Facet>; 2]) -> Self {
         let zero = SVector::zeros();
         let rows = facets.each(|facet| facet.map_or(zero, |facet| facet.row));
@@ -159,7 +159,7 @@ impl Slipping {
         slipping
     }
 
-    /// Slips across given facets; `None` for more than two, or for nearly parallel ones.
+    /// A contact that slips across the given facets; `None` for more than two, or for nearly parallel facets.
     pub(crate) fn independent<'f>(mut facets: impl Iterator<Item = &'f Facet>) -> Option<Self> {
         let pair = [facets.next(), facets.next()];
         match pair {

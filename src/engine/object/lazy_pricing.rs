@@ -43,7 +43,7 @@ impl Point {
         Self { y: &self.y + &direction.y * times, s: self.s + direction.s * times }
     }
 
-    /// The direction of length one, or zero.
+    /// This direction scaled to length one; a zero direction stays zero.
     pub(crate) fn direction(&self) -> Self {
         let size = self.size();
         if size > 0.0 { Self { y: &self.y / size, s: self.s / size } } else { self.clone() }
@@ -73,8 +73,8 @@ pub(crate) struct LazyPricing {
 }
 
 impl LazyPricing {
-    /// Queues all contacts for a path in this direction; `slack(contact, e)` returns the waiting time of a contact on the clock, and a stamp by which
-    /// the caller recognises an outdated entry.
+    /// Queues all contacts for a path in this direction; `slack(contact, e)` returns, for the direction e, the waiting time of a contact on the
+    /// clock, and a stamp by which the caller recognises an outdated entry.
     pub(crate) fn line_up(
         &mut self,
         contacts: usize,

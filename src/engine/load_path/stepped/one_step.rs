@@ -60,7 +60,7 @@ pub(super) struct StepProblem<'g> {
     /// Commands minus clearances at the beginning of the leg, and their change along it.
     offsets: [Vec<SVector<f64, 3>>; 2],
     pub(super) course: Trajectory<Vector>,
-    /// Stretches of the contacts before a step. The next field has their responses after it.
+    /// Stretches of the contacts before a step. The next field has the force and state of each contact after the step.
     before: Vec<SVector<f64, 3>>,
     answers: Vec<ContactResponse>,
 }

@@ -9,7 +9,7 @@ use crate::numerics::Vector;
 /// The state of the step control along a leg.
 #[derive(Debug, Clone)]
 pub(super) struct StepPace {
-    /// Rate of the twist per unit of the fraction, from the last step.
+    /// Rate of the twist per unit of the fraction of the leg, from the last step.
     pub(super) rate: Option<Vector>,
     /// Record of the speeds of the object along the leg.
     pub(super) speeds: Speeds,

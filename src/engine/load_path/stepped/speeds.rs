@@ -1,6 +1,7 @@
 //! Speeds of the object as the load grows, towards the end of a path.
 //!
-//! Towards a load that is never exceeded the speed grows without bound, as a power of the remaining distance δ:
+//! Towards a load that is never exceeded the speed grows without bound, as a power of the remaining distance δ. With the displacement q and a power
+//! p:
 //!
 //! ```text
 //! a maximum of the load      q ~ δ^{1/2}                  dq/dδ ~ δ^{-1/2}

@@ -82,8 +82,8 @@ impl<'g> Steps<'g> {
         let rounding = 1e-13;
         let part = |i: usize| {
             let so_far = (from.forces[i] - self.coarse.present.forces[i]).norm() / largest;
-            // A step may use this fraction of a contact's remaining budget. With a larger one, a few steps would use it up, and later steps would
-            // have as little as if errors never decayed. With a smaller one, steps are shorter than necessary.
+            // A step may use this fraction of a contact's remaining budget. With a larger fraction, a few steps would use up the budget, and later
+            // steps would have as little as if errors never decayed. With a smaller fraction, steps are shorter than necessary.
             let allowed = even.max(0.05 * (budget - so_far)).max(rounding);
             (to.forces[i] - at_once.forces[i]).norm() / largest / allowed
         };

@@ -22,7 +22,7 @@ use crate::search::{Found, Settings};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// The method of following behind [`SteppedPath`].
+/// The method that follows a load program for a [`SteppedPath`], in steps.
 #[derive(Debug)]
 pub(crate) struct Steps<'g> {
     /// The equilibrium problem at the end of a step.
@@ -37,7 +37,7 @@ pub(crate) struct Steps<'g> {
     pub(super) error: f64,
     /// A second path with the same steps, each made as a whole instead of in two halves. Its distance from this path measures the error.
     pub(super) coarse: Coarse,
-    /// Largest error that both paths may have in common, divided by the largest force.
+    /// Largest error that this path and the second one may have in common, divided by the largest force.
     pub(super) unseen: f64,
     /// Sum of the changes of forces along the path, divided by the largest force.
     pub(super) way: f64,
@@ -65,7 +65,7 @@ pub struct Step<const C: usize> {
     pub error: f64,
 }
 
-/// Refuses an error of a leg that is out of range.
+/// Refuses an allowed error for a leg of the program if it is out of range.
 pub(crate) fn check_leg_error(what: &'static str, value: f64) -> Result<(), Error> {
     if (1e-9..=1.0).contains(&value) {
         Ok(())
@@ -99,7 +99,7 @@ impl Engine {
     }
 }
 
-/// The state of a path at an equilibrium, from which it starts; slips so far become slip memory.
+/// The state at the start of a path, the equilibrium `found`; slips so far become slip memory.
 fn at_start(problem: &Problem<'_>, found: Found) -> SteppedState {
     let slip = |(i, state): (usize, &crate::contact::State)| {
         let springs = &problem.sites[i].springs;
