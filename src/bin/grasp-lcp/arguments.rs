@@ -346,8 +346,8 @@ pub(crate) struct Wanted {
     /// Contacts may slide, as long as the object is held, which is the default; with --repeats they may slide to and fro in every cycle.
     #[arg(long)]
     pub(crate) may_slide: bool,
-    /// The load is applied and removed again and again, until the object comes to rest; with --may-slide the object only must not move farther in
-    /// every cycle.
+    /// The load is applied and removed again and again, until the object comes to rest; with --may-slide contacts may slide to and fro in every
+    /// cycle, but the object must not move farther.
     #[arg(long)]
     pub(crate) repeats: bool,
     /// Safety factor on the load, for the safe value in the answer.

@@ -62,7 +62,7 @@ pub struct Equilibrium<const C: usize> {
     /// Motion of the object from its place before load and commands: translation of the origin (m) and rotation (rad). If `free_motions` remain, it
     /// has the least norm that gaps and slips allow; on a load path it is nearest to the last place of the object. The norm is about the centroid of
     /// the contact points, with lengths in units of their root mean square distance from it. The displacement of a joint counts times its reference
-    /// length, a power of two near the largest motion of its contacts per radian.
+    /// length, a power of two near the largest motion of a contact per unit of the joint.
     pub twist: Twist<C>,
     /// The motion of each of [several bodies](crate::grasp::Bodies); `twist` is then the motion of the body on which loads act. Empty for one object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]

@@ -36,9 +36,9 @@ pub struct ContactAnswer<const C: usize> {
     /// is the displacement of the surfaces past each other.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub slip: SVector<f64, C>,
-    /// Friction in reserve of a sticking contact, N: `μ F_n - |F_t|` in the plane and on the round cone, on a polygonal cone the least of `μ F_n -
-    /// h·F_t` over its facet normals h. Infinite if the contact is bonded or has infinite friction. Zero for a sliding, separated or frictionless
-    /// contact.
+    /// Friction in reserve of a sticking contact, N: `μ F_n - |F_t|` in the plane and on the round cone, on a polygonal cone the least of
+    /// `μ F_n - h·F_t` over its facet normals h. Infinite if the contact is bonded or has infinite friction. Zero for a sliding, separated or
+    /// frictionless contact.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
     /// Whether working precision distinguishes the state from neighbouring states, such as sticking from sliding, see

@@ -220,7 +220,7 @@ impl Engine {
         (object..count).map(|k| sums[k].abs() / sizes[k].max(force_size)).fold(0.0, f64::max)
     }
 
-    /// Relative imbalance of the forces and moments on the object: divided by the sum of the absolute values of its terms, plus `spring_force`. This
+    /// Relative imbalance of the forces and moments on the object: divided by the sum of the absolute values of its terms, plus `spring_force`, which
     /// is at least the force that the displacements of the contacts could cause in a spring.
     fn out_of_balance(&self, load: &Wrench<3>, answers: &[ContactAnswer<3>], spring_force: f64) -> f64 {
         let (space, axes) = (self.space(), self.space().axes());

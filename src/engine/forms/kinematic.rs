@@ -1,7 +1,7 @@
 //! The kinematic form (see [`super`]): jumps, gaps and slips, on top of the elastic trial state.
 //!
-//! With the grasp map G and the diagonal matrix K of all stiffnesses, the matrix P of the form is a projection. It is computed by orthogonal factors
-//! Q and R, whose accuracy does not depend on stiffness ratios:
+//! With the grasp map G and the diagonal matrix K of all stiffnesses, the matrix P of the form contains the projection I - Q Qᵀ. It is computed by
+//! orthogonal factors Q and R, whose accuracy does not depend on stiffness ratios:
 //!
 //! ```text
 //! P = K - K Gᵀ (G K Gᵀ)⁻¹ G K = K^{1/2} (I - Q Qᵀ) K^{1/2},   K^{1/2}Gᵀ = Q R

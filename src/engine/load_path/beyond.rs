@@ -180,7 +180,7 @@ fn from_scratch<'g>(
     // Distances are tried in turn, since at a short one the search on the round cone may not decide.
     for part in [LITTLE_BEYOND, 1e-4, 1e-2] {
         match settle(&past(part), settings).0 {
-            // At a larger distance the search would exceed the number of pivots again.
+            // At a larger distance the search would exceed the allowed number of pivots again.
             Settled::Undecided(Doubt::OutOfPivots) => return Beyond::Undecided { doubt: Doubt::OutOfPivots },
             Settled::Undecided(doubt) => why = doubt,
             Settled::Found(found, _) => {

@@ -37,11 +37,11 @@ struct Turning {
     across: SVector<f64, 3>,
     /// The change of the rate of the contact force as the friction force turns, N for one radian and one unit of arclength.
     change: SVector<f64, 3>,
-    /// The wrench on the object of the force `change`.
+    /// The wrench on the object if the contact force is `change`.
     push: Vector,
     /// The change of the force component along `across` per unit of stretch, N/m, axis by axis.
     gradient: SVector<f64, 3>,
-    /// The wrench on the object of the vector `gradient`.
+    /// The wrench on the object if the contact force is the vector `gradient`.
     pull: Vector,
 }
 

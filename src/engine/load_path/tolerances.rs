@@ -29,8 +29,8 @@ pub(super) const MOST_SNAPPING_STEPS: usize = 1000;
 /// The largest number of times that an object snaps over on a leg. If it snaps over more often, the load counts as lost.
 ///
 /// Steps of the load double where the object sticks and snaps over again and again: twenty lead from the shortest step to the whole leg, and forty
-/// more to the load at which it is lost. Each time takes as long as a whole question whether the load is held, since no rates of forces and motion
-/// must be found first.
+/// more to the load at which it is lost. Each time takes as long as a whole question whether the load is held, since the search for rates of forces
+/// and motion must fail first.
 pub(super) const MOST_SNAPS: usize = 64;
 
 /// While an object snaps over, a step is accepted if the imbalance after it differs from the expected one by less than this fraction of the imbalance

@@ -121,8 +121,8 @@ impl BandPiece {
         Some(Self { numbers, springs: lists, right, left, factors })
     }
 
-    /// Lets the object give way until forces balance the load W = `wrench`: replaces the spring forces x by `x - A q` and returns the twist `q = T⁻¹
-    /// (Bᵀx + W)`, with the tangent stiffness T and its factors A and B.
+    /// Lets the object give way until forces balance the load W = `wrench`: replaces the spring forces x by `x - A q` and returns the twist
+    /// `q = T⁻¹ (Bᵀx + W)`, with the tangent stiffness T and its factors A and B.
     pub(super) fn respond(&self, x: &mut [f64], wrench: &Vector) -> Vector {
         let mut q = vec![0.0; self.numbers.len()];
         wrench.iter().zip(&self.numbers).for_each(|(w, k)| q[*k] = *w);

@@ -119,8 +119,8 @@ impl Piece {
     }
 }
 
-/// For a contact that slides on the round cone: the component of its residual displacement w perpendicular to the friction force, `c·w` with `c =
-/// (-F_2, F_1) / |F_t|`. The direction is taken from the force, since w may have any direction before convergence.
+/// For a contact that slides on the round cone: the component of its residual displacement w perpendicular to the friction force, `c·w` with
+/// `c = (-F_2, F_1) / |F_t|`. The direction is taken from the force, since w may have any direction before convergence.
 struct Across {
     along: [DoubleDouble; 3],
     length: f64,
