@@ -30,8 +30,8 @@ impl Engine {
         Some(Derivative { twist, joints, forces })
     }
 
-    /// The linear response of the grasp in the contact states of an equilibrium, with the forces and the motion of that equilibrium. `None` if it has
-    /// another number of contacts than the grasp.
+    /// The linear response of the grasp in the contact states of an equilibrium, with the forces and the motion of that equilibrium. `None` if the
+    /// equilibrium has another number of contacts than the grasp.
     pub(super) fn response_of(
         &self,
         equilibrium: &Equilibrium<3>,
