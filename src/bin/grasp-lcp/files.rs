@@ -32,7 +32,7 @@ pub(crate) fn read(path: &Path) -> Result<Scene, Failure> {
     Ok(scene)
 }
 
-/// The bytes of a file. If `path` is a folder, the error says that it must be `wanted`.
+/// The bytes of a file. If `path` is a folder, the error says that the path must be `wanted`.
 pub(crate) fn bytes(path: &Path, wanted: &str) -> Result<Vec<u8>, Failure> {
     fs::read(path).map_err(|error| {
         let fault = if path.is_dir() { format!("is a folder, must be {wanted}") } else { error.to_string() };

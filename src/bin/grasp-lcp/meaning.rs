@@ -12,7 +12,8 @@ use grasp_lcp::spatial::{Turn, Wrench};
 use grasp_lcp::squeeze::Loads;
 use std::collections::BTreeMap;
 
-/// Replaces the scene's questions by that of the command line. If the command line has no load, the scene's questions of the same kind are kept.
+/// Replaces the scene's questions by the question of the command line. If the command line has no load, the scene's questions of the same kind are
+/// kept.
 pub(crate) fn put(setup: &mut Setup<3>, asked: &Command) -> Result<(), Failure> {
     let words = Meaning { axes: setup.axes() };
     let question = match asked {
@@ -128,7 +129,7 @@ fn of_the_scene(setup: &Setup<3>, asked: &Command) -> Vec<Question<3>> {
     }
 }
 
-/// The question whether the object is at rest without any load, if neither the command line nor the scene has a question.
+/// The question whether the object is in equilibrium without any load, if neither the command line nor the scene has a question.
 fn at_rest(asked: &Command) -> Option<Question<3>> {
     let (load, together_with) = (Wrench::ZERO, BTreeMap::new());
     match asked {

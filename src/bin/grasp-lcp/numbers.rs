@@ -75,27 +75,27 @@ impl std::str::FromStr for BodyPush {
     }
 }
 
-/// A mass, kg.
+/// Parses a mass, kg.
 pub(crate) fn kilograms(text: &str) -> Result<f64, String> {
     within(text, f64::MIN_POSITIVE..=LARGEST_NUMBER, "a number of kg, more than 0, such as 0.5")
 }
 
-/// The size of a force, N.
+/// Parses the size of a force, N.
 pub(crate) fn newtons(text: &str) -> Result<f64, String> {
     within(text, 0.0..=LARGEST_NUMBER, "a number of N, from 0 on, such as 4.9")
 }
 
-/// A fraction, in percent.
+/// Parses a fraction, in percent.
 pub(crate) fn percent(text: &str) -> Result<f64, String> {
     within(text, 0.0..=100.0_f64.next_down(), "a number of percent, from 0 to less than 100, such as 10")
 }
 
-/// A factor on a load, the safety factor.
+/// Parses a factor on a load, the safety factor.
 pub(crate) fn times(text: &str) -> Result<f64, String> {
     within(text, f64::MIN_POSITIVE..=1e6, "how many times, above 0, at most 1e6, such as 2")
 }
 
-/// Number of standard deviations in reserve.
+/// Parses a number of standard deviations in reserve.
 pub(crate) fn deviations(text: &str) -> Result<f64, String> {
     within(text, f64::MIN_POSITIVE..=8.0, "a number of standard deviations, above 0, at most 8")
 }
@@ -105,12 +105,12 @@ fn within(text: &str, range: RangeInclusive<f64>, allowed: &str) -> Result<f64, 
     number.ok_or_else(|| format!("must be {allowed}"))
 }
 
-/// A unit of length.
+/// Parses a unit of length.
 pub(crate) fn unit(text: &str) -> Result<Unit, String> {
     Unit::of(text).ok_or_else(|| "must be m, cm, mm or in".to_owned())
 }
 
-/// A whole number.
+/// Parses a whole number.
 pub(crate) fn count(text: &str) -> Result<usize, String> {
     text.trim().parse().map_err(|_| "must be a whole number, from 0 on".to_owned())
 }

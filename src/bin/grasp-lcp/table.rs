@@ -76,7 +76,7 @@ fn heads(axes: usize, pads: bool) -> Vec<String> {
     first.iter().chain(moments).chain(last).map(|head| (*head).to_owned()).collect()
 }
 
-/// Writes the forces of one table; those that are only rounding errors become zero.
+/// Writes the forces of one table; forces that are only rounding errors become zero.
 #[derive(Clone, Copy)]
 struct Cleaned {
     words: Words,
@@ -105,7 +105,7 @@ fn cells(row: &WholeAnswer<'_, 3>, numbers: Cleaned, columns: usize) -> Vec<Stri
     cells
 }
 
-/// The moment of a pad about its centre one column in the plane; in space two, about the normal and across it.
+/// The moment of a soft fingertip about its centre: one column in the plane; in space two, about the normal and across the normal.
 fn moments(pad: &PadAnswer<3>, columns: usize, words: Words) -> Vec<String> {
     match *pad.moment() {
         [_, _, in_the_plane] if columns == 1 => vec![words.number(in_the_plane)],
@@ -114,7 +114,7 @@ fn moments(pad: &PadAnswer<3>, columns: usize, words: Words) -> Vec<String> {
     }
 }
 
-/// Prints columns of even width, names left-aligned, numbers right-aligned.
+/// Prints a table whose columns have the same width in every line, names left-aligned, numbers right-aligned.
 fn print(out: &mut dyn Write, lines: &[Vec<String>]) -> io::Result<()> {
     let width = |column: usize| lines.iter().map(|line| line[column].chars().count()).max().unwrap_or(0);
     let widths: Vec<_> = (0..lines[0].len()).map(width).collect();

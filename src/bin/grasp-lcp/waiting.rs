@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 /// Time between two lines; a shorter answer shows none.
 const INTERVAL: Duration = Duration::from_secs(1);
 
-/// A line of progress each second until it is dropped. A terminal shows one line, which is cleared at the end.
+/// Prints a line of progress each second until this value is dropped. A terminal shows one line, which is cleared at the end.
 pub(crate) struct Waiting(Option<(Sender<()>, JoinHandle<()>)>);
 
 impl Waiting {

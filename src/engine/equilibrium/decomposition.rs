@@ -1,4 +1,4 @@
-//! Equilibrating and interaction forces.
+//! Contact forces in two parts: equilibrating forces, which balance the load, and interaction forces between contacts.
 
 use alloc::borrow::Cow;
 

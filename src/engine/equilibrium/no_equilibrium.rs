@@ -30,7 +30,7 @@ pub enum Proof<const C: usize> {
         /// The unit motion, signed so that the load does positive work on it; lengths as for
         /// [`Equilibrium::free_motions`](super::Equilibrium::free_motions).
         motion: Motion<C>,
-        /// Work of the load on the motion, `W·q` > 0, J.
+        /// Work of the load W on the unit motion q, `W·q` > 0, J.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         work: f64,
     },
@@ -40,7 +40,7 @@ pub enum Proof<const C: usize> {
         /// The unit motion, signed so that the load does positive work on it; lengths as for
         /// [`Equilibrium::free_motions`](super::Equilibrium::free_motions).
         motion: Motion<C>,
-        /// Work of the load on the motion, `W·q` > 0, J.
+        /// Work of the load W on the unit motion q, `W·q` > 0, J.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         work: f64,
     },

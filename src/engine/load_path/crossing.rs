@@ -1,4 +1,4 @@
-//! A step along a sliding arc that ends where a condition is just met.
+//! A step along an arc, on which directions of sliding turn, that ends where a condition is just met.
 //!
 //! Newton's method on the condition repeats the last step with other lengths, within a bracket. States are never interpolated.
 

@@ -31,8 +31,8 @@ pub struct LegEnergy {
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub dissipated: f64,
     /// Sum of the absolute values of all contributions, piece by piece and contact by contact: the scale for the rounding of the balance, since works
-    /// cancel. Along a sliding arc of the round cone the stored energies before and after each step are contributions, since their change is a
-    /// difference. Not serialised.
+    /// cancel. Where directions of sliding turn on the round cone, the stored energies before and after each step are contributions, since their
+    /// change is a difference. Not serialised.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub turnover: f64,
 }

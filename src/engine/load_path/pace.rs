@@ -1,4 +1,4 @@
-//! Step control along a sliding arc.
+//! Step control along an arc, a piece of the path on which directions of sliding turn.
 
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;

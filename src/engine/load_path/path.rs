@@ -230,8 +230,9 @@ impl<const C: usize, T> Iterator for Path<'_, C, T> {
 }
 
 impl<const C: usize> LoadPath<'_, C> {
-    /// Sum of the estimated errors of all steps along sliding arcs on the round cone. Each is below [`Settings::step_error`] unless rounding forbids
-    /// that. Zero if nothing had to be integrated, as always in the plane and on polygonal friction cones.
+    /// Sum of the estimated errors of all integration steps along which directions of sliding turn on the round cone. Each is below
+    /// [`Settings::step_error`] unless rounding forbids that. Zero if nothing had to be integrated, as always in the plane and on polygonal friction
+    /// cones.
     ///
     /// The estimate is relative: of forces to the largest force of the step, of displacements to the largest one, whichever is worse. The error is
     /// usually smaller. The growth of an earlier error on later steps is not included; sliding damps most of it.
@@ -271,8 +272,8 @@ impl<const C: usize> LoadPath<'_, C> {
     }
 
     /// The equilibrium at a fraction (0 to 1) of a leg (from 0) that the path has passed or has reached; `None` beyond. Where an event lies exactly
-    /// there, the state is the one before it. On a sliding arc the step is repeated up to this fraction with the same error bound; `None` if that
-    /// fails because of rounding.
+    /// there, the state is the one before it. Where directions of sliding turn, the integration step is repeated up to this fraction with the same
+    /// error bound; `None` if that fails because of rounding.
     #[must_use]
     pub fn state_at(&self, leg: usize, fraction: f64) -> Option<Equilibrium<C>> {
         self.0.state_at(leg, fraction)

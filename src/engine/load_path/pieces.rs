@@ -54,7 +54,7 @@ pub(crate) struct Pieces<'g> {
     pub(super) stopped: (f64, Vec<usize>),
     /// How often the object has snapped over to another equilibrium on this leg so far, and at which load factor it last came to rest.
     pub(super) snapped: Snapped,
-    /// Sum of the estimated errors of the steps along sliding arcs.
+    /// Sum of the estimated errors of the integration steps along arcs, on which directions of sliding turn.
     pub(super) step_error: f64,
     /// An event to return before the first leg: a contact slides at the start, and its friction falls from the static to the kinetic value.
     pub(super) first: Option<Box<Event<3>>>,
@@ -325,7 +325,7 @@ impl<'g> Pieces<'g> {
         }
     }
 
-    /// Takes a step of this length along a sliding arc.
+    /// Takes a step of this length along an arc, on which directions of sliding turn.
     pub(super) fn take_step(
         &mut self,
         journey: &Journey<'g>,

@@ -1,4 +1,4 @@
-//! Advances along a sliding arc of the round cone, step by step, to the next event.
+//! Advances along an arc, on which directions of sliding turn on the round cone, step by step to the next event.
 //!
 //! Steps are in arclength, see [`super::flow`], and as long as the allowed error of the settings permits. An event is where one of these values
 //! vanishes,

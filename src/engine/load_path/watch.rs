@@ -1,4 +1,4 @@
-//! The conditions that must hold along a sliding arc: each is a value that must stay positive.
+//! The conditions that must hold along an arc, on which directions of sliding turn: each is a value that must stay positive.
 
 use super::segment::{PathPoint, Segment};
 use super::tolerances::{SLACK_ON_AN_ARC, VANISHING_NORMAL};

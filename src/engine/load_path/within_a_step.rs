@@ -1,4 +1,4 @@
-//! Detects contacts that violate a condition within a step along an arc although it holds again at the end.
+//! Detects contacts that violate a condition within a step along an arc although the condition holds again at the end.
 //!
 //! Forces of sticking contacts, and gaps, are linear in twist and load factor. Within a step they follow the cubic through the values and rates at
 //! both ends, up to an error `s²(1 - s)² g` at the fraction s of the step. A margin `μ F_n - |F_t|` is concave. Hence on a piece of the cubic it is at

@@ -22,7 +22,7 @@ pub(crate) fn base<const C: usize>(setup: &Setup<C>) -> Wrench<C> {
 pub(crate) struct First {
     /// The force at first slip, N; infinite if no contact ever slips, NaN if unknown.
     pub(crate) factor: f64,
-    /// The contacts that stop sticking and what they do, in words; or why there is no first slip.
+    /// The contacts that stop sticking and how (slide, open), in words; or why there is no first slip.
     pub(crate) contacts: String,
 }
 

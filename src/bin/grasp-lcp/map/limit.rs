@@ -14,7 +14,7 @@ pub(crate) enum LimitEnd {
     Snap,
     /// The path has no equilibrium beyond; whether others exist is not known.
     Ends,
-    /// A suction cup is open all around, and a contact lets go.
+    /// A suction cup is open all around, or a contact with infinite friction loses its normal force.
     LetsGo,
     /// No contact resists the load any further.
     GivesWay,
@@ -110,7 +110,7 @@ impl Last {
     }
 }
 
-/// Counts paths by their end.
+/// The number of paths of each kind of end, as text.
 pub(crate) fn count(lasts: &[Last]) -> String {
     let parts = LimitEnd::ALL.into_iter().filter_map(|end| {
         let count = lasts.iter().filter(|last| last.end == end).count();

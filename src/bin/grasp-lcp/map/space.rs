@@ -92,7 +92,7 @@ pub(crate) fn map(
     }
 }
 
-/// The end of the load path in each of these directions; `None` if they take too long.
+/// The end of the load path in each of these directions; `None` if the paths take too long.
 fn load_paths(
     grasp: &Grasp,
     watch: MapProgress,

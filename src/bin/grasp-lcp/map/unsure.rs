@@ -34,7 +34,7 @@ impl Unsure {
         Uncertainty::seeded(0).with_friction(friction).with_stiffness(stiffness).with_squeeze(squeeze)
     }
 
-    /// Reserve and standard deviations in words, for tables and pictures.
+    /// The number of standard deviations in reserve, and the standard deviations of the data, in words for tables and pictures.
     pub(super) fn words(&self) -> [String; 2] {
         let words = Words::default();
         let number = |x: f64| words.number(x);
@@ -46,7 +46,7 @@ impl Unsure {
         ]
     }
 
-    /// Reserve and relative standard deviations in JSON.
+    /// The number of standard deviations in reserve, and the relative standard deviations of the data, in JSON.
     pub(super) fn written(&self) -> serde_json::Value {
         let [friction, stiffness, squeeze] = self.parts();
         serde_json::json!({ "friction": friction, "stiffness": stiffness, "squeeze": squeeze, "sigmas": self.sigmas })

@@ -13,9 +13,9 @@ pub(super) struct WrittenMap<'a, const C: usize> {
     pub(super) base: Wrench<C>,
     pub(super) unsure: &'a Unsure,
     pub(super) onsets: Vec<([f64; C], &'a First)>,
-    /// Forces with standard deviations in reserve, N, by direction.
+    /// For each direction, the force, N, that keeps the given number of standard deviations in reserve.
     pub(super) reserves: Vec<([f64; C], f64)>,
-    /// Ends of load paths by direction.
+    /// For each direction, the end of the load path.
     pub(super) paths: Vec<([f64; C], &'a Last)>,
     pub(super) most: f64,
     pub(super) weakest: Option<([f64; C], f64)>,
