@@ -65,7 +65,7 @@ fn words(ask: &Ask, unit: Unit) -> Words {
     Words::with_digits(ask.digits.into()).in_unit(unit)
 }
 
-/// Prints the answer to each question as soon as it is ready. Returns whether all answers are decided.
+/// Prints each answer at once, before the next question is answered. Returns whether all answers are decided.
 fn one_by_one(setup: &Setup<3>, ask: &Ask, unit: Unit) -> Result<bool, Failure> {
     let refused = |error| files::refused(&ask.scene, &error);
     let style = Style { words: setup.words(words(ask, unit)), axes: setup.axes(), points: ask.points };

@@ -61,8 +61,8 @@ pub struct TendonAnswer {
     /// Margin to the greatest tension of the drive, N; infinite without a limit.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
-    /// Displacement by which the tendon's drive has yielded beyond its spring, `x - r·φ - T/k`, m, with the motor's displacement x, the moment arms
-    /// r, the joint displacements φ, the tension T and the stiffness k.
+    /// Displacement by which the tendon's drive has yielded beyond its spring, `x - r·φ - T/k`, m. Here x is the motor's displacement, r are the
+    /// moment arms, φ the joint displacements, T is the tension and k the stiffness.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub yielded: f64,
 }

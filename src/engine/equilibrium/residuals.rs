@@ -15,9 +15,9 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Residuals {
-    /// Equilibrium: the imbalance `|Σ F_i + W|` of contact forces and load, divided by the sum of the sizes of its terms and of the least force that
-    /// the displacements of a contact could cause in its spring. Moments are compared in the same way, with forces times the root mean square
-    /// distance of the contacts; the larger ratio counts.
+    /// Equilibrium: the imbalance `|Σ F_i + W|` of contact forces and load, divided by the sum of the sizes of its terms. To this sum is added the
+    /// least force that the displacements of a contact could cause in its spring. Moments are compared in the same way, with forces times the root
+    /// mean square distance of the contacts; the larger ratio counts.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub equilibrium: f64,
     /// Contact springs: `|F/k - (a - u_c + g - s)|` axis by axis, with the finger's offset a, the body's displacement u_c, the gap g along the normal

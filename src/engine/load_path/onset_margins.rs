@@ -1,5 +1,5 @@
-//! The margins m that vanish at an onset, and the derivative of its load factor τ by the data, `dτ = -dm / m'`, with the rate m' of the margin along
-//! the ramp.
+//! The margins m that vanish at an onset, and the derivative of its load factor τ by the data. This is `dτ = -dm / m'`, with the rate m' of the
+//! margin along the ramp.
 
 use nalgebra::SVector;
 

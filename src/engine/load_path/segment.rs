@@ -278,8 +278,8 @@ impl<'g> Segment<'g> {
         locals.map(|((local, active), state)| local.law_of_rates(active, state)).list()
     }
 
-    /// The smallest step after which the present state of a contact stops being valid (at an edge of its cone, the apex, a closing gap or a reversal
-    /// of slip), with all contacts for which that happens at this step. For a load that turns, steps up to `rest` are searched.
+    /// The smallest step after which the present state of a contact stops being valid, with all contacts for which that happens at this step. A state
+    /// ends at an edge of the cone, the apex, a closing gap or a reversal of slip. For a load that turns, steps up to `rest` are searched.
     pub(super) fn first_exits(&self, states: &[State], point: &PathPoint, rest: f64) -> FirstExits {
         if let Some(turned) = &point.turned {
             return turned.first_exits(&self.problem, states, rest);

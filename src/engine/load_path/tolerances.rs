@@ -89,8 +89,8 @@ pub(super) const SHORTEST_STEP: f64 = 1e-12;
 /// If smaller, events that the steps have blurred are found twice; if larger, conditions that nearly fail count as events.
 pub(super) const SLACK_ON_AN_ARC: f64 = ZERO_SLACK + 1e-13;
 
-/// If the normal force of a sliding contact falls below this fraction of the largest force, a grasp is followed as a load path, and no longer with
-/// the slips as unknowns (`in_slips`), since directions of friction then turn fast.
+/// If the normal force of a sliding contact falls below this fraction of the largest force, a grasp is followed as a load path, no longer with the
+/// slips as unknowns (`in_slips`). Directions of friction then turn fast.
 ///
 /// If smaller, steps become short, since `in_slips` has no implicit steps; if larger, more grasps of a batch take as long as a load path.
 pub(super) const LITTLE_NORMAL_FORCE: f64 = 1e-3;

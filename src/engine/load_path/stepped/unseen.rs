@@ -1,9 +1,9 @@
 //! Errors that a step and its halves share, so that their difference does not reveal them.
 //!
-//! Along a step of length h the twist deviates from a straight line by up to `off`. At the end of the step the force of sticking springs with
-//! stiffness K and stretch v differs by `K v'' h² = 8 K Gᵀ off` from the value extrapolated with the rate at its beginning. A contact that slides on
-//! its cone along p is driven out of the cone at the rate `a = p·K v_t' - μ k_n v_n'`. At the fraction s of the step this rate is a + c s, with
-//! `c = a' h` < 0:
+//! Along a step of length h the twist deviates from a straight line by up to `off`. Let sticking springs have the stiffness K and the stretch v. At
+//! the end of the step their force differs by `K v'' h² = 8 K Gᵀ off` from the value extrapolated with the rate at its beginning. A contact that
+//! slides on its cone along p is driven out of the cone at the rate `a = p·K v_t' - μ k_n v_n'`. At the fraction s of the step this rate is a + c s,
+//! with `c = a' h` < 0:
 //!
 //! ```text
 //! the contact stops where a + c s = 0.  A straight stretch lets it slide on, or stop where the stretch begins,
