@@ -1,9 +1,9 @@
 //! The central path of a few contacts, followed around its folds.
 //!
-//! Friction folds the [`central_path`](super::central_path): where contacts wedge, τ must increase again before it decreases. Forces and ln τ
-//! together are therefore followed by arc length, for which a fold is an ordinary point (H. B. Keller, Numerical solution of bifurcation and
-//! nonlinear eigenvalue problems, 1977). The path starts far inside the cones, where the solution is unique. If W is positive definite it ends
-//! at a solution of the problem, unless it meets another path or diverges.
+//! Friction folds the [`central_path`](super::central_path): where contacts wedge, the path's parameter τ must increase again before it decreases.
+//! Forces and ln τ together are therefore followed by arc length, for which a fold is an ordinary point (H. B. Keller, Numerical solution of
+//! bifurcation and nonlinear eigenvalue problems, 1977). The path starts far inside the cones, where the solution is unique. If the matrix W is
+//! positive definite, the path ends at a solution of the problem, unless it meets another path or diverges.
 
 use super::blocks::Blocks;
 use super::central_path::{Smoothed, scales};
@@ -118,7 +118,7 @@ impl<const C: usize> Path<'_, C> {
         (residual, near, change)
     }
 
-    /// Diagonal of the metric for changes of forces and ln τ. Forces are measured relative to their size at x.
+    /// Diagonal of the metric for changes of forces and ln τ along the path. Forces are measured relative to their size at x.
     fn measure(&self, x: &DVector<f64>) -> DVector<f64> {
         let size = x.len() - 1;
         let energy =

@@ -21,13 +21,13 @@ impl Engine {
         Ok(Load { wrench: self.load_alone(load, what)?, rest: self.inside_rest(load) })
     }
 
-    /// [`Self::load`] without its rounding error.
+    /// The wrench of [`Self::load`] as working-precision numbers, without the remainder that holds its rounding error.
     pub(crate) fn load_alone(&self, load: &Wrench<3>, what: &'static str) -> Result<Vector, Error> {
         load.check_in(self.space(), what)?;
         Ok(self.load_unchecked(load))
     }
 
-    /// [`Self::load_alone`] of a wrench that was checked before.
+    /// [`Self::load_alone`] without the check that the components of the wrench are finite and moderate, which the caller has made.
     pub(crate) fn load_unchecked(&self, load: &Wrench<3>) -> Vector {
         let mut inside = self.inside_unchecked(load);
         if let Some(bodies) = self.bodies() {

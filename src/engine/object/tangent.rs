@@ -106,8 +106,8 @@ fn add_tangent(t: &mut Square, site: &Site, springs: &SpringTangent) {
     }
 }
 
-/// Corrects forces and twist until the imbalance R is at most the fraction `part` of the sizes of its terms. Returns the sum over all steps of the
-/// largest change of a force, N; `None` if the steps do not suffice.
+/// Corrects forces and twist by Newton steps, until the norm of the force imbalance is at most the fraction `part` of the sum of its terms' norms.
+/// Returns the sum over all steps of the largest change of a force, N; `None` if the steps do not suffice.
 pub(crate) fn balance(
     sites: &[Site],
     springs: &[SpringTangent],

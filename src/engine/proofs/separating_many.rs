@@ -192,7 +192,7 @@ impl PushedBack {
         Some(norm(&left))
     }
 
-    /// The imbalance `W + Σ G f - v`.
+    /// The imbalance `W + Σ G f - v` of the load W, the contact forces f with grasp maps G, and the residual v.
     fn missing(&self, v: &[f64]) -> Vec<f64> {
         let mut sum: Vec<f64> = self.load.iter().zip(v).map(|(w, v)| w - v).list();
         for contact in &self.contacts {
@@ -203,7 +203,8 @@ impl PushedBack {
         sum
     }
 
-    /// Factors of the Newton matrix `1 + ρ Σ G P' Gᵀ` at v.
+    /// Factorises the Newton matrix `1 + ρ Σ G P' Gᵀ` at the residual v, with penalty ρ and grasp maps G. P' are the derivatives of the projections
+    /// onto the cones. `None` if the matrix is not positive definite.
     fn factor(&mut self, v: &[f64]) -> Option<()> {
         let Self { contacts, band, stiffness, .. } = self;
         band.clear();

@@ -97,7 +97,8 @@ pub(super) fn admit(
     Ok(Found { free_motions, neutral_motions, ..Found::new(states, forces, twist) })
 }
 
-/// Checks a solution that is unique and does not amplify rounding.
+/// Returns the solution if it satisfies every condition of the contact states. The linear problem must be regular and well conditioned: the tolerance
+/// does not allow for an amplification of rounding errors.
 pub(super) fn admit_regular(problem: &Problem, states: Vec<State>, state: PieceState) -> Option<Found> {
     let mut holds = true;
     for_each_condition(problem, &states, &state.forces, &state.twist, |value, size| {
@@ -137,8 +138,9 @@ pub(crate) fn for_each_condition(
     }
 }
 
-/// `|Σ G_i F_i + W|` over the sum of the sizes of its terms. If commands alone move a statically determinate grasp, its computed forces are rounding
-/// of zero. The sizes therefore include the fraction `NO_FORCE` of the least force that its springs could have.
+/// The norm of the imbalance `Σ G_i F_i + W` of contact forces and load, relative to the sum of the norms of its terms. If commands alone move a
+/// statically determinate grasp, its exact forces are zero and the computed ones are rounding errors. The sum therefore includes the fraction
+/// `NO_FORCE` of the least force that its springs could have.
 fn out_of_balance(problem: &Problem, forces: &[SVector<f64, 3>], twist: &Vector) -> f64 {
     let (left, carried) = problem.imbalance(forces);
     let size = problem.largest_force(forces, twist) + carried;

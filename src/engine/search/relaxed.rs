@@ -1,7 +1,8 @@
 //! Equilibrium with the law of each contact relaxed to its convex hull: a point of a polyhedral cone.
 //!
-//! In energy units `e = K^{1/2}v` and `f = K^{-1/2}F`. P is the orthogonal projector on the span of `K^{1/2}Gᵀ`, and f⁰ the elastic trial state.
-//! Balance of forces and compatibility of stretches are
+//! With the stiffnesses K and grasp maps G, the stretches v and contact forces F are `e = K^{1/2}v` and `f = K^{-1/2}F` in energy units. P is the
+//! orthogonal projector on the span of `K^{1/2}Gᵀ`. f⁰ are the forces of the elastic trial, in which everything sticks. Balance of forces and
+//! compatibility of stretches are
 //!
 //! ```text
 //! P f = P f⁰,   (1 - P) e = (1 - P) f⁰        ⟺        e + P (f - e) = f⁰
@@ -32,7 +33,7 @@ pub(super) type Tag = (usize, usize);
 pub(super) struct BalanceEquation {
     /// The projector P, column by column.
     projector: Vec<f64>,
-    /// The elastic trial state f⁰, scaled to length one.
+    /// The forces f⁰ of the elastic trial in energy units, scaled to length one.
     target: Vec<f64>,
     /// The length of f⁰, √J.
     unit: f64,
@@ -49,7 +50,7 @@ pub(super) enum Relaxed {
 }
 
 impl BalanceEquation {
-    /// The equation of a problem with its elastic trial; `None` where the elastic trial carries no force.
+    /// The equation of a problem with the solution of its elastic trial; `None` where the elastic trial carries no force.
     pub(super) fn new(problem: &Problem, trial: &Piece, state: &PieceState) -> Option<Self> {
         let size = 3 * problem.len();
         let roots: Vec<_> = mapped(problem.sites, &|site| site.springs.root());
@@ -85,7 +86,7 @@ impl BalanceEquation {
         NearestPoint::new(&self.target)
     }
 
-    /// Writes `e + P (f - e)` of a generator of a contact into `column`.
+    /// Writes `e + P (f - e)` into `column`, with the stretch e and the force f of a generator of a contact, and the projector P.
     fn column(&self, contact: usize, ray: &HullRay, column: &mut Vec<f64>) {
         let size = self.target.len();
         column.clear();
@@ -100,7 +101,7 @@ impl BalanceEquation {
         }
     }
 
-    /// The projection `P y`.
+    /// The projection `P y`, with the projector P of the equation.
     fn projected(&self, y: &[f64], projected: &mut Vec<f64>) {
         let size = y.len();
         projected.clear();
@@ -110,7 +111,7 @@ impl BalanceEquation {
         }
     }
 
-    /// Work of each generator along y: that of its stretch with `(1 - P) y` and of its force with `P y`.
+    /// The scalar product of y with the column of each generator: that of `(1 - P) y` with its stretch plus that of `P y` with its force.
     fn works_of_generators<'r>(
         y: &'r [f64],
         projected: &'r [f64],

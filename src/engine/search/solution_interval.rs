@@ -1,4 +1,4 @@
-//! If a solution is one end of an interval of solutions, it is reported with the free motion along that interval.
+//! If a solution is one end of an interval of solutions, adds the free motion along that interval.
 //!
 //! If friction is exhausted at every contact that could resist a motion, forces do not determine the object's position along it. States in which one
 //! of these contacts sticks belong to the end of the interval at which it has not slipped: they satisfy every condition, but have no free motion.
@@ -36,7 +36,8 @@ pub(crate) fn on_the_solution_interval(problem: &Problem, found: Found) -> Found
     }
 }
 
-/// The states in which sticking contacts without force open, and those on the edge of their cone slide. `None` if there are neither.
+/// The contact states in which sticking contacts without force open, and sticking contacts on the edge of their cone slide. `None` if no contact
+/// changes its state.
 fn yielding(problem: &Problem, found: &Found) -> Option<Vec<State>> {
     let largest = found.forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
     let mut states = found.states.clone();

@@ -6,8 +6,8 @@ use crate::contact::{Mode, State};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
-/// Opens contacts that pull and closes contacts that penetrate, starting from these states and their solution, until there are none of either. The
-/// result is accepted if it satisfies every condition. So the equilibrium with a finger far from the object is that of the grasp without the finger.
+/// Opens contacts that pull and closes contacts that penetrate, starting from these states and their solution, until no contact does either. The
+/// result is accepted if it satisfies every condition. So a finger far from the object does not change the equilibrium.
 pub(super) fn touching_contacts(
     problem: &Problem,
     mut states: Vec<State>,

@@ -109,7 +109,7 @@ pub(super) struct ChartLayout {
     pub(super) mark_letters: usize,
     /// Largest number of names in a list of curves that are not drawn.
     pub(super) listed_names: usize,
-    /// Largest number of letters of a name in that list.
+    /// Largest number of letters of a name in the list of curves that are not drawn.
     pub(super) listed_letters: usize,
 }
 

@@ -42,7 +42,7 @@ pub(super) struct Sheet {
     wide: f64,
 }
 
-/// Draws on a white sheet of the given size, pixels.
+/// Draws on a white sheet of the given size, pixels, and returns the SVG text.
 pub(super) fn sheet((wide, high): Place, draw: impl FnOnce(&mut Sheet)) -> String {
     let size = pixel((wide, high));
     let mut paper = Sheet { svg: String::new(), wide };
