@@ -278,7 +278,7 @@ pub enum Error {
         /// Name of the method.
         question: &'static str,
     },
-    /// The question reports sliding contacts but does not support kinetic friction lower than static friction, which this contact has.
+    /// The question names sliding contacts in its answer but does not support kinetic friction lower than static friction, which this contact has.
     #[error(
         "{question} does not know that the friction of contact {contact} is lower once it slides: ask hold, follow or shake, which do, or leave kinetic friction out"
     )]

@@ -185,7 +185,8 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         Anchored::with_anchor(self.problem, self.blocks, self.rho.clone(), anchor, weights)
     }
 
-    /// Keeps these forces if their residual is the smallest so far, and reports to the watcher. Returns their largest residual.
+    /// Keeps these forces if their residual is the smallest so far, and calls the watcher with the progress. Returns the largest residual of these
+    /// forces.
     fn record_if_best(&mut self, r: &DVector<f64>) -> f64 {
         if r.iter().any(|r| !r.is_finite()) {
             return f64::INFINITY;

@@ -66,12 +66,12 @@ pub(super) fn follow<const C: usize>(
     let energy = (0..problem.len()).map(|i| part::<C>(&r, i).norm_squared() / rho[i]).sum::<f64>() / count;
     let ControlFlow::Continue(missing) = judge(&r) else { return (r, 0) };
     let mut best = (missing, r.clone());
-    // τ of the last point on the path, and the factor that leads to the next.
+    // The parameter τ of the last point on the path, and the factor by which τ is reduced for the next point.
     let (mut tau, mut factor, mut made) = (begin * energy, 1.0, 0);
-    // Factor of the first reduction of τ.
+    // The first factor by which τ is reduced.
     let slow = 0.2;
-    // The path ends where τ is near squared rounding, relative to the mean energy of a contact. It is lost if τ can only be reduced by a factor
-    // above 0.9.
+    // The path ends where its parameter τ, relative to the mean energy of a contact, is near the square of the working precision. The path is lost if
+    // τ can only be reduced by a factor above 0.9.
     while tau * factor > 1e-16 * energy && (factor < 0.9 || factor == 1.0) {
         let smoothed = Smoothed { problem, blocks, rho: &rho, tau: tau * factor };
         // A point is on the path if the root mean square of its residuals is below this fraction of √τ. If smaller, steps are repeated that the next

@@ -51,7 +51,8 @@ pub(super) fn around_folds<const C: usize>(
             if let Some((next, corrections)) = onward {
                 x = next;
                 if 2 * corrections <= MOST_FOLD_CORRECTIONS {
-                    // Few corrections were needed, so the next step is longer: up to a relative change of 1 of the forces, or a factor e of τ.
+                    // Few corrections were needed, so the next step is longer: up to a relative change of 1 of the forces, or a factor e of the
+                    // path's parameter τ.
                     length = (1.5 * length).min(1.0);
                 }
                 break;
@@ -73,7 +74,7 @@ struct Path<'a, const C: usize> {
 }
 
 impl<const C: usize> Path<'_, C> {
-    /// Forces and ln τ at the starting point of the path, far inside the cones.
+    /// Forces and the logarithm of the path's parameter τ at the starting point of the path, far inside the cones.
     fn starting_point(&self, energy: f64) -> Option<DVector<f64>> {
         let size = self.problem.q.len();
         // Initial τ, as a multiple of the mean energy of a contact.

@@ -11,11 +11,11 @@ pub enum ContactMode {
     Open,
     /// The velocity is zero.
     Sticking,
-    /// Friction has the magnitude μ r_N and opposes the slip.
+    /// Friction has its largest magnitude, μ r_N for the normal force r_N, and opposes the slip.
     Sliding,
 }
 
-/// Residuals of Coulomb's law for forces r and velocities u = W r + q, without units.
+/// Residuals of Coulomb's law for the forces r and the velocities u = W r + q of all contacts (see the [module](super)), without units.
 ///
 /// Each contact is measured on its own scale: forces relative to its own force, velocities relative to the largest terms of its rows of W r + q.
 /// A contact with a small force must thus satisfy the law as strictly as the others. The residuals do not depend on the units.
@@ -28,7 +28,7 @@ pub struct Residuals {
     /// The largest distance of a contact force r from its friction cone ‖r_T‖ ≤ μ r_N.
     pub cone: f64,
     /// The largest distance between a contact force r and the projection of r − ρ û onto its friction cone, which vanishes where Coulomb's law holds.
-    /// Here û = u + μ ‖u_T‖ n for the velocity u and the normal n. ρ is ‖r‖ divided by the sum of the sizes of the terms of u.
+    /// Here û = u + μ ‖u_T‖ n for the velocity u and the normal n. ρ is ‖r‖ divided by the size of the terms W r + q that add up to the velocity.
     pub law: f64,
 }
 

@@ -39,7 +39,7 @@ pub(super) fn answer<const C: usize>(
     if let Some(stuck) = stuck.filter(|r| miss(r) <= 0.0) {
         return Some(stuck);
     }
-    // Brackets the root: the force is outside the cone at κ = `least` and inside at κ = `most`.
+    // Brackets the root κ, the ratio of slip speed to friction force: the force is outside the cone at κ = `least` and inside at κ = `most`.
     let (mut least, mut most) = (0.0, slide.size);
     while slide.at(most).is_none_or(|r| miss(&r) > 0.0) {
         least = most;
@@ -67,7 +67,8 @@ struct Slide<const C: usize> {
     /// The matrix S of the slip u_T = S r_T + c in the tangential rows and columns; the normal row and column are those of the identity.
     s: ContactBlock<C>,
     c: SVector<f64, C>,
-    /// `normal` is −b_N / A_NN, `coupling` is A_NT / A_NN: the normal force is `normal` minus `coupling` times the friction force.
+    /// `normal` is −b_N / A_NN, `coupling` is A_NT / A_NN, with A and b as at the top of the file. The normal force is `normal` minus `coupling`
+    /// times the friction force.
     normal: f64,
     coupling: SVector<f64, C>,
     /// The largest entry of the matrix S, or A_NN if S is zero.

@@ -39,7 +39,7 @@ impl<'a, const C: usize> Polygons<'a, C> {
         }
     }
 
-    /// A solution, or the outcome of the first polygon. Facets are rotated up to `turns` times.
+    /// A solution, or the outcome of the problem with the first polygons. Facets are rotated up to `turns` times.
     pub(super) fn solve(&mut self, turns: usize) -> Outcome<Solution> {
         let mut count = self.settings.facets.clamp(3, MOST_CONE_FACETS);
         let mut first = None;

@@ -35,7 +35,7 @@ pub(super) const ON_CENTRAL_PATH: f64 = 1e-2;
 /// If smaller, undetermined forces follow rounding; if larger, determined forces of soft contacts are not updated.
 pub(super) const UNDETERMINED_FORCE: f64 = 1e-12;
 
-/// Relative excess of friction over μ r_N from which a force counts as outside the cone.
+/// Relative excess of friction over its limit μ r_N, for a normal force r_N, from which a force counts as outside the cone.
 ///
 /// If smaller, the rounding of a projection counts as outside; if larger, visible violations remain.
 pub(super) const OUTSIDE_CONE: f64 = 1e-13;

@@ -5,7 +5,8 @@ use crate::numerics::Vector;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 
-/// A load in the engine's coordinates (moments about the centroid of the contacts, scaled arms), with the rounding error of this conversion.
+/// A load in the engine's coordinates (moments about the centroid of the contacts, with lever arms in the engine's unit of length). The rounding
+/// error of this conversion is kept beside it.
 #[derive(Debug, Clone)]
 pub(crate) struct Load {
     pub(crate) wrench: Vector,

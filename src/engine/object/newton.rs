@@ -36,7 +36,7 @@ impl Imbalance {
         sum
     }
 
-    /// Adds the wrench of a contact force and its norm.
+    /// Adds the wrench of a contact force to `left`, and the norm of the force to `size`.
     fn add(&mut self, site: &Site, force: &SVector<f64, 3>) {
         site.map.push(force, &mut self.left);
         self.size += force.norm();

@@ -20,7 +20,7 @@ use crate::prelude::*;
 /// Null vectors of the tangent stiffness T and of its transpose, by their mechanical meaning.
 #[derive(Debug, Clone)]
 pub(super) struct NullMotions {
-    /// Motions that stretch no spring; orthonormal, like the other lists.
+    /// Motions that stretch no spring. These motions are orthonormal, and so are those of `neutral` and of `unbalanced`.
     pub(super) free: Vec<Vector>,
     pub(super) neutral: Vec<Vector>,
     pub(super) unbalanced: Vec<Vector>,
@@ -145,8 +145,8 @@ fn apart(
         let mut left = vec![0.0; band.numbers.len()];
         springs.add(other, &stretches, &mut left);
         let left = left.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        // T is singular along a motion if the spring forces of its stretches balance: their resultant wrench is at most this fraction of the norm of
-        // the stretches. The comparison is false for NaN.
+        // The tangent stiffness T is singular along a motion if the spring forces of its stretches balance: their resultant wrench is at most this
+        // fraction of the norm of the stretches. The comparison is false for NaN.
         let singular = left <= LINEARLY_DEPENDENT * length;
         if !singular {
             return None;

@@ -32,7 +32,7 @@ pub(crate) struct Piece {
     /// Orthonormal motions in the null space of B, whose rows are the directions in which springs push: a load that does work along one of them
     /// cannot be balanced.
     pub(super) unbalanced: Vec<Vector>,
-    /// Factors of the tangent stiffness T = BᵀA in a band, with many coordinates. `None` if T is nearly, but not exactly, singular.
+    /// LU factors of the tangent stiffness T = BᵀA as a band matrix, if there are many coordinates. `None` if T is nearly, but not exactly, singular.
     pub(super) band: Option<(BandPiece, NullMotions)>,
     /// Orthogonal factors of the matrices A (spring stretches under a motion) and B (push directions); with many coordinates they are computed on
     /// first use.
@@ -44,7 +44,8 @@ pub(crate) struct Piece {
 #[derive(Debug, Clone)]
 pub(super) struct OrthogonalPiece {
     pub(super) right: Orthogonal,
-    /// Factors of B, and of the product `Q_BᵀQ_A` of both orthogonal factors; `None` if nothing slides, since then B = A.
+    /// Orthogonal factors of the matrix B of push directions, and factors of `Q_BᵀQ_A`, where Q_A and Q_B are the orthogonal factors of the stretches
+    /// A and of B. `None` if nothing slides, since then B = A.
     pub(super) left: Option<(Orthogonal, CompletePivoting)>,
 }
 
@@ -98,7 +99,7 @@ impl Piece {
         })
     }
 
-    /// Number of coordinates.
+    /// Number of coordinates of the twist: those of the object and of all joints.
     pub(super) fn size(&self) -> Size {
         self.size
     }
@@ -119,7 +120,7 @@ impl Piece {
         rows
     }
 
-    /// Whether the tangent stiffness is factored in a band, as with many coordinates.
+    /// Whether the tangent stiffness is factorised as a band matrix, as with many coordinates.
     pub(crate) fn is_banded(&self) -> bool {
         self.band.is_some()
     }
@@ -149,12 +150,12 @@ impl Piece {
         })
     }
 
-    /// The motion q of least norm with given coordinates `R q`, where A = Q R.
+    /// The motion q of least norm with `R q = coordinates`. Here R is the triangular factor of the matrix A = Q R of spring stretches under a motion.
     pub(crate) fn motion(&self, coordinates: &Vector) -> Vector {
         without(self.factor().preimage(coordinates), self.free_motions())
     }
 
-    /// The motion q of least norm with `R q = coordinates`. Here R is the triangular factor of the matrix A = Q R of spring stretches under a motion.
+    /// Motions that stretch no spring: the twist is determined up to them, and forces do not depend on them.
     pub(crate) fn free_motions(&self) -> &[Vector] {
         &self.free
     }
@@ -176,8 +177,8 @@ impl Piece {
         motions
     }
 
-    /// The virtual motion y in the left null space of the tangent stiffness, `Σ G_i C_iᵀG_iᵀ y = 0`, on which offsets and load do the most work.
-    /// `None` if they do no work on any.
+    /// A virtual motion y in the left null space of the tangent stiffness, `Σ G_i C_iᵀG_iᵀ y = 0`. C_i is the tangent stiffness of contact i, and G_i
+    /// its grasp map. Of these motions it is the one on which offsets and load do the most work; `None` if they do no work on any.
     pub(crate) fn motion_without_response(
         &self,
         offsets: &[SVector<f64, 3>],

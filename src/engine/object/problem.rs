@@ -138,7 +138,7 @@ impl<'g> Problem<'g> {
         Load { wrench: self.wrench.clone(), rest: self.wrench_rest.clone() }
     }
 
-    /// Number of coordinates.
+    /// Number of coordinates of the twist: those of the object and of all joints.
     #[inline]
     pub(crate) fn size(&self) -> Size {
         size_of(self.sites)
@@ -198,7 +198,7 @@ impl<'g> Problem<'g> {
         answers
     }
 
-    /// Stretch of a contact for a motion of the object, `a_i - G_iᵀq`.
+    /// Stretch `a_i - G_iᵀq` of contact i, from its offset a_i, its grasp map G_i and the twist q of the object.
     #[inline]
     pub(crate) fn stretch(&self, contact: usize, twist: &Vector) -> SVector<f64, 3> {
         self.sites[contact].stretch(&self.offsets[contact], twist)

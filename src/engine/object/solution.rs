@@ -199,7 +199,7 @@ impl Piece {
         self.forces(&x, problem.len())
     }
 
-    /// The forces `x_r = right_r · v` of all springs if contacts have the stretches v.
+    /// The forces of all springs if the contacts have these stretches v: `x_r = right_r · v` for spring r.
     pub(super) fn stretched(&self, stretch: impl Fn(usize) -> SVector<f64, 3>) -> Vec<f64> {
         let mut x = Vec::new();
         self.stretched_into(&mut x, stretch);
@@ -232,8 +232,8 @@ impl Piece {
         }
     }
 
-    /// Writes the residual `e_r = right_r · (a_i - G_iᵀ q) - x_r` of each spring r with force x_r, for the offsets a_i and the twist q. Returns the
-    /// residual of equilibrium under the load W. This is `ρ = Σ G_i left_r x_r + W`.
+    /// Writes the residual of each spring r into `e`: `e_r = right_r · (a_i - G_iᵀ q) - x_r`. Here x_r is the spring force, a_i the offset and q the
+    /// twist. Returns the residual of equilibrium under the load W, `ρ = Σ G_i left_r x_r + W`.
     fn excess(
         &self,
         sites: &[Site],

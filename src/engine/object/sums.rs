@@ -54,8 +54,8 @@ impl<const R: usize> Sums<R> {
         self.sides.iter_mut().for_each(|side| *side = Vector::zeros());
     }
 
-    /// The matrix and right-hand sides, summed over all contacts; `add(sums, contact)` adds the terms of one. Components of the motion y from index
-    /// `rank` on move no contact. Their diagonal entries are one, so that the matrix can be factorised.
+    /// The matrix and right-hand sides, summed over all contacts; `add(sums, contact)` adds the terms of one contact. Components of the motion y from
+    /// index `rank` on move no contact. Their diagonal entries are one, so that the matrix can be factorised.
     pub(crate) fn over(
         size: Size,
         contacts: usize,

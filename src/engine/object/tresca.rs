@@ -32,7 +32,7 @@ struct GivenLimits {
     limits: Vec<f64>,
     /// Coordinates with nonzero entries in the contacts' grasp maps, with these entries, contact after contact.
     coupled: Vec<(usize, SVector<f64, 3>)>,
-    /// Position of each coordinate in the narrow order.
+    /// Position of each coordinate in the order that makes the band narrow.
     numbers: Vec<usize>,
     first: Vec<usize>,
     load: Vec<f64>,
@@ -42,7 +42,7 @@ struct GivenLimits {
 /// Responses of all contacts to a motion of the object.
 struct Answers {
     of: Vec<LimitedAnswer>,
-    /// The imbalance `Σ G_i F_i + W`.
+    /// The imbalance `Σ G_i F_i + W` of contact forces and load.
     imbalance: Vec<f64>,
 }
 

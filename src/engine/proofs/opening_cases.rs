@@ -22,7 +22,7 @@ use crate::numerics::{Vector, chosen, largest, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Whether it is proved that no load on the line from `here` (not included) to `past`, a little beyond, can be balanced.
+/// Whether it is proved that no load on the line from the load of `here` (not included) to that of `past`, a little beyond, can be balanced.
 pub(crate) fn nothing_holds(here: &Problem, past: &Problem) -> bool {
     let free: Vec<usize> = chosen(here.len(), &|&i| here.local(i).may_open());
     let whole = !here.locals().any(|local| local.is_absent() || local.is_on_an_edge());

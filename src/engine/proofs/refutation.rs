@@ -24,7 +24,7 @@ use crate::prelude::*;
 /// A step of the proof. Steps are in depth-first order: a division is followed by all steps of its second case, then by those of its first.
 #[derive(Debug, Clone)]
 pub(crate) enum ProofStep {
-    /// The state of a contact lies in one of two halves.
+    /// The case is divided into two: the state of this contact lies in one of two halves.
     Divided { contact: usize, halves: [Label; 2] },
     /// The present case is contradicted by a virtual motion and virtual forces.
     Contradicted { motion: Vector, forces: Vec<SVector<f64, 3>> },

@@ -72,8 +72,8 @@ pub(crate) fn nearest_forces(
     // Generators of round cones that have been added to the sum. Their tags, the numbers by which `nearest` identifies generators, follow those of
     // `straight`.
     let mut joined: Vec<Generator> = Vec::new();
-    // The largest number of generators that are added: two hundred, and four more for each coordinate. Straight cones rarely need as many to carry a
-    // load. Near the boundary of round cones the distance shrinks only by a constant factor with each new generator.
+    // The largest number of generators that are added: two hundred, and four more for each coordinate. Cones that are not round rarely need as many
+    // to carry a load. Near the boundary of round cones the distance shrinks only by a constant factor with each new generator.
     let each = if size.count() <= MOST_COORDINATES { 4 } else { 0 };
     let mut joins_left = 200 + each * size.count();
     let (motion, against) = loop {
@@ -88,7 +88,7 @@ pub(crate) fn nearest_forces(
             }
         }
         let Some((tag, generator, work)) = worst else { break (v, 0.0) };
-        // A generator whose work against the residual is below this fraction of it is not added.
+        // A generator is not added if its work against the residual is below this fraction of the norm of the residual.
         let joins = work < -1e-13 * v.norm() && v.norm() > CLEAR_RESIDUAL && !nearest.has(tag);
         if !joins
             || joins_left == 0
@@ -198,7 +198,7 @@ pub(crate) fn separates_from_here_on(problem: &Problem, motion: &Vector, rate: &
     gained > CLEAR_RESIDUAL && counts_from_here_on(here, here + data * gained, against, data)
 }
 
-/// The unit wrenches that generate the cones that are not round; `None` where a law is not a cone of forces at rest.
+/// The unit wrenches that generate the cones that are not round; `None` where a contact law is not a cone of forces, as in a rate problem.
 pub(crate) fn straight_generators(problem: &Problem) -> Option<Vec<Generator>> {
     let mut list = Vec::new();
     for (contact, (local, site)) in problem.locals().zip(problem.sites).enumerate() {

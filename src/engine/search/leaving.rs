@@ -33,7 +33,7 @@ impl Base {
         Some(Self { states, piece, at })
     }
 
-    /// This start with the contacts `among` sticking; unchanged if they stick already. `None` if the tangent stiffness is then singular.
+    /// This start, but with the contacts in `among` sticking; unchanged if they stick already. `None` if the tangent stiffness is then singular.
     fn sticking_at(self, problem: &Problem, among: &[usize], moved: &mut Moved) -> Option<Self> {
         let mut states = self.states.clone();
         for i in among {

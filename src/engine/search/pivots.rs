@@ -1,11 +1,12 @@
 //! Tests on random grasps under a load (scenes): the solver `structured`, Lemke's method on lists of contact states, makes the same pivots as the
 //! dense solver with the same covering vector.
 //!
-//! A scene is *settled* when no gap and no variable of a closed contact is close to zero in the dense answer, and none larger than precision allows.
-//! At an open contact all friction variables become zero together with the covering variable z₀. Which facets are basic in the end is then arbitrary,
-//! so the contact is compared as open. If the rounding of the dense tableau hides this tie, the dense solver makes a few pivots more before z₀
-//! leaves, or ends on a ray. Where a scene is not settled (no contact carries any force, or it is symmetric) several variables reach zero together;
-//! both solvers break such ties by a vector without structure, but not by the same one, since the dense solver balances its rows first.
+//! A scene is *settled* when no gap and no variable of a closed contact is close to zero in the dense solver's solution, and none is larger than
+//! precision allows. At an open contact all friction variables become zero together with the covering variable z₀. Which facets are basic in the end
+//! is then arbitrary, so the contact is compared as open. If the rounding of the dense tableau hides this tie, the dense solver makes a few pivots
+//! more before z₀ leaves, or ends on a ray. Where a scene is not settled (no contact carries any force, or it is symmetric) several variables reach
+//! zero together; both solvers break such ties by a vector without structure, but not by the same one, since the dense solver balances its rows
+//! first.
 
 use core::f64::consts::TAU;
 
@@ -135,7 +136,7 @@ fn contact<const C: usize>(draw: &mut Draw, far_apart: bool) -> Contact<C> {
     let decades = if far_apart { 6.0 } else { 1.3 };
     let stiffness = SVector::from_fn(|_, _| 10_f64.powf(between(draw, 0.0, decades)));
     let drawn = between(draw, 0.0, 9.0);
-    // Friction is finite: without facets an open contact could keep its tangential force.
+    // Friction is finite: a contact with infinite friction has no facets, and without facets it could keep its tangential force when it opens.
     let friction = match drawn {
         _ if !far_apart => between(draw, 0.2, 1.5),
         ..1.0 => 0.0,
@@ -197,7 +198,8 @@ fn agree(tallies: &Tallies) {
     assert!(opening.other_states * 300 <= opening.scenes, "{opening:?}");
 }
 
-/// If a variable is zero up to rounding, rounding decides in which of two bases a solver ends.
+/// Asserts that both solvers agree on unsettled scenes, except for a few: if a variable is zero up to rounding, rounding decides in which of two
+/// bases a solver ends.
 fn unsettled_agree_but_for(exceptions: usize, unsettled: &Tally) {
     assert!(unsettled.scenes > 12 && unsettled.same + exceptions >= unsettled.scenes, "{unsettled:?}");
 }
@@ -218,7 +220,7 @@ fn random_scenes_in_space() {
     agree(&tallies);
     let Tallies { closed, opening, unsettled } = tallies;
     assert!(closed.same + opening.same > 600 && closed.pivots + opening.pivots > 5000, "{tallies:?}");
-    // In a twentieth of these scenes a tie is lost in the rounding of the dense tableau.
+    // In a twentieth of these scenes the rounding of the dense tableau hides a tie.
     assert!(opening.other_pivots * 10 < opening.scenes, "{opening:?}");
     unsettled_agree_but_for(4, &unsettled);
 }
@@ -235,8 +237,8 @@ fn random_scenes_of_many_contacts() {
     assert!(space.closed.same + space.opening.same > 20, "{space:?}");
 }
 
-/// If stiffnesses and coefficients of friction differ widely, the solver on lists of states ends on fewer rays, and hardly ever on one where the
-/// dense solver does not.
+/// If stiffnesses and coefficients of friction differ widely, `structured` ends on fewer rays than the dense solver, and hardly ever on a ray where
+/// the dense solver does not.
 #[test]
 fn random_scenes_of_springs_and_friction_far_apart() {
     for tallies in [random::<2>(2..9, true, 1500), random::<3>(2..9, true, 1500)] {

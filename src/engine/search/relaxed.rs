@@ -29,7 +29,7 @@ use crate::proofs::{ESCAPE, LEAST_WORK};
 /// A hull generator: the index of its contact, and its index among the generators of that contact.
 pub(super) type Tag = (usize, usize);
 
-/// The equation `e + P (f - e) = f⁰`, which states balance of forces f and compatibility of stretches e.
+/// The equation `e + P (f - e) = f⁰`, which expresses balance of forces f and compatibility of stretches e.
 pub(super) struct BalanceEquation {
     /// The projector P, column by column.
     projector: Vec<f64>,
@@ -43,7 +43,8 @@ pub(super) struct BalanceEquation {
 
 /// The result of relaxing every contact's law to its convex hull in one case.
 pub(super) enum Relaxed {
-    /// The relaxed equations have a solution: stretches (m) and forces (N) of the contacts, as far as the relaxation determines them.
+    /// The case is not contradicted: stretches (m) and forces (N) of the contacts that solve the relaxed equations, or come nearest to a solution.
+    /// Where the relaxation does not determine stretches and forces, they are one choice of many.
     Met(Vec<SVector<f64, 3>>, Vec<SVector<f64, 3>>),
     /// The case has no equilibrium, except perhaps one that is larger than the data by at least this factor, which rounding could hide.
     Contradicted { escape: f64 },
@@ -213,7 +214,7 @@ impl BalanceEquation {
         (motion, forces.list())
     }
 
-    /// The length of a difference of two forces at a contact in energy units, as a fraction of the elastic trial state.
+    /// The norm of a difference of two forces at a contact in energy units, as a fraction of the norm of the elastic trial state.
     pub(super) fn part(&self, contact: usize, difference: &SVector<f64, 3>) -> f64 {
         let root = &self.roots[contact];
         let square: f64 = (0..3)

@@ -19,7 +19,7 @@ use crate::prelude::*;
 pub(super) struct RoundPieces {
     states: Vec<State>,
     forces: Vec<SVector<f64, 3>>,
-    /// The twist in twice the working precision: the slip of a stiff contact may be smaller than the rounding of the twist.
+    /// The twist in twice the working precision: the slip of a stiff contact may be smaller than the working-precision rounding error of the twist.
     twist: PreciseTwist,
 }
 
@@ -34,7 +34,7 @@ struct Progress {
 }
 
 impl RoundPieces {
-    /// Converges by Newton's method on the twist from `from`, with every contact free to change its state.
+    /// Newton's method on the twist from `from`, with every contact free to change its state; `None` if it does not converge.
     pub(super) fn by_newton(problem: &Problem, from: Vector) -> Option<Self> {
         let mut contacts = Vec::new();
         // Newton's method on the twist ends at this imbalance, a fraction of the forces; the caller's Newton steps with fixed contact states reduce
@@ -63,7 +63,8 @@ impl RoundPieces {
         }
     }
 
-    /// Newton's method until the forces of all contacts are correct to the last digit. `None` if it does not converge or the states do not hold.
+    /// Newton's method until the forces of all contacts are correct to the last digit. `None` if it does not converge, or if a contact breaks a
+    /// condition of its state.
     pub(super) fn solve(mut self, problem: &Problem) -> Option<Found> {
         let driven = problem.offsets.iter().map(SVector::norm).fold(self.twist.value().norm(), f64::max);
         let mut piece = Piece::new(problem, &self.states);
@@ -86,7 +87,7 @@ impl RoundPieces {
             if sharp && !left {
                 return None;
             }
-            // Close to the solution the old tangent is good enough: steps then shrink by a constant factor, without a new factorisation.
+            // Close to the solution the present factorisation is good enough: steps then shrink by a constant factor, without a new factorisation.
             if left || !near {
                 piece = Piece::new(problem, &self.states);
             }

@@ -17,7 +17,7 @@ use crate::prelude::*;
 /// The same forces in other states, which show the free motions: contacts on the edge of their cone slide, and contacts without force are open.
 /// Returns `found` itself if these states break a condition.
 pub(crate) fn on_the_solution_interval(problem: &Problem, found: Found) -> Found {
-    // In space the springs perpendicular to the slip resist, so that no motion stays free.
+    // In space a sliding contact still resists motions perpendicular to its slip, so that no motion stays free.
     if problem.space() == Space::Spatial {
         return found;
     }

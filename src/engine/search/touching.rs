@@ -17,7 +17,7 @@ pub(super) fn touching_contacts(
     // `piece` stays empty in the first round: the initial states have already failed.
     let mut piece = None;
     let mut changed = Vec::new();
-    // With up to this number of contacts, they open one at a time. With more, all contacts that pull open together.
+    // With up to this number of contacts, contacts that pull open one at a time. With more, all contacts that pull open together.
     let one_by_one = 64;
     // Every contact usually changes once; this limit of rounds ends cycles.
     let rounds = if states.len() > one_by_one { 20 } else { 2 * states.len() + 2 };

@@ -24,7 +24,7 @@ pub(super) const TRIAL: usize = 0;
 pub(super) const COVER: usize = 1;
 pub(super) const PERTURBED: usize = 2;
 
-/// The active pairs of one contact, those whose z is basic, by their numbers within the contact.
+/// The active pairs of one contact, by their numbers within the contact: those of its complementary pairs (w, z) whose z is basic.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Active {
     pairs: [u16; 3],

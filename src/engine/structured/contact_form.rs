@@ -22,7 +22,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 pub(super) struct PairedContact {
     pub(super) contact: EnergyContact,
-    /// x⁰_i, the elastic trial state of the contact.
+    /// x⁰_i, the force of the contact in the elastic trial, in energy coordinates.
     pub(super) trial: SVector<f64, 3>,
     /// The index of the contact's first complementary pair in the whole problem. Pair 0 of a contact that may open is its gap.
     pub(super) first: usize,

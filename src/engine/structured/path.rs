@@ -22,7 +22,7 @@ use crate::prelude::*;
 /// The way in which a path of Lemke's method ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum PivotEnd {
-    /// z₀ has left the basis, which is complementary: it gives every contact a state.
+    /// The covering variable z₀ has left the basis, which is now complementary: it gives every contact a state.
     Complementary,
     /// The entering variable grows without bound. On this form a ray proves nothing.
     Ray,
@@ -70,8 +70,8 @@ impl StatePath {
         self.run(first, &Point { y: Vector::zeros(), s: z0 }, limit)
     }
 
-    /// The pair that is violated most at the trial state, relative to its entry of the covering vector, and the z₀ that makes its slack zero. `None`
-    /// if no pair is violated.
+    /// The pair that is violated most at the trial state, relative to its entry of the covering vector. It comes with the value of the covering
+    /// variable z₀ that makes the slack of this pair zero. `None` if no pair is violated.
     fn most_violated(&self) -> Option<(Entering, f64)> {
         let form = &self.form;
         let mut least = 0.0_f64;
