@@ -1,4 +1,4 @@
-//! Tolerances of the proofs that no equilibrium exists: when a contradiction counts, and what is rounding.
+//! Tolerances of the proofs that no equilibrium exists: when a contradiction counts, and which values count as rounding errors.
 
 /// A proof of no equilibrium counts if any equilibrium that rounding could hide has forces at least this many times as large as the data.
 ///

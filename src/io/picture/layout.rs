@@ -1,4 +1,4 @@
-//! Sizes and places of what is drawn, one list for each kind of figure.
+//! Sizes and places of the parts of pictures, one list for each kind of picture.
 //!
 //! Lengths are in pixels unless they are said to be fractions of the span of a grasp, its largest extent along an axis.
 
