@@ -27,7 +27,7 @@ impl<const C: usize> FrictionProblem<C> {
     /// | outcome | means |
     /// |---|---|
     /// | [`Solved`](Outcome::Solved) | the law is satisfied to the tolerance of the settings |
-    /// | [`Infeasible`](Outcome::Infeasible) | no solution: some contact approaches for all forces in the cones. The certificate has a weight per contact, see [`Self::proves_infeasible`] |
+    /// | [`Infeasible`](Outcome::Infeasible) | no solution: some contact approaches for all forces in the cones. `y` has a weight per contact, see [`Self::proves_infeasible`] |
     /// | [`NoBasis`](Outcome::NoBasis) | in the plane: no solution exists, since each combination of states of an island is excluded without rounding |
     /// | others | undecided. A [`Ray`](crate::lcp::Ray) belongs to the complementarity problem of [`Self::facets`] |
     #[must_use]
