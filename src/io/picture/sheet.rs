@@ -26,7 +26,7 @@ pub(super) fn pixel((x, y): Place) -> Pixel {
 
 fn fine(length: f64) -> Fine {
     #[expect(clippy::cast_possible_truncation, reason = "clamped")]
-    // The limit of 1e7 pixels is far beyond the size of a picture, and a hundredth of a pixel in a 32-bit integer still reaches it.
+    // The limit of 1e7 pixels is far beyond the size of a picture, and its number of hundredths fits into a 32-bit integer.
     let whole = (length.clamp(-1e7, 1e7) * PARTS_OF_A_PIXEL).round() as i32;
     Fine(whole)
 }
