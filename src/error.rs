@@ -278,7 +278,7 @@ pub enum Error {
         /// Name of the method.
         question: &'static str,
     },
-    /// The question reports sliding contacts but does not support kinetic friction lower than static friction, which this contact has.
+    /// The question names sliding contacts in its answer but does not support kinetic friction lower than static friction, which this contact has.
     #[error(
         "{question} does not know that the friction of contact {contact} is lower once it slides: ask hold, follow or shake, which do, or leave kinetic friction out"
     )]
@@ -314,7 +314,7 @@ pub enum Error {
         contacts: usize,
         /// Number of combinations of their states.
         combinations: f64,
-        /// The limit in force.
+        /// The largest number of combinations that is allowed.
         most: usize,
     },
 }
@@ -333,7 +333,7 @@ pub enum Field {
     BodyStiffness,
     /// Stiffness of the finger, N/m.
     FingerStiffness,
-    /// Stiffness of both in series, N/m.
+    /// Stiffness of object and finger in series, N/m.
     SeriesStiffness,
     /// Coefficient of friction at rest.
     Friction,
@@ -355,7 +355,7 @@ pub enum Field {
 }
 
 impl Field {
-    /// The word between a datum and its value: of a tangent the length is reported.
+    /// The words between a datum and its value in an error message. The value for a tangent is its length.
     pub(crate) fn is(self) -> &'static str {
         if self == Self::Tangent { "of length" } else { "is" }
     }

@@ -1,6 +1,7 @@
 //! The piecewise smooth equations of P. Alart and A. Curnier, alone or with a proximal term that holds forces near an anchor.
 //!
-//! With ζ = r − ρ u a contact is open if ζ_N ≤ 0, sticks if ‖ζ_T‖ ≤ μ ζ_N, and slides otherwise. The law is r = Π(ζ) with
+//! A contact has the force r and the velocity u, with normal and tangential parts N and T. Let ζ = r − ρ u, with a factor ρ that converts velocities
+//! to forces. The contact is open if ζ_N ≤ 0, sticks if ‖ζ_T‖ ≤ μ ζ_N, and slides otherwise. The law is r = Π(ζ) with
 //!
 //! ```text
 //! open      Π = 0
@@ -21,7 +22,7 @@ use crate::numerics::{mapped, numbered};
 use crate::prelude::*;
 use nalgebra::{DVector, SMatrix, SVector};
 
-/// Π(ζ) of a contact with friction μ, and its derivative with respect to ζ.
+/// The force Π(ζ) of a contact with friction μ for the trial value ζ, and its derivative with respect to ζ.
 pub(super) fn answer<const C: usize>(
     trial: &SVector<f64, C>,
     mu: f64,
@@ -47,7 +48,7 @@ pub(super) fn answer<const C: usize>(
     (answer, change)
 }
 
-/// The equations of all contacts, in blocks, with a proximal term at an anchor.
+/// The equations of all contacts, with the matrix W in blocks and a proximal term at an anchor.
 pub(super) struct Anchored<'a, const C: usize> {
     pub(super) problem: &'a FrictionProblem<C>,
     pub(super) blocks: &'a Blocks<C>,
@@ -75,7 +76,8 @@ impl<'a, const C: usize> Anchored<'a, C> {
             let size =
                 |i: usize| part::<C>(anchor, i).norm().max(rho[i] * part::<C>(&terms, i).amax()).powi(2);
             let largest = (0..rho.len()).map(|i| size(i) / rho[i]).fold(0.0, f64::max);
-            // Weights by contact divide by the size of a contact, taken as at least this fraction of the largest one.
+            // With `by_contact`, squared residuals are divided by the squared size of the contact's force and velocity. This size is at least this
+            // fraction of the largest one.
             let faintest = 1e-6;
             let weight = |i: usize| 1.0 / size(i).max(faintest * faintest * largest * rho[i]);
             numbered(rho.len(), &weight)

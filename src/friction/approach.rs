@@ -21,7 +21,7 @@ use crate::prelude::*;
 use core::ops::ControlFlow;
 use nalgebra::DVector;
 
-/// The starts: number of sweeps, and initial τ of the central path relative to the mean energy of a contact.
+/// The starts: number of sweeps, and the initial parameter τ of the central path relative to the mean energy of a contact.
 pub(super) const STARTS: [(usize, f64); 4] = [(200, 1e-2), (20, 1.0), (1000, 1e-4), (5, 1e-6)];
 
 /// The caller's function that receives the progress and may stop the solve.
@@ -103,7 +103,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         self.anchored_rounds(r)
     }
 
-    /// Polishes the given forces.
+    /// Returns the best forces after Newton steps from the given forces (see [`Self::polish`]).
     pub(super) fn polished(mut self, r: &DVector<f64>) -> DVector<f64> {
         self.record_if_best(r);
         self.polish();
@@ -185,7 +185,8 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         Anchored::with_anchor(self.problem, self.blocks, self.rho.clone(), anchor, weights)
     }
 
-    /// Keeps these forces if their residual is the smallest so far, and reports to the watcher. Returns their largest residual.
+    /// Keeps these forces if their residual is the smallest so far, and calls the watcher with the progress. Returns the largest residual of these
+    /// forces.
     fn record_if_best(&mut self, r: &DVector<f64>) -> f64 {
         if r.iter().any(|r| !r.is_finite()) {
             return f64::INFINITY;

@@ -1,4 +1,4 @@
-//! W in blocks, one for each pair of coupled contacts.
+//! The matrix W, from contact forces to velocities, in blocks: one for each pair of coupled contacts.
 //!
 //! In piles and stacks each contact is coupled with few others, so most of W is zero.
 
@@ -7,10 +7,10 @@ use crate::numerics::numbered;
 use crate::prelude::*;
 use nalgebra::{DVector, SMatrix, SVector};
 
-/// A block of W: the velocity of one contact per unit force at another.
+/// A block of the matrix W: the velocity of one contact per unit force at another.
 pub(super) type ContactBlock<const C: usize> = SMatrix<f64, C, C>;
 
-/// The nonzero blocks of W.
+/// The nonzero blocks of the matrix W from contact forces to velocities.
 #[derive(Debug, Clone)]
 pub(super) struct Blocks<const C: usize> {
     own: Vec<ContactBlock<C>>,
@@ -22,7 +22,7 @@ impl<const C: usize> Blocks<C> {
         let n = problem.len();
         let block = |i: usize, j: usize| problem.w.fixed_view::<C, C>(C * i, C * j).into_owned();
         let mut others = vec![Vec::new(); n];
-        // Column by column, as W is stored.
+        // Visits the blocks column by column, in the order in which the matrix is stored.
         for j in 0..n {
             for (i, others) in others.iter_mut().enumerate().filter(|(i, _)| *i != j) {
                 let block = block(i, j);
@@ -67,7 +67,7 @@ impl<const C: usize> Blocks<C> {
         self.others[i].iter().fold(SVector::zeros(), |sum, (j, w)| sum + w * part::<C>(r, *j))
     }
 
-    /// Velocities u = W r + q.
+    /// The velocities u = W r + q for the forces r, with the matrix W and the velocities q without contact forces.
     pub(super) fn velocities(&self, r: &DVector<f64>, q: &DVector<f64>) -> DVector<f64> {
         let mut u = q.clone();
         for i in 0..self.len() {
@@ -77,7 +77,7 @@ impl<const C: usize> Blocks<C> {
         u
     }
 
-    /// Magnitude of the terms of u: |W| |r| + |q|.
+    /// Sum of the sizes of the terms of each velocity, |W| |r| + |q|: the matrix W times the forces r, plus the velocities q without contact forces.
     pub(super) fn terms(&self, r: &DVector<f64>, q: &DVector<f64>) -> DVector<f64> {
         let mut terms = q.abs();
         for i in 0..self.len() {

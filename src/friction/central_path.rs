@@ -1,7 +1,8 @@
-//! The central path to a solution, through the interior of the cones: û ∘ r = τ at each contact, as τ decreases to zero.
+//! The central path to a solution, through the interior of the cones: û ∘ r = τ at each contact, as the parameter τ decreases to zero.
 //!
-//! The law is û ⟂ r with r in the friction cone and û = u + μ ‖u_T‖ n in its dual cone ([module](super)). In the coordinates r' = (μ r_N, r_T)
-//! and û' = (û_N / μ, û_T) both cones become ‖x_T‖ ≤ x_N. The law is then r' = P(r' − ρ û') with the projection P onto this cone. Smoothed,
+//! A contact with normal n has the force r and the velocity u. Coulomb's law is û ⟂ r with r in the friction cone and û = u + μ ‖u_T‖ n in its dual
+//! cone ([module](super)). In the coordinates r' = (μ r_N, r_T) and û' = (û_N / μ, û_T) both cones become ‖x_T‖ ≤ x_N. The law is then r' = P(r' − ρ
+//! û') with the projection P onto this cone. Smoothed,
 //!
 //! ```text
 //! P(x) = Σ± φ(x_N ± ‖x_T‖) (1, ± x_T / ‖x_T‖) / 2,     φ(λ) = (λ + √(λ² + 4 ρ τ)) / 2
@@ -24,12 +25,12 @@ use nalgebra::{DVector, SVector};
 pub(super) struct Smoothed<'a, const C: usize> {
     pub(super) problem: &'a FrictionProblem<C>,
     pub(super) blocks: &'a Blocks<C>,
-    /// ρ of each contact, from [`scales`].
+    /// The factor ρ of each contact that converts velocities to forces, from [`scales`].
     pub(super) rho: &'a [f64],
     pub(super) tau: f64,
 }
 
-/// The scale ρ of each contact in the coordinates r', û'.
+/// The factor ρ of each contact that converts velocities to forces, in the scaled coordinates r' and û' (see the top of the file).
 pub(super) fn scales<const C: usize>(problem: &FrictionProblem<C>, blocks: &Blocks<C>) -> Vec<f64> {
     let scale = |i: usize| {
         let own = blocks.diagonal(i);
@@ -65,12 +66,12 @@ pub(super) fn follow<const C: usize>(
     let energy = (0..problem.len()).map(|i| part::<C>(&r, i).norm_squared() / rho[i]).sum::<f64>() / count;
     let ControlFlow::Continue(missing) = judge(&r) else { return (r, 0) };
     let mut best = (missing, r.clone());
-    // τ of the last point on the path, and the factor that leads to the next.
+    // The parameter τ of the last point on the path, and the factor by which τ is reduced for the next point.
     let (mut tau, mut factor, mut made) = (begin * energy, 1.0, 0);
-    // Factor of the first reduction of τ.
+    // The first factor by which τ is reduced.
     let slow = 0.2;
-    // The path ends where τ is near squared rounding, relative to the mean energy of a contact. It is lost if τ can only be reduced by a factor
-    // above 0.9.
+    // The path ends where its parameter τ, relative to the mean energy of a contact, is near the square of the working precision. The path is lost if
+    // τ can only be reduced by a factor above 0.9.
     while tau * factor > 1e-16 * energy && (factor < 0.9 || factor == 1.0) {
         let smoothed = Smoothed { problem, blocks, rho: &rho, tau: tau * factor };
         // A point is on the path if the root mean square of its residuals is below this fraction of √τ. If smaller, steps are repeated that the next
@@ -147,7 +148,7 @@ fn contact<const C: usize>(
         by_velocity[(0, 0)] = rho * slope(x, width);
         return (residual, by_force, by_velocity);
     }
-    // ‖u_T‖, smoothed near zero.
+    // The slip speed ‖u_T‖, smoothed near zero.
     let slip = tangent(velocity);
     let rounded = (tau / rho).sqrt();
     let speed = slip.norm().hypot(rounded);
@@ -164,7 +165,7 @@ fn contact<const C: usize>(
     (scaled - projected, scale - change * scale, change * inverse * dilation * rho)
 }
 
-/// The smoothed projection onto ‖x_T‖ ≤ x_N, and its derivative.
+/// The smoothed projection of x onto the cone ‖x_T‖ ≤ x_N, and its derivative.
 fn projection<const C: usize>(x: &SVector<f64, C>, width: f64) -> (SVector<f64, C>, ContactBlock<C>) {
     let slip = tangent(x);
     let length = slip.norm();
@@ -189,13 +190,13 @@ fn projection<const C: usize>(x: &SVector<f64, C>, width: f64) -> (SVector<f64, 
     (projected, change)
 }
 
-/// φ(λ) with the product ρ τ as `width`, accurate also where φ is small.
+/// The smoothed positive part φ of `x`, with the product ρ τ as `width` (see the top of the file). It is accurate also where φ is small.
 fn smoothed(x: f64, width: f64) -> f64 {
     let root = (x * x + 4.0 * width).sqrt();
     if x >= 0.0 { 0.5 * (x + root) } else { 2.0 * width / (root - x) }
 }
 
-/// Derivative dφ/dλ.
+/// Derivative of [`smoothed`] with respect to `x`.
 fn slope(x: f64, width: f64) -> f64 {
     let root = (x * x + 4.0 * width).sqrt();
     if x >= 0.0 { 0.5 * (1.0 + x / root) } else { 2.0 * width / (root * (root - x)) }

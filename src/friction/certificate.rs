@@ -1,6 +1,7 @@
 //! Proofs that no solution exists: whatever forces in the cones act, some contact approaches.
 //!
-//! A vector y ≥ 0 with one weight per contact is such a proof if a = W_Nᵀ y, with W_N the normal rows of W, and q_N satisfy
+//! Velocities are u = W r + q for contact forces r; W_N and q_N are the normal rows of W and q. A vector y ≥ 0 with one weight per contact is such a
+//! proof if a = W_Nᵀ y and q_N satisfy
 //!
 //! ```text
 //! a_N + μ ‖a_T‖ ≤ 0 at each contact,     q_Nᵀ y < 0:
@@ -19,8 +20,9 @@ use core::f64::consts::PI;
 use nalgebra::{DMatrix, DVector, SVector};
 
 impl<const C: usize> FrictionProblem<C> {
-    /// Whether y (n entries) proves that no solution exists: y ≥ 0, q_Nᵀ y < 0, and a = W_Nᵀ y satisfies a_N + μ ‖a_T‖ ≤ 0 at each contact. Then
-    /// yᵀu_N < 0 for all forces in the cones.
+    /// Whether y, with a weight for each of the n contacts, proves that no solution exists: y ≥ 0, q_Nᵀ y < 0, and a = W_Nᵀ y satisfies a_N + μ ‖a_T‖
+    /// ≤ 0 at each contact. Here W_N and q_N are the normal rows of the matrix W and of the vector q. Then yᵀu_N < 0 for the normal velocities u_N
+    /// under all forces in the cones.
     ///
     /// In the plane the check is exact. In space sums are exact, but ‖a_T‖ is rounded, and its rounding counts against the proof. A y that
     /// narrowly fails in space may thus be a proof in exact arithmetic.
@@ -85,7 +87,8 @@ impl<const C: usize> FrictionProblem<C> {
     }
 }
 
-/// The exact sum Σ y_i (W_iN + μ W_iT): the product of y_i and μ is split into two doubles. `None` if it underflows or overflows.
+/// The exact sum Σ y_i (W_iN + μ W_iT) over contacts i, with entries of the normal and tangential columns of the matrix W. The product of y_i and μ
+/// is split into two doubles. `None` if it underflows or overflows.
 fn edge(y: &DVector<f64>, columns: &[&[f64]], step: usize, mu: f64) -> Option<ExactSum> {
     let mut sum = ExactSum::new();
     for (i, y) in y.iter().enumerate() {

@@ -11,8 +11,8 @@ use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
 impl<const C: usize> FrictionProblem<C> {
-    /// These forces with those of open contacts set to zero, and forces just outside a cone moved onto its edge. u holds their velocities; ρ of
-    /// each contact converts velocities to forces.
+    /// These forces, with the forces of open contacts set to zero, and forces just outside a cone moved onto its edge. `u` has the velocities of the
+    /// contacts; the factor ρ of each contact converts velocities to forces.
     pub(super) fn snapped_to_cones(
         &self,
         mut r: DVector<f64>,
@@ -65,7 +65,8 @@ impl<const C: usize> FrictionProblem<C> {
         if !residuals.within(tolerance) {
             return None;
         }
-        // If the terms exceed q by many orders of magnitude, the forces would solve the problem for any q, so they prove nothing.
+        // If the terms W r of the velocities exceed q by many orders of magnitude, these forces prove nothing: within rounding they would solve the
+        // problem for any q.
         let terms = (self.w.abs() * r.abs()).amax();
         if residuals.max() > FEW_ROUNDINGS && residuals.max() * terms > BACKWARD_ERROR * self.q.amax()
             || terms > 0.0 && self.q.amax() <= LOST * terms
@@ -85,7 +86,7 @@ impl<const C: usize> FrictionProblem<C> {
         })
     }
 
-    /// These forces with those set to zero that contribute only rounding to every row.
+    /// These forces, in which a force is set to zero if it contributes only rounding to every velocity.
     fn without_noise(&self, mut r: DVector<f64>) -> DVector<f64> {
         let terms = self.w.abs() * r.abs() + self.q.abs();
         for i in 0..self.len() {

@@ -85,7 +85,7 @@ fn inverse<const C: usize>(mut block: ContactBlock<C>) -> Option<ContactBlock<C>
 /// A block row: pairs of a contact and its block.
 pub(super) type SparseRow<const C: usize> = Vec<(usize, ContactBlock<C>)>;
 
-/// Solves a system, given its block rows by contact and its right-hand side. `None` if a pivot is singular.
+/// Solves a linear system, given its block rows by contact and its right-hand side. `None` if a pivot is singular.
 pub(super) fn solve<const C: usize>(
     order: &[usize],
     rows: &[SparseRow<C>],

@@ -1,7 +1,7 @@
 //! Piecewise smooth equations for the forces, one per component of each contact, and damped Newton steps for their solution.
 //!
-//! The equations of [`alart_curnier`](super::alart_curnier) and of the [`central_path`](super::central_path) have this form. In both, the
-//! residual of a contact depends only on its own force and velocity, so the Jacobian has the block pattern of W.
+//! The equations of [`alart_curnier`](super::alart_curnier) and of the [`central_path`](super::central_path) have this form. In both, the residual of
+//! a contact depends only on its own force and velocity, so the Jacobian has the block pattern of the matrix W from forces to velocities.
 
 use super::blocks::{Blocks, ContactBlock};
 use super::elimination;
@@ -20,7 +20,7 @@ pub(super) struct Linearisation<const C: usize> {
     pub(super) by_force: Vec<ContactBlock<C>>,
     /// Derivative of a contact's residual with respect to its velocity.
     pub(super) by_velocity: Vec<ContactBlock<C>>,
-    /// Norm of the residuals; `terms` is the norm of the terms whose difference they are.
+    /// Norm of the residuals. Each residual is a small difference of large terms, and `terms` is the norm of these terms.
     pub(super) size: f64,
     pub(super) terms: f64,
 }
@@ -56,7 +56,7 @@ pub(super) trait Equations<const C: usize> {
     /// Residuals and derivatives at the forces r.
     fn at(&self, r: DVector<f64>) -> Linearisation<C>;
 
-    /// Multiple of the identity that is added to a contact's diagonal block of W to regularise the equations of redundant contacts.
+    /// Multiple of the identity that is added to a contact's diagonal block of the matrix W, to regularise the equations of redundant contacts.
     fn shift(&self, contact: usize) -> f64;
 
     fn blocks(&self) -> &Blocks<C>;

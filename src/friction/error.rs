@@ -6,7 +6,7 @@ use crate::lcp::LcpError;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// W is not square or has an entry that is not finite, or a vector has the wrong length.
+    /// The matrix W is not square or has an entry that is not finite, or a vector has the wrong length.
     #[error(transparent)]
     Numbers(#[from] LcpError),
     /// The friction coefficient of a contact is negative or not finite.

@@ -1,6 +1,7 @@
 //! The linear complementarity problem in which a polygon replaces each friction cone.
 //!
-//! With facet directions d_1 … d_k, the tangential force r_T = Σ β_j d_j, and the slip speed λ,
+//! A contact has the normal force r_N, normal velocity u_N and tangential velocity u_T. With facet directions d_1 … d_k, the tangential force r_T = Σ
+//! β_j d_j, and the slip speed λ,
 //!
 //! ```text
 //! 0 ≤ u_N             ⟂ r_N ≥ 0
@@ -8,7 +9,8 @@
 //! 0 ≤ μ r_N − Σ β_j   ⟂ λ ≥ 0
 //! ```
 //!
-//! (D. E. Stewart and J. C. Trinkle, Int. J. Numer. Methods Eng. 39, 1996). The matrix is copositive if W is positive semidefinite.
+//! (D. E. Stewart and J. C. Trinkle, Int. J. Numer. Methods Eng. 39, 1996). The matrix is copositive if the matrix W from forces to velocities is
+//! positive semidefinite.
 
 use super::problem::FrictionProblem;
 use super::settings::MOST_CONE_FACETS;
@@ -45,7 +47,7 @@ impl<const C: usize> Facets<C> {
         Self(mapped(angles, &of))
     }
 
-    /// Number of unknowns of each contact: r_N, all β_j, and λ.
+    /// Number of unknowns of each contact: the normal force, a friction force along each facet direction, and the slip speed.
     fn width(&self) -> usize {
         self.0.first().map_or(0, |facets| facets.len() + 2)
     }
@@ -55,13 +57,14 @@ impl<const C: usize> Facets<C> {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct FacetedProblem<const C: usize> {
-    /// The complementarity problem. Its unknowns for each contact are r_N, one force along each facet direction, and the slip speed.
+    /// The complementarity problem. Its unknowns for each contact are the normal force, one friction force along each facet direction, and the slip
+    /// speed.
     pub lcp: Lcp,
     facets: Facets<C>,
 }
 
 impl<const C: usize> FacetedProblem<C> {
-    /// The entries that belong to r_N or u_N, from a vector of the complementarity problem.
+    /// The entries for the normal forces (or their slacks, the normal velocities) from a vector of the complementarity problem.
     pub(super) fn normals(&self, z: &DVector<f64>) -> DVector<f64> {
         vector_of(self.facets.0.len(), &|i| z[self.facets.width() * i])
     }
@@ -93,7 +96,7 @@ impl<const C: usize> FrictionProblem<C> {
     ///
     /// # Errors
     ///
-    /// [`LcpError::MatrixEntry`] if a sum of entries of W leaves the range of double precision.
+    /// [`LcpError::MatrixEntry`] if a sum of entries of the matrix W leaves the range of double precision.
     pub fn facets(&self, facets: usize) -> Result<FacetedProblem<C>, LcpError> {
         self.polygon(Facets::regular(facets.clamp(3, MOST_CONE_FACETS), &vec![0.0; self.len()]))
     }

@@ -1,9 +1,9 @@
 //! The central path of a few contacts, followed around its folds.
 //!
-//! Friction folds the [`central_path`](super::central_path): where contacts wedge, τ must increase again before it decreases. Forces and ln τ
-//! together are therefore followed by arc length, for which a fold is an ordinary point (H. B. Keller, Numerical solution of bifurcation and
-//! nonlinear eigenvalue problems, 1977). The path starts far inside the cones, where the solution is unique. If W is positive definite it ends
-//! at a solution of the problem, unless it meets another path or diverges.
+//! Friction folds the [`central_path`](super::central_path): where contacts wedge, the path's parameter τ must increase again before it decreases.
+//! Forces and ln τ together are therefore followed by arc length, for which a fold is an ordinary point (H. B. Keller, Numerical solution of
+//! bifurcation and nonlinear eigenvalue problems, 1977). The path starts far inside the cones, where the solution is unique. If the matrix W is
+//! positive definite, the path ends at a solution of the problem, unless it meets another path or diverges.
 
 use super::blocks::Blocks;
 use super::central_path::{Smoothed, scales};
@@ -51,7 +51,8 @@ pub(super) fn around_folds<const C: usize>(
             if let Some((next, corrections)) = onward {
                 x = next;
                 if 2 * corrections <= MOST_FOLD_CORRECTIONS {
-                    // Few corrections were needed, so the next step is longer: up to a relative change of 1 of the forces, or a factor e of τ.
+                    // Few corrections were needed, so the next step is longer: up to a relative change of 1 of the forces, or a factor e of the
+                    // path's parameter τ.
                     length = (1.5 * length).min(1.0);
                 }
                 break;
@@ -73,7 +74,7 @@ struct Path<'a, const C: usize> {
 }
 
 impl<const C: usize> Path<'_, C> {
-    /// Forces and ln τ at the starting point of the path, far inside the cones.
+    /// Forces and the logarithm of the path's parameter τ at the starting point of the path, far inside the cones.
     fn starting_point(&self, energy: f64) -> Option<DVector<f64>> {
         let size = self.problem.q.len();
         // Initial τ, as a multiple of the mean energy of a contact.
@@ -118,7 +119,7 @@ impl<const C: usize> Path<'_, C> {
         (residual, near, change)
     }
 
-    /// Diagonal of the metric for changes of forces and ln τ. Forces are measured relative to their size at x.
+    /// Diagonal of the metric for changes of forces and ln τ along the path. Forces are measured relative to their size at x.
     fn measure(&self, x: &DVector<f64>) -> DVector<f64> {
         let size = x.len() - 1;
         let energy =

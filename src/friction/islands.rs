@@ -1,4 +1,4 @@
-//! Islands: sets of contacts that W couples, directly or through others. Each island is a separate problem.
+//! Islands: sets of contacts that the matrix W couples, directly or through other contacts. Each island is a separate problem.
 
 use super::approach::Watcher;
 use super::blocks::Blocks;
@@ -17,7 +17,7 @@ pub(super) fn islands<const C: usize>(blocks: &Blocks<C>) -> Vec<Vec<usize>> {
     let mut near = vec![Vec::new(); n];
     for i in 0..n {
         for (j, _) in blocks.off_diagonal(i) {
-            // W need not be symmetric, so coupling in one direction suffices.
+            // The matrix W need not be symmetric, so coupling in one direction suffices.
             near[i].push(*j);
             near[*j].push(i);
         }
@@ -45,7 +45,7 @@ pub(super) fn islands<const C: usize>(blocks: &Blocks<C>) -> Vec<Vec<usize>> {
 }
 
 impl<const C: usize> FrictionProblem<C> {
-    /// The problem restricted to these contacts.
+    /// The problem restricted to the given contacts.
     pub(super) fn of_contacts(&self, contacts: &[usize]) -> Self {
         let component = |k: usize| C * contacts[k / C] + k % C;
         let size = C * contacts.len();

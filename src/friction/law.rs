@@ -11,11 +11,11 @@ pub enum ContactMode {
     Open,
     /// The velocity is zero.
     Sticking,
-    /// Friction has the magnitude μ r_N and opposes the slip.
+    /// Friction has its largest magnitude, μ r_N for the normal force r_N, and opposes the slip.
     Sliding,
 }
 
-/// Residuals of Coulomb's law for forces r and velocities u = W r + q, without units.
+/// Residuals of Coulomb's law for the forces r and the velocities u = W r + q of all contacts (see the [module](super)), without units.
 ///
 /// Each contact is measured on its own scale: forces relative to its own force, velocities relative to the largest terms of its rows of W r + q.
 /// A contact with a small force must thus satisfy the law as strictly as the others. The residuals do not depend on the units.
@@ -23,12 +23,12 @@ pub enum ContactMode {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Residuals {
-    /// The largest approach speed −u_N of a contact.
+    /// The largest speed with which a contact approaches, −u_N for the normal velocity u_N.
     pub approach: f64,
-    /// The largest distance of a force from the cone ‖r_T‖ ≤ μ r_N.
+    /// The largest distance of a contact force r from its friction cone ‖r_T‖ ≤ μ r_N.
     pub cone: f64,
-    /// The largest distance between r and the projection of r − ρ û onto the cone, which vanishes where the law holds. Here û = u + μ ‖u_T‖ n,
-    /// and ρ is ‖r‖ divided by the size of the terms of u.
+    /// The largest distance between a contact force r and the projection of r − ρ û onto its friction cone, which vanishes where Coulomb's law holds.
+    /// Here û = u + μ ‖u_T‖ n for the velocity u and the normal n. ρ is ‖r‖ divided by the size of the terms W r + q that add up to the velocity.
     pub law: f64,
 }
 
@@ -37,13 +37,13 @@ const INFINITE_RESIDUALS: Residuals =
     Residuals { approach: f64::INFINITY, cone: f64::INFINITY, law: f64::INFINITY };
 
 impl Residuals {
-    /// Whether all three are numbers of at most this size.
+    /// Whether all three residuals are numbers of at most this size.
     #[must_use]
     pub fn within(&self, tolerance: f64) -> bool {
         [self.approach, self.cone, self.law].iter().all(|r| *r <= tolerance)
     }
 
-    /// The largest of the three; NaN if any of them is NaN.
+    /// The largest of the three residuals; NaN if any of them is NaN.
     #[must_use]
     pub fn max(&self) -> f64 {
         let all = [self.approach, self.cone, self.law];
@@ -58,7 +58,7 @@ pub(super) fn tangent<const C: usize>(v: &SVector<f64, C>) -> SVector<f64, C> {
     tangent
 }
 
-/// The closest point of the cone ‖x_T‖ ≤ μ x_N.
+/// The point of the friction cone ‖x_T‖ ≤ μ x_N that is closest to x.
 pub(super) fn projection<const C: usize>(x: &SVector<f64, C>, mu: f64) -> SVector<f64, C> {
     let slip = tangent(x);
     let size = slip.norm();
@@ -142,7 +142,8 @@ impl<const C: usize> FrictionProblem<C> {
         (out, worst)
     }
 
-    /// The state of a contact from the position of ζ = r − ρ u: open if ζ_N ≤ 0, sticking inside the cone, sliding elsewhere.
+    /// The state of a contact from the position of ζ = r − ρ u, with the force r, the velocity u and a factor ρ: open if ζ_N ≤ 0, sticking inside the
+    /// friction cone, sliding elsewhere.
     pub(super) fn state(
         force: &SVector<f64, C>,
         velocity: &SVector<f64, C>,

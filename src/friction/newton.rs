@@ -13,11 +13,11 @@ use nalgebra::{DMatrix, DVector, SMatrix};
 #[derive(Debug, Clone)]
 struct Iterate<const C: usize> {
     r: DVector<f64>,
-    /// The residual r − Π(ζ).
+    /// The residual r − Π(ζ): r are the forces, Π is the return map, and ζ = r − ρ u are its trial values for the velocities u.
     residual: DVector<f64>,
-    /// Derivative of each contact's Π with respect to its ζ.
+    /// Derivative of each contact's return map Π with respect to its trial value ζ.
     changes: Vec<SMatrix<f64, C, C>>,
-    /// Norm of the residual; `terms` is the norm of r and ρ u together. Both norms are √(Σ ‖·‖² / ρ).
+    /// Norm of the residual; `terms` is the norm of the forces r and the scaled velocities ρ u together. Both norms are √(Σ ‖·‖² / ρ).
     size: f64,
     terms: f64,
 }
@@ -25,7 +25,7 @@ struct Iterate<const C: usize> {
 /// Newton's method for one problem.
 pub(super) struct Newton<'a, const C: usize> {
     problem: &'a FrictionProblem<C>,
-    /// The scale ρ of each contact: the inverse of the largest entry of its diagonal block of W.
+    /// The factor ρ of each contact that converts velocities to forces: the inverse of the largest entry of its diagonal block of the matrix W.
     pub(super) rho: Vec<f64>,
 }
 
@@ -89,7 +89,7 @@ impl<'a, const C: usize> Newton<'a, C> {
         let size = point.r.len();
         let mut jacobian = DMatrix::zeros(size, size);
         for (i, change) in point.changes.iter().enumerate() {
-            // The differential d(r − Π(r − ρ (W r + q))).
+            // The Jacobian of the residual r − Π(r − ρ (W r + q)) with respect to the forces r.
             for a in 0..C {
                 for column in 0..size {
                     let row = (0..C).map(|b| change[(a, b)] * self.problem.w[(C * i + b, column)]);

@@ -1,7 +1,7 @@
 //! The exact force of one contact by Coulomb's law, with the forces of all others fixed.
 //!
-//! With the own block A, the contact's velocity is u = A r + b. It is open if b_N ≥ 0. Otherwise u_N = 0 gives r_N = −(b_N + A_NTᵀ r_T) / A_NN
-//! and u_T = S r_T + c, with
+//! Its force r gives the contact the velocity u = A r + b. A is its diagonal block of the matrix W, and b its velocity due to all other forces. N and
+//! T mark normal and tangential parts. It is open if b_N ≥ 0. Otherwise u_N = 0 gives r_N = −(b_N + A_NTᵀ r_T) / A_NN and u_T = S r_T + c, with
 //!
 //! ```text
 //! S = A_TT − A_TN A_NTᵀ / A_NN,     c = b_T − A_TN b_N / A_NN.
@@ -15,8 +15,8 @@ use super::law::tangent;
 use crate::numerics::regula_falsi;
 use nalgebra::SVector;
 
-/// The force of a contact with the own block A and friction μ; b is its velocity without its own force. `None` if A is not definite enough for a
-/// force to stop the approach.
+/// The force of a contact with the diagonal block A of the matrix W and friction μ; b is its velocity without its own force. `None` if A is not
+/// definite enough for a force to stop the approach.
 pub(super) fn answer<const C: usize>(
     a: &ContactBlock<C>,
     b: &SVector<f64, C>,
@@ -39,7 +39,7 @@ pub(super) fn answer<const C: usize>(
     if let Some(stuck) = stuck.filter(|r| miss(r) <= 0.0) {
         return Some(stuck);
     }
-    // Brackets the root: the force is outside the cone at κ = `least` and inside at κ = `most`.
+    // Brackets the root κ, the ratio of slip speed to friction force: the force is outside the cone at κ = `least` and inside at κ = `most`.
     let (mut least, mut most) = (0.0, slide.size);
     while slide.at(most).is_none_or(|r| miss(&r) > 0.0) {
         least = most;
@@ -62,15 +62,16 @@ pub(super) fn answer<const C: usize>(
     r.iter().all(|x| x.is_finite()).then_some(r)
 }
 
-/// The forces of a sliding contact with u_N = 0 as functions of κ.
+/// The forces of a sliding contact with normal velocity zero, as functions of κ, the slip speed per unit of friction force.
 struct Slide<const C: usize> {
-    /// S in the tangential rows and columns; the normal row and column are those of the identity.
+    /// The matrix S of the slip u_T = S r_T + c in the tangential rows and columns; the normal row and column are those of the identity.
     s: ContactBlock<C>,
     c: SVector<f64, C>,
-    /// `normal` is −b_N / A_NN, `coupling` is A_NT / A_NN.
+    /// `normal` is −b_N / A_NN, `coupling` is A_NT / A_NN, with A and b as at the top of the file. The normal force is `normal` minus `coupling`
+    /// times the friction force.
     normal: f64,
     coupling: SVector<f64, C>,
-    /// The largest entry of S, or A_NN if S is zero.
+    /// The largest entry of the matrix S, or A_NN if S is zero.
     size: f64,
 }
 
@@ -87,7 +88,7 @@ impl<const C: usize> Slide<C> {
         Self { s, c, normal: -b[0] / own, coupling, size: if size > 0.0 { size } else { own } }
     }
 
-    /// The force for κ; `None` if it is not finite.
+    /// The contact force for a ratio κ of slip speed to friction force; `None` if it is not finite.
     fn at(&self, kappa: f64) -> Option<SVector<f64, C>> {
         let mut shifted = self.s;
         for k in 1..C {
@@ -100,7 +101,7 @@ impl<const C: usize> Slide<C> {
     }
 }
 
-/// Solves the tangential part of a system by Cramer's rule.
+/// The solution of the tangential part of a linear system, by Cramer's rule.
 fn solved<const C: usize>(a: &ContactBlock<C>, b: &SVector<f64, C>) -> Option<SVector<f64, C>> {
     let mut x = SVector::<f64, C>::zeros();
     if C == 2 {

@@ -39,7 +39,7 @@ impl<'a, const C: usize> Polygons<'a, C> {
         }
     }
 
-    /// A solution, or the outcome of the first polygon. Facets are rotated up to `turns` times.
+    /// A solution, or the outcome of the problem with the first polygons. Facets are rotated up to `turns` times.
     pub(super) fn solve(&mut self, turns: usize) -> Outcome<Solution> {
         let mut count = self.settings.facets.clamp(3, MOST_CONE_FACETS);
         let mut first = None;
@@ -53,8 +53,8 @@ impl<'a, const C: usize> Polygons<'a, C> {
         first.unwrap_or_else(|| self.no_convergence())
     }
 
-    /// Newton's method from the forces of a polygon. If the polygon's problem has no solution and `from_zero` is set, it starts from zero
-    /// forces.
+    /// Newton's method from the forces of the problem with polygons. If that problem has no solution and `from_zero` is set, Newton's method starts
+    /// from zero forces.
     fn by_facets(&mut self, count: usize, from_zero: bool) -> Outcome<Solution> {
         let Ok(polygon) = self.problem.polygon(Facets::regular(count, &self.angles)) else {
             return Outcome::Breakdown { pivots: self.pivots, cause: BreakdownCause::Overflow };
@@ -115,7 +115,7 @@ impl<'a, const C: usize> Polygons<'a, C> {
     }
 }
 
-/// Converts the certificate of a polygon's problem, with a weight for each row, to one with a weight for each contact.
+/// Converts the certificate of the problem with polygons, which has a weight for each of its rows, to one with a weight for each contact.
 fn weighed<const C: usize>(outcome: Outcome<Solution>, polygon: &FacetedProblem<C>) -> Outcome<Solution> {
     let weigh =
         |certificate: Certificate| Certificate::new(polygon.normals(&certificate.y), certificate.pivots);

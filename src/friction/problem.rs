@@ -19,7 +19,8 @@ pub type PlanarContacts = FrictionProblem<2>;
 pub type SpatialContacts = FrictionProblem<3>;
 
 impl<const C: usize> FrictionProblem<C> {
-    /// The problem with W (C n × C n), q (C n entries) and μ (n entries); n may be 0.
+    /// The problem of n contacts with the Delassus matrix W (C n × C n). The vector q (C n entries) has the velocities without contact forces, μ (n
+    /// entries) the friction coefficients; n may be 0.
     ///
     /// # Errors
     ///
@@ -34,19 +35,19 @@ impl<const C: usize> FrictionProblem<C> {
         }
     }
 
-    /// W (C n × C n).
+    /// The Delassus matrix W (C n × C n), from contact forces to velocities.
     #[must_use]
     pub fn matrix(&self) -> &DMatrix<f64> {
         &self.w
     }
 
-    /// q (C n entries).
+    /// The velocities q without contact forces (C n entries).
     #[must_use]
     pub fn vector(&self) -> &DVector<f64> {
         &self.q
     }
 
-    /// μ (n entries).
+    /// The friction coefficients μ of the contacts (n entries).
     #[must_use]
     pub fn friction(&self) -> &[f64] {
         &self.mu
@@ -64,13 +65,13 @@ impl<const C: usize> FrictionProblem<C> {
         self.mu.is_empty()
     }
 
-    /// Velocities u = W r + q (C n entries).
+    /// The velocities u = W r + q (C n entries) for the contact forces r.
     pub(super) fn velocities(&self, r: &DVector<f64>) -> DVector<f64> {
         &self.w * r + &self.q
     }
 }
 
-/// The components of contact i, from a vector of all contacts.
+/// The components of contact i in a vector with C components for each contact.
 pub(super) fn part<const C: usize>(v: &DVector<f64>, i: usize) -> SVector<f64, C> {
     v.fixed_rows::<C>(C * i).into_owned()
 }

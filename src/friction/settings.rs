@@ -13,10 +13,10 @@ pub struct Settings {
     /// Number of facets of the polygon from which Newton's method starts in space (default 8; at least 3, at most 128). More facets start closer
     /// to the round cone, but make the complementarity problem larger.
     pub facets: usize,
-    /// Number of restarts of Newton's method after it did not converge (default 4). Each restart uses half as many facets more, rotated towards
-    /// the slip directions.
+    /// Number of restarts of Newton's method after it did not converge (default 4). Each restart uses 1.5 times as many facets, rotated towards the
+    /// slip directions.
     pub turns: usize,
-    /// Newton steps from each start, and in each round (default 30).
+    /// Newton steps from each start, and in each round of anchored steps (default 30).
     pub steps: usize,
     /// Number of starts for many contacts, or if facets have failed: Gauss–Seidel, central path and anchored steps (default and maximum 4).
     pub starts: usize,
@@ -24,7 +24,7 @@ pub struct Settings {
     pub rounds: usize,
     /// Largest [`Residuals`](super::Residuals) with which forces are accepted as a solution (default 1e-12).
     pub tolerance: f64,
-    /// Settings of the complementarity problem. For up to twelve rows, three contacts in the plane, the last resort is to try all bases.
+    /// Settings of the complementarity problem. If it has up to twelve rows (three contacts in the plane), the last resort is to try all bases.
     pub lcp: lcp::Settings,
 }
 

@@ -14,7 +14,7 @@ pub struct Solution {
     /// Forces r (C n entries): for each contact the normal component, then the tangential ones.
     #[cfg_attr(feature = "serde", serde(serialize_with = "crate::lcp::list"))]
     pub r: DVector<f64>,
-    /// Velocities u = W r + q (C n entries).
+    /// Velocities u = W r + q (C n entries): the matrix W times the forces r, plus the velocities q without contact forces.
     #[cfg_attr(feature = "serde", serde(serialize_with = "crate::lcp::list"))]
     pub u: DVector<f64>,
     /// State of each contact (n entries). On the border of two states, rounding decides.

@@ -27,7 +27,7 @@ impl<const C: usize> FrictionProblem<C> {
     /// | outcome | means |
     /// |---|---|
     /// | [`Solved`](Outcome::Solved) | the law is satisfied to the tolerance of the settings |
-    /// | [`Infeasible`](Outcome::Infeasible) | no solution: some contact approaches for all forces in the cones. y has one weight a contact, see [`Self::proves_infeasible`] |
+    /// | [`Infeasible`](Outcome::Infeasible) | no solution: some contact approaches for all forces in the cones. `y` has a weight per contact, see [`Self::proves_infeasible`] |
     /// | [`NoBasis`](Outcome::NoBasis) | in the plane: no solution exists, since each combination of states of an island is excluded without rounding |
     /// | others | undecided. A [`Ray`](crate::lcp::Ray) belongs to the complementarity problem of [`Self::facets`] |
     #[must_use]
@@ -95,7 +95,8 @@ impl<const C: usize> FrictionProblem<C> {
         let mut approach = Approach::new(self, blocks, settings, (names, watch));
         match polygon.take_if(|outcome| self.is_known(outcome)) {
             Some(Outcome::Solved(solution)) if solution.residuals.max() > 0.1 * settings.tolerance => {
-                // Solutions close to the tolerance are polished, since residuals computed in another order might exceed it.
+                // Solutions with residuals close to the tolerance are refined by further Newton steps, since residuals computed in another order
+                // might exceed it.
                 let r = approach.polished(&solution.r);
                 let polished = self.checked_solution(r, &rho, solution.residuals.max());
                 let (pivots, steps) = (solution.pivots, solution.steps);

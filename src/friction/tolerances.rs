@@ -1,7 +1,7 @@
 //! Tolerances of the solvers of frictional contact problems.
 //!
-//! All are without units: forces are compared with forces, velocities with the terms of W r + q. ε = 2⁻⁵². Limits for problems that are
-//! dominated by rounding are those of `lcp::tolerances`.
+//! All are without units: forces are compared with forces, and velocities with the terms of W r + q that add up to them. ε = 2⁻⁵². Limits for
+//! problems that are dominated by rounding are those of `lcp::tolerances`.
 
 /// Residual, relative to the norm of its terms, at which a round of anchored steps has converged.
 ///
@@ -19,12 +19,13 @@ pub(super) const WORTH_POLISHING: f64 = 1e-6;
 /// It costs undetermined force components half their digits, determined ones none. If smaller, equations become singular.
 pub(super) const LEAST_ANCHOR: f64 = 1e-12;
 
-/// Relative increase of the diagonal blocks along the central path, in units of 1/ρ, which regularises redundant contacts.
+/// Multiple of 1/ρ, the scale of a contact's diagonal block of W, that is added to the block along the central path. This regularises the equations
+/// of redundant contacts.
 ///
 /// If smaller, equations are singular inside the cones; if larger, the forces at the end of the path belong to another problem.
 pub(super) const SHIFTED_BLOCK: f64 = 1e-9;
 
-/// Root mean square of the residuals, relative to √τ, up to which a point counts as on the path around folds.
+/// Root mean square of the residuals, relative to √τ for the path's parameter τ, up to which a point counts as on the path around folds.
 ///
 /// If smaller, each step needs more corrections; if larger, the path jumps to another branch.
 pub(super) const ON_CENTRAL_PATH: f64 = 1e-2;
@@ -34,7 +35,7 @@ pub(super) const ON_CENTRAL_PATH: f64 = 1e-2;
 /// If smaller, undetermined forces follow rounding; if larger, determined forces of soft contacts are not updated.
 pub(super) const UNDETERMINED_FORCE: f64 = 1e-12;
 
-/// Relative excess of friction over μ r_N from which a force counts as outside the cone.
+/// Relative excess of friction over its limit μ r_N, for a normal force r_N, from which a force counts as outside the cone.
 ///
 /// If smaller, the rounding of a projection counts as outside; if larger, visible violations remain.
 pub(super) const OUTSIDE_CONE: f64 = 1e-13;

@@ -6,9 +6,10 @@
 //!
 //! Equilibria, onsets of sliding and load paths in space use the **round** cone. Newton's method finds them from the elastic trial state. If it does
 //! not converge, Lemke's method proposes contact states on a polygon of 8 facets. At each contact the polygon is turned so that a corner lies along
-//! the trial traction. Newton's method continues from this proposal to the round cone, and the answer says so
-//! ([`Cone::Round`](crate::equilibrium::Cone::Round), [`change_from_polygon`](crate::equilibrium::Equilibrium::change_from_polygon)). More facets
-//! make the proposal more expensive, and the answer no better. An onset needs no facets at all: one quadratic equation per contact.
+//! the friction force of the elastic trial, in which everything sticks. Newton's method continues from this proposal to the round cone, and the
+//! answer names the cone and the change of forces ([`Cone::Round`](crate::equilibrium::Cone::Round),
+//! [`change_from_polygon`](crate::equilibrium::Equilibrium::change_from_polygon)). More facets make the proposal more expensive, and the answer no
+//! better. An onset needs no facets at all: one quadratic equation per contact.
 //!
 //! # Where facets are used
 //!

@@ -49,10 +49,10 @@
 //! # Guarantees of the answer
 //!
 //! "Nothing nearby is better to first order" is proved by multipliers: gradients of the first events and of active bounds cancel up to a millionth.
-//! [`Improved::residual`](crate::improve::Improved::residual) is their remainder. So no small step gains in proportion to its length. Distant
-//! places may still be better. The search therefore starts from several places (`starts`) on the surfaces and returns the best answer. Each
-//! active event or bound has a multiplier ([`InTheWay`](crate::improve::InTheWay)): the gain in first slip or reserve for one more newton of force,
-//! or one more metre of edge.
+//! [`Improved::residual`](crate::improve::Improved::residual) is their remainder. So no small step gains in proportion to its length. Distant places
+//! may still be better. The search therefore starts from several places (`starts`) on the surfaces and returns the best answer. Each first event and
+//! each active bound has a multiplier ([`InTheWay`](crate::improve::InTheWay)): the gain in first slip or reserve for one more newton of force, or
+//! one more metre of edge.
 //!
 //! In space two point contacts balance a load only if both lie on one line with it, so that they cannot move: the answer says so. Three or four fingers can
 //! move. From an edge of a polyline, or a triangle of a mesh, fingers cross to the next where that gains. Normals jump there, so that the proof is

@@ -32,7 +32,7 @@
 //! in a pause, a leg along which nothing changes.
 //!
 //! Under a load that repeats ([`shake`](crate::ask::Grasp::shake)) contacts may jump again and again. It may take several cycles until everything
-//! repeats, *in every 4 cycles*; amounts then are those of all of them together. For 255 random grasps
+//! repeats, *in every 4 cycles*. Slips and motions are then given for all of these cycles together. For 255 random grasps
 //! (`GRASP_LCP_SAMPLES=15 cargo test --test shake what_jumps`) 254 verdicts agree with cycles followed one by one. One is undecided: its forces still
 //! change after 1000 cycles.
 //!

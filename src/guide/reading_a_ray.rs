@@ -7,8 +7,8 @@
 //!
 //! # On a linear complementarity problem
 //!
-//! [`lcp::Outcome`](crate::lcp::Outcome) states what is known. [`Infeasible`](crate::lcp::Outcome::Infeasible) has a vector y with `y ≥ 0`,
-//! `Mᵀy ≤ 0`, `qᵀy < 0`, which anyone can check:
+//! [`lcp::Outcome`](crate::lcp::Outcome) is a solution, a proof that none exists, or neither. [`Infeasible`](crate::lcp::Outcome::Infeasible) has a
+//! vector y with `y ≥ 0`, `Mᵀy ≤ 0`, `qᵀy < 0`, which anyone can check:
 //!
 //! ```
 //! use grasp_lcp::lcp::{Lcp, Outcome};

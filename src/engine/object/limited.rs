@@ -13,21 +13,22 @@ pub(super) struct Limited {
     opens: bool,
     slides: Slides,
     cone: Coulomb,
-    /// Whether the law is one of rates: the limit is then the rate of the friction limit, which may be negative.
+    /// Whether the contact law is that of a rate problem. The friction limit is then the rate of the actual limit, and may be negative.
     is_rate: bool,
 }
 
 /// The directions in which the contact may slide.
 enum Slides {
     Never,
-    /// In the plane: indices of the facets of slip along -t and along +t; `None` where the contact may not slide.
+    /// In the plane: indices of the friction-cone facets with friction along -t and along +t; `None` where the contact cannot slide that way.
     Along([Option<u16>; 2]),
-    /// In space, on the facets `h·F_t = r` of a polygon with these corners.
+    /// In space: on the facets of a polygonal friction cone, with outward normals h, `h·F_t = r` for the friction limit r. `corners` lie at unit
+    /// limit.
     OnPolygon {
         normals: Vec<SVector<f64, 3>>,
         corners: Vec<SVector<f64, 3>>,
     },
-    /// In space, on the round cone.
+    /// In space: in any tangential direction, on the round friction cone.
     Round,
 }
 
@@ -49,8 +50,8 @@ pub(super) struct LimitedAnswer {
 }
 
 impl Limited {
-    /// The contact with its polygon if `on_polygons`, otherwise with its round cone. `None` for a contact that may open but never slides, and in
-    /// space for the rates of a contact on the edge of its cone: such laws are not covered.
+    /// The contact with its polygonal friction cone if `on_polygons`, otherwise with its round cone. `None` for two cases that Tresca friction does
+    /// not cover: a contact that may open but never slides, and in space a contact on the edge of its cone in a rate problem.
     pub(super) fn of(local: &LocalLaw<'_>, offset: &SVector<f64, 3>, on_polygons: bool) -> Option<Self> {
         let (offset, cone) = (*offset, local.cone());
         if local.is_absent() {
@@ -70,7 +71,7 @@ impl Limited {
         };
         let keeps = opens && stiffness[1] > 0.0 && matches!(slides, Slides::Never);
         let is_rate = matches!(local.law, Law::Edge(_));
-        // In rates of a contact on the edge of its cone, the facets do not form a polygon.
+        // In a rate problem, the facets of a contact on the edge of its friction cone do not form a polygon.
         (!keeps && (local.is_planar() || !is_rate)).then_some(Self {
             stiffness,
             offset,
@@ -110,7 +111,7 @@ impl Limited {
         answer
     }
 
-    /// The response if the friction of the elastic force `force` exceeds the limit; `None` if it does not.
+    /// The response if the tangential part of the elastic force `force` exceeds the friction limit; `None` if it does not.
     fn at_limit(&self, force: &SVector<f64, 3>, limit: f64) -> Option<AtLimit> {
         // Stiffness in the directions perpendicular to `normal`, in which friction still follows the motion.
         let along = |normal: &SVector<f64, 3>| {
@@ -169,7 +170,7 @@ impl Limited {
         }
     }
 
-    /// The limit of friction that follows from a normal force.
+    /// The friction limit that follows from a normal force.
     pub(super) fn limit(&self, normal: f64) -> f64 {
         let limit = self.cone.limit(normal);
         if self.is_rate { limit } else { limit.max(0.0) }

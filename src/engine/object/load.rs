@@ -5,7 +5,8 @@ use crate::numerics::Vector;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 
-/// A load in the engine's coordinates (moments about the centroid of the contacts, scaled arms), with the rounding error of this conversion.
+/// A load in the engine's coordinates (moments about the centroid of the contacts, with lever arms in the engine's unit of length). The rounding
+/// error of this conversion is kept beside it.
 #[derive(Debug, Clone)]
 pub(crate) struct Load {
     pub(crate) wrench: Vector,
@@ -21,13 +22,13 @@ impl Engine {
         Ok(Load { wrench: self.load_alone(load, what)?, rest: self.inside_rest(load) })
     }
 
-    /// [`Self::load`] without its rounding error.
+    /// The wrench of [`Self::load`] as working-precision numbers, without the remainder that holds its rounding error.
     pub(crate) fn load_alone(&self, load: &Wrench<3>, what: &'static str) -> Result<Vector, Error> {
         load.check_in(self.space(), what)?;
         Ok(self.load_unchecked(load))
     }
 
-    /// [`Self::load_alone`] of a wrench that was checked before.
+    /// [`Self::load_alone`] without the check that the components of the wrench are finite and moderate, which the caller has made.
     pub(crate) fn load_unchecked(&self, load: &Wrench<3>) -> Vector {
         let mut inside = self.inside_unchecked(load);
         if let Some(bodies) = self.bodies() {

@@ -4,7 +4,7 @@
 //!
 //! | file | idea |
 //! |---|---|
-//! | `problem` | laws, offsets and load: the problem that the engine solves, at rest and in rates |
+//! | `problem` | laws, offsets and load: the static problem and the rate problem that the engine solves |
 //! | `piece` | the linear problem in known states, by orthogonal factors |
 //! | `band_piece` | the same problem of very many coordinates, by the tangent stiffness in a narrow band |
 //! | `null_motions` | null vectors of the tangent stiffness in a band |

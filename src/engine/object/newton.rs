@@ -1,13 +1,14 @@
-//! Newton's method for balance, with contacts that respond to a motion of the object one by one, each to its own stretch.
+//! Newton's method for balance. The force of each contact is a function of its own stretch alone, and so of the motion of the object.
 //!
-//! Given the twist q each contact's force is explicit, its state with it, so equilibrium is d equations, piecewise smooth:
+//! The twist q gives each contact its stretch `a_i - G_iᵀq`, from the commanded offset a_i and the grasp map G_i. The stretch gives the contact force
+//! F_i and the contact state. So equilibrium under the load W is d piecewise smooth equations:
 //!
 //! ```text
 //! R(q) = Σ G_i F_i(a_i - G_iᵀq) + W = 0,      dR = -T dq,   T = Σ G_i C_i G_iᵀ
 //! ```
 //!
-//! with the tangent stiffness C_i of each contact. A few steps suffice for any number of contacts. But the method may cycle, most often
-//! with few contacts, where Lemke's method does not.
+//! with the tangent stiffness C_i of each contact. A few Newton steps suffice for any number of contacts. But the method may cycle, most often with
+//! few contacts, where Lemke's method does not.
 
 use core::ops::Range;
 
@@ -28,14 +29,14 @@ pub(crate) struct Imbalance {
 }
 
 impl Imbalance {
-    /// The imbalance of forces and a load; `beside` is added to the sum of norms.
+    /// The imbalance of contact forces and a load; `beside` is added to the sum of the norms of the terms.
     pub(crate) fn of(sites: &[Site], forces: &[SVector<f64, 3>], load: &Vector, beside: f64) -> Self {
         let mut sum = Self { left: load.clone(), size: beside };
         sites.iter().zip(forces).for_each(|(site, force)| sum.add(site, force));
         sum
     }
 
-    /// Adds the wrench of a contact force and its norm.
+    /// Adds the wrench of a contact force to `left`, and the norm of the force to `size`.
     fn add(&mut self, site: &Site, force: &SVector<f64, 3>) {
         site.map.push(force, &mut self.left);
         self.size += force.norm();
@@ -61,7 +62,7 @@ pub(super) fn on_cones(
     }
 }
 
-/// Newton's method on the cones of a problem: each contact responds with its return map (`contact/answer`), free to change its state.
+/// Newton's method for equilibrium on the friction cones. Each contact responds with its return map (`contact/answer`), free to change its state.
 pub(crate) fn newton_on_cones(
     problem: &Problem,
     (twist, settled): (Vector, f64),
@@ -70,9 +71,9 @@ pub(crate) fn newton_on_cones(
     newton(problem, (twist, settled, f64::MIN_POSITIVE), contacts, &on_cones(problem))
 }
 
-/// Newton's method from a twist, until the imbalance of forces is at most the fraction `settled` of their sizes. Returns the twist, the number of
-/// steps, and the remaining imbalance. The responses at that twist are left in `contacts`, a reused list; all are open at first. `beside` is added to
-/// the sizes of the forces, so that an imbalance of that size times `settled` is accepted even without forces.
+/// Newton's method from a twist, until the imbalance of forces is at most the fraction `settled` of the sum of their norms. Returns the twist, the
+/// number of steps, and the remaining imbalance. `contacts` is reused memory: every contact starts open, and the list holds the responses at the
+/// final twist. `beside` is added to the sum of norms, so that an imbalance of `settled * beside` is accepted even without forces.
 ///
 /// A step that does not reduce the imbalance enough is halved: otherwise the method may alternate between two states of a contact. If no shorter step
 /// is better, the whole step is taken.
@@ -97,7 +98,8 @@ pub(crate) fn newton(
         let step = problem.tangent_factors(&|i| contacts[i].state).solve(&response_at.left);
         let mut at = |part: f64| respond(problem, (&(&twist + &step * part), beside), contacts, response);
         let (mut part, mut next) = (1.0, at(1.0));
-        // The smallest fraction p of a step that is tried. It must reduce the imbalance by at least `p SUFFICIENT_DECREASE` of itself.
+        // The smallest fraction p of a Newton step that is tried. A step must reduce the norm of the imbalance by at least the fraction
+        // `p SUFFICIENT_DECREASE`.
         let shortest = 1e-3;
         while next.left.norm() > (1.0 - SUFFICIENT_DECREASE * part) * norm && part > shortest {
             part *= 0.5;

@@ -1,10 +1,12 @@
 //! Null vectors of the tangent stiffness T = BᵀA of a band, and their mechanical meaning.
 //!
+//! A maps a motion of the object to the stretches of the springs, Bᵀ the forces of the springs to a wrench on the object.
+//!
 //! ```text
-//! A n = 0             no spring feels n: free
-//! A n ≠ 0, T n = 0    forces change along n in balance: neutral
-//! B z = 0             no spring balances a load that works on z
-//! B z ≠ 0, Tᵀz = 0    nothing responds to z: offsets and loads that work on z have no solution
+//! A n = 0             the motion n stretches no spring: free
+//! A n ≠ 0, T n = 0    forces change along n but stay in balance: neutral
+//! B z = 0             no spring balances a load that works on the motion z
+//! B z ≠ 0, Tᵀz = 0    no motion changes the springs' work on z: offsets and loads that work on z have no solution
 //! ```
 
 use super::band_piece::{BandPiece, Side};
@@ -18,11 +20,11 @@ use crate::prelude::*;
 /// Null vectors of the tangent stiffness T and of its transpose, by their mechanical meaning.
 #[derive(Debug, Clone)]
 pub(super) struct NullMotions {
-    /// Motions that stretch no spring; orthonormal, like the other lists.
+    /// Motions that stretch no spring. These motions are orthonormal, and so are those of `neutral` and of `unbalanced`.
     pub(super) free: Vec<Vector>,
     pub(super) neutral: Vec<Vector>,
     pub(super) unbalanced: Vec<Vector>,
-    /// Motions z with Tᵀz = 0 but B z ≠ 0, each with its stretches B z; the lists of stretches are orthonormal.
+    /// Motions z with Tᵀz = 0, where T = BᵀA, along which springs push (B z ≠ 0). Each comes with its vector B z; these vectors are orthonormal.
     without_response: Vec<(Vector, Vec<f64>)>,
 }
 
@@ -33,7 +35,7 @@ struct Apart {
 }
 
 impl NullMotions {
-    /// The null motions of the tangent stiffness T that is factored in the band; `None` where T is nearly, but not exactly, singular.
+    /// The null motions of the tangent stiffness T, from its LU factors as a band matrix; `None` where T is nearly, but not exactly, singular.
     pub(super) fn of(band: &BandPiece) -> Option<Self> {
         let nothing = Self {
             free: Vec::new(),
@@ -62,8 +64,8 @@ impl NullMotions {
         Some(found)
     }
 
-    /// The sum of the motions in `without_response`, each weighted by the work that offsets and load do on it; `None` if this work is zero. The
-    /// offsets come as stretches x of the springs.
+    /// The sum of the motions in `without_response`, each weighted by the work that offsets and load do on it; `None` if this work is zero. The slice
+    /// `x` has the stretch of each spring that the offsets cause.
     pub(super) fn motion_of_work(&self, x: &[f64], load: &Vector) -> Option<Vector> {
         let mut sum = Vector::zeros();
         for (z, stretches) in &self.without_response {
@@ -72,8 +74,8 @@ impl NullMotions {
         (sum.norm() > 0.0).then_some(sum)
     }
 
-    /// Whether offsets (as stretches x of the springs) and load do more work on a motion in `without_response` than rounding explains. Forces then
-    /// cannot balance. `growth` is the amplification of rounding by the factors.
+    /// Whether offsets and load do more work on a motion in `without_response` than rounding explains; forces then cannot balance. The slice `x` has
+    /// the stretch of each spring that the offsets cause. `growth` is the amplification of rounding by the LU factors.
     pub(super) fn are_out_of_reach(&self, x: &[f64], load: &Vector, growth: impl Fn() -> f64) -> bool {
         self.without_response.iter().any(|(z, stretches)| {
             let sizes = |terms: &mut dyn Iterator<Item = f64>| terms.fold(0.0, |sum, term| sum + term.abs());
@@ -86,8 +88,8 @@ impl NullMotions {
     }
 }
 
-/// Groups null vectors of T, or of its transpose, by whether they stretch springs. The vectors are in units of the columns of `side`: A for null
-/// vectors of T, B for those of its transpose.
+/// Groups null vectors of the tangent stiffness T = BᵀA, or of its transpose, by whether they stretch springs. `side` is A for null vectors of T, and
+/// B for those of its transpose. The entries of `vectors` refer to columns of `side` that are scaled to length one.
 fn apart(
     band: &BandPiece,
     [side, other]: [&Side; 2],
@@ -134,8 +136,8 @@ fn apart(
             stretches.iter_mut().zip(of_known).for_each(|(x, known)| *x += known * part);
         }
         let length = dot(&stretches, &stretches).sqrt();
-        // A unit motion is free if its stretches are at most this fraction of the longest row. A motion that stretches even the softest springs
-        // exceeds 1e-6 of it.
+        // A unit motion is free if the norm of its stretches is at most this fraction of the largest stretch per unit motion of any spring. A motion
+        // that stretches even the softest springs exceeds 1e-6 of it.
         if length <= 1e-11 * side.longest {
             apart.unstretched.push(v);
             continue;
@@ -143,8 +145,8 @@ fn apart(
         let mut left = vec![0.0; band.numbers.len()];
         springs.add(other, &stretches, &mut left);
         let left = left.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        // T is singular along a motion if the forces of its stretches are balanced: if Bᵀ times the stretches is at most this fraction of their norm.
-        // The comparison is false for NaN.
+        // The tangent stiffness T is singular along a motion if the spring forces of its stretches balance: their resultant wrench is at most this
+        // fraction of the norm of the stretches. The comparison is false for NaN.
         let singular = left <= LINEARLY_DEPENDENT * length;
         if !singular {
             return None;

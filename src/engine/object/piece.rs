@@ -1,10 +1,11 @@
 //! With every contact in a known state the law is linear: one `d x d` system gives twist and forces.
 //!
-//! A contact in a known state is a few springs, each stretched along one direction and pushing along another:
-//! `F_i = Σ_r left_r (right_r · v_i)` with `v_i = a_i - G_iᵀq`.
+//! A contact in a known state is a few springs, each stretched along one direction and pushing along another: `F_i = Σ_r left_r (right_r · v_i)`. Its
+//! stretch `v_i = a_i - G_iᵀq` follows from the commanded offset a_i, the grasp map G_i and the twist q.
 //!
-//! With x_r = right_r · v the rows of A = right Gᵀ, B = left Gᵀ and α = right·a give `x = α - A q`, `Bᵀx = -W`: an
-//! oblique projection (an orthogonal one when nothing slides). Both factors are orthogonalised.
+//! The spring forces x_r = right_r · v satisfy `x = α - A q`, and balance the load W if `Bᵀx = -W`. Here A = right Gᵀ, B = left Gᵀ and α = right·a
+//! have a row for each spring. This is an oblique projection (an orthogonal one when nothing slides). A and B are factorised by orthogonal
+//! transformations.
 
 use crate::numerics::{IntoList, Map, Size, Square, Vector, mapped, numbered};
 use core::ops::Range;
@@ -31,9 +32,10 @@ pub(crate) struct Piece {
     /// Orthonormal motions in the null space of B, whose rows are the directions in which springs push: a load that does work along one of them
     /// cannot be balanced.
     pub(super) unbalanced: Vec<Vector>,
-    /// Factors of the tangent stiffness T = BᵀA in a band, with many coordinates. `None` if T is nearly, but not exactly, singular.
+    /// LU factors of the tangent stiffness T = BᵀA as a band matrix, if there are many coordinates. `None` if T is nearly, but not exactly, singular.
     pub(super) band: Option<(BandPiece, NullMotions)>,
-    /// Orthogonal factors of A and B; with many coordinates they are computed on first use.
+    /// Orthogonal factors of the matrices A (spring stretches under a motion) and B (push directions); with many coordinates they are computed on
+    /// first use.
     orthogonal: Once<OrthogonalPiece>,
     size: Size,
 }
@@ -42,7 +44,8 @@ pub(crate) struct Piece {
 #[derive(Debug, Clone)]
 pub(super) struct OrthogonalPiece {
     pub(super) right: Orthogonal,
-    /// Factors of B, and of the product `Q_BᵀQ_A` of both orthogonal factors; `None` if nothing slides, since then B = A.
+    /// Orthogonal factors of the matrix B of push directions, and factors of `Q_BᵀQ_A`, where Q_A and Q_B are the orthogonal factors of the stretches
+    /// A and of B. `None` if nothing slides, since then B = A.
     pub(super) left: Option<(Orthogonal, CompletePivoting)>,
 }
 
@@ -96,18 +99,19 @@ impl Piece {
         })
     }
 
-    /// Number of coordinates.
+    /// Number of coordinates of the twist: those of the object and of all joints.
     pub(super) fn size(&self) -> Size {
         self.size
     }
 
-    /// Orthogonal factors of A, whose rows are the springs in the order of contacts; while everything sticks A = K^{1/2}Gᵀ.
+    /// Orthogonal factors of the matrix A of spring stretches under a motion, with a row for each spring in the order of contacts. While everything
+    /// sticks A = K^{1/2}Gᵀ, with the stiffnesses K and the grasp maps G.
     pub(crate) fn factor(&self) -> &Orthogonal {
         &self.orthogonal().right
     }
 
-    /// The rows of the orthogonal factor Q that belong to a contact whose springs lie along its axes. Column a belongs to axis a, and is zero without
-    /// a spring.
+    /// The rows, for the springs of one contact, of the orthogonal factor Q of the stretch matrix. The springs lie along the contact's axes. Column a
+    /// of the result belongs to axis a, and is zero without a spring.
     pub(crate) fn factor_rows(&self, contact: usize) -> Map {
         let mut rows = Map::zeros(self.size);
         for spring in self.first[contact]..self.first[contact + 1] {
@@ -116,18 +120,18 @@ impl Piece {
         rows
     }
 
-    /// Whether the tangent stiffness is factored in a band, as with many coordinates.
+    /// Whether the tangent stiffness is factorised as a band matrix, as with many coordinates.
     pub(crate) fn is_banded(&self) -> bool {
         self.band.is_some()
     }
 
-    /// Displacements of the coordinates if a sticking contact pushes along its axes, with pushes divided by the square roots of the stiffnesses;
-    /// `None` without a band.
+    /// The change of every coordinate of the object if a sticking contact pushes along its axes. Each of the `pushes` is divided by the square root
+    /// of the stiffness along its axis. `None` without a band.
     pub(crate) fn displacements_under(&self, contact: usize, pushes: &SVector<f64, 3>) -> Option<Vec<f64>> {
         Some(self.band.as_ref()?.0.displacements_under(contact, &self.along_springs(contact, pushes)[..]))
     }
 
-    /// The sum of the stretches of a contact's springs under displacements of the coordinates, weighted by `times` along each axis.
+    /// The sum of the stretches of a contact's springs for given changes of the coordinates, weighted by `times` along each axis.
     pub(crate) fn weighted_stretch(
         &self,
         contact: usize,
@@ -146,7 +150,7 @@ impl Piece {
         })
     }
 
-    /// The motion q of least norm with given coordinates `R q`, where A = Q R.
+    /// The motion q of least norm with `R q = coordinates`. Here R is the triangular factor of the matrix A = Q R of spring stretches under a motion.
     pub(crate) fn motion(&self, coordinates: &Vector) -> Vector {
         without(self.factor().preimage(coordinates), self.free_motions())
     }
@@ -173,8 +177,8 @@ impl Piece {
         motions
     }
 
-    /// The virtual motion y in the left null space of the tangent stiffness, `Σ G_i C_iᵀG_iᵀ y = 0`, on which offsets and load do the most work.
-    /// `None` if they do no work on any.
+    /// A virtual motion y in the left null space of the tangent stiffness, `Σ G_i C_iᵀG_iᵀ y = 0`. C_i is the tangent stiffness of contact i, and G_i
+    /// its grasp map. Of these motions it is the one on which offsets and load do the most work; `None` if they do no work on any.
     pub(crate) fn motion_without_response(
         &self,
         offsets: &[SVector<f64, 3>],
@@ -223,7 +227,7 @@ impl Piece {
 }
 
 impl OrthogonalPiece {
-    /// Orthogonal factors from the rows of A and, if a contact slides, of B.
+    /// Orthogonal factors from the rows of the matrices A (`right`, spring stretches) and, if a contact slides, B (`left`, push directions).
     fn new(size: Size, right: &[Vector], left: Option<&[Vector]>) -> Self {
         let right = Orthogonal::new(size, right);
         let Some(left) = left else { return Self { right, left: None } };
@@ -237,7 +241,7 @@ impl OrthogonalPiece {
         Self { right, left: Some((left, coupling)) }
     }
 
-    /// The factor whose rows balance loads: B, or A where nothing slides.
+    /// The orthogonal factors whose rows balance loads: those of the push directions, or, where nothing slides, the same as those of the stretches.
     pub(super) fn balance(&self) -> &Orthogonal {
         self.left.as_ref().map_or(&self.right, |(left, _)| left)
     }

@@ -1,7 +1,7 @@
 //! Motion of the object and balance of forces in twice the working precision.
 //!
-//! The residual of a stiff spring may be the difference of numbers 1e14 times as large. With G_i, W and q in twice the
-//! working precision, solving again for the residual gives forces that are right to the last digit.
+//! The residual of a stiff spring may be the difference of numbers 1e14 times as large. With grasp maps, load and twist in twice the working
+//! precision, solving again for the residual gives forces that are right to the last digit.
 
 use crate::numerics::{Size, Vector, WHOLE};
 
@@ -76,7 +76,7 @@ impl PreciseTwist {
         self.value()
     }
 
-    /// `a - g·q` for column `axis` of the grasp map of a contact.
+    /// The stretch `offset - g·q` along one axis of a contact, for this twist q and column `axis`, g, of the contact's grasp map.
     pub(crate) fn stretch(&self, site: &Site, axis: usize, offset: f64) -> DoubleDouble {
         let v = DoubleDouble::new(offset);
         let of_one_object = site.whole_column_in_twice(axis);
@@ -98,7 +98,7 @@ impl PreciseTwist {
     }
 }
 
-/// `v - g·q` over the first N components, in twice the working precision.
+/// The stretch `v - g·q` in twice the working precision; the scalar product has the first N components of the vectors `g` and `q`.
 #[inline(always)]
 fn less_products<const N: usize>(mut v: DoubleDouble, g: Twice<'_>, q: Twice<'_>) -> DoubleDouble {
     for k in 0..N {
@@ -145,7 +145,7 @@ impl PreciseBalance {
     }
 }
 
-/// Adds `times` g to the first N components.
+/// Adds `times` g to the first N components of a vector with parts `high` and `low`.
 #[inline(always)]
 fn add_multiple<const N: usize>(
     g: Twice<'_>,

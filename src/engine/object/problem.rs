@@ -1,11 +1,12 @@
 //! The problem that the engine solves: a law and a commanded offset for each contact, and a load.
 //!
 //! ```text
-//! v_i = a_i - G_iᵀq,      F_i from v_i by the law of contact i,      Σ G_i F_i + W = 0
+//! stretch v_i = a_i - G_iᵀq,      contact force F_i from v_i by the law of contact i,      balance Σ G_i F_i + W = 0
 //! ```
 //!
-//! At rest, a_i are commanded displacements and each contact has its full law. In rates, a_i are their derivatives, and each law is that of the rates
-//! at the present state ([`Law`]).
+//! q is the twist of the object, G_i the grasp map of contact i, and W the load. In the static problem, the offsets a_i are commanded displacements
+//! and each contact has its full law. In the rate problem, a_i and W are their derivatives along a path. Each law is then that of the rates at the
+//! present contact state ([`Law`]).
 
 use crate::numerics::{IntoList, Size, Vector, by_axis, indexed};
 use alloc::sync::Arc;
@@ -24,11 +25,12 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 pub(crate) struct Problem<'g> {
     pub(crate) sites: &'g [Site],
-    /// The polygon of every contact without a polygon of its own.
+    /// The friction polygon of every contact without a polygon of its own.
     pub(crate) polygon: Arc<Polygon>,
-    /// For each contact a polygon that is rotated so that a corner lies along its friction force in the elastic trial. An empty list stands for `polygon`.
+    /// For each contact a friction polygon, rotated so that a corner lies along the friction force of the elastic trial, in which all contacts stick.
+    /// If the list is empty, `polygon` is used.
     pub(crate) turned: Vec<Polygon>,
-    /// Present friction cones, narrower at contacts that slide with kinetic friction. An empty list stands for the static cones.
+    /// Present friction cones, narrower at contacts that slide with kinetic friction. If the list is empty, static friction holds everywhere.
     pub(crate) cones: Vec<Coulomb>,
     pub(crate) laws: Vec<Law>,
     /// Commanded displacement minus clearance and accumulated slip, m, in the contact frames.
@@ -38,11 +40,11 @@ pub(crate) struct Problem<'g> {
     pub(crate) wrench: Vector,
     /// Rounding error of `wrench`, which arises where its moment is moved to the centroid of the contacts.
     pub(crate) wrench_rest: Vector,
-    /// Whether contacts with infinite friction get facets, like contacts with a very large coefficient, and so may slide.
+    /// Whether a contact with infinite friction has friction-cone facets like one with a very large coefficient, so that it may slide.
     pub(crate) infinite_friction_has_edges: bool,
     /// In space: the round cone limits sticking contacts, and the polygon only proposes states.
     pub(crate) round: bool,
-    /// Cache of the factors of the elastic trial; `None` in rates.
+    /// Cache of the factors of the elastic trial, in which all contacts stick; `None` in the rate problem.
     pub(crate) trial: Option<&'g Remembered>,
 }
 
@@ -55,7 +57,7 @@ pub(crate) struct Lists {
 }
 
 impl Engine {
-    /// The problem at rest of this grasp, with these offsets and this load.
+    /// The static problem of this grasp, with these offsets and this load.
     pub(crate) fn problem(
         &self,
         polygon: Arc<Polygon>,
@@ -79,7 +81,7 @@ impl Engine {
         Problem { trial, ..Problem::at_rest(self.sites(), polygon, round, lists, load) }
     }
 
-    /// The problem at rest under the caller's load, with polygons in place of round cones.
+    /// The static problem under the caller's load, with polygonal friction cones in place of round ones.
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
@@ -91,8 +93,8 @@ impl Engine {
 }
 
 impl<'g> Problem<'g> {
-    /// The problem in which every contact has its full law, not that of its rates. In space the round cone limits friction if `round`, otherwise the
-    /// polygon.
+    /// The static problem, in which every contact has its full law, not a law of rates. In space the round cone limits friction if `round`, otherwise
+    /// the polygon.
     pub(crate) fn at_rest(
         sites: &'g [Site],
         polygon: Arc<Polygon>,
@@ -120,8 +122,8 @@ impl<'g> Problem<'g> {
         }
     }
 
-    /// The problem in rates, with these laws, rates of the offsets, and the rate of the load. A round cone remains only for contacts at its apex; a
-    /// contact on the edge of its cone has facets instead.
+    /// The rate problem with these contact laws, rates of the offsets, and the rate of the load. Only contacts at the apex of their friction cone
+    /// keep a round cone. The law of a contact on the edge of its cone has a plane facet instead.
     pub(crate) fn at_rates(&self, laws: Vec<Law>, offsets: Vec<SVector<f64, 3>>, wrench: Vector) -> Self {
         let slips = vec![SVector::zeros(); self.len()];
         let wrench_rest = Vector::zeros();
@@ -136,7 +138,7 @@ impl<'g> Problem<'g> {
         Load { wrench: self.wrench.clone(), rest: self.wrench_rest.clone() }
     }
 
-    /// Number of coordinates.
+    /// Number of coordinates of the twist: those of the object and of all joints.
     #[inline]
     pub(crate) fn size(&self) -> Size {
         size_of(self.sites)
@@ -164,7 +166,7 @@ impl<'g> Problem<'g> {
         self.cones.get(contact).copied().unwrap_or(self.sites[contact].friction)
     }
 
-    /// Whether each contact slides with kinetic friction below its static value; empty if no contact has kinetic friction.
+    /// Whether each contact slides with kinetic friction below its static value; an empty list if no contact has kinetic friction.
     pub(crate) fn weaker(&self) -> Vec<bool> {
         self.cones.iter().zip(self.sites).map(|(cone, site)| *cone != site.friction).list()
     }
@@ -196,19 +198,19 @@ impl<'g> Problem<'g> {
         answers
     }
 
-    /// Stretch of a contact for a motion of the object, `a_i - G_iᵀq`.
+    /// Stretch `a_i - G_iᵀq` of contact i, from its offset a_i, its grasp map G_i and the twist q of the object.
     #[inline]
     pub(crate) fn stretch(&self, contact: usize, twist: &Vector) -> SVector<f64, 3> {
         self.sites[contact].stretch(&self.offsets[contact], twist)
     }
 
-    /// The states of the elastic trial: every contact that is present sticks.
+    /// The contact states of the elastic trial, in which every contact that is not absent sticks.
     pub(crate) fn unjumped(&self) -> Vec<State> {
         self.each(|local| local.unjumped())
     }
 
-    /// The states in which contacts on the edge of their cone slide, contacts at its apex open, and all others stick. In rates this is the most
-    /// common solution, and one linear solve checks it.
+    /// Contact states for a rate problem: contacts on the edge of their cone slide, contacts at its apex open, and all others stick. This is the most
+    /// common solution of a rate problem, and one linear solve checks it.
     pub(crate) fn yielding(&self) -> Vec<State> {
         self.each(|local| local.yielding())
     }

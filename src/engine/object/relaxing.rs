@@ -1,15 +1,16 @@
 //! Relaxation of a stuck grasp: the object moves as slowly as viscous contacts would let it.
 //!
-//! With Coulomb friction a grasp may have several equilibria; in an extreme one the object lies beside the fingers. Steps with the stiffness of the
-//! stuck grasp,
+//! With Coulomb friction a grasp may have several equilibria; in an extreme one the object lies beside the fingers. Steps of the twist q with the
+//! stiffness T of the stuck grasp,
 //!
 //! ```text
 //! q <- q + T⁻¹R(q),   T = Σ G_i K_i G_iᵀ
 //! ```
 //!
-//! move the object as viscous contacts would: contacts with forces beyond their cones slip little by little. Steps in nearly the same direction are
-//! made longer. They end at one equilibrium. It is stable, and as long as it remains so, it varies continuously with loads, commands and friction.
-//! Newton's method from afar jumps from one equilibrium to another.
+//! move the object as viscous contacts would. R is the imbalance of forces, G_i the grasp map and K_i the stiffness of contact i. In each step,
+//! contacts with forces beyond their cones slip little by little. Steps in nearly the same direction are made longer. The steps end at one
+//! equilibrium. It is stable, and as long as it remains stable, it varies continuously with loads, commands and friction. Newton's method from afar
+//! jumps from one equilibrium to another.
 
 use super::newton::{on_cones, respond};
 use super::problem::Problem;
@@ -21,9 +22,9 @@ use crate::prelude::*;
 
 /// The path on which the object relaxes, from the equilibrium in which everything sticks.
 ///
-/// It iterates over twists at which the object has nearly relaxed; the estimated rest of the path is a hundredth of that at the previous one. Short
-/// steps indicate an equilibrium, or a place where a stable one has just vanished. If Newton's method finds none there, the caller asks for the next
-/// twist.
+/// It iterates over twists at which the object has nearly relaxed. From one returned twist to the next, the estimated remaining length of the path
+/// falls to a hundredth. Short steps indicate an equilibrium, or a place where a stable one has just vanished. If Newton's method finds none there,
+/// the caller asks for the next twist.
 pub(crate) struct ViscousRelaxation<'p, 'a> {
     problem: &'p Problem<'a>,
     factors: TangentFactors,
@@ -34,7 +35,7 @@ pub(crate) struct ViscousRelaxation<'p, 'a> {
     /// Factor by which the last step was made longer.
     pace: f64,
     steps: usize,
-    /// The next twist is returned where the estimated rest of the path is below this fraction of the path covered so far.
+    /// The next twist is returned where the estimated remaining length of the path is below this fraction of the length covered so far.
     nearly: f64,
 }
 
@@ -67,8 +68,8 @@ impl Iterator for ViscousRelaxation<'_, '_> {
                 respond(self.problem, (&self.twist, 0.0), &mut self.contacts, &on_cones(self.problem));
             let step = self.factors.solve(&response.left);
             let size = step.norm();
-            // `whole` times this step is the rest of the path, if steps keep shrinking by the same ratio. Steps that grow, as past an unstable
-            // equilibrium, give no estimate.
+            // The estimated remaining length of the path is `whole` times this step, if steps keep shrinking by the same ratio. Steps that grow, as
+            // past an unstable equilibrium, give no estimate.
             let (mut whole, mut next) = (f64::INFINITY, 1.0);
             if let Some(last) = &self.last {
                 let before = last.norm();

@@ -17,8 +17,8 @@ pub(crate) fn least_spring_force(sites: &[Site], spans: impl Iterator<Item = f64
     sites.iter().zip(spans).map(|(site, span)| site.springs.softest() * span).fold(f64::INFINITY, f64::min)
 }
 
-/// Largest of the load and the contact forces, N, but at least [`NO_FORCE`] times the force of [`least_spring_force`]: rounding is never compared
-/// with rounding alone.
+/// Largest of the load and the contact forces, N, but at least [`NO_FORCE`] times the force of [`least_spring_force`]. Without this lower bound,
+/// forces that are rounding errors would be compared with other rounding errors.
 pub(crate) fn largest_force(
     sites: &[Site],
     offsets: &[SVector<f64, 3>],
@@ -27,7 +27,8 @@ pub(crate) fn largest_force(
     forces: impl Iterator<Item = f64>,
 ) -> f64 {
     let largest = forces.fold(load, f64::max);
-    // The minimum over all contacts is at most that of the first one, which therefore suffices if it is smaller than the forces.
+    // The least spring force of all contacts is at most that of the first contact. If that of the first is below the largest force, the others need
+    // not be evaluated.
     let least_of = |count: usize| {
         let norm = twist.norm();
         let spans = sites.iter().zip(offsets).map(|(site, a)| site.span_moved(a, norm));
@@ -43,7 +44,7 @@ impl Problem<'_> {
         largest_force(self.sites, &self.offsets, twist, self.wrench.norm(), sizes)
     }
 
-    /// For each contact the size, N, that scales the rounding of its force, in a state with these offsets under a load of this size.
+    /// For each contact the force size, N, that scales the rounding of its contact force, for these offsets and a load of norm `load`.
     pub(crate) fn force_sizes(&self, offsets: &[SVector<f64, 3>], load: f64, state: &PieceState) -> Vec<f64> {
         let norms = state.forces.iter().map(nalgebra::Matrix::norm);
         let largest = largest_force(self.sites, offsets, &state.twist, load, norms);
@@ -59,7 +60,7 @@ impl Problem<'_> {
         self.sites[contact].span(&self.offsets[contact], twist)
     }
 
-    /// Stretch, force and magnitudes of a contact, from which the conditions of its state are evaluated.
+    /// Stretch and force of a contact with the sizes that scale their rounding, from which the conditions of its state are evaluated.
     pub(crate) fn at<'s>(
         &self,
         contact: usize,
@@ -83,7 +84,7 @@ impl Problem<'_> {
         SpringState { stretch: self.stretch(contact, twist), force, span, largest }
     }
 
-    /// The norm of the imbalance, `|Σ G_i F_i + W|`, and the sum of the sizes of its terms.
+    /// The norm of the imbalance `Σ G_i F_i + W` of contact forces and load, and the sum of the norms of its terms.
     pub(crate) fn imbalance(&self, forces: &[SVector<f64, 3>]) -> (f64, f64) {
         let Imbalance { left, size } = Imbalance::of(self.sites, forces, &self.wrench, 0.0);
         (left.norm(), size)

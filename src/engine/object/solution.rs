@@ -1,6 +1,7 @@
 //! Forces and twist of a [`Piece`], accurate to the last digits.
 //!
-//! Residuals are evaluated in twice the working precision, and the linear problem is solved for them again (iterative refinement):
+//! Each spring r has a residual e_r, and equilibrium has a residual ρ. They are evaluated in twice the working precision, and the linear problem is
+//! solved for them again (iterative refinement). With spring forces x, offsets a_i, grasp maps G_i, twist q and load W they are
 //!
 //! ```text
 //! e_r = right_r · (a_i - G_iᵀ q) - x_r,      ρ = Σ G_i left_r x_r + W
@@ -21,7 +22,7 @@ use crate::prelude::*;
 /// Forces and twist that solve the linear problem of a [`Piece`].
 #[derive(Debug, Clone)]
 pub(crate) struct PieceState {
-    /// F_i in the contact frames, N.
+    /// The contact force F_i of each contact in its contact frame, N.
     pub(crate) forces: Vec<SVector<f64, 3>>,
     /// The twist of least norm, in the engine's coordinates.
     pub(crate) twist: Vector,
@@ -33,7 +34,7 @@ impl Default for PieceState {
     }
 }
 
-/// Memory that repeated solutions reuse: the forces of springs, and their changes.
+/// Memory that repeated solves reuse: the spring forces, and their corrections in a refinement step.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct SolutionMemory {
     x: Vec<f64>,
@@ -114,8 +115,8 @@ impl Piece {
         Ok(())
     }
 
-    /// Iterative refinement. Returns whether it converged: the first correction was below [`NEARLY_CORRECTED`] of the largest force, or a later one
-    /// below the fraction `sharp` of it.
+    /// Iterative refinement. Returns whether it converged: whether the first correction was below [`NEARLY_CORRECTED`] of the largest force, or a
+    /// later correction below the fraction `sharp` of that force.
     fn refine(
         &self,
         sites: &[Site],
@@ -142,8 +143,8 @@ impl Piece {
         false
     }
 
-    /// [`Self::solve`] without refinement, for a [`Piece`] in which all contacts stick and every motion is resisted. The projection is applied twice; the
-    /// remaining error is a few roundings of the largest force.
+    /// [`Self::solve`] without refinement, for a [`Piece`] in which all contacts stick and every motion is resisted. The spring forces are projected
+    /// onto equilibrium twice; the remaining error is a few roundings of the largest force.
     pub(crate) fn solve_roughly(&self, offsets: &[SVector<f64, 3>], wrench: &Vector) -> PieceState {
         let mut state = PieceState::default();
         self.solve_roughly_into(offsets, wrench, (&mut SolutionMemory::default(), &mut state));
@@ -176,7 +177,8 @@ impl Piece {
         self.forces_into(&mut state.forces, x, offsets.len());
     }
 
-    /// Lets the object give way until forces balance: replaces the spring forces x by `x - A (BᵀA)⁻¹ (Bᵀx + W)` and returns the twist `(BᵀA)⁻¹ (Bᵀx + W)`.
+    /// Moves the object until forces balance. The spring forces x become `x - A (BᵀA)⁻¹ (Bᵀx + W)` under the load W, with the matrices A of stretches
+    /// and B of push directions. Returns the twist `(BᵀA)⁻¹ (Bᵀx + W)`.
     pub(super) fn respond(&self, x: &mut [f64], wrench: &Vector) -> Vector {
         match &self.band {
             Some((band, _)) => band.respond(x, wrench),
@@ -197,7 +199,7 @@ impl Piece {
         self.forces(&x, problem.len())
     }
 
-    /// The forces `x_r = right_r · v` of all springs if contacts have the stretches v.
+    /// The forces of all springs if the contacts have these stretches v: `x_r = right_r · v` for spring r.
     pub(super) fn stretched(&self, stretch: impl Fn(usize) -> SVector<f64, 3>) -> Vec<f64> {
         let mut x = Vec::new();
         self.stretched_into(&mut x, stretch);
@@ -230,8 +232,8 @@ impl Piece {
         }
     }
 
-    /// Writes the residual e of each spring and returns the residual ρ of equilibrium, `e_r = right_r · (a_i - G_iᵀ q) - x_r` and `ρ = Σ G_i left_r
-    /// x_r + W`.
+    /// Writes the residual of each spring r into `e`: `e_r = right_r · (a_i - G_iᵀ q) - x_r`. Here x_r is the spring force, a_i the offset and q the
+    /// twist. Returns the residual of equilibrium under the load W, `ρ = Σ G_i left_r x_r + W`.
     fn excess(
         &self,
         sites: &[Site],
@@ -272,8 +274,8 @@ impl Piece {
 }
 
 impl OrthogonalPiece {
-    /// Lets the object give way until forces balance: replaces the spring forces x by `x - Q_A (Q_BᵀQ_A)⁻¹ (Q_Bᵀx + R_B⁻ᵀW)` and returns the twist of
-    /// that step.
+    /// Moves the object until forces balance. The spring forces x become `x - Q_A (Q_BᵀQ_A)⁻¹ (Q_Bᵀx + R_B⁻ᵀW)` under the load W. The matrices of
+    /// stretches and push directions have the orthogonal factors Q_A and Q_B R_B. Returns the twist of that step.
     fn respond(&self, x: &mut [f64], wrench: &Vector) -> Vector {
         let balance = self.balance();
         let excess = balance.coordinates(x) + balance.load_coordinates(wrench);

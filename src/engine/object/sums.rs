@@ -1,8 +1,9 @@
 //! Equilibrium of the object in energy coordinates, as sums over contacts. A change of one contact's state changes only the terms of that contact.
 //!
-//! With every contact in a known state, forces balance the load where `Σ Qᵀ(x - x⁰) = 0`. With `x = P u` these are d equations for the motion y on
-//! top of the elastic trial motion. Each further variable λ_r on which x depends, such as a load parameter, adds a right-hand side (p_r is the
-//! derivative of x by λ_r):
+//! The map Q of a contact converts a motion of the object to the contact's stretch in energy coordinates. There x is its force, and x⁰ its force in
+//! the elastic trial, in which everything sticks. Forces balance the load where `Σ Qᵀ(x - x⁰) = 0`. In a known contact state `x = P u`, a projection
+//! P of the stretch u = x⁰ - Q y. These are d equations for the motion y on top of the elastic trial motion. Each further variable λ_r on which x
+//! depends, such as a load parameter, adds a right-hand side (p_r is the derivative of x by λ_r):
 //!
 //! ```text
 //! T y = Σ_r b_r λ_r,     T = Σ QᵀP Q,     b_r = Σ Qᵀp_r
@@ -19,7 +20,8 @@ use crate::numerics::in_halves;
 
 /// Whether so many terms of sums over contacts have been changed that the sums should be computed anew.
 pub(crate) fn are_stale(changes: usize, contacts: usize) -> bool {
-    // Each change leaves a rounding error in the sums, but new sums evaluate every contact. After this number of changes new sums are due.
+    // Each change leaves a rounding error in the sums, but computing them anew evaluates every contact. After this number of changes the sums are
+    // computed anew.
     changes > 64 + contacts / 4
 }
 
@@ -38,7 +40,8 @@ impl<const R: usize> Default for Sums<R> {
 }
 
 impl<const R: usize> Sums<R> {
-    /// The sums of contacts that all stick, without allocation: Q has orthonormal columns.
+    /// The sums if all contacts stick, without allocation. T is then the identity, since the maps Q of all contacts together have orthonormal
+    /// columns.
     pub(crate) fn sticking(size: Size) -> Self {
         let stiffness = Square::from_diagonal(size, |_| 1.0);
         Self { stiffness, sides: core::array::from_fn(|_| Vector::zeros()) }
@@ -51,8 +54,8 @@ impl<const R: usize> Sums<R> {
         self.sides.iter_mut().for_each(|side| *side = Vector::zeros());
     }
 
-    /// The matrix and right-hand sides, summed over all contacts; `add(sums, contact)` adds the terms of one. Components of the motion y from index
-    /// `rank` on move no contact. Their diagonal entries are one, so that the matrix can be factorised.
+    /// The matrix and right-hand sides, summed over all contacts; `add(sums, contact)` adds the terms of one contact. Components of the motion y from
+    /// index `rank` on move no contact. Their diagonal entries are one, so that the matrix can be factorised.
     pub(crate) fn over(
         size: Size,
         contacts: usize,
@@ -75,8 +78,8 @@ impl<const R: usize> Sums<R> {
         sums
     }
 
-    /// Adds the terms of a contact, times `weight`. `seen` is the map from y to the contact, `hold` is the projection P of its state (`None`:
-    /// identity), and `pushed` has the vectors p_r of all right-hand sides.
+    /// Adds the terms of a contact, times `weight`. `seen` is the map Q from the motion y of the object to the contact's stretch. `hold` is the
+    /// projection P of its state (`None`: identity), and `pushed` has the vectors p_r, the derivatives of its force by the variables λ_r.
     pub(crate) fn add(
         &mut self,
         seen: &ScaledMap,

@@ -28,7 +28,7 @@ pub(crate) enum TangentFactors {
 }
 
 impl TangentFactors {
-    /// A solution of `T y = b`; where T is singular, for the component of b in its range.
+    /// A solution of `T y = b` with the tangent stiffness T. Where T is singular, b is replaced by its component in the range of T.
     pub(crate) fn solve(&self, b: &Vector) -> Vector {
         match self {
             Self::Whole(factors) => factors.solve(b),
@@ -36,7 +36,7 @@ impl TangentFactors {
         }
     }
 
-    /// Null vectors of T, as motions of all coordinates. None are reported unless T is a band matrix.
+    /// Null vectors of the tangent stiffness, as motions of all coordinates; an empty list unless it is a band matrix.
     pub(crate) fn loose_motions(&self) -> Vec<Vector> {
         match self {
             Self::Whole(_) => Vec::new(),
@@ -91,7 +91,7 @@ pub(crate) fn tangent_stiffness(sites: &[Site], springs: impl Fn(usize) -> Sprin
     in_halves(0..sites.len(), &part, &|a: Square, b| a + &b)
 }
 
-/// Adds `G_i C_i G_iᵀ` of one contact to T.
+/// Adds the term `G_i C_i G_iᵀ` of one contact to the tangent stiffness of the object.
 fn add_tangent(t: &mut Square, site: &Site, springs: &SpringTangent) {
     let pushed: [Vector; 3] = [0, 1, 2].each(|a| &site.map * springs.column(a).into_owned());
     // The map of a contact has no entries for joints of other fingers, and that of a drive only for its own joint.
@@ -106,8 +106,8 @@ fn add_tangent(t: &mut Square, site: &Site, springs: &SpringTangent) {
     }
 }
 
-/// Corrects forces and twist until the imbalance R is at most the fraction `part` of the sizes of its terms. Returns the sum over all steps of the
-/// largest change of a force, N; `None` if the steps do not suffice.
+/// Corrects forces and twist by Newton steps, until the norm of the force imbalance is at most the fraction `part` of the sum of its terms' norms.
+/// Returns the sum over all steps of the largest change of a force, N; `None` if the steps do not suffice.
 pub(crate) fn balance(
     sites: &[Site],
     springs: &[SpringTangent],

@@ -1,6 +1,7 @@
 //! Approximate states of many contacts by Tresca friction: each contact has a given friction limit, independent of its normal force.
 //!
-//! If the limits r_i of friction do not depend on normal forces, all forces come from a convex energy,
+//! If the friction limits r_i do not depend on normal forces, each contact force F_i is the gradient of a convex energy φ_i of the stretch. The
+//! stretch is `a_i - G_iᵀq`, with the offset a_i and the grasp map G_i. Under the load W forces balance where the twist q minimises an energy:
 //!
 //! ```text
 //! Σ G_i F_i(a_i - G_iᵀq) + W = 0      where  Σ φ_i(a_i - G_iᵀq) - W·q  is least
@@ -31,7 +32,7 @@ struct GivenLimits {
     limits: Vec<f64>,
     /// Coordinates with nonzero entries in the contacts' grasp maps, with these entries, contact after contact.
     coupled: Vec<(usize, SVector<f64, 3>)>,
-    /// Position of each coordinate in the narrow order.
+    /// Position of each coordinate in the order that makes the band narrow.
     numbers: Vec<usize>,
     first: Vec<usize>,
     load: Vec<f64>,
@@ -41,12 +42,12 @@ struct GivenLimits {
 /// Responses of all contacts to a motion of the object.
 struct Answers {
     of: Vec<LimitedAnswer>,
-    /// The imbalance `Σ G_i F_i + W`.
+    /// The imbalance `Σ G_i F_i + W` of contact forces and load.
     imbalance: Vec<f64>,
 }
 
-/// Proposed contact states, in the plane or on polygons: forces nearly balance, and friction limits nearly agree with the normal forces. `None` if
-/// there are few coordinates, motions that nothing resists, or contacts with infinite friction.
+/// Proposed contact states on polygonal friction cones or in the plane. Forces nearly balance, and friction limits nearly agree with the normal
+/// forces. `None` if there are few coordinates, motions that nothing resists, or contacts with infinite friction.
 pub(crate) fn states_by_tresca(problem: &Problem<'_>) -> Option<Vec<State>> {
     if !uses_band(problem.size()) {
         return None;
@@ -61,8 +62,8 @@ pub(crate) fn states_by_tresca(problem: &Problem<'_>) -> Option<Vec<State>> {
     Some(moved(states, &state))
 }
 
-/// The proposed motion on the round cone: forces nearly balance, and friction limits nearly agree with the normal forces. `None` as for
-/// [`states_by_tresca`], and without a round cone.
+/// The proposed motion for round friction cones: forces nearly balance, and friction limits nearly agree with the normal forces. `None` as for
+/// [`states_by_tresca`], and also without a round cone.
 pub(crate) fn twist_by_tresca(problem: &Problem<'_>) -> Option<Vector> {
     if !problem.round || !uses_band(problem.size()) {
         return None;
@@ -105,7 +106,7 @@ impl GivenLimits {
         &self.coupled[self.first[contact]..self.first[contact + 1]]
     }
 
-    /// Responses of the contacts to a motion q; `answer` is their law.
+    /// Responses of the contacts to a motion `q`; `answer(i, stretch)` is the law of contact i.
     fn answers_by(&self, q: &[f64], answer: impl Fn(usize, &SVector<f64, 3>) -> LimitedAnswer) -> Answers {
         let (mut of, mut imbalance) = (Vec::with_capacity(self.contacts.len()), self.load.clone());
         for (i, contact) in self.contacts.iter().enumerate() {
@@ -123,7 +124,8 @@ impl GivenLimits {
         self.answers_by(q, |i, stretch| self.contacts[i].answer(stretch, self.limits[i]))
     }
 
-    /// Factors of T, with the fraction `kept` of the stiffness of springs that yield.
+    /// Factorises the tangent stiffness of the object, in which springs that yield keep the fraction `kept` of their stiffness. `None` if it is not
+    /// positive definite.
     fn factor(&mut self, answers: &[LimitedAnswer], kept: f64) -> Option<()> {
         let Self { coupled, first, band, .. } = self;
         band.clear();
@@ -139,7 +141,7 @@ impl GivenLimits {
         band.factor()
     }
 
-    /// Iterates friction limits and motion until they agree. Returns the states and the motion.
+    /// Iterates friction limits and motion until they agree. Returns the contact states and the motion.
     fn iterated(mut self) -> Option<(Vec<Mode<u16>>, Vec<f64>)> {
         let stuck = |contact: &Limited, stretch: &SVector<f64, 3>| {
             let holds = SMatrix::from_diagonal(&contact.stiffness);
@@ -172,8 +174,8 @@ impl GivenLimits {
             let mean = |(next, last): (&f64, &f64)| if round < 6 { *next } else { 0.5 * (next + last) };
             self.limits = paired(&next, &self.limits, &mean);
             kept = kept.max(1e-4);
-            // Newton's method of the next round ends at an imbalance in proportion to the last change of limits, a tenth of it, but not below 1e-9 of
-            // the initial imbalance.
+            // In the next round, Newton's method ends at an imbalance proportional to the last relative change of the friction limits: a tenth of
+            // that fraction of the initial imbalance, but not below 1e-9 of it.
             enough = enough.min(0.1 * change * size).max(1e-9 * size);
         }
         Some((states, q))

@@ -1,4 +1,4 @@
-//! The elastic trial: the piece in which every contact that is present sticks.
+//! The elastic trial: the linear problem in which every contact that is not absent sticks.
 
 use alloc::sync::Arc;
 
@@ -7,8 +7,8 @@ use super::problem::Problem;
 use crate::contact::State;
 
 impl Problem<'_> {
-    /// The linear problem in which every contact that is present sticks. At rest it depends on contacts and drives alone, not on load or commands, and is
-    /// computed once for all questions.
+    /// The linear problem in which every contact that is not absent sticks. In the static problem it depends on contacts and drives alone, not on
+    /// load or commands, and is computed once for all questions.
     pub(crate) fn trial(&self) -> Arc<Piece> {
         let make = || Piece::new(self, &self.unjumped());
         match self.trial {

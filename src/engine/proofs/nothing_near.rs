@@ -1,13 +1,15 @@
-//! A proof that no equilibrium exists near the point where one was lost, whatever the contacts have slipped.
+//! A proof that no equilibrium exists near the point where one was lost, for any slip history of the contacts.
 //!
-//! For any virtual motion v with `u_i = G_iᵀv`, equilibrium gives `W·v = -Σ F_i·u_i`. No contact works against v by more than its [`Resistance`],
-//! which depends only on normal stretches, and so only on the motion q of the object:
+//! A virtual motion v of the object moves contact i by `u_i = G_iᵀv`, with the grasp map G_i. Equilibrium of the contact forces F_i under the load W
+//! gives `W·v = -Σ F_i·u_i`. No contact works against v by more than its [`Resistance`]. This has a coefficient c_i for the normal stretch where
+//! friction resists, or a row r_i for the springs. So the work of all contacts has an upper bound h that depends only on the motion q of the object:
 //!
 //! ```text
 //! W·v  <=  h(q) = Σ c_i (a_n,i - n·G_iᵀq)₊  +  Σ r_i·(a_i - G_iᵀq)
 //! ```
 //!
-//! With `x₊ = x + (-x)₊` and the stretch `x_i` at q*, the bound on h at `q* + δ` is
+//! Here a_i are the commanded offsets and n is the contact normal. At the lost equilibrium, with motion q*, contact i has the stretch v_i and the
+//! normal stretch x_i. Since `x₊ = x + (-x)₊`, the bound at the motion `q* + δ` satisfies
 //!
 //! ```text
 //! h  <=  Σ c_i x_i + Σ r_i·v_i  +  |(Σ c_i G_i n + Σ G_i r_i)·δ|  +  Σ c_i (|G_i n·δ| - x_i)₊
@@ -21,15 +23,16 @@ use crate::numerics::{Vector, increasing, mapped, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The largest ρ for which it is proved that no equilibrium exists at any `q* + δ`, for δ up to ρ. Such a δ moves the centroid by at most ρ, and
-/// turns the object by at most ρ over the engine's unit of length. It moves each further coordinate by at most ρ. Infinite if no equilibrium exists
-/// at all; `None` if nothing is proved even at q*.
+/// The largest radius ρ for which it is proved that no equilibrium exists at any motion `q* + δ` of the object; q* is the argument `at`. Within the
+/// radius, δ moves the centroid of the contacts by at most ρ, and turns the object by at most ρ divided by the engine's unit of length. It moves each
+/// further coordinate by at most ρ. Infinite if no equilibrium exists at all; `None` if nothing is proved even at q*.
 pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> Option<f64> {
     let work = motion.dot(&problem.wrench);
     let mut size = motion.norm() * problem.wrench.norm();
     let mut resisted = 0.0;
     let mut slope = Vector::zeros();
-    // For each contact that may open: the ρ at which it may do so, and the increase of the bound's slope beyond this ρ.
+    // For each contact that may open: the radius ρ at which it may first open, and the increase of the slope of the bound on the contacts' work
+    // beyond it.
     let mut openings = Vec::new();
     for (i, (site, local)) in problem.sites.iter().zip(problem.locals()).enumerate() {
         let stretch = problem.stretch(i, at);
@@ -41,8 +44,8 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
                 if reach > 0.0 {
                     openings.push((stretch[0].max(0.0) / reach, c * reach));
                 }
-                // The formula adds a negative term for a contact that is open at q*. It is cancelled here: an open contact resists nothing at q*, and
-                // away from q* at most c times the distance by which it closes.
+                // The bound h (see the top of the file) has a negative term for a contact that is open at `at`. It is cancelled here: an open contact
+                // resists nothing at `at`, and elsewhere at most c times the distance by which it closes.
                 resisted += c * (-stretch[0]).max(0.0);
                 (c * stretch[0], unit::<3>(0) * c)
             }
@@ -71,8 +74,8 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
     Some((rho + left / growth) * (1.0 - rounding))
 }
 
-/// The largest product of a row with a displacement δ of size 1: the sum of the norms of its translation and rotation parts and the sizes of all
-/// other entries.
+/// The largest scalar product of `row`, a wrench, with a displacement of size 1. It is the sum of the norms of the force and moment parts of `row`
+/// and of the sizes of all other entries.
 fn reach(space: Space, row: &Vector) -> f64 {
     let (axes, object) = (space.axes(), space.of_the_object());
     let part = |from: usize, to: usize| (from..to).map(|k| row[k] * row[k]).sum::<f64>().sqrt();

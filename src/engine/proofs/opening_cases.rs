@@ -1,16 +1,17 @@
 //! A proof that no equilibrium exists beyond a load, for contacts that are too many to try all their states. Each choice of open contacts leaves a
 //! convex problem.
 //!
-//! With the closed contacts chosen, forces that balance the load exist only if there are a motion q and friction forces with
+//! With the closed contacts chosen, contact forces F_i that balance the load W exist only if there are a motion q and friction forces with
 //!
 //! ```text
 //! Σ G_i F_i + W = 0,    F_n = k (a_n - n·u(q)),    F_t in F_n times the friction polygon    closed
 //! n·u(q) - a_n >= 0                                                                        open
 //! ```
 //!
-//! These conditions do not fix the direction of friction. They are linear, Γ x + w = 0 with x >= 0. The residual y of the nearest
-//! x >= 0 has y·γ >= 0 for all columns γ of Γ, and proves that no x solves them if y·w > 0 (Farkas). As w is linear in the
-//! load, y·w >= 0 at the load and y·w > 0 a little beyond prove it for all loads in between.
+//! G_i is the grasp map, k the normal stiffness, a_n the commanded normal offset, and n·u(q) the normal motion of a contact. These conditions do not
+//! fix the direction of friction. They are linear, Γ x + w = 0 with unknowns x >= 0, columns γ of the matrix Γ and a vector w. The residual y of the
+//! nearest x >= 0 has y·γ >= 0 for all columns γ of Γ, and proves that no x solves them if y·w > 0 (Farkas). Along a line of loads w is linear. So
+//! y·w >= 0 at its first load and y·w > 0 at its last prove that no load between them can be balanced.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -21,7 +22,7 @@ use crate::numerics::{Vector, chosen, largest, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Whether it is proved that no load on the line from `here` (not included) to `past`, a little beyond, can be balanced.
+/// Whether it is proved that no load on the line from the load of `here` (not included) to that of `past`, a little beyond, can be balanced.
 pub(crate) fn nothing_holds(here: &Problem, past: &Problem) -> bool {
     let free: Vec<usize> = chosen(here.len(), &|&i| here.local(i).may_open());
     let whole = !here.locals().any(|local| local.is_absent() || local.is_on_an_edge());
@@ -37,7 +38,8 @@ pub(crate) fn nothing_holds(here: &Problem, past: &Problem) -> bool {
         })
 }
 
-/// Whether a contact has an inequality. In the linear system the rows of equilibrium come first, then those of inequalities in the order of contacts.
+/// Whether a contact has a normal condition, an inequality. In the linear system the equations of equilibrium come first, then these conditions in
+/// the order of contacts.
 fn has_row(local: &LocalLaw<'_>) -> bool {
     local.pairs() > 0
 }
@@ -51,7 +53,8 @@ fn springs(local: &LocalLaw<'_>) -> usize {
     if local.is_bonded() { local.springs.axes() } else { 1 }
 }
 
-/// A vector with an entry for each row: the wrench and the normal conditions that result from stretches of the contacts and a load.
+/// A vector with an entry for each equation and inequality of the linear system: the wrench and the normal conditions that result from the stretches
+/// of the contacts and a load.
 fn response(
     problem: &Problem,
     open: &[bool],
@@ -82,7 +85,7 @@ fn constant(problem: &Problem, open: &[bool]) -> DVector<f64> {
     response(problem, open, &|i| problem.offsets[i], problem.wrench.clone())
 }
 
-/// Columns of Γ with length one: motions in both directions, friction, slacks.
+/// Columns of the matrix Γ of `Γ x + w = 0`, scaled to length one: motions in both directions, friction forces, and slacks of the inequalities.
 fn columns(problem: &Problem, open: &[bool]) -> Vec<DVector<f64>> {
     let count = rows(problem);
     let mut list = Vec::new();

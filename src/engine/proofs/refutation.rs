@@ -1,14 +1,15 @@
 //! A proof that no equilibrium exists on the round cone, case by case, as a certificate that can be checked.
 //!
-//! States of contacts are divided into cases, one contact at a time, until each case is contradicted. A contradiction is a virtual motion y
-//! of the object with self-balanced virtual forces φ, `Σ G_i φ_i = 0`. Stretches `v_i = a_i - G_iᵀq` and forces of an equilibrium under the
-//! load W satisfy
+//! States of contacts are divided into cases, one contact at a time, until each case is contradicted. A contradiction is a virtual motion y of the
+//! object with self-balanced virtual forces φ, `Σ G_i φ_i = 0`. In an equilibrium under the load W, the stretches `v_i = a_i - G_iᵀq` (offset a_i,
+//! grasp map G_i, twist q) and the contact forces F_i satisfy
 //!
 //! ```text
 //! Σ (φ_i·v_i + (G_iᵀy)·F_i)  =  Σ φ_i·a_i - y·W  >  0
 //! ```
 //!
-//! for every q. If the labels of the case keep every contact's term on the left side from being positive, the case has no equilibrium.
+//! for every q. A label restricts the state of a contact, or the direction of its friction. If the labels of a case keep every contact's term on the
+//! left side from being positive, the case has no equilibrium.
 
 use crate::numerics::IntoList;
 use nalgebra::SVector;
@@ -23,7 +24,7 @@ use crate::prelude::*;
 /// A step of the proof. Steps are in depth-first order: a division is followed by all steps of its second case, then by those of its first.
 #[derive(Debug, Clone)]
 pub(crate) enum ProofStep {
-    /// The state of a contact lies in one of two halves.
+    /// The case is divided into two: the state of this contact lies in one of two halves.
     Divided { contact: usize, halves: [Label; 2] },
     /// The present case is contradicted by a virtual motion and virtual forces.
     Contradicted { motion: Vector, forces: Vec<SVector<f64, 3>> },
@@ -61,9 +62,9 @@ pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     (open.is_empty() && least >= ESCAPE).then_some(least)
 }
 
-/// A proof with a single case that no forces balance offsets and load. It takes the states in which every contact that may yield does. Then some
-/// virtual motion y is in the left null space of the tangent stiffness: the virtual forces `-C_iᵀG_iᵀy` balance one another. Contacts cannot do more
-/// work against y in any other state.
+/// A proof, with a single case, that no contact forces balance offsets and load. In a rate problem let every contact that may slide or open do so.
+/// Then a virtual motion y may be in the left null space of the tangent stiffness: the virtual forces `-C_iᵀG_iᵀy` balance one another. In any other
+/// contact state, the contacts do no more work against y.
 pub(crate) fn yields(problem: &Problem) -> Option<f64> {
     let states = problem.yielding();
     let motion = Piece::new(problem, &states).motion_without_response(&problem.offsets, &problem.wrench)?;
@@ -96,8 +97,8 @@ fn escape(problem: &Problem, labels: &[Label], motion: &Vector, forces: &[SVecto
         size += 2.0 * (local.springs.stored(phi) + local.springs.stored(&pushed));
         worst = worst.max(local.most_work(&labels[i], phi, &u));
     }
-    // Tolerance of the balance of virtual forces, relative to them and to the forces that the virtual motion would cause. Such an imbalance can only
-    // hide an equilibrium whose motion is larger than the data by the reciprocal of this tolerance.
+    // Tolerance of the balance of virtual forces, relative to their wrenches and to those of the forces that the virtual motion would cause. An
+    // imbalance below it can only hide an equilibrium whose motion is larger than the data by the reciprocal of this tolerance.
     let is_balanced = unbalanced.norm() <= 1e-13 * balanced_size;
     (is_balanced && gain > 0.0).then(|| gain / worst.max(LEAST_WORK * size.sqrt()))
 }

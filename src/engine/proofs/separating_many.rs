@@ -90,10 +90,10 @@ pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> 
     };
     let mut v = pushed.load.clone();
     let (mut more, mut clearer, mut proof) = (0, 0, None);
-    // The search ends six rounds after ρ has stopped growing. After a first proof four rounds follow, which remove rounding from the motion, as it is
-    // shown to users.
+    // The search ends six rounds after the penalty ρ has stopped growing. After a first proof four rounds follow. They remove rounding from the
+    // motion, since users see it.
     while more < 6 && clearer < 4 {
-        // A round ends at the imbalance `enough`: 1e-3 / ρ until a proof is found, then the least value.
+        // A round ends at the imbalance `enough`: 1e-3 / ρ with the penalty ρ until a proof is found, then the least value.
         let least = 1e-14;
         let enough = if proof.is_some() { least } else { (1e-3 / pushed.stiffness).max(least) };
         let Some(left) = pushed.round(&mut v, enough) else { break };
@@ -106,7 +106,7 @@ pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> 
             proof = Some(motion);
         }
         clearer += usize::from(proof.is_some());
-        // ρ grows tenfold in each round, up to this value. Beyond it the Newton steps would lose their digits.
+        // The penalty ρ grows tenfold in each round, up to this value. Beyond it the Newton steps would lose their digits.
         if pushed.stiffness < 1e8 {
             pushed.stiffness *= 10.0;
         } else {
@@ -156,8 +156,8 @@ impl PushedBack {
         Some(Self { contacts, numbers, load, band, stiffness: 1e1 })
     }
 
-    /// One round: finds the v of `v - Σ G_i f_i = W` up to an error `enough`, and updates the multipliers. Returns |v|, the norm of the load that is
-    /// not balanced.
+    /// One round: finds the residual v of `v - Σ G_i f_i = W` up to an error `enough`, and updates the multipliers. Returns |v|, the norm of the load
+    /// that contact forces do not balance.
     fn round(&mut self, v: &mut Vec<f64>, enough: f64) -> Option<f64> {
         let mut missing = self.missing(v);
         // Maximum number of Newton steps in a round.
@@ -192,7 +192,7 @@ impl PushedBack {
         Some(norm(&left))
     }
 
-    /// The imbalance `W + Σ G f - v`.
+    /// The imbalance `W + Σ G f - v` of the load W, the contact forces f with grasp maps G, and the residual v.
     fn missing(&self, v: &[f64]) -> Vec<f64> {
         let mut sum: Vec<f64> = self.load.iter().zip(v).map(|(w, v)| w - v).list();
         for contact in &self.contacts {
@@ -203,7 +203,8 @@ impl PushedBack {
         sum
     }
 
-    /// Factors of the Newton matrix `1 + ρ Σ G P' Gᵀ` at v.
+    /// Factorises the Newton matrix `1 + ρ Σ G P' Gᵀ` at the residual v, with penalty ρ and grasp maps G. P' are the derivatives of the projections
+    /// onto the cones. `None` if the matrix is not positive definite.
     fn factor(&mut self, v: &[f64]) -> Option<()> {
         let Self { contacts, band, stiffness, .. } = self;
         band.clear();

@@ -1,11 +1,12 @@
-//! Tolerances of the proofs that no equilibrium exists: when a contradiction counts, and what is rounding.
+//! Tolerances of the proofs that no equilibrium exists: when a contradiction counts, and which values count as rounding errors.
 
 /// A proof of no equilibrium counts if any equilibrium that rounding could hide has forces at least this many times as large as the data.
 ///
 /// If smaller, proofs count that are mere rounding; if larger, clear proofs are refused.
 pub(crate) const ESCAPE: f64 = 1e4;
 
-/// Rounding error of the work of a generator of length one along a unit motion y. Smaller computed works are replaced by it.
+/// Rounding error of the work of a generator (a unit wrench on the edge of a friction cone) along a unit motion. Smaller computed works are replaced
+/// by it.
 ///
 /// If smaller, rounded work makes contradictions seem clear; if larger, clear ones are refused.
 pub(crate) const LEAST_WORK: f64 = 1e-15;

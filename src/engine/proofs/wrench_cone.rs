@@ -40,8 +40,8 @@ impl Generator {
         Self { contact, force: force / size, wrench: wrench / size }
     }
 
-    /// Work of the generator against a motion, per unit of its normal force. Generators have unit wrenches; with large friction they are mostly
-    /// tangential, and a normal force of the size of the load takes a large multiple of one.
+    /// Work of the generator against a motion, per unit of its normal force. Generators have unit wrenches. With large friction they are mostly
+    /// tangential, so that a normal force as large as the load needs a large multiple of a generator.
     fn works_against(&self, motion: &Vector) -> f64 {
         let normal = self.force[0] / self.force.norm();
         -self.wrench.dot(motion) / if normal > 0.0 { normal } else { 1.0 }
@@ -58,8 +58,8 @@ pub(crate) struct NearestForces {
     pub(crate) shares: Vec<(Generator, f64)>,
 }
 
-/// The sum of generators nearest to a target. `straight` lists those of cones that are not round; `round` returns, for a motion, the one of each
-/// round cone that works most against it.
+/// The sum of generators nearest to a target. `straight` lists the generators of polygonal or one-dimensional cones. For a motion, `round` returns
+/// the generator of each round cone that works most against it.
 pub(crate) fn nearest_forces(
     size: Size,
     straight: &[Generator],
@@ -69,10 +69,11 @@ pub(crate) fn nearest_forces(
     let mut target = target.clone();
     target.grow(size);
     let mut nearest = NearestPoint::new(target.as_slice());
-    // Generators of round cones that are part of the sum, or were; their tags follow those of the straight ones.
+    // Generators of round cones that have been added to the sum. Their tags, the numbers by which `nearest` identifies generators, follow those of
+    // `straight`.
     let mut joined: Vec<Generator> = Vec::new();
-    // The largest number of generators that are added: two hundred, and four more for each coordinate. Straight cones rarely need as many to carry a
-    // load. Near the boundary of round cones the distance shrinks only by a constant factor with each new generator.
+    // The largest number of generators that are added: two hundred, and four more for each coordinate. Cones that are not round rarely need as many
+    // to carry a load. Near the boundary of round cones the distance shrinks only by a constant factor with each new generator.
     let each = if size.count() <= MOST_COORDINATES { 4 } else { 0 };
     let mut joins_left = 200 + each * size.count();
     let (motion, against) = loop {
@@ -87,7 +88,7 @@ pub(crate) fn nearest_forces(
             }
         }
         let Some((tag, generator, work)) = worst else { break (v, 0.0) };
-        // A generator whose work against the residual is below this fraction of it is not added.
+        // A generator is not added if its work against the residual is below this fraction of the norm of the residual.
         let joins = work < -1e-13 * v.norm() && v.norm() > CLEAR_RESIDUAL && !nearest.has(tag);
         if !joins
             || joins_left == 0
@@ -117,7 +118,7 @@ struct LoadAndCones<'p, 'g> {
 }
 
 impl<'p, 'g> LoadAndCones<'p, 'g> {
-    /// The load of a problem and its cones; `None` without a load, or if a law is not a cone.
+    /// The load and the friction cones of this problem; `None` without a load, or if a contact law is not a cone.
     fn of(problem: &'p Problem<'g>) -> Option<Self> {
         let load = problem.wrench.norm();
         let straight = (load > 0.0).then(|| straight_generators(problem)).flatten()?;
@@ -197,7 +198,7 @@ pub(crate) fn separates_from_here_on(problem: &Problem, motion: &Vector, rate: &
     gained > CLEAR_RESIDUAL && counts_from_here_on(here, here + data * gained, against, data)
 }
 
-/// The unit wrenches that generate the cones that are not round; `None` where a law is not a cone of forces at rest.
+/// The unit wrenches that generate the cones that are not round; `None` where a contact law is not a cone of forces, as in a rate problem.
 pub(crate) fn straight_generators(problem: &Problem) -> Option<Vec<Generator>> {
     let mut list = Vec::new();
     for (contact, (local, site)) in problem.locals().zip(problem.sites).enumerate() {

@@ -7,26 +7,27 @@ use crate::grasp::Coordinates;
 use crate::numerics::{Vector, mapped};
 use crate::prelude::*;
 
-/// The method that found a solution. If several equilibria exist, it tells which of them this is.
+/// The method that found a solution. If several equilibria exist, the method decides which of them is returned.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum FoundBy {
-    /// Everything sticks: the elastic trial state satisfies every condition. No complementarity problem was made.
+    /// Everything sticks: the elastic trial state, in which all contacts stick, satisfies every condition. No complementarity problem was solved.
     EverythingSticks,
     /// Everything that touches sticks: contacts that would pull are open, and all others satisfy every condition while they stick. No complementarity
-    /// problem was made.
+    /// problem was solved.
     EverythingTouchingSticks,
-    /// Lemke's method on the kinematic form, whose path of jumps starts at the elastic trial state.
+    /// Lemke's method on the kinematic form, whose unknowns are gaps and slips. Its path starts at the elastic trial state.
     KinematicForm,
-    /// Newton's method for the motion of the object, of which each contact force is a function. On the round cone with few contacts it starts near
-    /// the equilibrium to which the stuck grasp relaxes, and so finds that one of several; otherwise it starts at the elastic trial state.
+    /// Newton's method for the motion of the object, of which each contact force is a function. With few contacts and round cones it starts near the
+    /// equilibrium to which the stuck grasp relaxes. If several equilibria exist, it finds that one. Otherwise it starts at the elastic trial state.
     Newton,
-    /// Lemke's method on the force form, whose path of forces starts from zero.
+    /// Lemke's method on the force form, whose unknowns are contact forces. Its path starts from zero forces.
     ForceForm,
     /// The first combination of contact states that satisfies every condition; on the round cone, the first case of contact states and directions of
-    /// friction from which Newton's method converges. [`Grasp::equilibria`](crate::ask::Grasp::equilibria) finds some of its equilibria in this way.
+    /// friction from which Newton's method converges. [`Grasp::equilibria`](crate::ask::Grasp::equilibria) lists equilibria that were found in this
+    /// way, too.
     Enumeration,
     /// A load path was followed: the states come from its history.
     LoadPath,
@@ -62,10 +63,10 @@ pub(crate) struct Found {
     pub(crate) twist: Vector,
     pub(crate) free_motions: Vec<Vector>,
     pub(crate) neutral_motions: Vec<Vector>,
-    /// On a load path, the sizes of the forces, N, and displacements, m, whose sums are this solution. They scale its rounding where terms cancel.
-    /// Zero for a solution that was not reached along a path.
+    /// On a load path the solution is a sum of changes along the path. These are the sizes of the summed forces, N, and displacements, m, which scale
+    /// its rounding where terms cancel. Zero for a solution that was not reached along a path.
     pub(crate) sizes: [f64; 2],
-    /// On the round cone, the largest change of a contact force from the answer on polygons, N.
+    /// With round cones, the largest difference of a contact force from that of the solution on polygonal cones, N.
     pub(crate) from_polygon: Option<f64>,
 }
 
@@ -152,6 +153,6 @@ pub(crate) struct Effort {
     pub(crate) combinations: usize,
     /// Number of facets of a contact's polygonal cone.
     pub(crate) facets: usize,
-    /// Whether Farkas' lemma excludes every choice of slips and gaps of the kinematic form, up to its rounding. Never on the round cone.
+    /// Whether Farkas' lemma excludes every choice of slips and gaps of the kinematic form, up to its rounding. Always false with round cones.
     pub(crate) no_slips: bool,
 }

@@ -55,7 +55,8 @@ pub(super) fn admit(
 ) -> Result<Found, Refused> {
     let mut worst = violation(problem, &states, &at);
     let growth = OnceCell::new();
-    // The amplification of errors costs as much as the factorisation. Most checks do not need it, so it is computed on demand.
+    // The factor by which the linear problem amplifies rounding errors costs as much as the factorisation. Most checks do not need the factor, so it
+    // is computed on demand.
     let exceeds = |worst: f64, part: f64| {
         // Upper bound of the tolerance, however badly conditioned the linear problem is.
         worst > MOST_SLACK || worst > part && worst > part * growth.get_or_init(|| piece.growth())
@@ -63,8 +64,8 @@ pub(super) fn admit(
     let mut shifted = None;
     let free_motions = piece.free_motions().to_vec();
     let neutral_motions = piece.neutral_motions();
-    // An inequality may be violated by this fraction of its size, times the amplification of errors in the linear problem. In symmetric grasps ties
-    // are normal: a slack that is exactly zero comes out as a few roundings of 1e-16.
+    // An inequality may be violated by this fraction of its size, times the factor by which the linear problem amplifies rounding errors. In
+    // symmetric grasps ties are normal: a slack that is exactly zero comes out as a few roundings of 1e-16.
     if exceeds(worst, ZERO_SLACK) && !(free_motions.is_empty() && neutral_motions.is_empty()) {
         // In these states the solution is not unique. The one of least norm violates an inequality, but another one may satisfy all.
         let mut motions = mapped(&free_motions, &|v| (v.clone(), vec![SVector::zeros(); problem.len()]));
@@ -84,8 +85,8 @@ pub(super) fn admit(
         }
     }
     if exceeds(worst, ZERO_SLACK) {
-        // A violation below this fraction (times the amplification) is neither rounding nor clear. The proposal is refused, but its failure proves
-        // nothing.
+        // A violation below this fraction (times the amplification of rounding errors) is neither rounding nor clear. The proposal is refused, but
+        // its failure proves nothing.
         return Err(Refused { states, at, doubtful: !exceeds(worst, 1e-12) });
     }
     let there = shifted.as_ref().unwrap_or(&at);
@@ -97,7 +98,8 @@ pub(super) fn admit(
     Ok(Found { free_motions, neutral_motions, ..Found::new(states, forces, twist) })
 }
 
-/// Checks a solution that is unique and does not amplify rounding.
+/// Returns the solution if it satisfies every condition of the contact states. The linear problem must be regular and well conditioned: the tolerance
+/// does not allow for an amplification of rounding errors.
 pub(super) fn admit_regular(problem: &Problem, states: Vec<State>, state: PieceState) -> Option<Found> {
     let mut holds = true;
     for_each_condition(problem, &states, &state.forces, &state.twist, |value, size| {
@@ -137,8 +139,9 @@ pub(crate) fn for_each_condition(
     }
 }
 
-/// `|Σ G_i F_i + W|` over the sum of the sizes of its terms. If commands alone move a statically determinate grasp, its computed forces are rounding
-/// of zero. The sizes therefore include the fraction `NO_FORCE` of the least force that its springs could have.
+/// The norm of the imbalance `Σ G_i F_i + W` of contact forces and load, relative to the sum of the norms of its terms. If commands alone move a
+/// statically determinate grasp, its exact forces are zero and the computed ones are rounding errors. The sum therefore includes the fraction
+/// `NO_FORCE` of the least force that its springs could have.
 fn out_of_balance(problem: &Problem, forces: &[SVector<f64, 3>], twist: &Vector) -> f64 {
     let (left, carried) = problem.imbalance(forces);
     let size = problem.largest_force(forces, twist) + carried;

@@ -12,11 +12,11 @@ use crate::numerics::mapped;
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
-/// A search for an equilibrium: the problem, and the solution of its elastic trial, in which everything sticks.
+/// A search for an equilibrium: the problem, and the solution of its elastic trial, in which every contact sticks.
 pub(super) struct ElasticTrial<'s, 'g> {
     pub(super) problem: &'s Problem<'g>,
     pub(super) settings: &'s Settings,
-    /// The states of the elastic trial: every contact that is present sticks.
+    /// The contact states of the elastic trial, in which every contact that is not absent sticks.
     pub(super) unjumped: Vec<State>,
     pub(super) trial: Arc<Piece>,
     pub(super) state: PieceState,
@@ -44,8 +44,8 @@ impl<'s, 'g> ElasticTrial<'s, 'g> {
         self.proposing.get_or_init(|| on_polygons(self.problem, self.settings.cone, &self.state.forces))
     }
 
-    /// The problem of [`Self::proposing`] with facets for infinite friction, if any contact has infinite friction. Such a contact loses its
-    /// tangential force when it opens, and only facets can express this.
+    /// The problem of [`Self::proposing`] with friction-cone facets for infinite friction, if any contact has infinite friction. Such a contact loses
+    /// its tangential force when it opens. In the complementarity problem only facets can express this.
     pub(super) fn with_edges(&self) -> Option<&Problem<'g>> {
         let infinite = || self.problem.locals().any(|local| local.never_slides());
         let make =
@@ -69,12 +69,12 @@ impl Attempt {
     }
 }
 
-/// Effort of the search so far, and the reason to report if it stays undecided.
+/// Effort of the search so far, and the reason for an undecided result.
 pub(super) struct Log {
     pub(super) effort: Effort,
-    /// The reason that is reported if no method decides.
+    /// The reason that the search returns if no method decides.
     pub(super) doubt: Doubt,
-    /// Whether the last problem with a dense matrix was proved to have no solution.
+    /// Whether the last complementarity problem that was solved with a dense matrix was proved to have no solution.
     pub(super) is_infeasible: bool,
 }
 

@@ -39,7 +39,7 @@ pub(crate) struct Enumerated {
     pub(crate) doubtful: bool,
 }
 
-/// Tries all combinations of contact states; with `first_only` only up to the first that holds.
+/// Tries all combinations of contact states; with `first_only` only up to the first equilibrium.
 pub(crate) fn search(problem: &Problem, first_only: bool) -> Enumerated {
     search_among(problem, first_only, &|_| true)
 }

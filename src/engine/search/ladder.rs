@@ -23,7 +23,7 @@ use crate::object::{Problem, ViscousRelaxation, newton_on_cones, twist_by_tresca
 use crate::prelude::*;
 use crate::proofs;
 
-/// A method of the ladder, the condition under which it is tried, and the [`FoundBy`] with which its equilibria are reported.
+/// A method of the ladder, the condition under which it is tried, and the [`FoundBy`] that its equilibria carry.
 pub(super) struct Rung {
     #[cfg_attr(
         not(feature = "std"),
@@ -51,7 +51,8 @@ pub(super) const LADDER: [Rung; 8] = [
     },
     Rung { name: "everything yields", applies: is_on_an_edge, climb: everything_yields, finds: None },
     Rung {
-        // With many contacts or coordinates the search for a separating motion is cheaper than any pivoting path, and soon ends if there is none.
+        // With many contacts or coordinates the search for a separating motion costs less than any pivoting path, and ends early if no such motion
+        // exists.
         name: "separating motion of many",
         applies: is_large,
         climb: separating_motion,
@@ -66,8 +67,8 @@ pub(super) const LADDER: [Rung; 8] = [
     Rung { name: "force form", applies: may_be_dense, climb: force_form, finds: Some(FoundBy::ForceForm) },
     Rung {
         name: "separating motion of few",
-        // It also runs with few contacts and many coordinates: the augmented Lagrangian of `separating motion of many` takes small residuals for zero
-        // that this method resolves.
+        // It also runs with few contacts and many coordinates. There the augmented Lagrangian of `separating motion of many` takes small residuals
+        // for zero, which this method distinguishes from zero.
         applies: |scene| !has_many_contacts(scene),
         climb: separating_motion_of_few,
         finds: None,
@@ -118,7 +119,7 @@ fn has_many_contacts(scene: &ElasticTrial<'_, '_>) -> bool {
     scene.problem.len() >= MANY_CONTACTS
 }
 
-/// Whether the problem is one of rates with contacts on the edge of their cone.
+/// Whether the problem is a rate problem in which some contact is on the edge of its friction cone.
 fn is_on_an_edge(scene: &ElasticTrial<'_, '_>) -> bool {
     scene.problem.locals().any(|local| local.is_on_an_edge())
 }
@@ -138,8 +139,8 @@ fn touching_contacts_stick(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt
     Attempt::of(touching_contacts(scene.problem, scene.unjumped.clone(), scene.state.clone()))
 }
 
-/// Newton's method for the motion of the object, of which each contact force is a function. It starts at the equilibrium to which the stuck grasp
-/// relaxes, or at the elastic trial.
+/// Newton's method for the motion of the object, of which each contact force is a function. It starts at points of the relaxation of the stuck grasp,
+/// then at the elastic trial, and last at the twist by Tresca friction.
 fn newton(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     if !has_round_cones(scene.problem) {
         let propose = |problem: &Problem, _: &mut Log| {
@@ -157,8 +158,8 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     Attempt::of(found.or_else(|| twist_by_tresca(scene.problem).and_then(from)))
 }
 
-/// The equilibrium to which the stuck grasp relaxes. Newton's method starts from points of that relaxation. If it ends at an equilibrium far from the
-/// relaxation, that one is only taken where the relaxation itself leads to none.
+/// The equilibrium to which the stuck grasp relaxes. Newton's method starts from points of this relaxation. An equilibrium far from the starting
+/// point is returned only if Newton's method never ends at a near one.
 fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<Found> {
     let mut way = ViscousRelaxation::from_stuck(scene.problem, &scene.state.twist)?;
     let mut another = None;
@@ -172,7 +173,7 @@ fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<Found> {
     another
 }
 
-/// A proof for the problem in rates at a limit load: if all contacts on the edge of their cones slide, nothing resists a motion on which the load works.
+/// A proof for a rate problem at a limit load: if all contacts on the edge of their cones slide, nothing resists a motion on which the load works.
 fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     let proof = proofs::yields(scene.problem);
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(Settled::Contradicted { cases: 1, escape }))
@@ -191,8 +192,8 @@ fn separating_motion_of_few(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attemp
 }
 
 /// Lemke's method on the kinematic form. With many coordinates it pivots first on the contacts that leave the elastic trial, then on a dense matrix.
-/// It pivots on lists of contact states only if a matrix is too large. With few coordinates lists come first, since a pivot on them costs a few
-/// operations a contact. Forms with facets for infinite friction are tried last.
+/// The solver `structured`, which pivots on lists of contact states, then serves only if the matrix is too large. With few coordinates `structured`
+/// comes first, since its pivot costs a few operations per contact. Forms in which infinite friction has facets are tried last.
 fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     let (problem, dense) = (scene.proposing(), may_be_dense(scene));
     let of_the_leaving = |problem: &Problem, log: &mut Log| propose_of_the_leaving(scene, problem, log);
@@ -205,8 +206,8 @@ fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     if scene.trial.is_banded() {
         found = climb(problem, &of_the_leaving, log);
     }
-    // With few contacts only the matrix is used: lists pivot in another order, and might end at another of several equilibria. With many coordinates
-    // a pivot on lists solves a system of all coordinates, which costs more than a pivot on an affordable matrix.
+    // With few contacts only the dense matrix is used: the solver on lists of contact states pivots in another order, and might end at another of
+    // several equilibria. With many coordinates its pivot solves a system of all coordinates, which costs more than a pivot on an affordable matrix.
     let lists = problem.len() >= 8 && !(dense && scene.trial.is_banded());
     if lists && found.is_none() {
         found = climb(problem, &on_states, log);

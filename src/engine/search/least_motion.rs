@@ -1,8 +1,9 @@
-//! The position of the object that is reported if no spring resists some motion: of all admissible positions the nearest to q₀ (defined below).
+//! The position of the object in the solution if no spring resists some motion: of all admissible positions the nearest to q₀ (defined below).
 //!
-//! Forces do not depend on free motions V. Any position `q = q₀ + V z` is a solution as long as gaps and slips keep their signs, which are conditions
-//! `c + g·z >= 0`. The position q₀ closes the gaps of contacts that touched before anything moved, in the sense of least squares. From q₀ the
-//! position of least |z| is unique. It depends neither on the method that found the states nor on the frame.
+//! Forces do not depend on free motions, the columns of V. Any position `q = q₀ + V z` is a solution as long as gaps and slips keep their signs.
+//! These are conditions `c + g·z >= 0` on the amounts z of the free motions. The position q₀ closes the gaps of contacts that touched before anything
+//! moved, in the sense of least squares. From q₀ the position of least |z| is unique. It depends neither on the method that found the states nor on
+//! the frame.
 
 use nalgebra::SVector;
 
@@ -14,8 +15,8 @@ use crate::numerics::{IntoList, Singular, Vector, chosen, least_distance, mapped
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The solution, shifted along motions that no spring resists to the admissible position nearest to q₀. At q₀ contacts that touched before anything
-/// moved touch again, as far as possible.
+/// The solution, shifted along motions that no spring resists to the admissible position nearest to q₀ (see the top of the file). At q₀ contacts that
+/// touched before anything moved touch again, as far as possible.
 pub(super) fn at_the_least_motion(problem: &Problem, mut found: Found) -> Found {
     // If a contact slides on the round cone its conditions are not linear, since the direction of friction depends on the slip.
     if found.free_motions.is_empty() || found.states.iter().any(|state| state.slide().is_some()) {
@@ -66,7 +67,7 @@ fn to_what_touches(problem: &Problem, found: &Found, base: &Vector) -> Vector {
     let (free, normal) = (&found.free_motions, |i: usize| problem.sites[i].map.column(0));
     let rows = matrix_of(open.len(), free.len(), &|r, k| normal(open[r]).dot(&free[k]));
     let gaps = vector_of(open.len(), &|r| problem.stretch(open[r], base)[0]);
-    // `rows` has the normal components of the free motions at these contacts; singular values below 1e-9 count as zero.
+    // `rows` has the normal components of the free motions at the open contacts; singular values below 1e-9 count as zero.
     let mut motion = Vector::zeros();
     for (v, part) in free.iter().zip(&Singular::new(&rows).solve(&gaps, 1e-9)) {
         motion += v * *part;

@@ -33,7 +33,7 @@ impl Base {
         Some(Self { states, piece, at })
     }
 
-    /// This start with the contacts `among` sticking; unchanged if they stick already. `None` if the tangent stiffness is then singular.
+    /// This start, but with the contacts in `among` sticking; unchanged if they stick already. `None` if the tangent stiffness is then singular.
     fn sticking_at(self, problem: &Problem, among: &[usize], moved: &mut Moved) -> Option<Self> {
         let mut states = self.states.clone();
         for i in among {
@@ -47,7 +47,7 @@ impl Base {
     }
 }
 
-/// Contact states in which no contact breaks a condition; `None` if the paths of Lemke's method find none.
+/// Contact states in which no contact breaks a condition; `None` if Lemke's method finds no such states.
 pub(super) fn propose_of_the_leaving(
     scene: &ElasticTrial<'_, '_>,
     problem: &Problem,
@@ -64,7 +64,7 @@ pub(super) fn propose_of_the_leaving(
         if among.is_empty() {
             return Some(base.states);
         }
-        // From these states at most 400 contacts pivot, neighbours included.
+        // Starting from the states by Tresca friction, at most 400 contacts pivot, neighbours included.
         if let Some(states) = pivoted(problem, scene.settings, (base, among, 400), log) {
             return Some(states);
         }
@@ -86,7 +86,8 @@ fn pivoted(
         among.sort_unstable();
         base = base.sticking_at(problem, &among, &mut moved)?;
         let form = kinematic_form_among(problem, &base.piece, &base.at, &among, &mut moved)?;
-        // Multiplications per path if the caller sets no limit on pivots: some seconds, where every other method takes minutes.
+        // The factor 20 allows each path this multiple of the usual number of multiplications, if the caller sets no limit on pivots. That takes some
+        // seconds, where every other method takes minutes.
         let proposed = propose_dense(
             problem,
             settings,
@@ -113,7 +114,7 @@ fn pivoted(
     None
 }
 
-/// The contacts in `among` and their neighbours, which share a coordinate with one of them, in order.
+/// The contacts in `among` and their neighbours, which share a coordinate with a contact in `among`, in order.
 fn beside(problem: &Problem, among: &[usize]) -> Vec<usize> {
     let mut is_near = vec![false; problem.size().count()];
     for i in among {

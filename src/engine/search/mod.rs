@@ -4,17 +4,17 @@
 //! |---|---|
 //! | `answer` | the end of a search, and its effort |
 //! | `settings` | limits and tolerances that the caller may set |
-//! | `record` | which rung decides each search, for a report |
+//! | `record` | which rung decides each search, for the report `rungs` |
 //! | `elastic_trial` | input and result of a rung |
 //! | `ladder` | the methods that find an equilibrium or a proof, in the order in which they are tried |
 //! | `leaving` | with many contacts: Lemke's method on those that leave the elastic trial |
 //! | `touching` | the equilibrium in which all closed contacts stick |
 //! | `proposals` | contact states proposed by Lemke's method |
 //! | `candidate` | proposed contact states, solved and checked |
-//! | `round_pieces`, `polish` | Newton's method on the round cone, from the elastic trial or from an answer on polygons |
+//! | `round_pieces`, `polish` | Newton's method on the round cone, from the elastic trial or from a solution with polygonal cones |
 //! | `enumerate` | every combination of states |
 //! | `solution_interval` | a solution that is one end of an interval of solutions |
-//! | `without_force` | contacts that touch without force are reported as open |
+//! | `without_force` | contacts that touch without force count as open |
 //! | `tree`, `relaxed` | on the round cone: branch and bound over contact states |
 
 mod answer;

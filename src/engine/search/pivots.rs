@@ -1,11 +1,12 @@
-//! Tests on random grasps under a load (scenes): Lemke's method on lists of contact states makes the pivots of the dense solver with the same
-//! covering vector.
+//! Tests on random grasps under a load (scenes): the solver `structured`, Lemke's method on lists of contact states, makes the same pivots as the
+//! dense solver with the same covering vector.
 //!
-//! A scene is *settled* when no gap and no variable of a closed contact is close to zero in the dense answer, and none larger than precision allows.
-//! At an open contact every friction row is zero once z₀ is: which of its facets are basic in the end is arbitrary, and it is compared as open. If
-//! the dense solver does not see such a tie because of the rounding of its tableau, it makes a few pivots more before z₀ leaves, or ends on a ray.
-//! Where a scene is not settled (no contact carries any force, or it is symmetric) several variables reach zero together; both solvers break such
-//! ties by a vector without structure, but not by the same one, since the dense solver balances its rows first.
+//! A scene is *settled* when no gap and no variable of a closed contact is close to zero in the dense solver's solution, and none is larger than
+//! precision allows. At an open contact all friction variables become zero together with the covering variable z₀. Which facets are basic in the end
+//! is then arbitrary, so the contact is compared as open. If the rounding of the dense tableau hides this tie, the dense solver makes a few pivots
+//! more before z₀ leaves, or ends on a ray. Where a scene is not settled (no contact carries any force, or it is symmetric) several variables reach
+//! zero together; both solvers break such ties by a vector without structure, but not by the same one, since the dense solver balances its rows
+//! first.
 
 use core::f64::consts::TAU;
 
@@ -24,13 +25,13 @@ use crate::prelude::*;
 use crate::structured;
 use crate::{PolygonCone, planar};
 
-/// A variable below this fraction of the largest entry of q counts as possibly zero: the scene is not settled.
+/// A variable below this fraction of the largest entry of the constant vector q of the complementarity problem may be zero: the scene is not settled.
 const CLEAR: f64 = 1e-9;
 
 /// The largest number of combinations of contact states that are all tried.
 const MOST_STATES: f64 = 200_000.0;
 
-/// Contact states and pivots of both solvers on the same scenes.
+/// Numbers of scenes with equal or different contact states and pivots of both solvers.
 #[derive(Debug, Default, Clone, Copy)]
 struct Tally {
     scenes: usize,
@@ -68,7 +69,7 @@ impl Tally {
 
 #[derive(Debug, Default, Clone, Copy)]
 struct Tallies {
-    /// Settled scenes (see the top) in which every contact is closed.
+    /// Settled scenes (see the top of the file) in which every contact is closed.
     closed: Tally,
     /// Settled scenes in which some contact is open.
     opening: Tally,
@@ -135,7 +136,7 @@ fn contact<const C: usize>(draw: &mut Draw, far_apart: bool) -> Contact<C> {
     let decades = if far_apart { 6.0 } else { 1.3 };
     let stiffness = SVector::from_fn(|_, _| 10_f64.powf(between(draw, 0.0, decades)));
     let drawn = between(draw, 0.0, 9.0);
-    // Friction is finite: without facets an open contact could keep its tangential force.
+    // Friction is finite: a contact with infinite friction has no facets, and without facets it could keep its tangential force when it opens.
     let friction = match drawn {
         _ if !far_apart => between(draw, 0.2, 1.5),
         ..1.0 => 0.0,
@@ -187,8 +188,9 @@ where
     tallies
 }
 
-/// If every contact is closed, both solvers must end with the same states after as many pivots. If contacts are open, the numbers of pivots may
-/// differ. In one of 300 such scenes the states may differ, too: the path then has a tie that rounding decides, and may end in another equilibrium.
+/// If the dense solver ends with every contact closed, `structured` must end with the same states after as many pivots. If contacts are open, the
+/// numbers of pivots may differ. In one of 300 such scenes the states may differ, too: the path then has a tie that rounding decides, and may end in
+/// another equilibrium.
 fn agree(tallies: &Tallies) {
     let (closed, opening) = (tallies.closed, tallies.opening);
     assert_eq!(closed.same + closed.neither + closed.only_structured, closed.scenes, "{closed:?}");
@@ -196,7 +198,8 @@ fn agree(tallies: &Tallies) {
     assert!(opening.other_states * 300 <= opening.scenes, "{opening:?}");
 }
 
-/// If a variable is zero up to rounding, rounding decides in which of two bases a solver ends.
+/// Asserts that both solvers agree on unsettled scenes, except for a few: if a variable is zero up to rounding, rounding decides in which of two
+/// bases a solver ends.
 fn unsettled_agree_but_for(exceptions: usize, unsettled: &Tally) {
     assert!(unsettled.scenes > 12 && unsettled.same + exceptions >= unsettled.scenes, "{unsettled:?}");
 }
@@ -217,12 +220,13 @@ fn random_scenes_in_space() {
     agree(&tallies);
     let Tallies { closed, opening, unsettled } = tallies;
     assert!(closed.same + opening.same > 600 && closed.pivots + opening.pivots > 5000, "{tallies:?}");
-    // In a twentieth of these scenes a tie is lost in the rounding of the dense tableau.
+    // In a twentieth of these scenes the rounding of the dense tableau hides a tie.
     assert!(opening.other_pivots * 10 < opening.scenes, "{opening:?}");
     unsettled_agree_but_for(4, &unsettled);
 }
 
-/// So many contacts that a step evaluates only some of them; the others wait in a queue while their conditions are sure to hold.
+/// Random scenes with so many contacts that a pivot evaluates only some of them. The other contacts wait in a queue while their conditions are
+/// certain to hold.
 #[test]
 fn random_scenes_of_many_contacts() {
     let plane = random::<2>(24..60, false, 50);
@@ -233,8 +237,8 @@ fn random_scenes_of_many_contacts() {
     assert!(space.closed.same + space.opening.same > 20, "{space:?}");
 }
 
-/// If stiffnesses and coefficients of friction differ widely, the solver on lists of states ends on fewer rays, and hardly ever on one where the
-/// dense solver does not.
+/// If stiffnesses and coefficients of friction differ widely, `structured` ends on fewer rays than the dense solver, and hardly ever on a ray where
+/// the dense solver does not.
 #[test]
 fn random_scenes_of_springs_and_friction_far_apart() {
     for tallies in [random::<2>(2..9, true, 1500), random::<3>(2..9, true, 1500)] {
@@ -246,8 +250,8 @@ fn random_scenes_of_springs_and_friction_far_apart() {
     }
 }
 
-/// Contacts in a regular polygon, every second or third pressed less, the fingers moved apart or against each other: contacts that are alike reach the
-/// edges of their cones together.
+/// Scenes with many ties: contacts of a regular polygon reach the edges of their cones together. Every contact is pressed alike, or every second or
+/// third more than the others. The fingers of a ring are displaced sideways the same way round, those of a pad outwards.
 #[test]
 fn symmetric_scenes() {
     let mut tallies = Tallies::default();
@@ -277,7 +281,8 @@ fn symmetric_scenes() {
     assert!(4 * unsettled.other_states <= unsettled.scenes && unsettled.only_dense == 0, "{unsettled:?}");
 }
 
-/// In the plane, normals towards the centre, all fingers moved aside the same way round.
+/// A planar grasp of `count` contacts around a circle, with normals towards its centre. `command(i)` is the displacement of finger i: inwards, and
+/// sideways the same way round for all fingers.
 fn ring(count: usize, mu: f64, command: &dyn Fn(usize) -> [f64; 2]) -> Engine {
     let contact = |i: usize| {
         let (sin, cos) = (TAU * i as f64 / count as f64).sin_cos();
@@ -287,7 +292,8 @@ fn ring(count: usize, mu: f64, command: &dyn Fn(usize) -> [f64; 2]) -> Engine {
     Engine::new((0..count).map(contact).collect()).expect("valid")
 }
 
-/// In space, all normals up, all fingers moved outwards.
+/// A spatial grasp of `count` contacts around a circle, with normals upwards. `command(i)` is the displacement of finger i: upwards, and outwards
+/// from the centre.
 fn pad(count: usize, mu: f64, command: &dyn Fn(usize) -> [f64; 2]) -> Engine {
     let contact = |i: usize| {
         let (sin, cos) = (TAU * i as f64 / count as f64).sin_cos();

@@ -1,8 +1,8 @@
-//! From an answer on polygons to the round cone: Newton's method on the return map, then the last digits.
+//! From a solution with polygonal friction cones to one with round cones: Newton's method on the return map, then the last digits.
 //!
-//! From the twist of that answer a few steps of Newton's method ([`newton_on_cones`](crate::object::newton_on_cones)) lead to the states of the
-//! contacts on the round cone. Solving their linear problem gives the last digits ([`super::round_pieces`]). Newton's method fails if stiffnesses
-//! differ so widely that the twist does not determine the forces. Then `round_pieces` starts from the states of the polygons.
+//! From the twist of the first solution a few steps of Newton's method ([`newton_on_cones`](crate::object::newton_on_cones)) lead to the states of
+//! the contacts on the round cone. Solving the linear problem of these states gives the last digits ([`super::round_pieces`]). Newton's method fails
+//! if stiffnesses differ so widely that the twist does not determine the forces. Then `round_pieces` starts from the states of the polygons.
 
 use super::answer::Found;
 use super::candidate::{Judged, try_states};
@@ -13,7 +13,8 @@ use crate::numerics::{IntoList, PartialPivoting, Vector, paired};
 use crate::object::{Piece, PieceState, Problem, balance, tangent_stiffness};
 use crate::prelude::*;
 
-/// Accepts proposed states whose solution on the polygon satisfies every condition. On the round cone Newton's method continues from that solution.
+/// Accepts proposed contact states if their solution with polygonal friction cones satisfies every condition. With round cones Newton's method
+/// continues from that solution.
 pub(super) fn accept(problem: &Problem, states: Vec<State>) -> Judged {
     if !problem.round {
         return try_states(problem, states);
@@ -27,7 +28,8 @@ pub(super) fn accept(problem: &Problem, states: Vec<State>) -> Judged {
     }
 }
 
-/// The solution of the linear problem with these states on the polygon, from which Newton's method starts. It may break inequalities.
+/// The solution of the linear problem with these contact states on polygonal friction cones, from which Newton's method starts. It may break
+/// inequalities.
 pub(crate) fn solution_near(problem: &Problem, states: &[State]) -> Option<PieceState> {
     if let Some(near) = regular_solution(problem, states) {
         return Some(near);
@@ -58,7 +60,7 @@ pub(super) fn polish_from(problem: &Problem, twist: Vector) -> Option<Found> {
     RoundPieces::by_newton(problem, twist)?.solve(problem)
 }
 
-/// The solution on the round cone near one on the polygon with these states, if Newton's method finds it.
+/// The solution with round friction cones near the one with polygonal cones and these contact states, if Newton's method finds it.
 pub(crate) fn polish(problem: &Problem, states: &[State], near: &PieceState) -> Option<Found> {
     let found = RoundPieces::by_newton(problem, near.twist.clone())
         .and_then(|arrived| arrived.solve(problem))

@@ -47,7 +47,7 @@ pub(super) fn climb(problem: &Problem, propose: &Propose<'_>, log: &mut Log) -> 
     polish(problem, &proposed, &near)
 }
 
-/// Contact states from Lemke's method on lists of contact states.
+/// Contact states from the solver `structured`: Lemke's method, whose pivots change a list of contact states instead of a dense matrix.
 pub(super) fn propose_structured(
     scene: &ElasticTrial<'_, '_>,
     problem: &Problem,
@@ -79,7 +79,7 @@ pub(super) fn propose_dense(
     // states next, each of which costs one d × d system. It does not enumerate bases of the complementarity problem.
     let affordable = settings.max_pivots.unwrap_or(most_work / form.rows.len().pow(2).max(1));
     let by_size = lcp::Settings::one_path();
-    // The limit only applies if it is lower than the solver's default.
+    // The affordable number of pivots is only passed to the solver if it is lower than the solver's default limit.
     let bounds = settings.max_pivots.is_some() || affordable < by_size.pivot_limit(form.rows.len());
     let one_path = lcp::Settings { max_pivots: bounds.then_some(affordable), ..by_size };
     let lcp_settings = if most_cases(problem, settings) > 0 {

@@ -41,7 +41,7 @@ pub fn names() -> Vec<&'static str> {
     mapped(&LADDER, &|rung| rung.name)
 }
 
-/// Asks a question, and returns with its answer a record of all searches that the elastic trial did not decide.
+/// Runs `ask`, a question to a grasp. Returns its answer with a record of all searches for an equilibrium that the elastic trial did not decide.
 pub fn recorded<T>(ask: impl FnOnce() -> T) -> (T, Vec<RecordedSearch>) {
     RECORD.set(Some(Vec::new()));
     let answer = ask();

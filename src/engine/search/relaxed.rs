@@ -1,7 +1,8 @@
 //! Equilibrium with the law of each contact relaxed to its convex hull: a point of a polyhedral cone.
 //!
-//! In energy units `e = K^{1/2}v` and `f = K^{-1/2}F`. P is the orthogonal projector on the span of `K^{1/2}Gᵀ`, and f⁰ the elastic trial state.
-//! Balance of forces and compatibility of stretches are
+//! With the stiffnesses K and grasp maps G, the stretches v and contact forces F are `e = K^{1/2}v` and `f = K^{-1/2}F` in energy units. P is the
+//! orthogonal projector on the span of `K^{1/2}Gᵀ`. f⁰ are the forces of the elastic trial, in which everything sticks. Balance of forces and
+//! compatibility of stretches are
 //!
 //! ```text
 //! P f = P f⁰,   (1 - P) e = (1 - P) f⁰        ⟺        e + P (f - e) = f⁰
@@ -28,11 +29,11 @@ use crate::proofs::{ESCAPE, LEAST_WORK};
 /// A hull generator: the index of its contact, and its index among the generators of that contact.
 pub(super) type Tag = (usize, usize);
 
-/// The equation `e + P (f - e) = f⁰`, which states balance of forces f and compatibility of stretches e.
+/// The equation `e + P (f - e) = f⁰`, which expresses balance of forces f and compatibility of stretches e.
 pub(super) struct BalanceEquation {
     /// The projector P, column by column.
     projector: Vec<f64>,
-    /// The elastic trial state f⁰, scaled to length one.
+    /// The forces f⁰ of the elastic trial in energy units, scaled to length one.
     target: Vec<f64>,
     /// The length of f⁰, √J.
     unit: f64,
@@ -42,14 +43,15 @@ pub(super) struct BalanceEquation {
 
 /// The result of relaxing every contact's law to its convex hull in one case.
 pub(super) enum Relaxed {
-    /// The relaxed equations have a solution: stretches (m) and forces (N) of the contacts, as far as the relaxation determines them.
+    /// The case is not contradicted: stretches (m) and forces (N) of the contacts that solve the relaxed equations, or come nearest to a solution.
+    /// Where the relaxation does not determine stretches and forces, they are one choice of many.
     Met(Vec<SVector<f64, 3>>, Vec<SVector<f64, 3>>),
     /// The case has no equilibrium, except perhaps one that is larger than the data by at least this factor, which rounding could hide.
     Contradicted { escape: f64 },
 }
 
 impl BalanceEquation {
-    /// The equation of a problem with its elastic trial; `None` where the elastic trial carries no force.
+    /// The equation of a problem with the solution of its elastic trial; `None` where the elastic trial carries no force.
     pub(super) fn new(problem: &Problem, trial: &Piece, state: &PieceState) -> Option<Self> {
         let size = 3 * problem.len();
         let roots: Vec<_> = mapped(problem.sites, &|site| site.springs.root());
@@ -85,7 +87,7 @@ impl BalanceEquation {
         NearestPoint::new(&self.target)
     }
 
-    /// Writes `e + P (f - e)` of a generator of a contact into `column`.
+    /// Writes `e + P (f - e)` into `column`, with the stretch e and the force f of a generator of a contact, and the projector P.
     fn column(&self, contact: usize, ray: &HullRay, column: &mut Vec<f64>) {
         let size = self.target.len();
         column.clear();
@@ -100,7 +102,7 @@ impl BalanceEquation {
         }
     }
 
-    /// The projection `P y`.
+    /// The projection `P y`, with the projector P of the equation.
     fn projected(&self, y: &[f64], projected: &mut Vec<f64>) {
         let size = y.len();
         projected.clear();
@@ -110,7 +112,7 @@ impl BalanceEquation {
         }
     }
 
-    /// Work of each generator along y: that of its stretch with `(1 - P) y` and of its force with `P y`.
+    /// The scalar product of y with the column of each generator: that of `(1 - P) y` with its stretch plus that of `P y` with its force.
     fn works_of_generators<'r>(
         y: &'r [f64],
         projected: &'r [f64],
@@ -212,7 +214,7 @@ impl BalanceEquation {
         (motion, forces.list())
     }
 
-    /// The length of a difference of two forces at a contact in energy units, as a fraction of the elastic trial state.
+    /// The norm of a difference of two forces at a contact in energy units, as a fraction of the norm of the elastic trial state.
     pub(super) fn part(&self, contact: usize, difference: &SVector<f64, 3>) -> f64 {
         let root = &self.roots[contact];
         let square: f64 = (0..3)

@@ -19,7 +19,7 @@ use crate::prelude::*;
 pub(super) struct RoundPieces {
     states: Vec<State>,
     forces: Vec<SVector<f64, 3>>,
-    /// The twist in twice the working precision: the slip of a stiff contact may be smaller than the rounding of the twist.
+    /// The twist in twice the working precision: the slip of a stiff contact may be smaller than the working-precision rounding error of the twist.
     twist: PreciseTwist,
 }
 
@@ -27,14 +27,14 @@ pub(super) struct RoundPieces {
 struct Progress {
     /// Forces and twist changed in their last digit at most.
     sharp: bool,
-    /// Forces and twist changed by at most 1e-8 of themselves: the directions of friction have hardly turned.
+    /// Forces and twist changed by at most the fraction 1e-8: the directions of friction have hardly turned.
     near: bool,
-    /// Forces changed by at most 1e-8 of themselves, plus rounding of the largest.
+    /// Each force changed by at most the fraction 1e-8, or by the rounding error of the largest force.
     settled: bool,
 }
 
 impl RoundPieces {
-    /// Converges by Newton's method on the twist from `from`, with every contact free to change its state.
+    /// Newton's method on the twist from `from`, with every contact free to change its state; `None` if it does not converge.
     pub(super) fn by_newton(problem: &Problem, from: Vector) -> Option<Self> {
         let mut contacts = Vec::new();
         // Newton's method on the twist ends at this imbalance, a fraction of the forces; the caller's Newton steps with fixed contact states reduce
@@ -44,7 +44,7 @@ impl RoundPieces {
         Some(Self { states, forces, twist: PreciseTwist::new(problem.size(), twist) })
     }
 
-    /// Starts from a solution on polygons, with its states carried over to the round cone.
+    /// The start from a solution with polygonal friction cones: its contact states are converted to states on round cones.
     pub(super) fn on_polygons(problem: &Problem, states: &[State], near: &PieceState) -> Self {
         let state = |(local, (state, force)): (LocalLaw<'_>, (&State, &SVector<f64, 3>))| {
             if state.slides() && !local.is_on_an_edge() {
@@ -63,7 +63,8 @@ impl RoundPieces {
         }
     }
 
-    /// Newton's method until the forces of all contacts are correct to the last digit. `None` if it does not converge or the states do not hold.
+    /// Newton's method until the forces of all contacts are correct to the last digit. `None` if it does not converge, or if a contact breaks a
+    /// condition of its state.
     pub(super) fn solve(mut self, problem: &Problem) -> Option<Found> {
         let driven = problem.offsets.iter().map(SVector::norm).fold(self.twist.value().norm(), f64::max);
         let mut piece = Piece::new(problem, &self.states);
@@ -71,8 +72,8 @@ impl RoundPieces {
         let most_steps = 20;
         for step in 1..=most_steps {
             let Progress { sharp, near, settled } = self.step(problem, &piece);
-            // The longest twist, as a multiple of the initial twist and offsets: beyond it hardly a digit of the contacts' stretches is correct. Near
-            // a locking angle steps grow like this, although another method finds an equilibrium close by.
+            // The longest twist that is allowed, as a multiple of the initial twist and offsets: beyond it hardly a digit of the contacts' stretches
+            // is correct. Near a jamming angle the twist grows so much, although another method finds an equilibrium close by.
             if self.twist.value().norm() > 1e12 * driven {
                 return None;
             }
@@ -86,7 +87,7 @@ impl RoundPieces {
             if sharp && !left {
                 return None;
             }
-            // Close to the solution the old tangent is good enough: steps then shrink by a constant factor, without a new factorisation.
+            // Close to the solution the present factorisation is good enough: steps then shrink by a constant factor, without a new factorisation.
             if left || !near {
                 piece = Piece::new(problem, &self.states);
             }
@@ -114,14 +115,15 @@ impl RoundPieces {
         let (moved, size) = (missing.twist.norm(), twist.norm());
         // A step that changes the twist and each force by less than this fraction of itself is the last.
         let last = 1e-14;
-        // If only rounding determines the direction of a small force, no step is `sharp`. A step that changes forces by less than this fraction of them,
-        // or by rounding of the largest, leaves an error of this fraction squared.
+        // If only rounding determines the direction of a small force, no step is `sharp`. But a step that changes each force by less than this
+        // fraction leaves a relative error of only its square. The rounding error of the largest force is allowed in addition.
         let little = 1e-8;
         let (mut sharp, mut near, mut settled) = (moved <= last * size, moved <= little * size, true);
         for (force, missing) in self.forces.iter_mut().zip(&missing.forces) {
             *force += missing;
-            // Each contact is compared with its own force: a small force may still turn while the large ones have settled.
-            // A force has no digit below 1e-20 of the largest, whose rounding is 1e-15 of it.
+            // `sharp` allows each force a change of 1e-20 of the largest force: no force has a correct digit below that. `settled` allows 1e-15 of
+            // the largest force, which is its rounding error. Each contact is compared with its own force: a small force may still turn while large
+            // ones have settled.
             sharp &= missing.norm() <= last * force.norm() + 1e-20 * largest;
             near &= missing.norm() <= little * force.norm();
             settled &= missing.norm() <= little * force.norm() + 1e-15 * largest;
@@ -152,7 +154,7 @@ impl RoundPieces {
     fn turns(&self, problem: &Problem, motion: &Vector) -> bool {
         problem.sites.iter().zip(&self.states).any(|(site, state)| {
             let turns = |slide: &Slide| slide.perpendicular().dot(&site.map.tr_mul(motion)).abs();
-            // Slip velocities below this fraction of what the largest unit motion gives the contact are rounding.
+            // Slip velocities below this fraction of the largest velocity of the contact for a unit motion are rounding errors.
             state.slide().is_some_and(|slide| turns(slide) > 1e-10 * site.map.norm())
         })
     }
@@ -181,8 +183,8 @@ impl RoundPieces {
     }
 }
 
-/// The next state of a contact; sets its force if it opens or slides on the round cone. `touches` says that an open contact touches again. Forces up
-/// to `rounding` count as zero.
+/// The next state of a contact; sets its force if it opens or slides on the round cone. `touches` is true for an open contact that touches again.
+/// Normal and friction forces up to `rounding` count as zero.
 fn next_state(
     local: &LocalLaw<'_>,
     state: &State,
@@ -200,7 +202,7 @@ fn next_state(
         _ if local.may_open() && force[0] < -rounding => opened(force),
         _ if !local.may_slide() => *state,
         _ => {
-            // The stretch of a stiff spring is computed from its force; displacements would only give its rounding.
+            // The stretch of a stiff spring is computed from its force, since the displacements only determine it up to their rounding error.
             let give = local.springs.deflection(force);
             let known =
                 by_axis(|axis| if axis == 0 || state.is_sticking() { give[axis] } else { stretch[axis] });
@@ -212,7 +214,7 @@ fn next_state(
                     *force = answer.force;
                     answer.state
                 }
-                // A normal force below zero, but only by rounding, opens a contact that has friction: without a normal force it could not have any.
+                // A normal force below zero, but only by rounding, opens a contact that has friction: without a normal force no friction is possible.
                 // Otherwise the contact keeps sticking.
                 Mode::Open if local.may_open() && rubs => opened(force),
                 _ => Mode::Sticking,

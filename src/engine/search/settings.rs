@@ -17,34 +17,34 @@ use crate::numerics::Space;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Settings {
-    /// The polygonal friction cone in space: 8 facets, inscribed. Lemke's method pivots on it. For answers on the round cone each contact's polygon
-    /// is rotated: a corner then lies along the friction force of the elastic trial, and more facets only cost time. For answers on the polygon
-    /// itself more facets come closer to the round cone, at the cost of more pivots. The onset's error falls like 1/m², a sliding state's like 1/m.
-    /// Ignored in the plane.
+    /// The polygonal friction cone in space: 8 facets, inscribed. Lemke's method pivots on it. For equilibria on the round cone each contact's
+    /// polygon is rotated: a corner then lies along the friction force of the elastic trial, and more facets only cost time. For equilibria on the
+    /// polygon itself more facets come closer to the round cone, at the cost of more pivots. With m facets, the error of the onset load falls like
+    /// 1/m², and that of a state with sliding contacts like 1/m. Ignored in the plane.
     pub cone: PolygonCone,
-    /// In space, whether equilibria and load paths are for the round cone (the default) or for the polygon itself. Ignored in the plane.
+    /// In space, whether equilibria and load paths are computed with the round cone (the default) or with the polygon itself. Ignored in the plane.
     pub round: bool,
     /// Largest number of pivots of Lemke's method on one complementarity problem of a grasp. `None` allows about a second. A search over thousands of
-    /// contacts on which Newton's method has failed then gives up with [`Doubt::OutOfPivots`](super::Doubt::OutOfPivots). The dense programs of
-    /// [`energy`](crate::energy) may take some ten seconds.
+    /// contacts on which Newton's method has failed then gives up with [`Doubt::OutOfPivots`](super::Doubt::OutOfPivots). The quadratic programs of
+    /// [`energy`](crate::energy), whose matrices are dense, may take some ten seconds.
     pub max_pivots: Option<usize>,
-    /// If neither form gives an answer, all combinations of contact states are tried, provided that they are at most this many. The default is 20
-    /// 000, a few hundredths of a second: 7 contacts in the plane, 3 on 8 facets in space. On the round cone branch and bound divides the states and
-    /// friction directions of up to 32 contacts into cases. A case of n contacts counts as n³/400 combinations, but at least as five: the default
-    /// allows 4 000 cases for up to 12 contacts. A smaller number is faster where no equilibrium exists; 0 omits the search, and with it proofs
-    /// by trying all states. A larger number gives proofs for more contacts.
+    /// If Lemke's method finds no equilibrium, all combinations of contact states are tried, provided that there are at most this many. The default
+    /// is 20 000, a few hundredths of a second: 7 contacts in the plane, 3 on 8 facets in space. On the round cone branch and bound divides the
+    /// states and friction directions of up to 32 contacts into cases. A case of n contacts counts as n³/400 combinations, but at least as five: the
+    /// default allows 4 000 cases for up to 12 contacts. A smaller number is faster where no equilibrium exists; 0 omits this search, and with it
+    /// proofs by trying all states. A larger number gives proofs for more contacts.
     pub most_states: usize,
     /// On a load path on the round cone, the largest estimated error of one step along a sliding arc: of forces relative to the largest force, of
     /// slips relative to the largest displacement. The default is 1e-9. Step lengths scale with the eighth root of the error: 1e-13 takes about three
-    /// times as many steps. If rounding allows only a larger error, [`LoadPath::step_error`](crate::load_path::LoadPath::step_error) reports it.
-    /// Straight parts of a path need no steps.
+    /// times as many steps. If rounding allows only a larger error, [`LoadPath::step_error`](crate::load_path::LoadPath::step_error) returns that
+    /// error. Straight parts of a path need no steps.
     pub step_error: f64,
     /// On a load path, the largest number of steps along sliding arcs of the round cone within one leg, refused ones included. It also limits the
     /// jumps from static to kinetic friction (default 20 000). A path that needs more ends [undecided](crate::load_path::PathEnd::Undecided) at the
     /// point reached.
     pub most_steps: usize,
     /// Largest load factor up to which [`hold`](crate::ask::Grasp::hold) searches for the loss of the grasp, as a multiple of the load asked about
-    /// (default 100). Up to 1 the search stops at the full load.
+    /// (default 100). With a value of at most 1 the search stops at the full load.
     pub most_load: f64,
     /// Largest number of cycles of a repeated load (default 1 000), see [`shake`](crate::ask::Grasp::shake).
     pub most_cycles: usize,
@@ -76,14 +76,14 @@ impl Settings {
         self
     }
 
-    /// These settings, with answers for the polygonal cone instead of the round one.
+    /// These settings, with equilibria and load paths on the polygonal cone instead of the round one.
     #[must_use]
     pub fn on_the_polygon(mut self) -> Self {
         self.round = false;
         self
     }
 
-    /// Whether equilibria are for the round cone.
+    /// Whether equilibria are computed with the round cone.
     pub(crate) fn is_round(&self, space: Space) -> bool {
         space == Space::Spatial && self.round
     }

@@ -1,4 +1,4 @@
-//! If a solution is one end of an interval of solutions, it is reported with the free motion along that interval.
+//! If a solution is one end of an interval of solutions, adds the free motion along that interval.
 //!
 //! If friction is exhausted at every contact that could resist a motion, forces do not determine the object's position along it. States in which one
 //! of these contacts sticks belong to the end of the interval at which it has not slipped: they satisfy every condition, but have no free motion.
@@ -17,7 +17,7 @@ use crate::prelude::*;
 /// The same forces in other states, which show the free motions: contacts on the edge of their cone slide, and contacts without force are open.
 /// Returns `found` itself if these states break a condition.
 pub(crate) fn on_the_solution_interval(problem: &Problem, found: Found) -> Found {
-    // In space the springs perpendicular to the slip resist, so that no motion stays free.
+    // In space a sliding contact still resists motions perpendicular to its slip, so that no motion stays free.
     if problem.space() == Space::Spatial {
         return found;
     }
@@ -36,7 +36,8 @@ pub(crate) fn on_the_solution_interval(problem: &Problem, found: Found) -> Found
     }
 }
 
-/// The states in which sticking contacts without force open, and those on the edge of their cone slide. `None` if there are neither.
+/// The contact states in which sticking contacts without force open, and sticking contacts on the edge of their cone slide. `None` if no contact
+/// changes its state.
 fn yielding(problem: &Problem, found: &Found) -> Option<Vec<State>> {
     let largest = found.forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
     let mut states = found.states.clone();

@@ -6,8 +6,8 @@ use crate::contact::{Mode, State};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
-/// Opens contacts that pull and closes contacts that penetrate, starting from these states and their solution, until there are none of either. The
-/// result is accepted if it satisfies every condition. So the equilibrium with a finger far from the object is that of the grasp without the finger.
+/// Opens contacts that pull and closes contacts that penetrate, starting from these states and their solution, until no contact does either. The
+/// result is accepted if it satisfies every condition. So a finger far from the object does not change the equilibrium.
 pub(super) fn touching_contacts(
     problem: &Problem,
     mut states: Vec<State>,
@@ -17,7 +17,7 @@ pub(super) fn touching_contacts(
     // `piece` stays empty in the first round: the initial states have already failed.
     let mut piece = None;
     let mut changed = Vec::new();
-    // With up to this number of contacts, they open one at a time. With more, all contacts that pull open together.
+    // With up to this number of contacts, contacts that pull open one at a time. With more, all contacts that pull open together.
     let one_by_one = 64;
     // Every contact usually changes once; this limit of rounds ends cycles.
     let rounds = if states.len() > one_by_one { 20 } else { 2 * states.len() + 2 };

@@ -42,8 +42,8 @@ struct Case {
     divided: Option<usize>,
 }
 
-/// Whether some contact has a round cone. Otherwise trying all combinations of states on polygons is a complete search; in rates, a contact on the
-/// edge of a round cone has a facet.
+/// Whether some contact has a round cone. Otherwise trying all combinations of states on polygons is a complete search. In a rate problem, the law of
+/// a contact on the edge of a round cone is a plane facet.
 pub(super) fn has_round_cones(problem: &Problem) -> bool {
     problem.locals().any(|local| local.is_round()) && !problem.locals().any(|local| local.is_on_an_edge())
 }
@@ -55,7 +55,7 @@ pub(super) fn most_cases(problem: &Problem, settings: &Settings) -> usize {
     if problem.len() > 32 || !has_round_cones(problem) {
         return 0;
     }
-    // A case of n contacts takes as long as n³ over this number of combinations of contact states.
+    // A case of n contacts takes as long as n³/400 combinations of contact states.
     let by_size = settings.most_states.saturating_mul(400) / problem.len().pow(3);
     // However few contacts there are, a case costs at least as much as five combinations.
     by_size.min(settings.most_states / 5)

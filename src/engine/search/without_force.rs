@@ -1,7 +1,7 @@
 //! Contacts that touch without force neither stick nor slide: they count as open, with a gap of zero.
 //!
-//! Whether the search finds such a contact sticking, sliding or open depends on the rounding of its force. Friction without normal force
-//! holds nothing. Hence the solution with all such contacts open has the same forces, and is always the one that is reported.
+//! Whether the search finds such a contact sticking, sliding or open depends on the rounding of its force. Friction without normal force holds
+//! nothing. Hence the solution with all such contacts open has the same forces, and it is the one that is always returned.
 
 use nalgebra::Matrix;
 
@@ -15,7 +15,7 @@ use crate::numerics::largest;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::{Piece, PieceState, Problem};
 
-/// [`settle`] for a problem at rest (not one of rates): the solution has contacts without force open.
+/// [`settle`] for a static problem: in the solution all contacts without force are open.
 pub(crate) fn settle_at_rest(problem: &Problem, settings: &Settings) -> (Settled, Effort) {
     match settle(problem, settings) {
         (Settled::Found(found, rung), effort) => {
@@ -29,19 +29,19 @@ pub(crate) fn settle_at_rest(problem: &Problem, settings: &Settings) -> (Settled
     }
 }
 
-/// The solution as it is reported for a problem at rest: contacts without force are open, and motions that nothing resists are listed. Twist and
-/// sizes stay those of `found`.
+/// The solution in the form in which a static problem returns it: contacts without force are open, and motions that nothing resists are listed. Twist
+/// and sizes are those of `found`.
 pub(crate) fn reported_at_rest(problem: &Problem, found: Found) -> Found {
     let open = opened(problem, &found).unwrap_or_else(|| found.clone());
     let shown = on_the_solution_interval(problem, open);
     Found { twist: found.twist, sizes: found.sizes, ..shown }
 }
 
-/// The same forces with all contacts open that carry none; `None` if there is no such contact. `None` also if no contact carries a force, since then
-/// there is no scale for a small force.
+/// The solution with the same forces in which all contacts without force are open; `None` if there is no such contact. `None` also if no contact
+/// carries a force, since then there is no scale for a small force.
 fn opened(problem: &Problem, found: &Found) -> Option<Found> {
     let largest = largest(&found.forces, &Matrix::norm);
-    // Gaps are compared with the largest displacement of all contacts, since a contact that does not move has none of its own.
+    // Gaps are compared with the largest displacement of all contacts, since a contact may have no displacement as a scale.
     let spans = (0..problem.len()).map(|i| problem.span(i, &found.twist));
     let farthest = spans.fold(0.0, f64::max);
     let mut states = found.states.clone();

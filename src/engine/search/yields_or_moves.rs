@@ -1,5 +1,5 @@
-//! Tests the proof that everything yields against all combinations of contact states: where the proof says that no forces balance offsets and load,
-//! no combination of states does.
+//! Tests of [`yields`], the proof that no forces balance offsets and load if everything yields. Where the proof succeeds, no combination of contact
+//! states may be an equilibrium.
 
 use core::f64::consts::TAU;
 
@@ -13,7 +13,8 @@ use crate::prelude::*;
 use crate::proofs::yields;
 use crate::{Fit, PolygonCone, planar, spatial};
 
-/// Numbers of random rates problems, of proofs that no forces balance them, and of problems that some combination of states balances.
+/// Numbers of random rate problems, of proofs that no forces balance offsets and load, and of problems with an equilibrium among all combinations of
+/// states.
 #[derive(Debug, Default)]
 struct Count {
     asked: usize,
@@ -21,7 +22,7 @@ struct Count {
     held: usize,
 }
 
-/// A small whole number: geometry with ties, so that limit loads occur often.
+/// A small random whole number. Whole numbers make the geometry symmetric, so that limit loads occur often.
 fn whole(draw: &mut Draw, most: f64) -> f64 {
     (draw.normal() * most).round().clamp(-most, most)
 }
@@ -41,7 +42,7 @@ fn tangent(draw: &mut Draw, tangents: usize) -> SVector<f64, 3> {
     }
 }
 
-/// A random law in rates for a contact that slips along `slip`: mostly the edge of its cone in that direction.
+/// A random law of a contact in a rate problem. `slip` is its direction of slip; most laws are the edge of a friction cone in that direction.
 fn law(draw: &mut Draw, normals: &[SVector<f64, 3>], slip: &SVector<f64, 3>) -> Law {
     let tangents = if normals.len() > 2 { 2 } else { 1 };
     match one_of(draw, 24) {

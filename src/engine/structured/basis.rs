@@ -1,14 +1,16 @@
 //! A complementary basis as a list of contact states.
 //!
-//! The pairs A of a contact whose z is basic have w = 0, which determines their z from u and z₀ (symbols as in `contact_form`)
-//! locally:
+//! Symbols are those of `contact_form`. A is the set of a contact's complementary pairs (w, z) whose z is basic. Their w = 0 determines z from the
+//! contact's stretch u and the covering variable z₀, contact by contact. L_A and B_A are their rows of L and columns of B, and d_A their covering
+//! entries:
 //!
 //! ```text
 //! z_A = -(Z u + ζ z₀),   Z = D⁻¹ L_A,  ζ = D⁻¹ d_A,  D = L_A B_A
 //! x   = P u - k z₀,      P = 1 - B_A Z,  k = B_A ζ
 //! ```
 //!
-//! What remains is equilibrium of the object, `T y + c₀ z₀ = b` with `c₀ = Σ Qᵀk` and `b = Σ Qᵀ(P - 1) x⁰`.
+//! What remains is equilibrium of the object, `T y + c₀ z₀ = b` for its motion y. The sums `T = Σ QᵀP Q`, `c₀ = Σ Qᵀk` and `b = Σ Qᵀ(P - 1) x⁰` are
+//! over all contacts.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -16,13 +18,13 @@ use super::contact_form::{ContactForm, PairedContact};
 use crate::object::{Slipping, Sums, normal};
 use crate::prelude::*;
 
-/// Index of the right-hand side of equilibrium that stems from the elastic trial state. The next two are those of the covering vector and of the
-/// perturbation that breaks ties.
+/// Indices of the right-hand sides of the object's equilibrium that stem from the elastic trial state, the covering vector, and the perturbation that
+/// breaks ties.
 pub(super) const TRIAL: usize = 0;
 pub(super) const COVER: usize = 1;
 pub(super) const PERTURBED: usize = 2;
 
-/// The active pairs of one contact, those whose z is basic, by their numbers within the contact.
+/// The active pairs of one contact, by their numbers within the contact: those of its complementary pairs (w, z) whose z is basic.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Active {
     pairs: [u16; 3],
@@ -73,20 +75,21 @@ impl Active {
     }
 }
 
-/// The linear response of a contact in a given state to its stretch u and the covering variable z₀.
+/// The linear response of a contact with a given set of active pairs to its stretch u and the covering variable z₀.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Reaction {
-    /// The projection P of `x = P u - k z₀`.
+    /// The projection P of the force `x = P u - k z₀` of the contact in energy coordinates; u is its stretch.
     pub(super) hold: SMatrix<f64, 3, 3>,
-    /// The rows of Z, one for each active pair: `z_A = -(Z u + ζ z₀)`.
+    /// The rows of the matrix Z, one for each active pair. The gaps and slips of the active pairs are `z_A = -(Z u + ζ z₀)`.
     pub(super) multipliers: [SVector<f64, 3>; 3],
-    /// ζ and k, the response to the covering variable z₀.
+    /// The vectors ζ and k: rates at which `z_A` and `x` decrease with the covering variable z₀.
     pub(super) cover: Jumps,
-    /// ζ and k of the perturbation that breaks ties.
+    /// The same rates ζ and k for the perturbation that breaks ties.
     pub(super) tie: Jumps,
 }
 
-/// ζ and k: the rates at which z of the active pairs and x of the contact decrease with z₀, or with the perturbation.
+/// The rates at which a contact's variables decrease with the covering variable z₀, or with the perturbation that breaks ties. ζ is the rate of the
+/// gaps and slips z of its active pairs, k that of its force x.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Jumps {
     pub(super) of_pairs: [f64; 3],
@@ -100,14 +103,15 @@ impl Reaction {
         Self { hold: SMatrix::identity(), multipliers: [zero; 3], cover: none, tie: none }
     }
 
-    /// The coefficients of u and z₀ in the slack `row·x + d z₀` of a pair.
+    /// The slack of a pair is `row·x + d z₀`, with the contact force x. Returns its coefficients for the contact's stretch u and the covering
+    /// variable z₀.
     pub(super) fn feels(&self, row: &SVector<f64, 3>, d: f64) -> (SVector<f64, 3>, f64) {
         (self.hold.tr_mul(row), d - row.dot(&self.cover.of_x))
     }
 }
 
 impl ContactForm {
-    /// The response of a contact with these active pairs. `None` if their slips are linearly dependent, which no exact basis has.
+    /// The response of a contact with these active pairs. `None` if their slips are linearly dependent, which is only possible by rounding.
     pub(super) fn reaction(&self, local: &PairedContact, active: Active) -> Option<Reaction> {
         let (gap, facets) = (active.position(0).filter(|_| local.contact.gap), self.pairs_of(local));
         let slipping = active.iter().enumerate().filter(|(a, _)| gap != Some(*a));
@@ -198,7 +202,7 @@ impl StateBasis {
         (self.active[contact].len() > 0).then(|| &self.reactions[contact])
     }
 
-    /// Sets the active pairs of a contact. `None` if their slips are linearly dependent, which no exact basis has.
+    /// Sets the active pairs of a contact. `None` if their slips are linearly dependent, which is only possible by rounding.
     pub(super) fn set(&mut self, form: &ContactForm, contact: usize, active: Active) -> Option<()> {
         if active.len() > 0 {
             self.reactions[contact] = form.reaction(&form.locals[contact], active)?;

@@ -1,14 +1,16 @@
 //! The kinematic form contact by contact: the matrix M is never formed.
 //!
-//! In energy coordinates, jumps z on top of the elastic trial state x⁰ give
+//! In the elastic trial everything sticks, and contact i has the force x⁰_i in energy coordinates. Gaps and slips z_i with columns B_i change the
+//! force to x_i, and each slack w is complementary to a gap or slip:
 //!
 //! ```text
 //! x_i = u_i + B_i z_i,   u_i = x⁰_i - Q_i y,   Σ Q_iᵀ(x_i - x⁰_i) = 0,   0 <= z ⟂ w = L x + d z₀ >= 0
 //! ```
 //!
-//! The contacts are coupled only by y, the motion of the object, with as many entries as the object has degrees of freedom. Rows and columns are
-//! those of `forms/kinematic`, scaled: columns and the rows of gaps have length one. A facet has the row (κ, c), scaled so that c has length one, and
-//! the column (0, c). The covering variable z₀ is the parameter of the path, stored as `Point::s`.
+//! Here u_i is the stretch of contact i, and Q_i maps the motion y of the object to it. L are the rows of the slacks, and d is the covering vector.
+//! Only y couples the contacts, with as many entries as the object has degrees of freedom. Rows and columns are those of `forms/kinematic`, scaled:
+//! columns and the rows of gaps have length one. A facet has the row (κ, c), with a normal part κ and a tangential part c of length one, and the
+//! column (0, c). The covering variable z₀ is the parameter of the path, stored as `Point::s`.
 
 use nalgebra::SVector;
 
@@ -20,25 +22,25 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 pub(super) struct PairedContact {
     pub(super) contact: EnergyContact,
-    /// x⁰_i, the elastic trial state of the contact.
+    /// x⁰_i, the force of the contact in the elastic trial, in energy coordinates.
     pub(super) trial: SVector<f64, 3>,
     /// The index of the contact's first complementary pair in the whole problem. Pair 0 of a contact that may open is its gap.
     pub(super) first: usize,
 }
 
 impl PairedContact {
-    /// The entry of the tie-breaking perturbation for a pair, in the unit of its row.
+    /// The entry for a pair of the perturbation that breaks ties; `unit` converts it to the scale of the pair's row.
     pub(super) fn perturbation(&self, pair: usize, unit: f64) -> f64 {
         unit * generic(self.first + pair)
     }
 
-    /// The stretch `u = x⁰ - Q y` of the contact.
+    /// The stretch `u = x⁰ - Q y` of the contact in energy coordinates: its elastic trial state minus its map Q times the motion y of the object.
     pub(super) fn stretch(&self, y: &Vector) -> SVector<f64, 3> {
         self.trial - &self.contact.seen * y
     }
 }
 
-/// The kinematic form, contact by contact.
+/// The kinematic form of the complementarity problem, stored contact by contact.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ContactForm {
     pub(super) locals: Vec<PairedContact>,
@@ -46,15 +48,15 @@ pub(crate) struct ContactForm {
     pub(super) size: Size,
     /// The number of complementary pairs of all contacts.
     pub(super) pairs: usize,
-    /// The largest norm of a map Q_i from the motion of the object to a contact.
+    /// The largest norm of the maps Q_i, each from the motion of the object to the stretch of a contact.
     pub(super) widest: f64,
-    /// The covering vector d, entry by entry in the units of the rows. An empty list stands for ones, if rows have length one.
+    /// The covering vector d; each entry has the scale of its pair's row. If the list is empty, all entries are one for rows of length one.
     covering: Vec<f64>,
 }
 
 impl ContactForm {
-    /// Sets up the form on the elastic trial state, in which every contact sticks. `factor` is the orthogonal factor of the trial, and `x` lists x⁰
-    /// spring by spring.
+    /// Sets up the form from the elastic trial state, in which every contact sticks. `factor` is the orthogonal factor of the trial. `x` lists the
+    /// trial forces x⁰ in energy coordinates, spring by spring.
     pub(crate) fn assign(&mut self, problem: &Problem, factor: &Orthogonal, x: &[f64]) {
         let Self { locals, coordinates, size, pairs, widest, covering } = self;
         *size = problem.size();
@@ -80,19 +82,20 @@ impl ContactForm {
         self.locals.len()
     }
 
-    /// The pairs of a contact: the row of each, and the factor that converts an entry from a row of length one to the row's unit.
+    /// The complementary pairs of a contact. Each has a row, and the factor that converts a number for the row scaled to length one to the scale of
+    /// the row.
     #[inline]
     pub(super) fn pairs_of(&self, local: &PairedContact) -> &[Facet] {
         self.coordinates.pairs(&local.contact)
     }
 
-    /// The column of a pair: the change of x by a unit jump.
+    /// The column of a pair: the change of the contact force x in energy coordinates by a unit gap or slip.
     pub(super) fn column(&self, local: &PairedContact, pair: usize) -> SVector<f64, 3> {
         let is_gap = local.contact.gap && pair == 0;
         if is_gap { normal() } else { self.pairs_of(local)[pair].column() }
     }
 
-    /// The entry of the covering vector for a pair, in the unit of its row.
+    /// The entry of the covering vector for a pair; `unit` is the default entry one, in the scale of the pair's row.
     #[inline]
     pub(super) fn cover(&self, local: &PairedContact, pair: usize, unit: f64) -> f64 {
         self.covering.get(local.first + pair).copied().unwrap_or(unit)

@@ -1,4 +1,4 @@
-//! Lemke's method on lists of contact states, for one contact or a hundred thousand.
+//! Lemke's method with lists of contact states as bases, for one contact or a hundred thousand.
 //!
 //! The contacts are coupled only by the motion of the object. With every contact in a known state
 //! its law is linear. So a complementary basis is a list of contact states, and a pivot solves one

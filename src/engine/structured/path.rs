@@ -1,11 +1,11 @@
 //! Lemke's path through lists of contact states.
 //!
-//! The pivots are those of Lemke's method on the kinematic form with the covering vector of ones on
-//! its rows. Between two pivots one pair (w, z) has both variables zero, and one of the two enters.
-//! The basic variable that reaches zero first leaves, and its partner enters next, until z₀ leaves.
+//! The pivots are those of Lemke's method on the kinematic form with the covering vector of ones on its rows. In the complementarity problem
+//! `w = q + M z + d z₀`, z₀ is the covering variable. Between two pivots one pair (w, z) has both variables zero, and one of the two enters. The
+//! basic variable that reaches zero first leaves, and its partner enters next, until z₀ leaves.
 //!
 //! **Ties.** They are broken as if q were q + ε p, with ε → 0+ and a fixed generic vector p. Among variables that reach zero together, the one with
-//! the least ratio of its change by p to its rate leaves first. One more solve with the same factors gives these changes; the data stay as they are.
+//! the least ratio of its change by p to its rate leaves first. One more solve with the same factors gives these changes; the data are not changed.
 //! If z₀ is among the tied variables, z₀ leaves.
 
 use super::basis::{COVER, PERTURBED, StateBasis, TRIAL};
@@ -22,7 +22,7 @@ use crate::prelude::*;
 /// The way in which a path of Lemke's method ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum PivotEnd {
-    /// z₀ has left the basis, which is complementary: it gives every contact a state.
+    /// The covering variable z₀ has left the basis, which is now complementary: it gives every contact a state.
     Complementary,
     /// The entering variable grows without bound. On this form a ray proves nothing.
     Ray,
@@ -40,7 +40,7 @@ pub(crate) struct StatePath {
     pub(crate) pivots: usize,
     /// Number of times that a contact was evaluated, over all pivots.
     evaluations: usize,
-    /// The largest such number, if there is a limit: above it the path ends.
+    /// The largest value of `evaluations`, if there is a limit: above it the path ends.
     pub(crate) most_evaluations: Option<usize>,
     /// Pivots since the sums over contacts were last computed anew; each pivot adds rounding to them.
     pub(super) age: usize,
@@ -56,7 +56,7 @@ impl StatePath {
         10_000 + 100 * self.form.pairs
     }
 
-    /// Follows the path of a covering vector (0: all ones) from the elastic trial state.
+    /// Follows the path of the covering vector number `attempt` (0: all ones) from the elastic trial state, and returns its end.
     pub(crate) fn run_from_trial(&mut self, attempt: usize, limit: usize) -> PivotEnd {
         self.basis.unjump(self.form.len());
         self.form.scatter(attempt);
@@ -70,8 +70,8 @@ impl StatePath {
         self.run(first, &Point { y: Vector::zeros(), s: z0 }, limit)
     }
 
-    /// The pair that is violated most at the trial state, relative to its entry of the covering vector, and the z₀ that makes its slack zero. `None`
-    /// if no pair is violated.
+    /// The pair that is violated most at the trial state, relative to its entry of the covering vector. It comes with the value of the covering
+    /// variable z₀ that makes the slack of this pair zero. `None` if no pair is violated.
     fn most_violated(&self) -> Option<(Entering, f64)> {
         let form = &self.form;
         let mut least = 0.0_f64;
@@ -288,7 +288,8 @@ impl StatePath {
         }
     }
 
-    /// Of the variables that reach zero together, the one that would reach it first if q were perturbed.
+    /// The tied variable that leaves: the first of the tied variables to reach zero if the constant vector of the complementarity problem were
+    /// perturbed.
     fn break_tie(&self, entering: &Entering) -> Leaving {
         let form = &self.form;
         let local = &form.locals[entering.contact as usize];
@@ -316,7 +317,8 @@ impl StatePath {
         first.map_or(Leaving::NoVariable, |(candidate, _)| Leaving::Variable(*candidate))
     }
 
-    /// Makes the entering variable basic and the leaving one zero. `None` if active pairs become linearly dependent, which no exact basis has.
+    /// Makes the entering variable basic and the leaving one zero. `None` if active pairs become linearly dependent, which is only possible by
+    /// rounding.
     fn exchange(&mut self, entering: &Entering, leaving: Option<&Candidate>) -> Option<()> {
         let enters = entering.jump.then_some(entering.contact as usize);
         let leaves = leaving.filter(|l| l.jump).map(|l| l.contact as usize);

@@ -8,7 +8,7 @@ use super::tolerances::TIE;
 use crate::numerics::tolerances::FEW_ROUNDINGS;
 use crate::object::{Facet, PRICING_MARGIN, Point, slack};
 
-/// The complementary pair with neither variable in the basis, and the one of both that enters: z if `jump`, otherwise w.
+/// The complementary pair (w, z) with both variables outside the basis, and the variable that enters: z if `jump`, otherwise w.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Entering {
     pub(super) contact: u32,
@@ -60,8 +60,8 @@ pub(super) struct PivotStep {
 }
 
 impl ContactForm {
-    /// Calls `visit` with the basic variables of a contact that decrease along a step. A rate much smaller than
-    /// the largest changes counts only if it is not small beside the terms it is made of.
+    /// Calls `visit` with the basic variables of a contact that decrease along a step. A rate much smaller than the largest changes counts only if it
+    /// is not small beside the terms that add up to it.
     pub(super) fn decreasing(
         &self,
         basis: &StateBasis,
@@ -112,15 +112,15 @@ impl ContactForm {
         }
     }
 
-    /// The waiting time of a contact on the clock of `object/lazy_pricing`: before it no variable of the contact can reach zero. e is the reference
-    /// direction of the path.
+    /// The waiting time of a contact for `object/lazy_pricing`: before the path's clock has advanced by this time, no variable of the contact can
+    /// reach zero. `e` is the reference direction of the path.
     pub(super) fn slack(&self, basis: &StateBasis, contact: u32, at: &Point, e: &Point) -> f64 {
         let local = &self.locals[contact as usize];
         let (active, reaction) = (&basis.active[contact as usize], basis.reaction(contact as usize));
         let (stretch, change) = (local.stretch(&at.y), -(&local.contact.seen * &e.y));
         let (margin, width) = (PRICING_MARGIN * local.level(&stretch, at.s), local.contact.seen.norm());
         let mut least = f64::INFINITY;
-        // Each variable of the contact has the form `felt·u + d z₀`.
+        // Each variable of the contact is `felt·u + d z₀`, with the contact's stretch u and the covering variable z₀.
         let mut consider = |felt: &SVector<f64, 3>, d: f64, size: f64| {
             let value = felt.dot(&stretch) + d * at.s - margin * size;
             let rate = felt.dot(&change) + d * e.s;

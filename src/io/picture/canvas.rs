@@ -11,7 +11,7 @@ pub(super) struct Canvas {
     pub(super) top: f64,
     pub(super) wide: f64,
     pub(super) high: f64,
-    /// The smallest and the largest x, then the same of y.
+    /// The smallest and the largest x, then the smallest and the largest y.
     pub(super) window: [f64; 4],
 }
 

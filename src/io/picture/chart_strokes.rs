@@ -11,7 +11,7 @@ use crate::numerics::mapped;
 /// Opacity of clouds of points and bars, so that strokes below remain visible.
 const FAINT: f64 = 0.65;
 
-/// Draws a series and its entry in the legend, where the name is shortened to `letters` letters.
+/// Draws a series in the plane of the chart.
 pub(super) fn draw_series(paper: &mut Sheet, canvas: &Canvas, series: &ChartSeries, color: Rgb) {
     let is_finite = |(x, y): &(f64, f64)| x.is_finite() && y.is_finite();
     for piece in series.points.split(|point| !is_finite(point)) {
@@ -65,7 +65,7 @@ fn draw_arrow(paper: &mut Sheet, a: Place, b: Place, color: Rgb) {
     paper.area(&[corner(0.5 * long, 0.0), corner(-0.5 * long, wide), corner(-0.5 * long, -wide)], color);
 }
 
-/// Writes the names of series below each other from a place on, with samples of their strokes. Lines have this height.
+/// Writes the names of series below each other from a place on, with samples of their strokes. `line` is the height of each line.
 pub(super) fn draw_names(
     paper: &mut Sheet,
     (x, y): Place,
@@ -125,7 +125,7 @@ pub(super) fn draw_marks(paper: &mut Sheet, canvas: &Canvas, marks: &[(f64, Stri
     }
 }
 
-/// Writes a sentence that ends at the foot of a chart, broken into lines, and returns their height.
+/// Writes a sentence that ends at the foot of a chart, broken into lines, and returns the height of these lines.
 pub(super) fn draw_note(paper: &mut Sheet, (left, foot): Place, words: &str) -> f64 {
     let note = lines(words, 105);
     let high = CHART.note_line * note.len() as f64;

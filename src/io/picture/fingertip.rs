@@ -1,4 +1,4 @@
-//! Force, state and place of a contact in pictures; of a soft fingertip those of its points together.
+//! Force, state and place of a contact in pictures. For a soft fingertip, its points have one resultant force, one state and one place.
 
 use nalgebra::SVector;
 

@@ -17,7 +17,7 @@ use crate::words::opens;
 /// Largest number of curves in a chart: each colour has a solid and a dashed line. The note below the chart names further curves.
 pub(super) const MOST_CURVES: usize = 2 * PALETTE.len();
 
-/// A load program whose states are drawn against an axis.
+/// A load program whose states along a chart's horizontal axis are drawn.
 pub(super) struct Drawn<'a, const C: usize> {
     pub(super) grasp: &'a Grasp<C>,
     pub(super) start: Wrench<C>,

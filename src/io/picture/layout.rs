@@ -1,4 +1,4 @@
-//! Sizes and places of what is drawn, one list for each kind of figure.
+//! Sizes and places of the parts of pictures, one list for each kind of picture.
 //!
 //! Lengths are in pixels unless they are said to be fractions of the span of a grasp, its largest extent along an axis.
 
@@ -109,7 +109,7 @@ pub(super) struct ChartLayout {
     pub(super) mark_letters: usize,
     /// Largest number of names in a list of curves that are not drawn.
     pub(super) listed_names: usize,
-    /// Largest number of letters of a name in that list.
+    /// Largest number of letters of a name in the list of curves that are not drawn.
     pub(super) listed_letters: usize,
 }
 

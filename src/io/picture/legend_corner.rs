@@ -2,7 +2,7 @@
 
 use super::series::{ChartSeries, Stroke};
 
-/// Places of the legend: the fractions of the remaining width and height that lie to its left and below it.
+/// Possible places of the legend: the fractions of the free width and height that lie to its left and below it.
 const LEGEND_PLACES: [(f64, f64); 6] =
     [(1.0, 1.0), (1.0, 0.0), (0.0, 1.0), (0.0, 0.5), (1.0, 0.5), (0.0, 0.0)];
 

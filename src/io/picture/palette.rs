@@ -5,7 +5,7 @@
 pub(super) struct Rgb(pub(super) u8, pub(super) u8, pub(super) u8);
 
 impl Rgb {
-    /// The colour at a part of the way to another.
+    /// The colour between this colour and `other`, at the fraction `part` of the difference.
     pub(super) fn towards(self, other: Self, part: f64) -> Self {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between two colours")]
         let mixed = |a: u8, b: u8| (f64::from(a) + part * (f64::from(b) - f64::from(a))).round() as u8;

@@ -17,7 +17,7 @@ pub(super) struct PlanarLink {
 }
 
 impl PlanarLink {
-    /// The link that a contact represents, if it is one.
+    /// The link that a contact represents; `None` for an ordinary contact.
     pub(super) fn of(contact: &ContactPoints, contacts: &[Contact<3>]) -> Option<Self> {
         let ends = contact.ends_of_link(contacts)?.each(|end| end.xy());
         Some(Self { kind: contact.label.link?, ends })

@@ -220,7 +220,7 @@ fn meet(angle: f64, other: f64) -> bool {
     turn(other, angle).abs() < 0.06
 }
 
-/// a, b, c …; beyond z the index.
+/// The letter with index `k` (a, b, c …); beyond z the index itself.
 fn letter(k: usize) -> String {
     u8::try_from(k)
         .ok()

@@ -8,7 +8,7 @@ use super::sheet::{Pixel, Place, pixel};
 /// A corner of a triangle: its place, and the value of the function there.
 pub(super) type Corner = (Place, f64);
 
-/// The closed lines around `{f >= level}`.
+/// The closed lines around the region in which the function is at least `level`.
 pub(super) fn outlines(triangles: &[[Corner; 3]], level: f64) -> Vec<Vec<Pixel>> {
     // For each edge, the number of polygons that traverse it forwards minus the number that traverse it backwards.
     let mut edges: Vec<(Pixel, Pixel, i32)> = Vec::new();

@@ -12,7 +12,7 @@ pub(super) fn whole_above(x: f64) -> f64 {
     (x - NEGLIGIBLE).ceil()
 }
 
-/// The least round number (1, 2 or 5 times a power of ten) not below a positive one.
+/// The least round number (1, 2 or 5 times a power of ten) that is not below the positive number x.
 pub(super) fn round_up(x: f64) -> f64 {
     let power = 10f64.powf(x.log10().floor());
     let steps = [1.0, 2.0, 5.0, 10.0];
@@ -23,7 +23,7 @@ pub(super) fn round_up(x: f64) -> f64 {
         .unwrap_or(10.0 * power)
 }
 
-/// The largest round number (1, 2 or 5 times a power of ten) not above a positive one.
+/// The largest round number (1, 2 or 5 times a power of ten) that is not above the positive number x.
 pub(super) fn round_down(x: f64) -> f64 {
     let power = 10f64.powf(x.log10().floor());
     let steps = [10.0, 5.0, 2.0, 1.0];

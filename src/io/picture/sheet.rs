@@ -26,7 +26,7 @@ pub(super) fn pixel((x, y): Place) -> Pixel {
 
 fn fine(length: f64) -> Fine {
     #[expect(clippy::cast_possible_truncation, reason = "clamped")]
-    // The limit is a hundred times the size of the paper, and far below the largest integer.
+    // The limit of 1e7 pixels is far beyond the size of a picture, and its number of hundredths fits into a 32-bit integer.
     let whole = (length.clamp(-1e7, 1e7) * PARTS_OF_A_PIXEL).round() as i32;
     Fine(whole)
 }
@@ -42,7 +42,7 @@ pub(super) struct Sheet {
     wide: f64,
 }
 
-/// Draws on a white sheet of the given size, pixels.
+/// Draws on a white sheet of the given size, pixels, and returns the SVG text.
 pub(super) fn sheet((wide, high): Place, draw: impl FnOnce(&mut Sheet)) -> String {
     let size = pixel((wide, high));
     let mut paper = Sheet { svg: String::new(), wide };

@@ -10,7 +10,7 @@ pub struct SphereGrid {
 }
 
 impl SphereGrid {
-    /// A grid of `rings` steps from the pole to the equator and `around` steps along each circle, at least 2 and 8.
+    /// A grid of `rings` steps (at least 2) from the pole to the equator and `around` steps (at least 8) along each circle.
     #[must_use]
     pub fn new(rings: usize, around: usize) -> Self {
         Self { rings: rings.max(2), around: around.max(8) }

@@ -8,7 +8,7 @@ use super::onset::{OnsetAnswer, TurnAnswer};
 use super::path::PathAnswer;
 use super::solved::SolveAnswer;
 
-/// The answer to a [`Question`](super::Question), under the same name.
+/// The answer to a [`Question`](super::Question). Its variant has the name of the question.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]

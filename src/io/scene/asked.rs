@@ -32,10 +32,7 @@ impl<const C: usize> Setup<C> {
         self.answers_in(Words::default())
     }
 
-    /// The answer to every question, in order, with numbers in its sentences of this form.
-    ///
-    /// # Errors
-    /// As for [`Self::answers`].
+    /// The answer to every question, in order. `words` is the form of the numbers in sentences.
     pub fn answers_in(&self, words: Words) -> Result<Vec<Answer<C>>, Error> {
         inside(self).answered(words).map(outside)
     }

@@ -26,7 +26,8 @@ impl Setup<3> {
         for question in &self.questions {
             let is_solved = matches!(question, Question::Solve { load, .. } if *load != Wrench::ZERO);
             let is_sought = matches!(question, Question::Identify(asked) if asked.seeks_carried());
-            // A load that presses on no contact at this arm may jam the object at a longer one.
+            // With `need` of an arm, the load acts at several arms. A load that presses on no contact at its given arm may jam the object at a longer
+            // one.
             let is_arm = matches!(question, Question::Need(asked) if asked.quantity == Quantity::Arm);
             if is_solved || is_sought || is_arm || at_rest(question) != Wrench::ZERO {
                 continue;
@@ -52,7 +53,7 @@ impl Setup<3> {
             for (n, x) in normal.iter().zip(force) {
                 (along, length) = (along + n * x, length.hypot(*n));
             }
-            // A force presses on a contact if its component against the normal is more than 1e-6 of it.
+            // A force presses on a contact if its component against the normal is more than 1e-6 of its size.
             along < -1e-6 * size * length
         };
         let hangs = |LinkSetup { link, .. }: &LinkSetup<3>| {

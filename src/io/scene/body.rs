@@ -97,7 +97,7 @@ impl<const C: usize> BodySetup<C> {
         }
     }
 
-    /// The body for the grasp.
+    /// Converts this entry of the file to a [`Body`] for a grasp.
     pub(super) fn body(&self) -> Body<C> {
         Body::new(&*self.name).mass(self.mass, self.centre_of_mass).load(self.load)
     }
