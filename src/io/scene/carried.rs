@@ -5,7 +5,7 @@ use crate::grasp::{ArmMotion, Payload, Space, Wrench};
 use crate::numerics::Each;
 use crate::serial::{Few, Given, Number};
 
-/// The fault of an acceleration without a mass; its message also says where the mass may be left out.
+/// The message for a field `accelerated` without a `mass`. It also says in which scenes the mass may be left out.
 pub(super) const ALONE: &str = "needs a `mass` beside it; without one it is that of all bodies by their own masses, in a scene with \"gravity\" and \"shared_by_mass\": true";
 
 /// The rotation of the arm.
@@ -35,7 +35,7 @@ pub(super) struct WrittenMass<'w> {
 }
 
 impl WrittenMass<'_> {
-    /// The load in the plane or in space; `None` if it has no mass.
+    /// The load in the plane or in space; `None` if no mass is given.
     pub(super) fn load_in(&self, space: Space) -> Result<Option<Wrench<3>>, String> {
         let Some(mass) = self.mass else {
             let others = [

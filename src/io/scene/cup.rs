@@ -1,4 +1,4 @@
-//! Suction in the file: a force, or a suction cup.
+//! Suction in the text of a scene: a force, or a suction cup.
 
 use std::fmt;
 
@@ -44,10 +44,10 @@ impl Cup {
         Self { radius, points: twelve(), pressure: None, force: Some(force) }
     }
 
-    /// The cup for the grasp.
+    /// This cup as a part of the grasp.
     ///
     /// # Errors
-    /// [`Error::Fingertip`] for a number out of range, in the plane, and unless exactly one of pressure and force is given.
+    /// [`Error::Fingertip`] for a number out of range, for a cup in the plane, and unless exactly one of pressure and force is given.
     pub(super) fn made(&self, space: Space) -> Result<SuctionCup, Error> {
         if space == Space::Planar {
             let (what, allowed) = ("number of axes of the cup", "2: a force, N, as a number");
@@ -65,7 +65,7 @@ impl Cup {
     }
 }
 
-/// The field `suction`: the force of a vacuum, or a cup with its lip.
+/// The field `suction`: the force of a vacuum, or a suction cup.
 pub(super) enum WrittenSuction {
     /// Force of the vacuum, N.
     Force(f64),

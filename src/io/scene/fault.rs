@@ -165,7 +165,7 @@ impl Scene {
             Err(fault) => fault.message.contains(ALONE),
         };
         if let Some(completed) = acts_on_all.then(|| with_centre_of_mass(text)).flatten() {
-            // A place in the completed text is none in the text that was given.
+            // Positions in the completed text do not apply to the text of the user, so the fault gets none.
             scene = read(&completed).map_err(|fault| Fault { at: None, ..fault });
         }
         let scene = scene?;

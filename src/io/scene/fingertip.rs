@@ -98,10 +98,10 @@ impl<const C: usize> Fingertip<C> {
 }
 
 impl Fingertip<3> {
-    /// The point contacts of the patch, or the contact itself.
+    /// The point contacts of the patch, or the contact itself. `index` is that of the contact in the scene, for messages.
     ///
     /// # Errors
-    /// [`Error::Contact`] with this index, or [`Error::Fingertip`].
+    /// [`Error::Contact`] with `index`, or [`Error::Fingertip`].
     pub(super) fn points(&self, index: usize) -> Result<Vec<Contact<3>>, Error> {
         #[cfg(feature = "mesh")]
         if let Some(touches) = &self.touches {

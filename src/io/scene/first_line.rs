@@ -108,7 +108,7 @@ fn solved<const C: usize>(under: &str, answer: &SolveAnswer<C>, words: Words) ->
     let Some(held) = &answer.from_rest else { return sentence };
     let from_rest = format!("put on from rest: {:.digits$}", held.verdict);
     match &answer.outcome {
-        // The path from rest loses the load, which is the verdict. The search has neither found nor excluded another equilibrium.
+        // As the load grows, equilibrium is lost: the load is not held. Whether another equilibrium exists under the whole load is undecided.
         Outcome::Undecided(doubt) if held.verdict.holds() == Some(false) => {
             format!("{from_rest}. Whether another equilibrium exists elsewhere is undecided: {doubt}")
         }
@@ -171,7 +171,7 @@ fn first_slip<const C: usize, At>(
     }
 }
 
-/// The kind of an onset, and the changes of contacts and drives: "FIRST SLIP", "left and right slide".
+/// The kind of an onset, and the changes of contact states and drives: "FIRST SLIP", "left and right slide".
 fn leaving<const C: usize, At>(event: &OnsetAt<C, At>, words: Words) -> (&'static str, String) {
     let changes = event.whole_changes();
     let slides = changes.iter().any(|change| {

@@ -210,7 +210,7 @@ pub struct ShakedownAnswer<const C: usize> {
     /// Whether slipping ceases under these loads. Left out if that depends on their order, or if it is unknown.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rests: Option<bool>,
-    /// The answer, if there is one.
+    /// The shakedown factor and the slips; left out if no factor could be computed.
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     pub found: Option<Shakedown<C>>,
 }

@@ -36,7 +36,7 @@ pub struct PartSetup {
     /// The density of the part, kg/m³, in place of its mass.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub density: Option<f64>,
-    /// The mesh once it is read.
+    /// The mesh, once its file is read.
     #[serde(skip)]
     pub read: Option<Arc<Part>>,
 }
@@ -59,8 +59,8 @@ pub struct Touches {
     /// Opening angle of a V, degrees: the rectangle is folded along the second tangent, the bottom of the V.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub v_deg: Option<f64>,
-    /// Whether the collision shapes of the robot's link are the pad, within the rectangle if it is given. The position of `from` along the closing
-    /// direction then has no effect.
+    /// Whether the pad is given by the collision shapes of the robot's link, limited to the rectangle if one is given. Only the component of `from`
+    /// across the closing direction then matters.
     #[serde(default, skip_serializing_if = "core::ops::Not::not")]
     pub collision_shapes: bool,
     /// Of a rectangle: numbers of strips in half of each side, with two points each, 2 and 2 if left out. Of a disc: numbers of annuli and of
@@ -69,15 +69,15 @@ pub struct Touches {
     pub strips: Option<[usize; 2]>,
     /// The middle of the pad before it closes, m.
     pub from: [f64; 3],
-    /// The direction in which it closes, of any length.
+    /// The direction in which the pad closes, of any length.
     pub closing: [f64; 3],
     /// The elastic layer of the pad, in place of a stiffness of the contact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub layer: Option<PadLayer>,
-    /// The part once its mesh is read.
+    /// The grasped part, once its mesh is read.
     #[serde(skip)]
     pub part: Option<Arc<Part>>,
-    /// The pad of the collision shapes once the robot is read.
+    /// The pad that follows from the collision shapes, once the robot is read.
     #[serde(skip)]
     pub shape: Option<Arc<Pad>>,
 }
@@ -138,10 +138,10 @@ impl Touches {
         }
     }
 
-    /// The pad.
+    /// The pad that these fields describe.
     ///
     /// # Errors
-    /// [`Error::Fingertip`] for numbers out of range, and unless it is a rectangle or a disc.
+    /// [`Error::Fingertip`] for numbers out of range, and unless the shape is either a rectangle or a disc.
     pub(super) fn pad(&self) -> Result<Pad, Error> {
         let strips = self.strips.unwrap_or([2, if self.disc.is_some() { 8 } else { 2 }]);
         let has_another_shape = self.disc.or(self.round).or(self.v_deg).is_some();
@@ -229,7 +229,7 @@ impl Setup<3> {
         Ok(self.on_part(part))
     }
 
-    /// This setup after a check of its part, which is built if arrays give it; and whether the points of all contacts are known.
+    /// Checks the part, and builds it if `vertices` and `faces` give it. Returns the setup, and whether the points of all contacts are known.
     pub(super) fn with_part_of_arrays(self) -> Result<(Self, bool), String> {
         let has_points = self.check_part()?;
         if self.part.as_ref().is_none_or(|part| part.vertices.is_empty()) {
@@ -259,7 +259,7 @@ impl Setup<3> {
         }
     }
 
-    /// Warnings about pads that touch the part with only a fraction of their area, or that lie over an edge.
+    /// Warnings about pads that touch the part with only a fraction of their area, or that lie over an edge of the part.
     pub(super) fn badly_touching(&self) -> Result<Vec<Warning>, Error> {
         let mut warnings = Vec::new();
         for (contact, entry) in self.entries().enumerate() {
@@ -279,12 +279,12 @@ impl Setup<3> {
 }
 
 impl Scene {
-    /// This scene with the mesh of its part, and the fingers of its robot, if it has them (feature `urdf`). Relative paths count from the folder, which is
-    /// usually that of the scene's file.
+    /// This scene with the mesh of its part and with the fingers of its robot (feature `urdf`), both read from files. Relative paths count from the
+    /// folder, which is usually that of the scene's file.
     ///
     /// # Errors
-    /// [`Error::Mesh`] if the mesh cannot be read or has no volume for its density, [`Error::Argument`] for a mass or density out of range, and as for a
-    /// `Robot` that is read.
+    /// [`Error::Mesh`] if the mesh cannot be read or has no volume for its density, [`Error::Argument`] for a mass or density out of range, and the
+    /// errors of reading a `Robot`.
     pub fn with_files_from(self, folder: impl AsRef<Path>) -> Result<Self, Error> {
         let setup = self.setup.with_files_from(folder.as_ref())?;
         Ok(Self { setup, ..self })

@@ -35,7 +35,7 @@ pub enum Tip {
     Rectangle {
         /// Sides along the first and the second tangent, m.
         sides: [f64; 2],
-        /// Number of strips in half of each side, two points each; one for each side if left out.
+        /// Number of strips in half of each side, with two points on each strip; one strip for each side if left out.
         #[serde(default = "one_each")]
         strips: [usize; 2],
     },

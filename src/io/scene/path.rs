@@ -1,4 +1,4 @@
-//! Answers about the events of a load program.
+//! Answers to `follow`: the events along the load path of a load program.
 
 use serde::{Deserialize, Serialize};
 
@@ -28,14 +28,13 @@ pub struct PathAnswer<const C: usize> {
     pub small_motions_end: Option<EndOfSmallMotions>,
     /// Energies of every leg that was entered, up to the end of the path; empty for a path in steps.
     pub energies: Vec<BalancedEnergy>,
-    /// Sum of the estimated errors of the steps along sliding arcs, each relative as in
-    /// [`Settings::step_error`](crate::Settings::step_error); 0 where every piece is straight. For a path in steps, see
-    /// [`SteppedPath::step_error`].
+    /// Sum of the estimated errors of the steps along sliding arcs, each relative in the sense of
+    /// [`Settings::step_error`](crate::Settings::step_error); 0 where every piece is straight. For a path in steps, see [`SteppedPath::step_error`].
     #[serde(with = "AsComputed::<f64>")]
     pub step_error: f64,
 }
 
-/// The end of a load path, with the state there; see [`PathEnd`].
+/// The end of a load path, with the equilibrium there; see [`PathEnd`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "outcome", rename_all = "snake_case")]
@@ -47,30 +46,30 @@ pub enum PathOutcome<const C: usize> {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         state: Option<Box<Equilibrium<C>>>,
     },
-    /// The path loses its equilibrium.
+    /// The equilibrium is lost: it cannot be continued under the load program.
     Lost {
-        /// The place and the kind of the loss.
+        /// The place at which equilibrium is lost, and the reason.
         #[serde(flatten)]
         loss: Loss<C>,
-        /// Whether another equilibrium exists just beyond.
+        /// Whether another equilibrium exists just beyond the loss.
         beyond: Beyond<C>,
         /// The equilibrium at the loss; left out if rounding errors are too large for it.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         state: Option<Box<Equilibrium<C>>>,
     },
-    /// The start of the path has no equilibrium.
+    /// No equilibrium exists at the start of the path.
     NoStart {
-        /// The outcome at the start: no equilibrium, or a doubt.
+        /// The outcome at the start: no equilibrium, or undecided.
         start: Box<Outcome<C>>,
     },
-    /// The path could not be followed further; it holds up to the given place.
+    /// The path could not be followed further; up to this leg and fraction it is valid.
     Undecided {
         /// The leg, from 0.
         leg: usize,
         /// Fraction of the leg that was followed.
         #[serde(with = "AsComputed::<f64>")]
         fraction: f64,
-        /// The reason of the doubt.
+        /// The reason why the path is undecided.
         doubt: Doubt,
     },
 }
@@ -80,7 +79,7 @@ pub enum PathOutcome<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct BalancedEnergy {
-    /// The energies, J. Their turnover is zero here, since `residual` is already relative to it.
+    /// The energies, J. The field `turnover` is zero here, since `residual` is already divided by it.
     #[serde(flatten)]
     pub energy: LegEnergy,
     /// The error of the energy balance over the sum of the sizes of all contributions; zero in exact arithmetic.

@@ -2,7 +2,7 @@
 
 use crate::numerics::IntoList;
 
-/// Rewords a message of serde or serde_json. `here` is the byte of the text at the fault, if it is known.
+/// Rewords a message of serde or serde_json for users. `here` is the byte of the text at the fault, if it is known.
 pub(super) fn in_plain_words(message: &str, here: Option<u8>) -> String {
     if let Some((given, wanted)) = message
         .strip_prefix("invalid type: ")

@@ -15,7 +15,7 @@ use crate::robot::{Mover, Robot};
 use crate::touch::Pad;
 
 /// The robot that holds the object, `{"urdf": "hand.urdf", "joints": {"thumb_base": 20}, "stiffness": {"others": 3}, "effort": "from file"}`; see
-/// [`Robot`]. Once its file is read, fingers with joints stand in its place.
+/// [`Robot`]. Once the file is read, fingers with joints replace this field.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -76,7 +76,7 @@ impl RobotSetup<3> {
         Ok(if self.effort.is_some() { robot.limited_by_effort() } else { robot })
     }
 
-    /// The contacts on links that no joint moves, and fingers with all other contacts.
+    /// Returns the contacts on links that no joint moves, and fingers with all other contacts.
     fn spread(self, folder: &Path) -> Result<(Vec<Fingertip<3>>, Vec<FingerSetup<3>>), Error> {
         let robot = self.read_from(folder)?;
         let (mut links, mut entries) = (Vec::new(), Vec::new());
@@ -123,7 +123,7 @@ fn placed(robot: &Robot, link: usize, index: usize, mut entry: Fingertip<3>) -> 
 }
 
 impl Setup<3> {
-    /// Refuses a robot in the plane, a robot without contacts, and surfaces of its contacts.
+    /// Refuses a robot in the plane, a robot without contacts, and robot contacts with a field `surface`.
     pub(super) fn check_robot(&self) -> Result<(), String> {
         let Some(robot) = &self.robot else { return Ok(()) };
         let mut entries = robot.contacts.values().flatten();

@@ -17,7 +17,8 @@ use crate::grasp::{self, Bodies, Hand, Space, Tendon, inside, outside};
 use crate::serial::{AsGiven, in_text_of, object, space_of_text};
 use crate::words::Words;
 
-/// Contacts, questions and settings: 3 degrees of freedom of the object and `C` = 2 axes of a contact in the plane, 6 and 3 in space.
+/// A grasp with its questions and settings. `C` is the number of axes of a contact: 2 in the plane, where the object has 3 degrees of freedom, 3 in
+/// space, where it has 6.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Wrench};
@@ -68,7 +69,7 @@ pub struct Setup<const C: usize> {
     #[serde(default, with = "AsGiven::<Option<SVector<f64, C>>>", skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub gravity: Option<SVector<f64, C>>,
-    /// The body on which the loads of questions act; the first if left out.
+    /// The body on which the loads of questions act; the first body if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loaded: Option<String>,
     /// Whether loads of questions act on all bodies, on each with the share of its mass.
@@ -89,7 +90,7 @@ pub struct Setup<const C: usize> {
     /// The questions, in the order of their answers.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub questions: Vec<Question<C>>,
-    /// The settings for all questions. With the polygonal cone, onsets are those of the polygon ([`Grasp::onset`]).
+    /// The settings for all questions. With the polygonal cone, an onset is the load at which a contact force reaches a facet ([`Grasp::onset`]).
     #[serde(default, skip_serializing_if = "is_default")]
     pub settings: Settings,
 }
@@ -125,7 +126,7 @@ impl<'de, const C: usize> Deserialize<'de> for Setup<C> {
     }
 }
 
-/// A setup with vectors of three components that is read from a text with two.
+/// A planar setup that is read from a text with vectors of two components, and stored with three.
 pub(super) struct PlanarSetup(pub(super) Setup<3>);
 
 impl<'de> Deserialize<'de> for PlanarSetup {
@@ -147,7 +148,7 @@ impl<const C: usize> From<&Grasp<C>> for Setup<C> {
 }
 
 impl<const C: usize> Setup<C> {
-    /// A setup without questions and outline, with default settings. A [`Contact`](crate::grasp::Contact) is turned `into` a [`Fingertip`].
+    /// A setup without questions and outline, with default settings. A [`Contact`](crate::grasp::Contact) is converted to a [`Fingertip`] by `into`.
     pub fn new(contacts: impl IntoIterator<Item = Fingertip<C>>) -> Self {
         Self {
             space: Space::of::<C>(),
@@ -187,7 +188,7 @@ impl<const C: usize> Setup<C> {
         self
     }
 
-    /// This setup with other settings.
+    /// This setup with other settings for its questions.
     pub fn with_settings(mut self, settings: Settings) -> Self {
         self.settings = settings;
         self
@@ -234,7 +235,7 @@ impl Setup<3> {
         self.space.axes()
     }
 
-    /// These words for vectors of three components: in the plane the third is not written.
+    /// The same format of numbers, for vectors of three components; in the plane the third is not written.
     pub fn words(&self, words: Words) -> Words {
         words.in_space(self.space)
     }
@@ -341,7 +342,7 @@ impl Setup<3> {
         Ok(())
     }
 
-    /// Replaces the contact index of the grasp in an error by that of the scene: a soft fingertip is several contacts of the grasp.
+    /// Replaces the contact index in an error of the grasp by the index in the scene, where all points of a soft fingertip are one contact.
     fn in_the_scene(&self, error: Error) -> Error {
         let Error::Contact { contact: ContactLabel { index, name, link, .. }, field, value, allowed } = error
         else {

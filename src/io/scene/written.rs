@@ -1,4 +1,4 @@
-//! The whole of a scene: its version, its id, and its plane or space.
+//! The outermost object of a scene: its version, its id, and a setup in the plane or in space.
 
 use std::fmt;
 
@@ -27,7 +27,8 @@ pub struct Scene {
     pub comment: Option<String>,
     /// The unit of lengths in the text that [`Scene::from_json`] has read. In this value, and where it is written, lengths are in m.
     pub unit: Unit,
-    /// Contacts, questions and settings. Vectors have three components in the plane, too, where the third is zero; [`Scene::planar`] has them with two.
+    /// Contacts, questions and settings. Vectors have three components, in the plane too, where the third is zero. [`Scene::planar`] returns the
+    /// setup with two.
     pub setup: Setup<3>,
 }
 
@@ -42,7 +43,7 @@ pub enum Id {
     Text(String),
 }
 
-/// A text or a whole number (feature `serde`), see [`crate::scene`].
+/// Read from a text or a whole number (feature `serde`), see [`crate::scene`].
 impl<'de> Deserialize<'de> for Id {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(IdVisitor)
@@ -122,7 +123,7 @@ enum WrittenAnswers {
 crate::serial::schema_as_written!("Answers", Answers, WrittenAnswers);
 
 impl Scene {
-    /// The answer to every question, in order. Sentences have lengths in the [unit](Self::unit) of the scene, all fields have them in m.
+    /// The answer to every question, in order. Sentences give lengths in the [unit](Self::unit) of the scene, all fields give them in m.
     ///
     /// # Errors
     /// As for [`Setup::answers`].
@@ -130,7 +131,7 @@ impl Scene {
         self.answers_in(Words::default().in_unit(self.unit))
     }
 
-    /// The answer to every question, in order, with numbers in its sentences of this form.
+    /// The answer to every question, in order. `words` determines digits and units of the numbers in sentences.
     ///
     /// # Errors
     /// As for [`Setup::answers`].

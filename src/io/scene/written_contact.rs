@@ -1,4 +1,4 @@
-//! A contact in the file, and its checks.
+//! A contact in the text of a scene, and its checks.
 
 use std::sync::Arc;
 
@@ -293,7 +293,7 @@ impl<const C: usize> Fingertip<C> {
     }
 }
 
-/// The beginning of a message about a contact.
+/// The beginning of a message about a contact: its name, if it has one.
 fn named(name: Option<&str>) -> String {
     name.map_or(String::new(), |name| format!("{name}: "))
 }

@@ -32,7 +32,7 @@ pub struct Tally {
 /// Upper bound on the number of lines that are read but whose answers are not yet written; lines in the input buffer of [`BLOCK_BYTES`] do not count.
 #[must_use]
 pub const fn most_ahead(threads: usize) -> usize {
-    // Blocks in the queue, one block with which the reader waits for room in the queue, and one that is written.
+    // The blocks in the queue, one block for which the reader waits until the queue has room, and one block that is being written.
     (queue(threads) + 2) * LINES_OF_A_BLOCK
 }
 
@@ -87,7 +87,7 @@ fn next(jobs: &Mutex<Receiver<Job>>) -> Option<Job> {
     jobs.lock().ok()?.recv().ok()
 }
 
-/// Reads lines into blocks, and returns their number.
+/// Reads lines into blocks, and returns the number of lines.
 fn read_blocks(
     input: impl Read,
     jobs: &Sender<Job>,
