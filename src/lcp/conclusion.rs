@@ -193,7 +193,7 @@ impl Workspace {
         }
     }
 
-    /// Accepts the point (`None`) only if its residuals are within the tolerance, and if it does not also solve the problem for a very different q.
+    /// Accepts the point (`None`) only if its residuals are within the tolerance and it does not also solve the problem for a very different q.
     fn conclude(&mut self, lcp: &Lcp, residuals: Residuals, settings: &Settings) -> Option<Unsolved> {
         let cause = if residuals == Residuals::UNUSABLE {
             BreakdownCause::Overflow

@@ -36,7 +36,7 @@ pub(super) enum LemkeVariable {
 }
 
 impl LemkeVariable {
-    /// The other variable of the pair; z₀ has none.
+    /// The other variable of the pair. The covering variable z₀ belongs to no pair and is returned itself.
     pub(super) fn complement(self) -> Self {
         match self {
             Self::W(i) => Self::Z(i),
@@ -68,7 +68,7 @@ pub(super) struct Dictionary {
     pub(super) u: Vec<f64>,
     /// The covering vector d.
     pub(super) d: Vec<f64>,
-    /// The column of M, or d, whose effect is computed by (1), followed by a zero.
+    /// The column of M, or d, from which (1) computes the entering column. A zero follows it, for rows whose basic variable is no slack.
     entering: Vec<f64>,
     /// For each row, the index i of its basic slack w_i; n if its basic variable is no slack.
     slack: Vec<usize>,
@@ -106,7 +106,7 @@ impl Dictionary {
         }
     }
 
-    /// Whether w_i is nonbasic, so that row i is active.
+    /// Whether w_i is nonbasic, so that row i holds as an equation w_i = 0.
     pub(super) fn is_active(&self, i: usize) -> bool {
         self.slot[i].is_some()
     }
@@ -129,7 +129,7 @@ impl Dictionary {
         }
     }
 
-    /// The largest entry of the last loaded column, before elimination.
+    /// The largest entry of the loaded column of M or d, from which (1) computes the entering column.
     pub(super) fn entering_size(&self) -> f64 {
         largest(&self.entering)
     }
@@ -251,7 +251,8 @@ impl Dictionary {
         }
     }
 
-    /// Makes an exchange except for the rank-one update of the stored columns, whose factors are left in `g` and `u`.
+    /// Makes the exchange of [`Self::exchange`] except for the rank-one update of the stored columns. Leaves the factors of this update in `g` and
+    /// `u`; returns the leaving variable.
     fn rearrange(&mut self, entering: LemkeVariable, r: usize) -> LemkeVariable {
         let n = self.n;
         let leaving = self.basic[r];
@@ -259,7 +260,8 @@ impl Dictionary {
         let inverse = 1.0 / pivot;
         self.step(r, pivot);
 
-        // In row r the update `D_v += g u` must give g alone. With row r of each column set to 0 and that of u set to 1 it needs no special case.
+        // In row r the update `D_v += g u` must give g alone. Row r of each column is therefore set to 0 and row r of u to 1, so the update needs no
+        // branch.
         self.u[r] = 1.0;
         let factor = -self.p[r] * inverse;
         self.p[r] = 0.0;
@@ -295,7 +297,8 @@ impl Dictionary {
         leaving
     }
 
-    /// Increases the entering variable until the basic variable of row r is zero, and updates values and levels.
+    /// Increases the entering variable until the basic variable of row r is zero. Updates the basic values in `x` and the magnitudes of their terms
+    /// in `level`.
     fn step(&mut self, r: usize, pivot: f64) {
         let step = -self.x[r] / pivot;
         let level = self.level[r] / pivot.abs();
@@ -308,7 +311,7 @@ impl Dictionary {
         self.level[r] = level;
     }
 
-    /// Removes a stored column; the last column takes its position.
+    /// Removes a stored column; the last column takes its position in `columns`.
     fn forget(&mut self, slot: usize) {
         let n = self.n;
         self.slot[self.kept[slot]] = None;

@@ -24,7 +24,7 @@ pub enum LcpError {
     RowLength {
         /// The row, counted from 0.
         row: usize,
-        /// Its length.
+        /// Length of this row.
         given: usize,
         /// The required length.
         needed: usize,
@@ -34,7 +34,7 @@ pub enum LcpError {
     Length {
         /// Name of the vector.
         what: &'static str,
-        /// Its length.
+        /// Length of this vector.
         given: usize,
         /// The required length.
         needed: usize,
@@ -46,9 +46,9 @@ pub enum LcpError {
     BlockShape {
         /// Name of the block.
         what: &'static str,
-        /// Its rows.
+        /// Number of rows of the block.
         rows: usize,
-        /// Its columns.
+        /// Number of columns of the block.
         columns: usize,
         /// The required number of rows.
         needed_rows: usize,

@@ -45,14 +45,15 @@ impl Judge<'_> {
         self.by_one_row(alpha) || self.by_broken_conditions(alpha) || self.by_linear_program(alpha)
     }
 
-    /// Whether one row alone excludes the basis: q_i < 0, and row i has no positive entry in the columns α. For i in α, where w_i = 0, the same holds
-    /// with both signs changed.
+    /// Whether one row alone excludes the basis: q_i < 0, and row i has no positive entry in the columns α. For i in α, where w_i = 0, the opposite
+    /// signs also exclude the basis.
     fn by_one_row(&self, alpha: &[usize]) -> bool {
         let hopeless = |i: usize, sign: f64| self.lcp.is_hopeless(i, sign, alpha.iter().copied());
         (0..self.q.len()).any(|i| hopeless(i, 1.0)) || alpha.iter().any(|i| hopeless(*i, -1.0))
     }
 
-    /// Tries rows of the inverse of a regular block as v, for the three conditions that the point of the basis violates most.
+    /// Whether a row of the inverse of the regular block M_αα, taken as v, excludes the basis. Three rows are tried, for the conditions that the
+    /// point of the basis violates most.
     fn by_broken_conditions(&self, alpha: &[usize]) -> bool {
         let (n, size) = (self.q.len(), alpha.len());
         let block = matrix_of(size, size, &|i, j| self.m[(alpha[i], alpha[j])]);
@@ -90,13 +91,14 @@ impl Judge<'_> {
         })
     }
 
-    /// Tries the dual solutions of { min t : the piece is violated by at most t }, one for each margin.
+    /// Whether the dual solution of { min t : the piece is violated by at most t }, taken as v, excludes the basis. It is computed once for each
+    /// margin.
     fn by_linear_program(&self, alpha: &[usize]) -> bool {
         let program = |margin| linear_program::of_piece((&self.m, &self.q), alpha, margin, self.settings);
         MARGINS.into_iter().filter_map(program).any(|program| self.proves(alpha, &program.y))
     }
 
-    /// Whether a v for balanced rows excludes a basis, as computed or [`cleaned`].
+    /// Whether v excludes the basis, as computed or [`cleaned`]. `v` belongs to the balanced rows and is first converted to the given rows.
     fn proves(&self, alpha: &[usize], v: &DVector<f64>) -> bool {
         let y = vector_of(v.len(), &|i| v[i] * self.scaling.row[i]);
         let basic = |i: usize| alpha.contains(&i);
@@ -110,7 +112,7 @@ fn solved(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
     if rhs.is_empty() { Some(rhs.clone()) } else { block.clone().full_piv_lu().solve(rhs) }
 }
 
-/// A condition of a basis that its point violates.
+/// A condition that the point of a basis violates.
 enum Broken {
     /// z_j ≥ 0 for an element of α, given by its position in α.
     Domain(usize),

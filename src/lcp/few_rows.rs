@@ -14,7 +14,7 @@ use nalgebra::DVector;
 const BINARY_DIGITS: [i32; 4] = [1, 3, 8, 20];
 
 impl Lcp {
-    /// A Farkas vector with one or two nonzero entries, if any.
+    /// A Farkas vector with one or two nonzero entries, if one exists.
     pub(super) fn few_rows(&self) -> Option<DVector<f64>> {
         let n = self.len();
         if let Some(row) = (0..n).find(|row| self.is_hopeless(*row, 1.0, 0..n)) {
@@ -40,7 +40,7 @@ impl Lcp {
     /// A Farkas vector of the rows i and k. The ratio y_k / y_i must lie between bounds, one from each column and from q.
     fn two_rows(&self, i: usize, k: usize) -> Option<DVector<f64>> {
         let n = self.len();
-        // Each bound is stored as a pair (y_i, y_k). Where products of y with M must cancel they then do so exactly.
+        // Each bound is stored as a pair (y_i, y_k) of two matrix entries. Products of y with M that must cancel then cancel exactly.
         let (mut least, mut most) = ((1.0, 0.0), (0.0, 1.0));
         let ratio = |(y_i, y_k): (f64, f64)| y_k / y_i;
         for j in 0..=n {

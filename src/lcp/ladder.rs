@@ -19,7 +19,7 @@ use crate::prelude::*;
 use nalgebra::DVector;
 
 impl Workspace {
-    /// Makes the attempts in turn for a prepared problem, until it is solved (`None`) or decided otherwise.
+    /// Makes the attempts in turn for a prepared problem. `None` if one of them solves it, otherwise the outcome of the attempt that decides.
     pub(super) fn climb(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         let first = self.first_path(lcp, settings)?;
         match first {
@@ -59,14 +59,14 @@ impl Workspace {
         Some(first.after(self.path.pivots))
     }
 
-    /// `Infeasible`, with the certificate of one or two rows if there is one, otherwise with a simplified y.
+    /// The outcome `Infeasible`, with a certificate of one or two nonzero entries if there is one, otherwise with a simplified y.
     fn infeasible(&self, lcp: &Lcp, y: DVector<f64>) -> Unsolved {
         self.few_rows(lcp).unwrap_or_else(|| {
             Outcome::Infeasible(Certificate { y: lcp.plainer(y), pivots: self.path.pivots })
         })
     }
 
-    /// `Infeasible`, with the certificate of one or two rows; `None` without one.
+    /// The outcome `Infeasible`, with a certificate of one or two nonzero entries; `None` if there is no such certificate.
     fn few_rows(&self, lcp: &Lcp) -> Option<Unsolved> {
         let y = lcp.few_rows()?;
         Some(Outcome::Infeasible(Certificate { y, pivots: self.path.pivots }))
@@ -77,9 +77,9 @@ impl Workspace {
         let units = self.path.scaling.row_unit.iter().enumerate();
         self.path.d.clear();
         self.path.d.extend(
-            // Entry i of d is 2^e units of the balanced row, with e between −3 and 3. In a narrower range the paths would stay close to the first
-            // one; in a wider one the problems would be badly scaled. No two attempts use the same values of [`generic`], since no dense problem has
-            // that many rows.
+            // Entry i of d is 2^e in the unit of the balanced row i, with e between −3 and 3. In a narrower range the paths would stay close to the
+            // first path. In a wider range the problems would be badly scaled. Attempts use different values of [`generic`], since no dense problem
+            // has a million rows.
             units.map(|(i, unit)| unit * (6.0 * (generic(attempt * 1_000_003 + i) - 1.0)).exp2()),
         );
         let limit = settings.retry_limit(lcp.len(), self.path.pivots);
@@ -92,7 +92,7 @@ impl Workspace {
         Some(failure)
     }
 
-    /// Stores the first solution that enumeration finds; returns `Some(())` if it finds none.
+    /// Stores the first solution that enumeration finds, and returns `None`; returns `Some(())` if enumeration finds no solution.
     fn take_enumerated(&mut self, lcp: &Lcp, settings: &Settings) -> Option<()> {
         let all = enumerate::all_solutions(lcp, settings);
         let Some(solution) = all.solutions.into_iter().next() else { return Some(()) };

@@ -66,7 +66,7 @@ impl Logarithms {
         refill(&mut self.count, n, 0.0);
     }
 
-    /// Adds the logarithm of the product of mantissas to the sum and sets the product to 1, before it overflows.
+    /// Adds the logarithm of a product of mantissas to the sum, and sets the product to 1. Called before the product can overflow.
     fn put_away(&mut self, i: usize) {
         self.sum[i] += self.mantissas[i].log2();
         self.mantissas[i] = 1.0;

@@ -80,7 +80,7 @@ impl<S> Outcome<S> {
         }
     }
 
-    /// This outcome with its number of pivots set to `made`; for a solution the number does not change.
+    /// This outcome with its number of pivots set to `made`. A solution is returned unchanged.
     pub(super) fn after(mut self, made: usize) -> Self {
         match &mut self {
             Self::Solved(_) => {}
@@ -210,16 +210,16 @@ pub enum BreakdownCause {
     Tolerance {
         /// Name of the tolerance.
         name: &'static str,
-        /// Its value.
+        /// The value of this tolerance.
         value: f64,
     },
     /// A number left the range of double precision.
     #[error("a number left the range of double precision")]
     Overflow,
-    /// The principal block of the final basis is singular, or so close to it that q is smaller than the rounding of M z.
+    /// The principal block of the final basis is singular, or so close to singular that q is smaller than the rounding error of M z.
     #[error("the final basis is singular")]
     SingularBasis,
-    /// Newton's method, started from the solution of a polygon's complementarity problem, reached no smaller residual; see
+    /// Newton's method, started from a solution with polygonal cones, reached no residual smaller than this one; see
     /// [`FrictionProblem`](crate::friction::FrictionProblem).
     #[error("Newton's method came no closer than {residual:.1e}, at contact {contact}")]
     NoConvergence {

@@ -94,9 +94,10 @@ pub struct Parametric<'a> {
     entering: LemkeVariable,
     trend: Trend,
     breakpoints: usize,
-    /// The basis of an earlier piece, replaced after 1, 2, 4, 8, … breakpoints. Every loop eventually returns to it (R. P. Brent, BIT 20, 1980).
+    /// The basis of an earlier piece of the path, replaced after 1, 2, 4, 8, … breakpoints. A path that has entered a loop returns to this basis
+    /// eventually (R. P. Brent, BIT 20, 1980).
     remembered: Basis,
-    /// Whether the path has returned to an earlier piece.
+    /// Whether the path has returned to an earlier piece of itself.
     closed: bool,
     end: Option<PathEnd>,
 }
@@ -112,7 +113,7 @@ impl<'a> Parametric<'a> {
         Self::from_basis(lcp, &Basis::slack(lcp.len()), dq, settings)
     }
 
-    /// [`Parametric::new`] from the solution that [`Lcp::solve_from`] finds. Of several solutions, a chosen one can thus be followed.
+    /// [`Parametric::new`] from the solution that [`Lcp::solve_from`] finds. If there are several solutions, the basis selects the one to follow.
     ///
     /// # Errors
     ///
@@ -148,7 +149,7 @@ impl<'a> Parametric<'a> {
         Ok(path)
     }
 
-    /// Prepares the dictionary of the solution at τ = 0, with the column of τ as the entering column.
+    /// Prepares the dictionary of the solution at τ = 0, with τ as the entering variable.
     fn begin(&mut self, dq: &DVector<f64>) -> Result<(), PathEnd> {
         self.basis = self.start.solution().ok_or(PathEnd::NoStart)?.basis.clone();
         self.remembered.clone_from(&self.basis);

@@ -16,7 +16,7 @@ pub(super) struct LemkePath {
     pub(super) p: Vec<f64>,
     pub(super) d: Vec<f64>,
     pub(super) pivots: usize,
-    /// Number of pivots since the dictionary was last computed from the data.
+    /// Number of pivots since the dictionary was last computed from M, q and d.
     pub(super) age: usize,
     /// The perturbation of each variable, kept while the dictionary is recomputed.
     pub(super) saved: Vec<f64>,
@@ -28,7 +28,7 @@ pub(super) struct LemkePath {
 }
 
 impl LemkePath {
-    /// Balances M, q and p. The dictionary must be started afterwards.
+    /// Balances M, q and the perturbation p. A dictionary must be computed afterwards, for example by [`Self::start_from_slacks`].
     pub(super) fn prepare(&mut self, m: &[f64], q: &[f64]) {
         self.scaling.balance(q.len(), m, q);
         self.p.clear();
@@ -59,8 +59,8 @@ impl LemkePath {
         self.age = 0;
     }
 
-    /// Converts numbers given for each row, and thus for its basic variable, to a vector z in the caller's units. Returns the number of z₀ if z₀ is
-    /// basic.
+    /// Converts numbers that belong to the basic variables, one for each row, to a vector z in the caller's units. Returns the number that belongs to
+    /// z₀ if z₀ is basic.
     pub(super) fn unknowns(&self, rows: &[f64], z: &mut Vec<f64>) -> Option<f64> {
         refill(z, self.q.len(), 0.0);
         let mut covering = None;

@@ -57,7 +57,7 @@ impl<'a> Pattern<'a> {
 }
 
 impl Column<'_> {
-    /// The sum of ρ_i over the rows i of the nonzero entries.
+    /// The sum of the entries `rho` over the rows in which the column has a nonzero entry.
     pub(super) fn sum(&self, rho: &[f64]) -> f64 {
         match self {
             Self::Listed(list) => list.iter().map(|i| rho[*i as usize]).sum(),
@@ -79,7 +79,7 @@ pub(super) fn is_nonzero(m: f64) -> bool {
     m.abs() >= f64::MIN_POSITIVE
 }
 
-/// The sum of ρ_i over the rows i in which a column has a nonzero entry.
+/// The sum of the entries `rho` over the rows in which `column` has a nonzero entry.
 fn sum_where(column: &[f64], rho: &[f64]) -> f64 {
     let mut lanes = [0.0; 4];
     let mut columns = column.chunks_exact(4);

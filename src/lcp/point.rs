@@ -1,4 +1,4 @@
-//! A point z with its slacks, and its residuals.
+//! A point z with its slacks w = M z + q, and its residuals.
 
 use super::basis::Basis;
 use super::problem::Lcp;
@@ -24,19 +24,19 @@ impl LcpPoint {
         point
     }
 
-    /// Computes w and the magnitudes of its terms.
+    /// Computes w and, for each row, the magnitude of its terms.
     fn sum(&mut self, lcp: &Lcp) {
         self.w.resize(lcp.len(), 0.0);
         self.terms.resize(lcp.len(), 0.0);
         slack_and_terms(&lcp.m, lcp.q.as_slice(), &self.z, &mut self.w, &mut self.terms);
     }
 
-    /// Residuals, from w and terms computed before.
+    /// The residuals at z. `w` and `terms` must have been computed.
     pub(super) fn residuals(&self, lcp: &Lcp) -> Residuals {
         residuals_from(&lcp.m, lcp.q.as_slice(), &self.z, &self.w, &self.terms)
     }
 
-    /// Computes w and its terms, and returns the residuals.
+    /// Computes w and the magnitudes of its terms, and returns the residuals.
     pub(super) fn evaluate(&mut self, lcp: &Lcp) -> Residuals {
         self.sum(lcp);
         self.residuals(lcp)

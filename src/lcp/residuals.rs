@@ -26,14 +26,14 @@ pub struct Residuals {
 }
 
 impl Residuals {
-    /// The largest of the three; NaN if any of them is NaN.
+    /// The largest of the three residuals; NaN if any of them is NaN.
     #[must_use]
     pub fn max(&self) -> f64 {
         let all = self.all();
         if all.iter().any(|r| r.is_nan()) { f64::NAN } else { all.into_iter().fold(0.0, f64::max) }
     }
 
-    /// Whether all three are numbers of at most this size.
+    /// Whether all three residuals are numbers of at most this size.
     #[must_use]
     pub fn within(&self, tolerance: f64) -> bool {
         self.all().iter().all(|r| *r <= tolerance)
@@ -54,7 +54,7 @@ impl fmt::Display for Residuals {
     }
 }
 
-/// Whether a point with these residuals and terms solves a problem with a very different q as well, so that it says nothing about this one. `row`
+/// Whether a point with these residuals and terms also solves a problem with a very different q. Such a point does not count as a solution. `row`
 /// holds the factors that balance the rows.
 pub(super) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f64]) -> bool {
     let balanced = |v: &[f64]| v.iter().zip(row).fold(0.0_f64, |size, (v, row)| size.max(v.abs() * row));
@@ -191,7 +191,7 @@ impl Rows<'_> {
     }
 }
 
-/// The quotient of two sums, each of which may lie outside the range of doubles.
+/// The quotient of two exact sums, each of which may lie outside the range of doubles.
 fn ratio(sum: &ExactSum, of: &ExactSum) -> f64 {
     let ((x, k), (y, l)) = (sum.leading(), of.leading());
     times_power_of_two(x / y, k - l)

@@ -26,7 +26,7 @@ use nalgebra::{DMatrix, DVector};
 pub(super) struct Scaling {
     pub(super) row: Vec<f64>,
     pub(super) column: Vec<f64>,
-    /// Size of one unit of the row balanced by the exact factor 2^ρ_i, in the row balanced by a power of two: row_i / 2^ρ_i.
+    /// The factor row_i / 2^ρ_i by which rounding ρ_i to an integer changes the balanced row i.
     pub(super) row_unit: Vec<f64>,
     rho: Vec<f64>,
     gamma: Vec<f64>,
@@ -123,12 +123,12 @@ impl Scaling {
         }
     }
 
-    /// Size of one unit of the z_j balanced by the exact factor 2^γ_j, in the z_j balanced by a power of two: 2^γ_j / column_j.
+    /// The factor 2^γ_j / column_j by which rounding γ_j to an integer changes the balanced z_j.
     pub(super) fn column_unit(&self, j: usize) -> f64 {
         (self.gamma[j] - self.gamma[j].round()).exp2()
     }
 
-    /// The balanced matrix and vector.
+    /// M and q with balanced rows and columns.
     pub(super) fn balanced(&self, m: &DMatrix<f64>, q: &DVector<f64>) -> (DMatrix<f64>, DVector<f64>) {
         let (row, column) = (&self.row, &self.column);
         (

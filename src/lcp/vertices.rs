@@ -38,8 +38,7 @@ pub(super) fn farkas(lcp: &Lcp, scaling: &Scaling) -> Option<DVector<f64>> {
     let load = if q.amax() > 0.0 { q.amax() } else { 1.0 };
     subsets(n).filter(|rows| !rows.is_empty()).find_map(|rows| {
         let k = rows.len();
-        // An edge is found by its k nonzero entries and the sums of columns that vanish there, one fewer than k. The columns are those of M, and q as
-        // the last one.
+        // An edge y is determined by its k nonzero entries, and by k − 1 columns of [M, q] whose product with y vanishes.
         subsets(n + 1).filter(|columns| columns.len() + 1 == k).find_map(|columns| {
             let column = |j: usize, row: usize| if j < n { m[(row, j)] } else { q[row] / load };
             MARGINS.into_iter().find_map(|margin| {

@@ -342,7 +342,7 @@ impl Setup<3> {
         Ok(())
     }
 
-    /// Replaces the contact index in an error of the grasp by the index in the scene, where all points of a soft fingertip are one contact.
+    /// Replaces the contact index in an error of the grasp by the index in the scene. There all points of a soft fingertip are one contact.
     fn in_the_scene(&self, error: Error) -> Error {
         let Error::Contact { contact: ContactLabel { index, name, link, .. }, field, value, allowed } = error
         else {
