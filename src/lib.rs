@@ -1,9 +1,8 @@
 //! Does the grasp hold?
 //!
-//! A multifingered hand holds an object. Each contact is a point with Coulomb friction. Finger and object are elastic at each contact, like
-//! springs in series. Small displacements of the fingers are commanded, and a load acts on the object. This crate computes the motion of the
-//! object, the contact forces, and **the load at which a contact starts to slide**. It also tells whether an equilibrium exists beyond that
-//! load.
+//! A multifingered hand holds an object. Each contact is a point with Coulomb friction. Finger and object are elastic at each contact, like springs
+//! in series. Small displacements of the fingers are commanded, and a load acts on the object. This crate computes the motion of the object, the
+//! contact forces, and **the load at which a contact starts to slide**. It also decides whether an equilibrium exists beyond that load.
 //!
 //! ```
 //! use grasp_lcp::need::Need;

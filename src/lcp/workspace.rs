@@ -12,7 +12,7 @@ use crate::prelude::*;
 
 /// Memory of the solver that is reused from problem to problem.
 ///
-/// Once a workspace has solved a problem, it allocates nothing for others that are no larger, provided that their first path succeeds.
+/// Once a workspace has solved a problem, it allocates nothing for other problems that are no larger, provided that their first path succeeds.
 ///
 /// ```
 /// use grasp_lcp::lcp::{Lcp, OutcomeView, Settings, Workspace};

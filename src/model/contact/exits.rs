@@ -65,7 +65,7 @@ impl LocalLaw<'_> {
         match state {
             Mode::Open => gap.closing().into_iter().list(),
             Mode::Sticking => self.exits(line),
-            // Facets on which the contact slides are no exits: it stays on them.
+            // A sliding contact stays on the facets on which it slides, so these facets are no exits.
             Mode::Facet(_) | Mode::Corner(_) | Mode::Round(_) => {
                 let facets = self.facets();
                 let own = state.own_facets(facets.len());
@@ -92,14 +92,14 @@ impl LocalLaw<'_> {
         self.on_round_cone && self.cone().has_edges() && !self.is_bonded() && !self.is_absent()
     }
 
-    /// All exits of the line from the cone, in any order.
+    /// All exits of the line of forces from the cone, in any order.
     fn exits(&self, line: &Line) -> Vec<Exit> {
         let mut exits = Vec::new();
         self.for_each_exit(line, |exit| exits.push(exit));
         exits
     }
 
-    /// Visits all exits from the cone.
+    /// Visits all exits of the line of forces from the cone.
     fn for_each_exit(&self, line: &Line, visit: impl FnMut(Exit)) {
         if self.has_a_round_edge() {
             self.round_exit(line).into_iter().for_each(visit);
@@ -120,7 +120,7 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The step along a straight line of forces at which it reaches the facet, or the apex, of an exit.
+    /// The step along a straight line of forces at which the line reaches the facet, or the apex, of an exit.
     pub(crate) fn step_to_exit(&self, exit: &Exit, force: &SVector<f64, 3>, rate: &SVector<f64, 3>) -> f64 {
         let slack = |f: &SVector<f64, 3>| {
             if exit.facet.norm() == 0.0 { f[0] } else { self.cone().facet_margin(f, &exit.facet) }
@@ -134,8 +134,8 @@ impl LocalLaw<'_> {
     /// c₀ + 2 c₁ s + c₂ s² = 0,   c₀ = (μF_n - |F_t|)(μF_n + |F_t|),   c₁ = μ²F_n F_n' - F_t·F_t',   c₂ = μ²F_n'² - |F_t'|²
     /// ```
     ///
-    /// computed as `s = c₀ / (√(c₁² - c₀c₂) - c₁)`, which avoids cancellation. A line that starts on the edge (c₀ = 0) and points inwards can
-    /// only return at `s = -2c₁/c₂`.
+    /// The root is computed as `s = c₀ / (√(c₁² - c₀c₂) - c₁)`, which avoids cancellation. A line that starts on the edge (c₀ = 0) and points inwards
+    /// can only return at `s = -2c₁/c₂`.
     fn round_exit(&self, line: &Line) -> Option<Exit> {
         let cone = self.cone();
         let (t0, t1) = (tangential(&line.force), tangential(&line.rate));
@@ -145,7 +145,7 @@ impl LocalLaw<'_> {
         let on_edge = n0 - friction <= ZERO_SLACK * line.force_size * weight;
         let leaves = |at: &SVector<f64, 3>| at / at.norm().max(f64::MIN_POSITIVE);
         if on_edge {
-            // At the apex, where friction has no direction, the direction of its rate replaces it.
+            // At the apex friction has no direction; the direction of its rate is used.
             let outward =
                 if friction > ZERO_SLACK * line.force_size * weight { leaves(&t0) } else { leaves(&t1) };
             if let Some(exit) = line.linear(n0 - friction, n1 - outward.dot(&t1), weight, outward) {
@@ -197,7 +197,7 @@ impl LocalLaw<'_> {
         let facet = leaves(&(t0 + t1 * step));
         let closing = facet.dot(&t1) - n1;
         if closing <= ZERO_SLACK * line.rate_size * weight {
-            // The line touches the cone from inside, or its rates are rounding of zero.
+            // The line touches the cone from inside, or its rates are zero up to rounding.
             return None;
         }
         let uncertainty = ZERO_SLACK * weight * (line.force_size + step * line.rate_size) / closing;
@@ -209,8 +209,8 @@ impl LocalLaw<'_> {
 /// if no step leads down.
 fn newton_from_above(mut at: f64, value: impl Fn(f64) -> (f64, f64)) -> Option<f64> {
     let start = at;
-    // Upper bound of the number of Newton steps. Near the apex the margin bends within a distance of rounding; farther away each step doubles
-    // the correct digits.
+    // Upper bound of the number of Newton steps. Near the apex the margin is curved over distances of the order of rounding; farther away each step
+    // doubles the correct digits.
     for _ in 0..60 {
         let (height, slope) = value(at);
         let better = at - height / slope;
@@ -229,7 +229,8 @@ mod tests {
     use super::Line;
     use crate::contact::{Compliance, Coulomb, Fit, Law, LocalLaw, Polygon, PolygonCone};
 
-    /// A line that misses the apex by a friction ε leaves the cone where `√(μ² - a²) (1 - s) = ε`. F_n and the friction a F_n vanish at s = 1.
+    /// A line that misses the apex by a friction ε leaves the cone where `√(μ² - a²) (1 - s) = ε`. F_n and the friction a F_n along the first tangent
+    /// vanish at s = 1.
     #[test]
     fn a_line_beside_the_apex_leaves_before_it() {
         let springs = Compliance::new(&Vector3::new(1.0, 1.0, 1.0), 3);

@@ -1,8 +1,8 @@
-//! Convex hull of the contact law if only part of the state is known: a convex cone with few generators.
+//! Convex hull of all stretches and forces that the contact law allows if only part of the state is known: a convex cone with few generators.
 //!
-//! The law is positively homogeneous: with (v, F) it also allows every positive multiple. So is the law under a label. A label fixes whether the
-//! contact is open or closed, whether it sticks or slides, and between which angles its friction points. In force units `ξ = K v`, with p on the
-//! unit circle, the hull is spanned by
+//! The law is positively homogeneous: with a stretch v and a force F it also allows every positive multiple of both. This remains true if a label
+//! restricts the states. A label fixes whether the contact is open or closed, whether it sticks or slides, and between which angles its friction
+//! points. In force units `ξ = K v`, with p on the unit circle, the hull is spanned by
 //!
 //! ```text
 //!                   ξ            F
@@ -11,8 +11,8 @@
 //! slides            e_n + μ p    e_n + μ p           K_t p   0
 //! ```
 //!
-//! A polygon circumscribed about the arc replaces the directions p. The hull thus contains all that the law allows, and slightly more. If the
-//! hulls of all contacts contradict equilibrium, the law does so, too.
+//! A polygon circumscribed about the arc replaces the directions p. The hull thus contains all stretches and forces that the law allows, and slightly
+//! more. If no equilibrium exists with the hulls of all contacts, none exists with the law.
 
 use crate::numerics::{Each, IntoList, by_axis};
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI, TAU};
@@ -52,7 +52,7 @@ pub(crate) struct HullRay {
 }
 
 impl Label {
-    /// The sector to which the friction force is restricted.
+    /// The sector to which the label restricts the friction force.
     pub(super) fn sector(&self) -> Sector {
         match self {
             Self::Friction(sector) | Self::Sticking(sector) | Self::Sliding(sector) => *sector,
@@ -154,7 +154,7 @@ fn vector(normal: f64, tangential: [f64; 2]) -> SVector<f64, 3> {
 const AXES: [[f64; 2]; 4] = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
 
 impl LocalLaw<'_> {
-    /// The label at the root of the search, before any division.
+    /// The label with which the search over labels begins, before any label is divided.
     pub(crate) fn first_label(&self) -> Label {
         match self.law {
             Law::Absent => Label::Open,
@@ -163,7 +163,7 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// Generators of the convex hull of the law under a label.
+    /// Generators of the convex hull of all stretches and forces that the law allows under a label.
     pub(crate) fn hull(&self, label: &Label) -> Vec<HullRay> {
         let root = self.springs.root();
         let rubs = self.springs.resists_tangentially();
@@ -234,8 +234,8 @@ impl LocalLaw<'_> {
         rays
     }
 
-    /// Two narrower labels that together allow the same states as `label`. `stretch` and `force` are a point of its hull; the cut is placed where
-    /// they violate the law. `None` if the label cannot be divided.
+    /// Two narrower labels that together allow the same states as `label`. `stretch` and `force` lie in the hull of `label`. The sector of friction
+    /// directions is cut where they violate the contact law. `None` if the label cannot be divided.
     pub(crate) fn divide(
         &self,
         label: &Label,
@@ -260,7 +260,7 @@ impl LocalLaw<'_> {
             Label::Closed if !self.may_slide() => None,
             Label::Closed => {
                 let apart = (slides_towards - towards + PI).rem_euclid(TAU) - PI;
-                // If the directions of friction and slip differ by less than 0.1 rad, the first cut is made at right angles to them.
+                // If the directions of friction and slip differ by less than 0.1 rad, the first cut is made at right angles to these directions.
                 let from = towards + if apart.abs() < 0.1 { FRAC_PI_2 } else { 0.5 * apart };
                 Some(Sector { from, to: from + TAU }.at(from + PI).each(Label::Friction))
             }

@@ -142,7 +142,7 @@ impl Polygon {
         }
     }
 
-    /// Whether it is the interval of the plane.
+    /// Whether this is the interval [-1, 1], the polygon of the plane.
     #[inline(always)]
     pub(crate) fn is_interval(&self) -> bool {
         self.normals.len() == 2

@@ -1,4 +1,5 @@
-//! The direction in which a contact slides after a straight stretch. It turns gradually towards the direction of the stretch rate.
+//! The direction in which a contact with unequal tangential springs slides during a straight stretch. The direction turns gradually towards that of
+//! the stretch rate.
 //!
 //! The friction force is r p, with the unit vector p at an angle φ from the first tangent, and the contact slips along p. With K = diag(k₁, k₂)
 //! the spring law gives
@@ -8,7 +9,8 @@
 //! dφ/ds = A sin(θ - φ) + B sin 2φ,      ds = dτ / (r p·K p),   A = k₁k₂ |v_t'|,   B = r' (k₂ - k₁)/2
 //! ```
 //!
-//! with v_t' at the angle θ. Each of the two terms alone has a closed form. The first also gives `∫ p·K p ds = ∫ dτ/r`, which determines s:
+//! where v_t' has the angle θ. With only one of the two terms, the equation for φ has a closed solution. The first solution also gives
+//! `∫ p·K p ds = ∫ dτ/r`, which determines s:
 //!
 //! ```text
 //! under_stretch    tan(ψ/2) = tan(ψ₀/2) e^{-A s}, ψ = φ - θ
@@ -16,14 +18,14 @@
 //! ```
 //!
 //! Half a step `under_stretch`, a whole step `squeezed` and half a step `under_stretch` (Strang splitting) are correct to second order. They are
-//! exact for a constant normal force or equal springs. Sliding never stops: where its rate γ, with γ p·K p = p·K v_t' - r', vanishes, it increases by
-//! `(p⊥·K v_t')²`.
+//! exact for a constant normal force or equal springs. Sliding never stops: the slip rate γ obeys γ p·K p = p·K v_t' - r', and where γ vanishes, the
+//! right-hand side increases at the rate `(p⊥·K v_t')²`.
 
 use crate::numerics::Each;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Two tangential springs that slide under a constant rate of stretch; τ from 0 to 1 has no unit.
+/// A contact with two tangential springs that slides under a constant rate of stretch; the time τ from 0 to 1 has no unit.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RelaxingSlide {
     /// Tangential stiffnesses k₁ and k₂, N/m.
@@ -74,7 +76,7 @@ impl RelaxingSlide {
         (p, first + second)
     }
 
-    /// Direction and integral after the increment s of the path parameter, at a constant normal force.
+    /// Direction p after the increment s of the path parameter, and the integral `∫ p·K p ds` over it, at a constant normal force.
     fn under_stretch(&self, p: [f64; 2], s: f64) -> ([f64; 2], f64) {
         let [k1, k2] = self.tangential;
         let size = (self.stretched[0] * self.stretched[0] + self.stretched[1] * self.stretched[1]).sqrt();

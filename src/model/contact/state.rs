@@ -40,7 +40,7 @@ impl<R> Mode<R> {
         matches!(self, Self::Sticking)
     }
 
-    /// Whether both are the same state, ignoring the direction of a slide on the round cone.
+    /// Whether both states are of the same kind, ignoring the direction of a slide on the round cone.
     pub(crate) fn is_kind_of<Q>(&self, other: &Mode<Q>) -> bool {
         match (self, other) {
             (Self::Open, Mode::Open)
@@ -67,7 +67,7 @@ impl State {
         if let Self::Round(slide) = self { Some(slide) } else { None }
     }
 
-    /// A slide on the round cone with friction along a tangent. Its previous slip is contained in the offset, so λ = 0.
+    /// A slide on the round cone with friction along a tangent. Its earlier slip is already part of the contact's offset, so λ = 0.
     pub(crate) fn sliding_along(friction: &SVector<f64, 3>) -> Self {
         Self::Round(Slide::new(friction, 0.0))
     }

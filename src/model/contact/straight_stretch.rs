@@ -26,9 +26,9 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::prelude::*;
 
 impl LocalLaw<'_> {
-    /// State and force after a straight stretch from `before`, which satisfies the contact's law, to `stretch`. Any earlier slip is contained in
-    /// `before`: [`Compliance::slip`](super::Compliance::slip). In the plane, or without sliding, the result equals [`Self::answer`]. The
-    /// exception is a contact that closes in between: its friction starts at the closing.
+    /// State and force after a straight stretch from `before`, which satisfies the contact's law, to `stretch`. Any earlier slip must be subtracted
+    /// from `before`; [`Compliance::slip`](super::Compliance::slip) returns it. In the plane, or without sliding, the result equals [`Self::answer`].
+    /// The exception is a contact that closes on the way: its friction starts when it closes.
     pub(crate) fn answer_after(
         &self,
         before: &SVector<f64, 3>,
@@ -43,7 +43,7 @@ impl LocalLaw<'_> {
         }
         let rate = to - from;
         if from[0] < 0.0 && self.may_open() {
-            // The contact closes in between: only the tangential stretch after closing counts.
+            // The contact closes on the way: only the tangential stretch after closing causes friction.
             let mut since = (stretch - before) * (to[0] / rate[0]).clamp(0.0, 1.0);
             since[0] = stretch[0];
             return self.answer(&since, 0.0);
@@ -57,8 +57,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The time τ at which the traction reaches its limit. It is zero if the traction is at the limit and grows faster than the limit; `None` if
-    /// never reached.
+    /// The time τ at which the traction reaches its limit. It is zero if the traction is at the limit and grows faster than the limit; `None` if the
+    /// limit is not reached.
     fn stops_sticking(&self, from: &SVector<f64, 3>, rate: &SVector<f64, 3>) -> Option<f64> {
         let (t, d) = (tangential(from), tangential(rate));
         let (r, growth) = (self.friction.limit(from[0]), self.friction.limit(rate[0]));
@@ -102,7 +102,8 @@ impl LocalLaw<'_> {
         self.sliding_at(normal, &direction, r1, r1 * per_radius)
     }
 
-    /// A contact that slides along `direction`. The slip softens its spring across the slip to the fraction `holds` of its stiffness.
+    /// State and force of a contact that slides along `direction`. The slip reduces the stiffness of the spring across the slip to the fraction
+    /// `holds`.
     fn sliding_at(&self, normal: f64, direction: &SVector<f64, 3>, r: f64, holds: f64) -> ContactResponse {
         if tangential_norm(direction) == 0.0 {
             let mut force = SVector::zeros();

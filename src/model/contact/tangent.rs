@@ -1,12 +1,13 @@
-//! The tangent stiffness of one contact, `dF = C dv`, as a sum of few dyads.
+//! The tangent stiffness C of one contact, with `dF = C dv`, as a sum of a few dyads.
 //!
 //! ```text
 //! sticking    C = K
 //! sliding     C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ
 //! ```
 //!
-//! The normal spring also changes friction, and a spring acts across the slip; P, κ and d are those of [`Edge`]. A sum over many
-//! contacts adds dyad by dyad. A contact has at most as many dyads as C has columns, and each costs one multiplication per entry.
+//! While the contact slides, the normal spring also changes the friction force, and a spring acts across the slip; P, κ and d are those of [`Edge`].
+//! A sum over many contacts adds the dyads one by one. Each contact has at most as many dyads as C has columns, and each dyad costs one
+//! multiplication per entry.
 
 use nalgebra::{SMatrix, SVector};
 

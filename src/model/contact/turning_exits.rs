@@ -1,7 +1,7 @@
 //! The angle by which a load can turn before a contact leaves its state.
 //!
-//! While all states last, a force is `F(φ) = F₀ + F_c cos φ + F_s sin φ`, and a gap and the margin at a facet have the same form. On the round
-//! cone `(μF_n)² - |F_t|²` is a trigonometric polynomial of degree two.
+//! As long as no contact changes its state, a contact force is `F(φ) = F₀ + F_c cos φ + F_s sin φ` at the angle φ of the load. Gaps, and margins at
+//! facets, have the same form. On the round cone `(μF_n)² - |F_t|²` is a trigonometric polynomial of degree two.
 
 use nalgebra::SVector;
 
@@ -14,18 +14,19 @@ use crate::numerics::tolerances::ROUNDED_SUM;
 use crate::numerics::{FirstZero, Harmonic, Trigonometric, Turning};
 use crate::prelude::*;
 
-/// A contact force, or a displacement of the body relative to the finger, as a function of the load's angle φ, which is zero now.
+/// A contact force, or a displacement of the body relative to the finger, as a function of the load's angle φ. The present angle of the load is φ =
+/// 0.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Wave {
     pub(crate) of: Harmonic<SVector<f64, 3>>,
-    /// Size that scales the rounding of its values.
+    /// Size that scales the rounding error of the values.
     pub(crate) size: f64,
-    /// Size that scales the rounding of its rates: that of the part that depends on φ.
+    /// Size that scales the rounding error of the rates: the size of the terms with cos φ and sin φ.
     pub(crate) turning_size: f64,
 }
 
 impl Wave {
-    /// A linear function of this wave, as a scalar function of φ.
+    /// A linear function `by` of the vector, as a scalar function of φ.
     fn component(&self, by: impl Fn(&SVector<f64, 3>) -> f64) -> Trigonometric {
         Trigonometric::linear(&self.of.map(by))
     }
@@ -41,8 +42,8 @@ pub(crate) enum TurningExit {
 }
 
 impl LocalLaw<'_> {
-    /// All exits from a state within the angle `most`, each at its first angle, from force and stretch as functions of the angle. Slides on the
-    /// round cone give none: they do not respond linearly to the load.
+    /// All exits from a state within the angle `most`, each at its first angle, from force and stretch as functions of the angle. A slide on the
+    /// round cone has no such exit, since its force does not respond linearly to the load.
     pub(crate) fn turning_exits(
         &self,
         state: &State,
@@ -119,7 +120,7 @@ impl LocalLaw<'_> {
             FirstZero::At(angle) => self.polished(wave, angle),
             FirstZero::Touches(angle) => return apex.or(Some(TurningExit::Touches(angle))),
         };
-        // At the apex both exits coincide.
+        // At the apex the exit from the round cone coincides with the zero of the normal force.
         if let Some(TurningExit::Leaves(through)) = apex
             && (through.step <= step || tangential(&wave.of.at(through.step)).norm() <= slack)
         {
@@ -145,8 +146,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// Refines an angle by Newton's method on the margin μF_n - |F_t|. Close to a double root its square has lost half the digits; the margin
-    /// itself has not.
+    /// Refines an angle by Newton's method on the margin μF_n - |F_t|. Close to a double root the squared form has lost half of the digits, but the
+    /// margin itself has not.
     fn polished(&self, wave: &Wave, angle: f64) -> f64 {
         let cone = self.cone();
         let mut step = angle;
@@ -185,8 +186,8 @@ impl Start {
     /// Classifies a margin at the start of an arc. A value up to `slack` counts as zero, and so does a rate up to `rate_slack`.
     fn of(margin: &Trigonometric, slack: f64, rate_slack: f64) -> Self {
         let [value, slope, bend] = margin.at_the_beginning();
-        // The start of an arc is rounded, since it is where the previous arc ended. A margin that will grow may first decrease, but by no more
-        // than the slack.
+        // The start of an arc is rounded, since it is the computed end of the previous arc. A margin that will grow may first decrease, but by no
+        // more than the slack.
         let dips = bend > 0.0 && value - 0.5 * slope * slope / bend >= -slack;
         if value > slack || slope > rate_slack {
             Self::Above { roots: usize::from(value <= slack) }
@@ -202,7 +203,7 @@ impl Start {
     }
 }
 
-/// The exit at which a linear function of a wave becomes negative.
+/// The exit at which `component`, a linear function of the vector, becomes negative.
 fn linear_exit(
     wave: &Wave,
     component: impl Fn(&SVector<f64, 3>) -> f64,
