@@ -45,8 +45,8 @@ pub struct Settings {
     /// pivots.
     pub max_pivots: Option<usize>,
     /// Relative size from which a coefficient of the entering column can block the entering variable; smaller coefficients are noise (default 1e-11).
-    /// The coefficient must exceed this fraction of the terms of its own row, or of the largest entry of the column, which counts as at least 1 in
-    /// balanced units.
+    /// The coefficient must exceed this fraction of the terms of its own row, or of the largest entry of the column. That entry counts as at least 1
+    /// in balanced units.
     ///
     /// The tolerance guards against pivots on rounding errors where the true coefficient is zero. These errors are some 1e-16 times the growth of the
     /// elimination. Below 1e-14 rounding errors become pivots and turn rays into wrong bases; above 1e-6 true blocking rows of ill-conditioned

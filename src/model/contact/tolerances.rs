@@ -15,7 +15,7 @@ pub(crate) const MOST_SLACK: f64 = 1e-10;
 /// facets that meet near the apex cannot be distinguished there.
 pub(crate) const WEIGHTLESS: f64 = 1e-12;
 
-/// A force, N, or displacement, m, that is added to every size, so that a quantity counts as zero before it becomes subnormal and loses its relative
+/// A force, N, or displacement, m, that is added to every size. A quantity thus counts as zero before it becomes subnormal and loses its relative
 /// precision.
 pub(crate) const SMALLEST: f64 = 1e-250;
 

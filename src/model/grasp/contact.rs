@@ -16,21 +16,21 @@ use crate::words::LinkKind;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Hold {
-    /// Pushes, never pulls, and may open: `0 <= gap ⟂ F_n >= 0`.
+    /// The contact pushes, never pulls, and may open: `0 <= gap ⟂ F_n >= 0`.
     #[default]
     Unilateral,
-    /// The contact never opens: gap = 0. With zero or infinite friction the normal spring both pushes and pulls. Without friction this is a
-    /// guide along which the object slips freely; with infinite friction the object never slips. With friction in between, `|F_t| <= μ F_n`
-    /// holds as usual. If a pull would be needed, no equilibrium exists.
+    /// The contact never opens: gap = 0. With zero or infinite friction the normal spring both pushes and pulls. Without friction this is a guide
+    /// along which the object slips freely; with infinite friction the object never slips. With a finite positive friction coefficient,
+    /// `|F_t| <= μ F_n` holds as usual. No equilibrium exists under a load that needs a pull.
     KeptClosed,
-    /// Glued: normal and tangential springs push and pull without limit. Gap and slip are zero, and friction has no effect.
+    /// The surfaces are glued: normal and tangential springs push and pull without limit. Gap and slip are zero, and friction has no effect.
     Bonded,
 }
 
 /// A point contact with Coulomb friction between the object and an elastic finger.
 ///
-/// Built step by step; each method states its default. [`Grasp`](crate::ask::Grasp) validates its contacts when it is made. `C` is the number of
-/// axes: 2 in the plane, 3 in space.
+/// A contact is built step by step; the documentation of each method gives its default. [`Grasp`](crate::ask::Grasp) validates its contacts when it
+/// is made. `C` is the number of axes: 2 in the plane, 3 in space.
 ///
 /// The contact frame is (n, t) in the plane with `t = (n_y, -n_x)`, and (n, t₁, t₂) in space with `t₂ = n × t₁`. Components of stiffnesses,
 /// commands and forces refer to its axes, the normal first.
@@ -73,7 +73,8 @@ pub struct Contact<const C: usize> {
     pub(crate) command_axes: Axes,
     /// Pressing force that replaces the normal component of the command, N; converted to a command once the contact is part of a grasp.
     pub(crate) press: Option<f64>,
-    /// Normal force in the unloaded equilibrium, after all springs have yielded, N. The grasp computes the command for it when it is made.
+    /// Normal force in the equilibrium without load, after all springs have yielded, N. When the grasp is made, it computes the command that leads to
+    /// this force.
     pub(crate) at_rest: Option<f64>,
     /// Constant normal force, independent of the object's motion, N.
     pub(crate) force: Option<f64>,
@@ -132,8 +133,8 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// A vacuum that pulls the object onto the contact, against the normal, with a constant force, N, from 0. The lip presses with this force
-    /// less the pull on the object. See [`SuctionCup`](super::SuctionCup), whose lip is a ring of points.
+    /// A vacuum that pulls the object onto the contact, against the normal, with a constant force, N, from 0. The lip presses with this force, less
+    /// the part of the load that pulls the object off. See [`SuctionCup`](super::SuctionCup), whose lip is a ring of points.
     pub fn suction(mut self, force: f64) -> Self {
         self.suction = force;
         self
@@ -172,16 +173,17 @@ impl<const C: usize> Contact<C> {
     }
 
     /// Coefficient of kinetic friction, from a millionth of the [static coefficient](Self::friction) up to all of it. When the contact begins to
-    /// slide, its friction drops to this value at constant load. Other contacts then take over the difference, or the object is lost. A contact
-    /// that has stopped sliding has static friction again.
+    /// slide, its friction drops to this value at constant load. Other contacts then carry the difference, or no equilibrium exists and the object is
+    /// lost. A contact that has stopped sliding has static friction again.
     ///
     /// Answers are **overdamped**: the object moves without overshoot to where forces balance again. An undamped object overshoots up to twice
     /// as far, and may be lost where the overdamped one is held. See the [guide](crate::guide::kinetic_friction).
     ///
     /// [`follow`](crate::ask::Grasp::follow), [`hold`](crate::ask::Grasp::hold), [`shake`](crate::ask::Grasp::shake) and needs to
-    /// [hold](crate::need::Need::to_hold) or to [rest](crate::need::Need::to_rest) take kinetic friction into account. The first slip does not
-    /// depend on it. [`solve`](crate::ask::Grasp::solve) refuses an equilibrium in which such a contact slides.
-    /// [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) refuses grasps with such a contact. All other questions concern contacts at rest.
+    /// [hold](crate::need::Need::to_hold) or to [rest](crate::need::Need::to_rest) take kinetic friction into account. The first slip does not depend
+    /// on kinetic friction. [`solve`](crate::ask::Grasp::solve) refuses an equilibrium in which such a contact slides.
+    /// [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) refuses grasps with such a contact. All other questions concern contacts that do not
+    /// slide.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -52,7 +52,7 @@ impl Engine {
         Ok(grasp)
     }
 
-    /// The constant torques that act on the joints in addition to the commands, N m or N.
+    /// The constant torques that act on the joints in addition to the drives, N m or N.
     pub(crate) fn held_torques(&self) -> Vec<f64> {
         self.linkage().map_or_else(Vec::new, |linkage| mapped(&linkage.joints, &|joint| joint.held_torque))
     }
@@ -195,7 +195,7 @@ impl Engine {
         }
     }
 
-    /// Change of the offsets for given changes of the commands; `None` stands for no change.
+    /// Change of the offsets for given changes of the commands; `None` means no change.
     pub(crate) fn offset_changes(
         &self,
         commands: Option<&[SVector<f64, 3>]>,

@@ -32,9 +32,9 @@ pub(crate) struct Engine {
     pub(super) length: f64,
     /// The joints and drives behind the contacts, if any.
     pub(super) linkage: Option<Box<Linkage>>,
-    /// Total pull of the vacuums, which acts in addition to the caller's loads.
+    /// Total pull of all vacuums on the object, which acts in addition to the caller's loads.
     pub(super) vacuum: Option<Box<Vacuum>>,
-    /// Matrix factors of the elastic trial, in which all contacts stick; computed on first use.
+    /// Factors of the stiffness matrix of the elastic trial, a state in which all contacts stick; computed on first use.
     trial: Remembered,
 }
 
@@ -60,7 +60,8 @@ impl Engine {
         Ok(grasp)
     }
 
-    /// A copy of this grasp with other contact data at the same contact points. `stiffer` scales the springs of joints and tendons, by index.
+    /// A copy of this grasp with other contact data at the same contact points. The springs of the joint or tendon with index i are scaled by
+    /// `stiffer(i)`.
     pub(crate) fn with_data(
         &self,
         contacts: Vec<Contact<3>>,
@@ -85,7 +86,8 @@ impl Engine {
         grasp
     }
 
-    /// Whether anything presses without a load from the caller: a command, a constant force or torque, a vacuum, or a constant load on a body.
+    /// Whether contacts may carry forces without a load from the caller. Causes are a command, a constant force or torque, a vacuum, or a constant
+    /// load on a body.
     pub(crate) fn presses(&self) -> bool {
         let by_force =
             self.linkage().is_some_and(|linkage| linkage.held_forces.iter().any(|force| *force != 0.0));
@@ -193,7 +195,7 @@ impl Engine {
         if self.linkage.is_some() { Err(Error::NotForHands { question }) } else { Ok(()) }
     }
 
-    /// Returns an error for kinetic friction, in questions that would report sliding contacts with static friction.
+    /// Returns an error if a contact has kinetic friction, for questions whose answers would give sliding contacts their static friction.
     pub(crate) fn refuse_kinetic(&self, question: &'static str) -> Result<(), Error> {
         match self.weaker_once_they_slide().next() {
             Some(i) => Err(Error::KineticFriction { question, contact: self.contacts[i].label(i) }),
@@ -234,7 +236,7 @@ impl Engine {
         self.linkage.as_deref()
     }
 
-    /// Storage for the factors of the elastic trial.
+    /// Storage for the matrix factors of the elastic trial, in which all contacts stick.
     pub(crate) fn remembered_trial(&self) -> &Remembered {
         &self.trial
     }

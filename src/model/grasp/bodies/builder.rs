@@ -98,8 +98,9 @@ impl<const C: usize> Bodies<C> {
         self
     }
 
-    /// Shares the loads of questions among all bodies in proportion to their masses. The force acts at their centres of mass, and the remaining
-    /// moment is shared likewise. A load parallel to gravity thus scales all weights; a turning load turns them.
+    /// Shares the loads of questions among all bodies in proportion to their masses. Each share of the force acts at the centre of mass of its body.
+    /// The moment that remains is shared in the same proportion. A load parallel to gravity thus scales all weights, and a turning load turns all
+    /// weights.
     pub fn shared_by_mass(mut self) -> Self {
         self.loaded = Loaded::ByMass;
         self

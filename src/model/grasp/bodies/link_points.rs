@@ -1,8 +1,9 @@
 //! The contacts that model a link.
 //!
-//! A hinge is bonded at one point, in space at two. A slide is kept closed without friction, at bearings normal to its direction. A rigid joint
-//! is bonded at points around its centre. A spring is kept closed along its line, and a cable only pulls along it. For both, the normal points
-//! from the start of the line to its end: a positive normal force pulls the first body towards the end.
+//! A hinge is a bonded contact at one point, in space at two. A slide is frictionless contacts that are kept closed, at bearings normal to its
+//! direction. A rigid joint is bonded contacts around its centre. A spring is a contact that is kept closed along its line, and a cable a contact
+//! that only pulls along its line. For both, the normal points from the start of the line to its end: a positive normal force pulls the first body
+//! towards the end.
 
 use nalgebra::SVector;
 

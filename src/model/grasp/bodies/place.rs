@@ -32,7 +32,7 @@ pub(super) enum Sharing {
     OnObject,
     /// For each body the fraction of the load that it carries, and the point where its force acts, m.
     ByParts(Vec<(f64, SVector<f64, 3>)>),
-    /// Each body carries its entry of `loads`, times the ratio of the question's load to `one`.
+    /// Each body carries its entry of `loads`. If the question's load is a multiple of `one`, all entries are scaled by this multiple.
     Together { one: Wrench<3>, loads: Vec<Wrench<3>> },
 }
 
@@ -141,8 +141,8 @@ impl PlacedBodies {
         }
     }
 
-    /// Displacement of a contact's finger relative to its body, per unit of each coordinate of the bodies other than the object. Coordinates are
-    /// counted from the first one after the object's.
+    /// Displacement of a contact's finger relative to its body, per unit of each coordinate of the bodies other than the object. The coordinates are
+    /// counted from the first one after the object's coordinates.
     pub(crate) fn columns(&self, contact: usize, point: &SVector<f64, 3>) -> Columns {
         let object = self.space.of_the_object();
         let mut columns = Columns::new();
@@ -211,12 +211,12 @@ impl PlacedBodies {
         Self { loads, program_loads, ..self.clone() }
     }
 
-    /// Whether the load of a question acts on more than one body.
+    /// Whether the load of a question may act on more than one body.
     pub(crate) fn is_shared(&self) -> bool {
         !matches!(self.sharing, Sharing::OnObject)
     }
 
-    /// These bodies without constant loads. Instead `loads` act on them, multiplied by a question's force along the first axis in N.
+    /// These bodies without constant loads. Instead each body carries its entry of `loads` times the first force component of the question's load, N.
     pub(super) fn growing_together(&self, loads: Vec<Wrench<3>>) -> Self {
         let none = vec![Wrench::ZERO; loads.len()];
         let sharing = Sharing::Together { one: Wrench::from_components(&[1.0]), loads };
