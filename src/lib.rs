@@ -182,13 +182,13 @@ pub use contact::{Fit, PolygonCone};
 pub use equilibrium::{Settings, SmallMotions};
 pub use error::{ContactLabel, Error, Field};
 pub use grasp::Limit;
-/// nalgebra, the library of vectors and matrices in questions and answers, in the version of this crate.
+/// The version of nalgebra that this crate uses, for the vectors and matrices in questions and answers.
 pub use nalgebra;
 #[cfg(feature = "std")]
 #[doc(hidden)]
 pub use search::record;
 
-/// The programs in the README are doctests.
+/// The programs in the README are tested as doctests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -14,7 +14,7 @@ use crate::numerics::IntoList;
 use crate::prelude::*;
 
 impl Workspace {
-    /// Checks the point z = 0, for a problem with q ≥ 0.
+    /// Checks the point z = 0, for a problem with q ≥ 0. `None` if it is a solution.
     pub(super) fn accept_slack_basis(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         let n = lcp.len();
         self.basis.clear(n);
@@ -49,8 +49,8 @@ impl Workspace {
         self.path.read_point(&mut self.point.z);
         let residuals = self.point.evaluate(lcp);
         let mut residuals = self.refine(lcp, residuals);
-        // A basic variable that is zero in exact arithmetic is computed as noise. It is set to zero if that does not increase the residuals beyond
-        // rounding.
+        // A basic variable that is zero in exact arithmetic is computed as noise. The variable is set to zero if that does not increase the residuals
+        // beyond rounding.
         if (0..n).any(|j| self.vanishing[j] && self.point.z[j] > 0.0) {
             let kept = self.point.z.iter().zip(&self.vanishing).map(|(z, out)| if *out { 0.0 } else { *z });
             self.spare.z.clear();

@@ -60,9 +60,9 @@ pub(super) struct Dictionary {
     columns: Vec<f64>,
     /// Values of the basic variables, row by row.
     pub(super) x: Vec<f64>,
-    /// The perturbation column, which breaks ties: the effect on the basic variables of adding p to q.
+    /// The column of p, which breaks ties: the effect on the basic variables of adding the perturbation p to q.
     pub(super) p: Vec<f64>,
-    /// For each row, the magnitude of the largest term that has entered its value.
+    /// For each row, the magnitude of the largest term from which its value in `x` was computed.
     pub(super) level: Vec<f64>,
     /// The column of the entering variable.
     pub(super) u: Vec<f64>,
@@ -147,7 +147,7 @@ impl Dictionary {
         wide(Combine::<false> { columns: &self.columns, n: self.n, c: &self.c, y });
     }
 
-    /// Sets `level` for values that were computed as the effect of the right-hand side q: to the sums of the magnitudes of all their terms.
+    /// Sets `level` for values that were computed as the effect of the right-hand side q: to the sum of the magnitudes of all terms of each value.
     pub(super) fn sum_terms(&mut self, q: &[f64]) {
         self.c.clear();
         self.c.extend(self.kept.iter().map(|i| q[*i]));
@@ -159,8 +159,8 @@ impl Dictionary {
 
     /// Sets entries of the entering column to zero that are only noise.
     ///
-    /// For a column that is summed by (1), an entry is noise below `tolerance` times the magnitude of its terms. The column of a slack is
-    /// stored; its entries are noise below [`STORED_ROUNDING`] times the largest.
+    /// In a column that is summed by (1), an entry is noise below `tolerance` times the magnitude of its terms. In the stored column of a slack, an
+    /// entry is noise below [`STORED_ROUNDING`] times the largest entry.
     pub(super) fn clear_noise(&mut self, entering: LemkeVariable, tolerance: f64) {
         if let LemkeVariable::W(_) = entering {
             let rounding = STORED_ROUNDING * largest(&self.u);

@@ -74,7 +74,7 @@ pub(super) fn all_solutions(lcp: &Lcp, settings: &Settings) -> AllSolutions {
             None => without_point.push(bits),
         }
     }
-    // Singular bases are processed last, so that solutions of regular bases come first.
+    // Singular bases are processed last, so that solutions of regular bases come first in the list.
     for bits in without_point {
         let alpha = indices(bits);
         if let Some(basic) = search.point_of_singular_piece(&alpha)
@@ -102,7 +102,7 @@ pub(super) fn at_corner(lcp: &Lcp, settings: &Settings) -> Option<Solution> {
     })
 }
 
-/// Enumeration of the bases of one problem: its scaling and the solutions found so far.
+/// The state of an enumeration of all bases of one problem.
 struct Search<'a> {
     lcp: &'a Lcp,
     settings: &'a Settings,
@@ -184,7 +184,7 @@ fn is_one_point(a: &DVector<f64>, b: &DVector<f64>) -> bool {
     let size = a.amax().max(b.amax());
     a.iter().zip(b).all(|(a, b)| {
         let difference = (a - b).abs();
-        // The first test allows for the errors of bases with condition numbers up to 1e7, the second for entries that are zero up to rounding.
+        // The first limit allows for the errors of bases with condition numbers up to 1e7, the second for entries that are zero up to rounding.
         difference <= NEGLIGIBLE * a.abs().max(b.abs()) || difference <= SOLVED_ROUNDING * size
     })
 }

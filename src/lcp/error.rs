@@ -1,4 +1,4 @@
-//! Malformed input.
+//! Errors about malformed input.
 
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
@@ -9,17 +9,17 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum LcpError {
-    /// M must be square.
+    /// M is not square.
     #[error(
         "the matrix of a complementarity problem must be square, but it has {rows} rows and {columns} columns"
     )]
     NotSquare {
-        /// Rows of the given matrix.
+        /// Number of rows of the given matrix.
         rows: usize,
-        /// Columns of the given matrix.
+        /// Number of columns of the given matrix.
         columns: usize,
     },
-    /// A row of M must have as many entries as there are rows.
+    /// A row of M has another number of entries than there are rows.
     #[error("row {row} of M has {given} entries, but must have {needed}")]
     RowLength {
         /// The row, counted from 0.
@@ -29,7 +29,7 @@ pub enum LcpError {
         /// The required length.
         needed: usize,
     },
-    /// A vector must have one entry per row of M.
+    /// A vector does not have one entry per row of M.
     #[error("{what} has {given} entries, but the problem has {needed} rows")]
     Length {
         /// Name of the vector.

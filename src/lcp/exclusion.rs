@@ -7,9 +7,9 @@
 //! v_ᾱ ≥ 0,     (Mᵀv)_α ≤ 0,     qᵀv < 0
 //! ```
 //!
-//! If the block is regular and its point violates a condition, v is derived from a row of the inverse. The sums (Mᵀv)_α, which would be zero,
-//! are shifted slightly below zero, so that rounding cannot make them positive. For singular blocks v comes from a linear program. Every v is
-//! checked by sums without rounding; if none passes, the basis is not excluded.
+//! If the principal block M_αα is regular and its point violates a condition, v is derived from a row of the inverse of the block. The sums (Mᵀv)_α,
+//! which would be zero, are shifted slightly below zero, so that rounding cannot make them positive. For singular blocks v comes from a linear
+//! program. Every v is checked by sums without rounding; if none passes, the basis is not excluded.
 
 use super::farkas::{Domain, cleaned};
 use super::linear_program::{self, MARGINS};
@@ -20,7 +20,7 @@ use crate::numerics::{IntoList, chosen, increasing, mapped, matrix_of, vector_of
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// Whether it is proved of every complementary basis that no solution belongs to it. The function tries 2ⁿ bases, so n must be small.
+/// Whether for every complementary basis it is proved that no solution belongs to it. All 2ⁿ bases are tried, so n must be small.
 pub(super) fn every_basis(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> bool {
     let n = lcp.len();
     let (m, q) = scaling.balanced(&lcp.m, &lcp.q);
@@ -70,8 +70,8 @@ impl Judge<'_> {
         // Three conditions are tried per basis, the most violated first.
         increasing(&values).into_iter().take(3).any(|place| {
             let (value, which) = &broken[place];
-            // Shifting (Mᵀv)_α below zero may use this fraction of the violation; the rest keeps qᵀv negative. With a value near 0 or 1 rounding
-            // would decide one of the two signs.
+            // Shifting (Mᵀv)_α below zero may use this fraction of the violation; the remaining fraction keeps qᵀv negative. With a value near 0 or 1
+            // rounding would decide one of the two signs.
             let used_up = 0.25;
             let push = if reach > 0.0 { used_up * -value / reach } else { used_up };
             let mut target = DVector::from_element(size, -push);

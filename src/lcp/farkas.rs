@@ -25,8 +25,8 @@ impl Lcp {
         self.contradicts(y, |_| false, |_| Domain::NotNegative)
     }
 
-    /// Whether y proves that some constraints contradict each other: rows of M z + q that are zero or nonnegative, and unknowns of the two
-    /// kinds of [`Domain`]. The proof needs y_i ≥ 0 in nonnegative rows, (Mᵀy)_j ≤ 0 for z_j ≥ 0, and qᵀy < 0.
+    /// Whether y proves that some constraints contradict each other. Rows of M z + q are required to be zero or nonnegative, and each unknown has one
+    /// of the two kinds of [`Domain`]. The proof needs y_i ≥ 0 in nonnegative rows, (Mᵀy)_j ≤ 0 for z_j ≥ 0, and qᵀy < 0.
     pub(super) fn contradicts(
         &self,
         y: &DVector<f64>,
@@ -112,8 +112,8 @@ impl Lcp {
             })
     }
 
-    /// Whether row i is negative (sign 1) or positive (sign −1) for every z ≥ 0 whose nonzero entries are in these columns. It is negative if q_i < 0
-    /// and no entry of the row in these columns is positive, and the other way round.
+    /// Whether row i is negative (sign 1) or positive (sign −1) for every z ≥ 0 whose nonzero entries are in these columns. The row is negative if
+    /// q_i < 0 and no entry of the row in these columns is positive; it is positive if both hold with the opposite signs.
     pub(super) fn is_hopeless(
         &self,
         row: usize,
@@ -149,12 +149,12 @@ fn times(column: &[f64], y: &DVector<f64>) -> ExactSum {
     ExactSum::of_products(column.iter().copied().zip(y.iter().copied()))
 }
 
-/// Candidates for a Farkas vector: y as computed; y without entries that are noise beside the largest; and integer vectors with nearly the same
-/// ratios, for increasing errors of these ratios.
+/// Candidates for a Farkas vector: y as computed; y without entries that are noise compared with the largest; and integer vectors with nearly the
+/// same ratios, for increasing errors of these ratios.
 pub(super) fn cleaned(y: &DVector<f64>) -> impl Iterator<Item = DVector<f64>> {
     let noise = ZERO_VALUE * y.amax();
     let mut all = vec![y.clone(), y.map(|y| if y.abs() <= noise { 0.0 } else { y })];
-    // The rounding errors that the path has left are not known, so the candidates are tried with increasing errors.
+    // The size of the rounding errors in y is not known, so candidates are tried for increasing errors.
     for rounding in [1e-14, 1e-11, 1e-8] {
         all.extend(whole_within(y, rounding));
     }
@@ -175,7 +175,7 @@ fn whole_within(y: &DVector<f64>, rounding: f64) -> Option<DVector<f64>> {
     Some(y.map(|y| (y / largest * denominator).round()))
 }
 
-/// The denominator, in lowest terms, of the fraction that equals x within `rounding`, by continued fractions.
+/// The denominator, in lowest terms, of a fraction that equals x within `rounding`, found by continued fractions.
 fn denominator_of(x: f64, rounding: f64) -> Option<f64> {
     let (mut rest, mut before, mut denominator) = (x, 0.0, 1.0);
     while denominator <= LARGEST_WHOLE {

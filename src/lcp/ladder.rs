@@ -1,7 +1,7 @@
 //! The sequence of attempts to solve a problem.
 //!
-//! In this order: Lemke's path; a proof from its ray; a proof by linear programming; other paths; all complementary bases. [`Lcp::solve_with`]
-//! states when each is tried.
+//! The order is: Lemke's path; a proof from its ray; a proof by linear programming; other paths; all complementary bases. [`Lcp::solve_with`]
+//! describes when each attempt is made.
 
 use super::enumerate;
 use super::exclusion;
@@ -72,7 +72,8 @@ impl Workspace {
         Some(Outcome::Infeasible(Certificate { y, pivots: self.path.pivots }))
     }
 
-    /// Follows a path with another covering vector, then a path from a basis in which one or two z's are basic.
+    /// Follows a path with another covering vector, then a path from a basis in which one or two z's are basic. `None` if one of them ends in a
+    /// solution.
     fn retry(&mut self, lcp: &Lcp, settings: &Settings, attempt: usize) -> Option<Unsolved> {
         let units = self.path.scaling.row_unit.iter().enumerate();
         self.path.d.clear();

@@ -16,7 +16,7 @@ use crate::numerics::tolerances::FEW_ROUNDINGS;
 pub(super) enum LemkeEnd {
     /// z₀ has left, so the basis is complementary.
     Complementary,
-    /// This variable grows without bound; its column is in the dictionary.
+    /// This entering variable grows without bound; its column is in the dictionary.
     Ray(LemkeVariable),
     PivotLimit,
     Breakdown(BreakdownCause),
@@ -123,7 +123,7 @@ impl LemkePath {
             }
             if row.is_some() && pivot <= certain {
                 // The pivot is small relative to its column, but may be reliable relative to the terms of its own row. Only entries that are noise
-                // beside these terms are set to zero.
+                // compared with these terms are set to zero.
                 self.dictionary.clear_noise(entering, settings.pivot_tolerance);
                 let firm = blocking_row(&self.dictionary, certain, certain, role, settings);
                 if firm.is_some_and(|firm| !doubtful_row_breaks(&self.dictionary, certain, firm, role)) {

@@ -21,7 +21,7 @@ pub(super) struct LemkePath {
     /// The perturbation of each variable, kept while the dictionary is recomputed.
     pub(super) saved: Vec<f64>,
     pub(super) members: Vec<LemkeVariable>,
-    /// Rows whose slacks become nonbasic while the dictionary is recomputed, starting from the slack basis.
+    /// Rows whose slacks become nonbasic as the dictionary is recomputed from the slack basis.
     pub(super) leaving: Vec<usize>,
     pub(super) defect: Vec<f64>,
     pub(super) terms: Vec<f64>,
@@ -53,7 +53,7 @@ impl LemkePath {
         self.q.extend(q.iter().zip(&self.scaling.row).map(|(q, row)| q * row));
     }
 
-    /// Starts from the slack basis with the current q, p and d.
+    /// Starts the path from the slack basis with the current q, p and d.
     pub(super) fn start_from_slacks(&mut self) {
         self.dictionary.reset(&self.q, &self.p, &self.d);
         self.age = 0;
@@ -74,7 +74,7 @@ impl LemkePath {
         covering
     }
 
-    /// The current z and z₀. Negative entries of z, which are noise, are set to zero.
+    /// Writes the current z into `z`, and returns z₀ if it is basic. Negative entries of z are noise and are set to zero.
     pub(super) fn read_point(&self, z: &mut Vec<f64>) -> Option<f64> {
         let covering = self.unknowns(&self.dictionary.x, z);
         for z in z.iter_mut() {

@@ -68,7 +68,7 @@ impl LemkePath {
         Ok(())
     }
 
-    /// Computes the dictionary in which `members` are basic and the slacks of the rows `leaving` are nonbasic.
+    /// Recomputes the dictionary in which `members` are basic and the slacks of the rows `leaving` are nonbasic.
     fn install(&mut self, m: &[f64]) -> Result<(), BreakdownCause> {
         self.start_from_slacks();
         for member in 0..self.members.len() {
@@ -112,8 +112,8 @@ impl LemkePath {
         self.dictionary.sum_terms(&self.q);
     }
 
-    /// Prepares z₀ to enter the current complementary basis. z₀ covers only the rows that are infeasible by more than `noise` times their
-    /// largest term. Returns whether there are any.
+    /// Prepares z₀ to enter the current complementary basis. z₀ covers only the rows that are infeasible by more than `noise` times their largest
+    /// term. Returns whether there are such rows.
     ///
     /// In the dictionary, the column of z₀ then has one balanced unit in these rows and 0 in the others. d becomes the covering vector to which this
     /// column belongs.
@@ -129,7 +129,7 @@ impl LemkePath {
                 LemkeVariable::Z(j) => self.scaling.column_unit(j),
                 LemkeVariable::Covering => 1.0,
             };
-            // The perturbation belongs to the variable, not to the row, since the order of rows depends on rounding.
+            // The perturbation belongs to the variable and not to its row, since the order of rows depends on rounding.
             dictionary.p[row] = unit * generic(index(dictionary.basic[row], n));
             dictionary.u[row] = 0.0;
             if dictionary.x[row] >= -noise * dictionary.level[row] {

@@ -121,15 +121,13 @@ impl Settings {
         self
     }
 
-    /// These settings with another number of retries; 0 follows one path only. See
-    /// [`Settings::retries`].
+    /// These settings with another number of retries; with 0 only one path is followed. See [`Settings::retries`].
     pub fn with_retries(mut self, retries: usize) -> Self {
         self.retries = retries;
         self
     }
 
-    /// These settings with all complementary bases tried up to another n; 0 tries none. See
-    /// [`Settings::enumerate_up_to`].
+    /// These settings with another largest n for which all complementary bases are tried; with 0 none are tried. See [`Settings::enumerate_up_to`].
     pub fn with_enumerate_up_to(mut self, enumerate_up_to: usize) -> Self {
         self.enumerate_up_to = enumerate_up_to;
         self
@@ -157,7 +155,8 @@ impl Settings {
         }
     }
 
-    /// Settings for a single path: for problems on which Lemke's method cannot fail, and for callers that have a better alternative.
+    /// Settings with which a single path is followed: for problems on which Lemke's method cannot fail, and for callers that have a better
+    /// alternative.
     pub(crate) fn one_path() -> Self {
         Self { prove_infeasible: false, retries: 0, enumerate_up_to: 0, ..Self::default() }
     }
@@ -167,7 +166,7 @@ impl Settings {
         self.max_pivots.unwrap_or_else(|| 10_000_usize.saturating_add(n.saturating_mul(100)))
     }
 
-    /// The limit for the pivots after one more path on a problem of n rows, if `made` pivots were made before.
+    /// The limit on the total number of pivots once one more path is followed, if `made` pivots were made before. The problem has n rows.
     ///
     /// A path of exponential length is thus not followed to its end a second time.
     pub(super) fn retry_limit(&self, n: usize, made: usize) -> usize {

@@ -1,8 +1,8 @@
 //! Vertices of small polyhedra, for problems in which linear programming has failed because entries differ by many orders of magnitude.
 //!
-//! A nonempty piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } has a vertex: some rows are zero there, and as many z are nonzero. The cone of
-//! vectors y ≥ 0 with Mᵀy ≤ 0 has edges, and an edge with qᵀy < 0 proves that no z ≥ 0 satisfies M z + q ≥ 0. Each vertex or edge is the
-//! solution of a small regular system, balanced separately.
+//! A nonempty piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } has a vertex: a point where some rows are zero, and as many z are nonzero. The cone
+//! of vectors y ≥ 0 with Mᵀy ≤ 0 has edges, and an edge with qᵀy < 0 proves that no z ≥ 0 satisfies M z + q ≥ 0. Each vertex or edge is the solution
+//! of a small regular system, balanced separately.
 
 use super::farkas::cleaned;
 use super::linear_program::MARGINS;
@@ -55,8 +55,8 @@ pub(super) fn farkas(lcp: &Lcp, scaling: &Scaling) -> Option<DVector<f64>> {
     })
 }
 
-/// Solves a square system. Rows and columns with a single entry are eliminated first: they cannot be balanced against the rest, and could make
-/// the system appear singular.
+/// Solves a square system. Rows and columns with a single nonzero entry are eliminated first: these cannot be balanced against the others, and could
+/// make the system appear singular.
 fn peeled(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
     let size = rhs.len();
     let alone = |line: &mut dyn Iterator<Item = f64>| {
@@ -85,7 +85,7 @@ fn subsets(count: usize) -> Subsets {
     Subsets { count, size: 0, bits: 0 }
 }
 
-/// Iterator over subsets as bits: all of one size, then those of the next.
+/// Iterator over subsets as bits: all subsets of one size, then those of the next size.
 struct Subsets {
     count: usize,
     size: usize,

@@ -20,7 +20,7 @@ use crate::numerics::tried;
 use crate::shake::{Repeats, Shakedown, Shaken};
 use crate::words::Words;
 
-/// A short answer. It omits the behaviour beyond an onset or the end of a path, which a full answer computes.
+/// A short answer. Unlike a full answer, it omits the behaviour beyond an onset or beyond the end of a load path.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Wrench};

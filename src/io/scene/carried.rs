@@ -12,7 +12,7 @@ pub(super) const ALONE: &str = "needs a `mass` beside it; without one it is that
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct WrittenTurning {
-    /// A point on the axis, m; the origin if left out.
+    /// A point on the axis of rotation, m; the origin if left out.
     about: Option<Few<Given, 3>>,
     /// The angular velocity, degrees a second: one number in the plane, three along the axis in space.
     velocity_deg: Option<Few<Given, 3>>,
@@ -51,7 +51,7 @@ impl WrittenMass<'_> {
             };
         };
         let along = |given: Option<&Few<Given, 3>>, name: &str| part(given, space.axes(), name);
-        // The rotation in the plane is about z, the last axis of space.
+        // In the plane the rotation is about z, the last axis of space, so its number comes last.
         let planes = space.planes().len();
         let about_axes = |given: Option<&Few<Given, 3>>, name: &str| {
             let listed = part(given, planes, name)?;

@@ -22,7 +22,7 @@ pub struct CompareAnswer<const C: usize> {
     /// [`Energy::agreement`](crate::ask::Energy::agreement). Left out if both differ already under the base load, or if the multiple is not known.
     #[serde(default, with = "AsComputed::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     pub agrees_up_to: Option<f64>,
-    /// The comparison under the whole load.
+    /// The comparison under the base load plus the whole load.
     #[serde(flatten)]
     pub comparison: Comparison<C>,
 }

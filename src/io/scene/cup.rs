@@ -9,7 +9,8 @@ use serde::ser::{Serialize, Serializer};
 use crate::error::Error;
 use crate::grasp::{Space, SuctionCup};
 
-/// A suction cup of a scene, `"suction": {"radius": 0.02, "pressure": 60000}`; see [`SuctionCup`]. On a contact in space, in place of a soft fingertip.
+/// A suction cup of a scene, `"suction": {"radius": 0.02, "pressure": 60000}`; see [`SuctionCup`]. Only a contact in space has one, in place of a
+/// soft fingertip.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -18,7 +19,7 @@ use crate::grasp::{Space, SuctionCup};
 pub struct Cup {
     /// Radius of the lip, m.
     pub radius: f64,
-    /// Points on the lip; 12 if left out.
+    /// Number of contact points on the lip; 12 if left out.
     #[serde(default = "twelve")]
     pub points: usize,
     /// Pressure in the cup below that of the surrounding air, Pa.

@@ -66,7 +66,7 @@ fn at_factor(factor: f64, words: Words) -> String {
 }
 
 impl<const C: usize> Answer<C> {
-    /// [`Question::first_line`] without the question: the place of an onset is then a load factor and not a load.
+    /// [`Question::first_line`] without the question. An onset is then given by its load factor and not by its load.
     #[must_use]
     pub fn first_line(&self, words: Words) -> String {
         let digits = words.precision();
@@ -116,7 +116,7 @@ fn solved<const C: usize>(under: &str, answer: &SolveAnswer<C>, words: Words) ->
     }
 }
 
-/// A warning that the answer belongs to motions that are no longer small.
+/// A warning that the motions under this load are no longer small.
 fn beyond_small_motions(far: &TooFar, words: Words) -> String {
     format!(". CAUTION: {far:.0$}: results for small motions no longer apply", words.precision())
 }
@@ -194,7 +194,7 @@ fn leaving<const C: usize, At>(event: &OnsetAt<C, At>, words: Words) -> (&'stati
     (what, if clauses.is_empty() { "points of a fingertip change".to_owned() } else { clauses.join(", ") })
 }
 
-/// "left slides", "left and right slide": the verb loses its s where several do it.
+/// "left slides", "left and right slide": the verb without its final s if there are several names.
 fn plural<T: ToString>(names: &[T], verb: &str) -> String {
     let (first, rest) =
         verb.split_once(' ').map_or((verb, String::new()), |(first, rest)| (first, format!(" {rest}")));

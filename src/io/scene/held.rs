@@ -12,14 +12,14 @@ use crate::need::Needed;
 use crate::shake::{Shakedown, Shaken};
 use crate::words::Words;
 
-/// Whether the grasp holds a load that grows from rest; see [`Verdict`].
+/// Whether the grasp holds a load that grows from zero; see [`Verdict`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct HoldAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// The verdict; its fields are written beside the others of this answer.
+    /// The verdict. Its fields are written on the same level as `says`.
     #[serde(flatten)]
     pub verdict: Verdict<C>,
 }
@@ -51,7 +51,7 @@ pub struct HoldAnswer<const C: usize> {
 pub struct NeedAnswer {
     /// The answer in a sentence.
     pub says: String,
-    /// The needed amount; its fields are written beside the others of this answer.
+    /// The needed amount. Its fields are written on the same level as `says`.
     #[serde(flatten)]
     pub needed: Needed,
 }
@@ -100,7 +100,7 @@ impl NeedAnswer {
 pub struct ImproveAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// The better finger places; their fields are written beside the others of this answer.
+    /// The better finger places. Their fields are written on the same level as `says`.
     #[serde(flatten)]
     pub improved: Improved<C>,
 }
@@ -140,7 +140,7 @@ impl<const C: usize> ImproveAnswer<C> {
 pub struct IdentifyAnswer {
     /// The answer in a sentence.
     pub says: String,
-    /// The estimates; their fields are written beside the others of this answer.
+    /// The estimates. Their fields are written on the same level as `says`.
     #[serde(flatten)]
     pub identified: Identified,
 }
@@ -176,7 +176,7 @@ impl IdentifyAnswer {
 pub struct ShakeAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// The verdict on the repeated load; its fields are written beside the others of this answer.
+    /// The verdict on the repeated load. Its fields are written on the same level as `says`.
     #[serde(flatten)]
     pub shaken: Shaken<C>,
 }
@@ -207,7 +207,7 @@ pub struct ShakeAnswer<const C: usize> {
 pub struct ShakedownAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// Whether slipping ceases under these loads. Left out if that depends on their order, or if it is unknown.
+    /// Whether slipping ceases under these loads. Left out if this depends on the order of the loads, or if it is unknown.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rests: Option<bool>,
     /// The shakedown factor and the slips; left out if no factor could be computed.

@@ -97,7 +97,7 @@ impl Setup<3> {
         Ok(questions)
     }
 
-    /// This setup with trial stiffnesses of links in place of those left out.
+    /// This setup, in which links without a given stiffness have a trial stiffness.
     fn with_links(&self, trial: usize) -> Self {
         let mut setup = self.clone();
         for (number, LinkSetup { link, .. }) in setup.links.iter_mut().enumerate() {
@@ -109,7 +109,7 @@ impl Setup<3> {
         setup
     }
 
-    /// This setup with trial springs of contacts in place of those left out.
+    /// This setup, in which contacts without a given stiffness have trial springs.
     fn with_springs(&self, trial: usize) -> Self {
         let mut setup = self.clone();
         let mut entries: Vec<&mut Fingertip<3>> = setup.contacts.iter_mut().list();

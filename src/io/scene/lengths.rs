@@ -1,5 +1,5 @@
-//! Converts lengths in the text of a scene from mm, cm or inches to m (feature `json`). In the text the field names distinguish lengths from other numbers.
-//! The text also has the points at which loads act, of which a wrench keeps only the moment.
+//! Converts lengths in the text of a scene from mm, cm or inches to m (feature `json`). In the text the field names distinguish lengths from other
+//! numbers. The text also contains the points at which loads act; a wrench keeps only the moment that follows from such a point.
 
 use serde_json::{Map, Value};
 

@@ -38,7 +38,7 @@ impl<const C: usize> From<Link<C>> for LinkSetup<C> {
     }
 }
 
-/// A link in the file: exactly one of hinge, ball, slide, rigid, spring and cable.
+/// A link in the text of a scene: exactly one of hinge, ball, slide, rigid, spring and cable.
 #[derive(serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -82,7 +82,7 @@ struct Written<const C: usize> {
     /// The pull of a spring or cable without load, N, after all other springs have yielded; instead of the pretension.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     tension: Option<f64>,
-    /// The length of a cable beyond the distance of its ends, m; 0 if left out.
+    /// The length of a cable in excess of the distance between its ends, m; 0 if left out.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     slack: Option<f64>,
 }
@@ -96,7 +96,7 @@ struct Hinge<const C: usize> {
     /// The axis, of any length; in space only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     axis: Option<AxisRow<Given, C>>,
-    /// The distance of the two bearings along the axis, m; in space only.
+    /// The distance between the two bearings along the axis, m; in space only.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     length: Option<f64>,
 }
@@ -118,7 +118,7 @@ struct Slide<const C: usize> {
     point: AxisRow<Given, C>,
     /// The direction of the slide, of any length.
     direction: AxisRow<Given, C>,
-    /// The distance of the bearings, m.
+    /// The distance between the bearings, m.
     #[serde(with = "AsGiven::<f64>")]
     length: f64,
 }

@@ -101,14 +101,14 @@ impl Setup<3> {
         let (mut pressed, mut carried) = (0.0, 0.0);
         for entry in self.entries() {
             let force = entry.contact.press.or(entry.contact.force).unwrap_or(0.0);
-            // With little friction the normals of other contacts may carry the load: a coefficient of 0.3 is assumed at least.
+            // Even with little friction the normal forces of other contacts may carry the load, so a friction coefficient of at least 0.3 is assumed.
             (pressed, carried) =
                 (pressed + force, carried + force * entry.contact.friction_coefficient().max(0.3));
         }
         let force = |load: &Wrench<3>| load.force_part();
         let mut heaviest = 0.0_f64;
         for question in &self.questions {
-            // The direction of an onset is scaled by the load factor, so that its size has no meaning.
+            // The load of an onset is its direction times the load factor, so the size of the direction has no meaning.
             if !matches!(question, Question::Onset { .. }) {
                 for load in applied_loads(question) {
                     heaviest = heaviest.max(force(&load).norm());
@@ -140,7 +140,7 @@ impl Setup<3> {
         warnings
     }
 
-    /// The mean of the contact points, m, and the size of the grasp: the largest distance from its first contact, m.
+    /// The mean of the contact points, m, and the size of the grasp: the largest distance of a contact from the first contact, m.
     pub(super) fn middle(&self) -> (SVector<f64, 3>, f64) {
         let points: Vec<_> = self.entries().map(|entry| entry.contact.point).list();
         let count = points.len() as f64;
@@ -178,7 +178,7 @@ impl Setup<3> {
         self.links.is_empty() && self.bodies.is_empty() && entries.iter().all(is_bare)
     }
 
-    /// A warning if all normals point to the same side, so that contacts cannot press against each other.
+    /// A warning if all normals point to the same side, so that no contact can press against another.
     pub(super) fn same_side(&self) -> Option<Warning> {
         let entries: Vec<_> = self.entries().list();
         if entries.len() < 2 || !self.links.is_empty() || !self.bodies.is_empty() {
@@ -199,7 +199,7 @@ pub(super) fn far_load(distance: f64, size: f64) -> Option<Warning> {
     is_far.then_some(Warning::ManyMetres { what, length: distance, beside: Some(size) })
 }
 
-/// The loads that a question applies in addition to the load at rest.
+/// The loads that a question applies in addition to its base load.
 pub(super) fn applied_loads(question: &Question<3>) -> Vec<Wrench<3>> {
     match question {
         Question::Hold { load, .. } | Question::Solve { load, .. } | Question::Compare { load, .. } => {
@@ -215,7 +215,7 @@ pub(super) fn applied_loads(question: &Question<3>) -> Vec<Wrench<3>> {
     }
 }
 
-/// The largest distance from the first point, m; the largest distance between any two points is at most twice this.
+/// The largest distance from the first point, m. No two points have more than twice this distance from each other.
 fn spread(points: &[SVector<f64, 3>]) -> f64 {
     largest(points, &|point| (point - points[0]).norm())
 }
@@ -228,7 +228,7 @@ fn is_in_place_of(one: &Fingertip<3>, other: &Fingertip<3>, size: f64) -> bool {
     (&a.on, &a.against) == (&b.on, &b.against) && near && parallel
 }
 
-/// Whether a step along the normal leads out of an outline of the plane and a step against it leads in.
+/// Whether a step from `point` along `normal` leads out of a closed outline in the plane, and a step against it leads in.
 fn points_out(outline: &[SVector<f64, 3>], point: &SVector<f64, 3>, normal: &SVector<f64, 3>) -> bool {
     if outline.len() < 3 {
         return false;
@@ -239,7 +239,7 @@ fn points_out(outline: &[SVector<f64, 3>], point: &SVector<f64, 3>, normal: &SVe
     is_inside(outline, &(point - step)) && !is_inside(outline, &(point + step))
 }
 
-/// Whether a ray along x from a point crosses a closed line an odd number of times.
+/// Whether a point lies inside a closed line in the plane: a ray from it along x crosses the line an odd number of times.
 fn is_inside(outline: &[SVector<f64, 3>], point: &SVector<f64, 3>) -> bool {
     let sides = outline.iter().zip(outline.iter().cycle().skip(1));
     let crossed = sides.filter(|(a, b)| {

@@ -1,4 +1,4 @@
-//! Answers about first slip, at a load factor or at an angle of a turning load.
+//! Answers about first slip under a growing load, at a load factor, or under a turning load, at an angle.
 
 use crate::numerics::IntoList;
 use serde::{Deserialize, Serialize};
@@ -12,7 +12,7 @@ use crate::load_path::{
 };
 use crate::serial::AsComputed;
 
-/// First slip, at a [`Factor`] or an [`Angle`]; see [`path::Onset`].
+/// Whether and where first slip occurs, as a [`Factor`] or as an [`Angle`]; see [`path::Onset`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "outcome", rename_all = "snake_case")]
@@ -20,7 +20,7 @@ use crate::serial::AsComputed;
 pub enum OnsetAnswer<const C: usize, At = Factor> {
     /// The first contact stops sticking at this load factor or angle.
     At(Box<OnsetAt<C, At>>),
-    /// All contacts keep sticking however large the load, or up to the last angle of a turn.
+    /// All contacts keep sticking, however large the load grows, or up to the last angle of a turn.
     Never,
     /// A contact slides already at load factor or angle zero.
     AlreadySliding {
@@ -103,7 +103,7 @@ impl<const C: usize, At> OnsetAt<C, At> {
     }
 }
 
-/// First slip under a turning load, and contacts and drives that reach their limit before it; see [`path::TurnOnset`].
+/// First slip under a turning load, and the contacts and drives that touch their limit before; see [`path::TurnOnset`].
 ///
 /// A tray of 4 N between two palms that press with 10 N each, tilted from x to y until it slides:
 ///
@@ -133,7 +133,7 @@ pub struct TurnAnswer<const C: usize> {
     /// The first slip.
     #[serde(flatten)]
     pub onset: OnsetAnswer<C, Angle>,
-    /// Contacts and drives that reach the limit of their state before the onset, to within rounding, without exceeding it.
+    /// Contacts and drives that reach a limit before first slip, up to rounding, without exceeding it.
     pub touches: Vec<EdgeTouch>,
 }
 

@@ -41,16 +41,16 @@ pub struct PartSetup {
     pub read: Option<Arc<Part>>,
 }
 
-/// A pad that closes on the part, in place of the point and the normal of a contact; see [`Touch`]. Either a rectangle or a disc.
+/// A pad that closes on the part, in place of the point and the normal of a contact; see [`Touch`]. The pad is either a rectangle or a disc.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct Touches {
-    /// Sides along the first and the second tangent, m.
+    /// Sides of the pad along the first and the second tangent, m, if it is a rectangle.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rectangle: Option<[f64; 2]>,
-    /// Radius of a disc, m.
+    /// Radius of the pad if it is a disc, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub disc: Option<f64>,
     /// Radius of a round finger, m: the rectangle is bent around an axis along the second tangent.
@@ -101,7 +101,7 @@ impl PartSetup {
         Self { mesh: mesh.into(), vertices, faces, unit, mass: None, density: None, read: None }
     }
 
-    /// The part, from its arrays or from its file; a relative path counts from `folder`.
+    /// The part, from `vertices` and `faces` or from its file; a relative path counts from `folder`.
     fn read_from(&self, folder: &Path) -> Result<Part, Error> {
         let part = if self.vertices.is_empty() {
             Part::read(folder.join(&self.mesh), self.unit)?
@@ -118,7 +118,7 @@ impl PartSetup {
 }
 
 impl Touches {
-    /// A rectangular pad with these sides, m, from its middle before it closes, m, along a direction.
+    /// A rectangular pad with these sides, m, whose middle is at `from`, m, before the pad closes along the direction `closing`.
     #[must_use]
     pub fn rectangle(sides: [f64; 2], from: [f64; 3], closing: [f64; 3]) -> Self {
         let (rectangle, disc, round, v_deg) = (Some(sides), None, None, None);
@@ -169,7 +169,7 @@ impl Touches {
         Ok(self.layer.iter().fold(pad, |pad, layer| pad.of_layer(layer.modulus, layer.thickness)))
     }
 
-    /// The pad where it touches the part, with the friction and springs of `contact`; errors name the contact by `index`.
+    /// The contact between the pad and the part, with the friction and springs of `contact`. Errors name the contact by `index`.
     pub(super) fn touched(&self, index: usize, contact: &Contact<3>) -> Result<Touched, Error> {
         let Some(part) = &self.part else {
             let fault =
@@ -179,14 +179,15 @@ impl Touches {
         Touch::new(self.pad()?, contact.clone()).on_as(index, part)
     }
 
-    /// One contact for every point at which the pad touches the part.
+    /// One contact for every point at which the pad touches the part. Errors name the contact by `index`.
     pub(super) fn points(&self, index: usize, contact: &Contact<3>) -> Result<Vec<Contact<3>>, Error> {
         Ok(self.touched(index, contact)?.into_contacts())
     }
 }
 
 impl<const C: usize> Fingertip<C> {
-    /// This contact as a pad that closes on the part of the scene, in space; its point and normal become place and direction of the pad.
+    /// This contact as a pad that closes on the part of the scene, in space; its point and normal become the position of the pad before it closes,
+    /// and the closing direction.
     pub fn touching(mut self, touches: Touches) -> Self {
         self.contact.point = nalgebra::SVector::from_fn(|a, _| touches.from[a]);
         self.contact.normal = nalgebra::SVector::from_fn(|a, _| touches.closing[a]);
@@ -195,7 +196,7 @@ impl<const C: usize> Fingertip<C> {
 }
 
 impl<const C: usize> Setup<C> {
-    /// The mesh of the part, if the scene has one that is read.
+    /// The grasped part, if the scene has one and its mesh is read.
     #[must_use]
     pub fn part_read(&self) -> Option<&Part> {
         self.part.as_ref()?.read.as_deref()
@@ -203,7 +204,7 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// This setup with a part that is already read, with lengths in m, as the part that pads touch.
+    /// This setup with `part`, whose lengths are in m, as the part that all pads touch.
     pub fn on_part(mut self, part: Arc<Part>) -> Self {
         let of_fingers = self.fingers.iter_mut().flat_map(|finger| &mut finger.contacts);
         for touches in self.contacts.iter_mut().chain(of_fingers).filter_map(|entry| entry.touches.as_mut()) {

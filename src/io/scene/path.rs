@@ -10,7 +10,7 @@ use crate::load_path::{
 use crate::numerics::{mapped, moved};
 use crate::serial::AsComputed;
 
-/// A load path that was followed to its end; see [`LoadPath`], and [`SteppedPath`] for one that was followed in steps.
+/// A load path that was followed to its end; see [`LoadPath`], and [`SteppedPath`] for a path that was followed in steps.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
@@ -20,10 +20,10 @@ pub struct PathAnswer<const C: usize> {
     pub end: PathOutcome<C>,
     /// The events on the path, in order; empty for a path in steps, which does not locate events.
     pub events: Vec<Event<C>>,
-    /// The steps of a path that was followed in steps, in order.
+    /// The steps, in order, if the path was followed in steps; otherwise empty.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub steps: Vec<Step<C>>,
-    /// The place where motions cease to be small, if they do. Beyond it the answer, which assumes the undeformed geometry, is inaccurate.
+    /// The place where motions cease to be small, if they do. Beyond this place the answer, which assumes the undeformed geometry, is inaccurate.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub small_motions_end: Option<EndOfSmallMotions>,
     /// Energies of every leg that was entered, up to the end of the path; empty for a path in steps.
@@ -64,7 +64,7 @@ pub enum PathOutcome<const C: usize> {
     },
     /// The path could not be followed further; up to this leg and fraction it is valid.
     Undecided {
-        /// The leg, from 0.
+        /// The leg, counted from 0.
         leg: usize,
         /// Fraction of the leg that was followed.
         #[serde(with = "AsComputed::<f64>")]
@@ -82,13 +82,13 @@ pub struct BalancedEnergy {
     /// The energies, J. The field `turnover` is zero here, since `residual` is already divided by it.
     #[serde(flatten)]
     pub energy: LegEnergy,
-    /// The error of the energy balance over the sum of the sizes of all contributions; zero in exact arithmetic.
+    /// The error of the energy balance, divided by the sum of the magnitudes of all contributions; zero in exact arithmetic.
     #[serde(with = "AsComputed::<f64>")]
     pub residual: f64,
 }
 
 impl SceneNames<'_> {
-    /// A path that was followed to its end, and the events on the way.
+    /// The answer for a path that was followed to its end, with the events on the way.
     pub(super) fn path(&self, path: &LoadPath<'_, 3>, events: Vec<Event<3>>) -> PathAnswer<3> {
         let balanced = |energy: &LegEnergy| BalancedEnergy {
             energy: LegEnergy { turnover: 0.0, ..*energy },
@@ -104,7 +104,7 @@ impl SceneNames<'_> {
         }
     }
 
-    /// A path that was followed to its end in steps.
+    /// The answer for a path that was followed to its end in steps.
     pub(super) fn path_in_steps(&self, path: &SteppedPath<'_, 3>, steps: Vec<Step<3>>) -> PathAnswer<3> {
         PathAnswer {
             end: self.end(path.end(), path.state(), path.beyond()),

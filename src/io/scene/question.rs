@@ -43,7 +43,8 @@ pub enum Question<const C: usize> {
         #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
         together_with: BTreeMap<String, Wrench<C>>,
     },
-    /// Is the equilibrium under a load the minimum of the paper's quadratic program? See [`Energy::compare`](crate::ask::Energy::compare).
+    /// Is the equilibrium under a load the minimum of energy, which the quadratic program of the paper computes? See
+    /// [`Energy::compare`](crate::ask::Energy::compare).
     Compare {
         /// The load that acts from the start and stays constant; zero if left out.
         #[serde(default = "no_load::<C>")]
@@ -95,7 +96,7 @@ pub enum Question<const C: usize> {
         /// The constant load, which acts alone at the beginning and the end of every cycle; zero if left out.
         #[serde(default = "no_load::<C>")]
         base: Wrench<C>,
-        /// The loads in addition to the base, each applied and removed in turn.
+        /// The loads in addition to the base, each applied and removed, one after the other.
         #[serde(default, skip_serializing_if = "Vec::is_empty")]
         loads: Vec<Wrench<C>>,
         /// The legs of a cycle, instead of loads; loads and commands at the end of the cycle must be those at its beginning.

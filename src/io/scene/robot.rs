@@ -1,4 +1,4 @@
-//! A robot in a file, and contacts on its links in place of fingers (feature `urdf`).
+//! A robot from its description file, and contacts on its links in place of fingers (feature `urdf`).
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -29,18 +29,18 @@ pub struct RobotSetup<const C: usize> {
     /// Roll, pitch and yaw of the robot's root link, degrees; 0 if left out.
     #[serde(default)]
     pub turned_deg: [f64; 3],
-    /// Positions of the joints by name, degrees, of prismatic joints m; 0 if left out.
+    /// Positions of the joints by name, degrees, or m for prismatic joints; 0 if left out.
     #[serde(default)]
     pub joints: BTreeMap<String, f64>,
-    /// Commanded positions of the joints by name, degrees or m; the actual positions if left out.
+    /// Commanded positions of the joints by name, degrees or m; those in `joints` if left out.
     #[serde(default)]
     pub commanded: BTreeMap<String, f64>,
     /// Stiffness of the joints by name, N m/rad or N/m; `others` is the stiffness of all joints without an entry.
     pub stiffness: BTreeMap<String, f64>,
-    /// Limits of the motors: with `"from file"` they stall at the efforts of the description file; no limits if left out.
+    /// Limits of the motors: with `"from file"` motors stall at the efforts of the description file; no limits if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub effort: Option<MotorLimits>,
-    /// Contacts by the link they are on, in the frame of the link.
+    /// Contacts by the name of the link on which they lie, in the frame of this link.
     pub contacts: BTreeMap<String, Vec<Fingertip<C>>>,
 }
 

@@ -251,7 +251,7 @@ impl<const C: usize> JsonSchema for Springs<C> {
     }
 }
 
-/// Adds the other name of `series_stiffness` to a contact, which the derive does not know.
+/// Adds the field `stiffness`, another name of `series_stiffness`, to the schema of a contact. The derive macro does not know the other name.
 pub(super) fn with_stiffness(contact: &mut Schema) {
     let fields = contact.get_mut("properties").and_then(Value::as_object_mut);
     if let Some((fields, mut other)) = fields.and_then(|fields| {

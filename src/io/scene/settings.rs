@@ -31,7 +31,7 @@ impl<'de> Deserialize<'de> for PolygonCone {
 struct WrittenPolygon {
     /// Number of facets.
     facets: usize,
-    /// Whether the polygon is inscribed in the round cone, circumscribed about it, or between.
+    /// Whether the polygon is inscribed in the round cone, circumscribed about it, or balanced between both.
     fit: Fit,
 }
 
@@ -42,7 +42,7 @@ impl Default for WrittenPolygon {
     }
 }
 
-/// The friction cone of answers in space.
+/// The friction cone of answers in space: round, or the polygonal cone itself.
 #[derive(Clone, Copy, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
@@ -55,7 +55,7 @@ enum Cone {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 struct WrittenSettings {
-    /// The friction cone of answers; in space only.
+    /// The friction cone of answers, round or polygonal; in space only.
     cone: Cone,
     /// The polygonal cone that replaces the round cone where a solver needs facets.
     polygon: PolygonCone,
@@ -64,7 +64,7 @@ struct WrittenSettings {
     max_pivots: Option<usize>,
     /// Largest number of combinations of contact states to try.
     most_states: usize,
-    /// Relative error of one step along a sliding arc.
+    /// Relative error of one step along a sliding arc, a piece of a load path on which slip directions turn.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 1)))]
     step_error: f64,
     /// Largest number of steps along sliding arcs within a leg.
@@ -72,9 +72,9 @@ struct WrittenSettings {
     /// The largest load factor up to which `hold` searches for the loss of equilibrium.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     most_load: f64,
-    /// Largest number of cycles of a repeated load that are followed.
+    /// Largest number of cycles of a repeated load that are computed.
     most_cycles: usize,
-    /// The rotation and slip up to which motions are small.
+    /// The rotation and the slip up to which motions count as small.
     small_motions: SmallMotions,
 }
 

@@ -1,4 +1,4 @@
-//! Curves and surfaces in the file, along which contacts may move.
+//! Curves and surfaces in the text of a scene, along which contacts may move.
 
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};

@@ -34,7 +34,7 @@ struct WrittenTurn<const C: usize> {
     /// The axis of the turn by the right-hand rule, of any length but zero; in space only.
     #[cfg_attr(feature = "schema", schemars(with = "Option<AxisRow<Given, 3>>"))]
     axis: Option<Few<Given, 3>>,
-    /// A constant wrench beside the weight or force.
+    /// A constant wrench in addition to the weight or force.
     beside: Option<Wrench<C>>,
     /// The constant part of `constant + cosine cos θ + sine sin θ`, instead of a weight or force.
     constant: Option<Wrench<C>>,
@@ -48,7 +48,7 @@ struct WrittenTurn<const C: usize> {
     /// The angle of the turn, rad, instead of `angle_deg`.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     angle_rad: Option<Number<Given>>,
-    /// Whether the load turns the other way round.
+    /// Whether the load turns in the opposite direction.
     #[serde(default)]
     reversed: bool,
 }

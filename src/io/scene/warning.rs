@@ -1,4 +1,4 @@
-//! Warnings about probable mistakes in a scene that can be answered.
+//! Warnings about probable mistakes in a scene. The scene can be answered nevertheless.
 
 use std::fmt;
 
@@ -34,7 +34,7 @@ pub enum Warning {
     /// Without load a contact presses with another force than its `pressed_with`. That field only sets the stretch of its spring before the object
     /// moves.
     PressesOtherwise {
-        /// The contact of the scene, from 0.
+        /// Index of the contact in the scene, from 0.
         contact: usize,
         /// The name of the contact in messages.
         name: String,
@@ -45,14 +45,14 @@ pub enum Warning {
     },
     /// Several contacts have the same name, so that answers are ambiguous.
     SameName {
-        /// The contacts of the scene, from 0.
+        /// Indices of the contacts in the scene, from 0.
         contacts: Vec<usize>,
         /// The name that these contacts share.
         name: String,
     },
     /// Contacts or links have no stiffness, and answers depend on the default stiffness.
     StiffnessLeftOut {
-        /// The contacts of the scene, from 0.
+        /// Indices of the contacts in the scene, from 0.
         contacts: Vec<usize>,
         /// The names of the contacts in messages.
         names: Vec<String>,
@@ -63,7 +63,7 @@ pub enum Warning {
     },
     /// Without load a spring or cable pulls with another force than its pretension, since the bodies at its ends move.
     PullsOtherwise {
-        /// The link of the scene, from 0.
+        /// Index of the link in the scene, from 0.
         link: usize,
         /// The name of the link in messages.
         name: String,
@@ -74,7 +74,7 @@ pub enum Warning {
     },
     /// A friction coefficient is implausibly large; it may be given in percent.
     MuchFriction {
-        /// The contacts of the scene, from 0.
+        /// Indices of the contacts in the scene, from 0.
         contacts: Vec<usize>,
         /// The names of the contacts in messages.
         names: Vec<String>,
@@ -95,7 +95,7 @@ pub enum Warning {
     },
     /// A force or a stiffness is out of proportion to the other contacts; perhaps it is the modulus of a material, or in another unit.
     OutOfProportion {
-        /// The contacts of the scene, from 0.
+        /// Indices of the contacts in the scene, from 0.
         contacts: Vec<usize>,
         /// The names of the contacts in messages.
         names: Vec<String>,
@@ -106,14 +106,14 @@ pub enum Warning {
     },
     /// All normals point the same way, so that contacts cannot press with their given forces.
     SameSide {
-        /// The contacts of the scene, from 0.
+        /// Indices of the contacts in the scene, from 0.
         contacts: Vec<usize>,
         /// The names of the contacts in messages.
         names: Vec<String>,
     },
     /// All normals point away from the middle of the contacts, like those of fingers in a hole.
     Outwards {
-        /// The contacts of the scene, from 0.
+        /// Indices of the contacts in the scene, from 0.
         contacts: Vec<usize>,
         /// The names of the contacts in messages.
         names: Vec<String>,
@@ -128,7 +128,7 @@ pub enum Warning {
     /// Some of a pad's area does not meet the grasped part.
     #[cfg(feature = "mesh")]
     MissesInPart {
-        /// The contact of the scene, from 0.
+        /// Index of the contact in the scene, from 0.
         contact: usize,
         /// The name of the contact in messages.
         name: String,
@@ -138,16 +138,16 @@ pub enum Warning {
     /// A pad presses where its surface and that of the grasped part meet at an angle larger than the friction angle.
     #[cfg(feature = "mesh")]
     OverAnEdge {
-        /// The contact of the scene, from 0.
+        /// Index of the contact in the scene, from 0.
         contact: usize,
         /// The name of the contact in messages.
         name: String,
-        /// The largest angle between both surfaces, degrees.
+        /// The largest angle between the surfaces of pad and part, degrees.
         angle: f64,
     },
     /// Two contacts are in one place, with parallel normals.
     OnePlace {
-        /// The contacts of the scene, from 0.
+        /// Indices of the contacts in the scene, from 0.
         contacts: Vec<usize>,
         /// The names of the contacts in messages.
         names: Vec<String>,
@@ -156,7 +156,7 @@ pub enum Warning {
     },
     /// A normal points out of the object's outline.
     PointsOut {
-        /// The contact of the scene, from 0.
+        /// Index of the contact in the scene, from 0.
         contact: usize,
         /// The name of the contact in messages.
         name: String,
@@ -295,13 +295,13 @@ fn write_pull(f: &mut fmt::Formatter<'_>, words: Words, name: &str, [force, told
     write!(f, "{} {does} with {now} N at rest, not with {nominal} N: {why}", printable(name))
 }
 
-/// A list of the names of contacts.
+/// The names of contacts as one text, for messages.
 fn all(names: &[String]) -> String {
     listed(&mapped(names, &|name| printable(name)))
 }
 
 impl Scene {
-    /// Probable mistakes in the scene.
+    /// Warnings about probable mistakes in the scene.
     ///
     /// # Errors
     /// As for [`Setup::warnings`].
@@ -327,7 +327,7 @@ impl Scene {
 }
 
 impl<const C: usize> Setup<C> {
-    /// Probable mistakes in the setup.
+    /// Warnings about probable mistakes in the setup.
     ///
     /// # Errors
     /// As for [`Self::grasp`].

@@ -43,7 +43,7 @@ pub(super) fn part<K>(given: Option<&Few<K, 3>>, expected: usize, name: &str) ->
     Ok(part)
 }
 
-/// The linear and the angular part in one vector.
+/// The linear and the angular part in one vector; `names` are those of the parts, for messages.
 fn join<K>(space: Space, parts: [Option<&Few<K, 3>>; 2], names: [&str; 2]) -> Result<Vector, String> {
     let (axes, turns) = (space.axes(), space.planes().len());
     let (linear, angular) = (part(parts[0], axes, names[0])?, part(parts[1], turns, names[1])?);
@@ -117,7 +117,7 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
                 turning: turning.as_ref(),
             };
             let wrench = Self::among(space, &wrench);
-            // Adding a zero wrench would lose the sign of a zero.
+            // Added only if there is a carried body: adding a zero wrench would change -0 to 0.
             Ok(carried.load_in(space)?.map_or(wrench, |pull| wrench + Self::from_inside(pull)))
         })
     }

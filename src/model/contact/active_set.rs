@@ -33,7 +33,7 @@ impl ActiveSet {
         !self.apex && self.facets.is_empty()
     }
 
-    /// Empties the set: the contact leaves all edges of its cone.
+    /// Empties the set: the contact force leaves all edges of its cone.
     pub(crate) fn clear(&mut self) {
         self.facets.clear();
         self.apex = false;
@@ -44,7 +44,7 @@ impl ActiveSet {
         force.norm() <= WEIGHTLESS * force_size
     }
 
-    /// Adds to the set the facet, or the apex, that each of these exits reaches.
+    /// Adds to the active set the facet, or the apex, that each of these exits reaches.
     pub(crate) fn add_exits(&mut self, axes: usize, state: &State, exits: &[Exit]) {
         for exit in exits {
             // A zero vector in `Exit::facet` marks an exit at which the normal force or the gap vanishes. Normals that differ only by rounding are
@@ -55,7 +55,7 @@ impl ActiveSet {
                 self.facets.push(exit.facet);
             }
         }
-        // As many facets as the frame has axes intersect only at the apex.
+        // If the force is on as many facets as the frame has axes, it is at the apex, their only common point.
         self.apex |= self.facets.len() >= axes;
     }
 }
@@ -160,8 +160,8 @@ impl LocalLaw<'_> {
         state.own_facets(facets.len()).iter().flatten().any(|&j| facets[j] == *facet)
     }
 
-    /// Whether these rates move the force of a sticking contact along a tangent of the round cone, from a point on the edge of the cone. A tangent
-    /// leads out of the cone, so the contact begins to slide, perhaps with a rate of zero.
+    /// Whether these rates move the force of a sticking contact, which is on the edge of the round cone, along a tangent of the cone. A tangent leads
+    /// out of the cone, so the contact begins to slide, perhaps with a rate of zero.
     pub(crate) fn grazes(&self, state: &State, rate: &SVector<f64, 3>, size: f64) -> bool {
         let (Law::Edge(facets), Mode::Sticking) = (self.law, state) else { return false };
         let (p, cone) = (&facets[0], self.cone());
@@ -214,12 +214,12 @@ impl LocalLaw<'_> {
             return Some(state);
         }
         let edge = match (rates, state) {
-            // On the round cone the only facet of the edge is the direction of the slide.
+            // On the round cone an edge has only one facet, with the direction of the slide as its normal.
             (Law::Edge(_), Mode::Round(_)) => return Some(Mode::Facet(0)),
             (Law::Edge(edge), _) => edge,
-            // The rates obey the bonded law although the state slides: the contact has just stopped sliding.
+            // The law for rates is the bonded law although the state slides: the contact has just stopped sliding.
             (Law::Bonded, _) => return Some(Mode::Sticking),
-            // At the apex of a round cone the law of the rates contains no slip direction.
+            // At the apex of a round cone, a state under the law for rates has no slip direction.
             (Law::Absent, _) | (Law::Cone { .. }, Mode::Round(_)) => return None,
             (Law::Cone { .. }, _) => return Some(state),
         };
@@ -229,7 +229,7 @@ impl LocalLaw<'_> {
         match (first, second) {
             (None, _) => Some(state),
             (Some(first), None) => (0_u16..).nth(at(first)?).map(Mode::Facet),
-            // An edge has at most two facets, so the corner between them is its only one.
+            // An edge has at most two facets, so it has only one corner, the corner between both facets.
             (Some(first), Some(second)) => at(first).and(at(second)).map(|_| Mode::Corner(0)),
         }
     }

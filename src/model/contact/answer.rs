@@ -33,7 +33,7 @@ pub(crate) struct ContactResponse {
 }
 
 impl ContactResponse {
-    /// The open state, without force.
+    /// The response of an open contact, without force.
     pub(crate) fn open() -> Self {
         Self { state: Mode::Open, force: SVector::zeros() }
     }
@@ -108,7 +108,7 @@ impl LocalLaw<'_> {
         ContactResponse { state, force }
     }
 
-    /// The state at a trial force `K v`, the elastic force without opening or slip.
+    /// The state at the trial force `K v`, the elastic force that a stretch v would cause without opening or slip.
     #[inline]
     fn state_on_polygon(&self, facets: &[SVector<f64, 3>], trial: &SVector<f64, 3>) -> State {
         if trial[0] <= 0.0 && self.may_open() {
@@ -188,10 +188,10 @@ fn slip_per_force(springs: &Compliance, trial: &SVector<f64, 3>, traction: f64, 
     let mut lambda = if near * springs.stiffest() < 1e100 { near } else { 0.0 };
     // A negative λ is a backward slip. The softer axis bounds it from below; it must also stay above -1/k of the stiffer axis, where 1 + λk vanishes.
     let [soft, stiff] = springs.tangential_range();
-    // Relative step length of λ at which the iteration ends.
+    // Relative change of λ at which the iteration ends.
     let last = 1e-8;
     let least = if excess >= 1.0 { 0.0 } else { ((excess - 1.0) / soft).max(-(1.0 - last) / stiff) };
-    // Upper bound of the number of Newton steps; each gains digits.
+    // Upper bound of the number of Newton steps for λ.
     for _ in 0..60 {
         let softened = springs.softened(lambda);
         let (mut square, mut slope) = (0.0, 0.0);

@@ -50,7 +50,7 @@ impl Compliance {
         self.k[axis] * stretch
     }
 
-    /// The diagonal of K.
+    /// The stiffnesses along the axes, the diagonal of K, N/m.
     #[inline(always)]
     pub(crate) fn diagonal(&self) -> SVector<f64, 3> {
         self.k
@@ -89,7 +89,7 @@ impl Compliance {
         self.k.map(f64::sqrt)
     }
 
-    /// The diagonal entry of `K^{1/2}` along an axis.
+    /// The square root of the stiffness along an axis, the entry of `K^{1/2}`.
     #[inline(always)]
     pub(crate) fn root_along(&self, axis: usize) -> f64 {
         self.k[axis].sqrt()
@@ -100,7 +100,7 @@ impl Compliance {
         self.k[one] / self.k[other]
     }
 
-    /// Whether both tangential springs are equal, as in the plane, which has only one.
+    /// Whether the tangential springs are equal; always true in the plane, which has only one.
     pub(crate) fn is_isotropic(&self) -> bool {
         self.axes < 3 || self.k[1] == self.k[2]
     }

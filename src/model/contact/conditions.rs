@@ -15,14 +15,14 @@ use super::state::{Mode, State};
 use super::tangential::cross;
 use super::tolerances::SMALLEST;
 
-/// Stretch and force of a contact, or the rates of both.
+/// Stretch and force of a contact; or, for the rates of conditions, the rates of both.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SpringState<'s> {
     /// Stretch `a - G_iᵀq`, m.
     pub(crate) stretch: SVector<f64, 3>,
     /// Contact force, N.
     pub(crate) force: &'s SVector<f64, 3>,
-    /// Size of the displacements whose difference is the stretch, m; it scales the rounding of the stretch.
+    /// Size of the displacements whose difference is the stretch, m. The rounding error of the stretch is proportional to this size.
     pub(crate) span: f64,
     /// The largest contact force of the grasp, N.
     pub(crate) largest: f64,

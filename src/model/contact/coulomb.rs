@@ -29,7 +29,7 @@ impl Coulomb {
         self.mu.is_infinite()
     }
 
-    /// Whether the cone has edges: friction is neither zero nor infinite.
+    /// Whether the cone has edges, because friction is neither zero nor infinite.
     #[inline(always)]
     pub(crate) fn has_edges(self) -> bool {
         self.mu > 0.0 && self.mu.is_finite()
@@ -51,14 +51,14 @@ impl Coulomb {
         self.mu * normal_force
     }
 
-    /// `e_n + μ t`: the force on the cone for unit normal force and tangential direction t.
+    /// The force `e_n + μ t` on the edge of the cone, for unit normal force and a tangential direction t.
     pub(crate) fn generator(self, t: &SVector<f64, 3>) -> SVector<f64, 3> {
         let mut force = t * self.mu;
         force[0] = 1.0;
         force
     }
 
-    /// The row `(μ, -h)`, whose product with a force is the facet's margin `μ F_n - h·F_t`.
+    /// The vector `(μ, -h)`, whose product with a force is the margin `μ F_n - h·F_t` of the facet with normal h.
     pub(crate) fn facet_row(self, h: &SVector<f64, 3>) -> SVector<f64, 3> {
         let mut row = -h;
         row[0] = self.mu;

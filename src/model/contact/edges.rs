@@ -111,7 +111,7 @@ impl Edges {
             for c in sides {
                 // The product `a·c` of a facet's coefficients a with the side c is zero where μ c_n = c₁ cos φ + c₂ sin φ.
                 let (towards, aside) = (c[2].atan2(c[1]), (around.constant.dot(c) / c[1].hypot(c[2])).acos());
-                // The angle is NaN if the sign never changes.
+                // The angle is NaN if the sign of the product never changes.
                 let both = [towards - aside, towards + aside].each(|x| x.rem_euclid(TAU));
                 turns.extend(both.iter().filter(|x| x.is_finite()));
             }

@@ -49,7 +49,7 @@ pub(crate) struct GapLine {
 }
 
 impl GapLine {
-    /// The step at which the gap closes.
+    /// The step at which the gap closes; `None` if the gap does not decrease.
     pub(crate) fn closing(&self) -> Option<Exit> {
         (self.rate < -ZERO_SLACK * self.rate_size).then(|| {
             let step = (self.gap / -self.rate).max(0.0);
@@ -60,7 +60,7 @@ impl GapLine {
 }
 
 impl LocalLaw<'_> {
-    /// All exits from a state. A closed contact may reach a facet on which it does not slide; an open one may close its gap.
+    /// All exits from a state. A closed contact may reach a facet on which it does not slide; an open contact may close its gap.
     pub(crate) fn ways_out(&self, state: &State, line: &Line, gap: &GapLine) -> Vec<Exit> {
         match state {
             Mode::Open => gap.closing().into_iter().list(),
@@ -76,7 +76,7 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The first exit of a sticking contact's force from its cone, and the step of the second exit.
+    /// The first exit of a sticking contact's force from its cone, and the step of the second exit. `None` if the force never leaves the cone.
     pub(crate) fn first_exit(&self, line: &Line) -> Option<(Exit, f64)> {
         let mut first: Option<Exit> = None;
         let mut next = f64::INFINITY;
@@ -156,10 +156,10 @@ impl LocalLaw<'_> {
         let c1 = n0 * n1 - t0.dot(&t1);
         let c2 = n1 * n1 - t1.norm_squared();
         let discriminant = c1 * c1 - c0 * c2;
-        // Without a root the step is NaN.
+        // If the line never leaves the cone, the quadratic has no root and the step is NaN.
         let mut step = if on_edge { -2.0 * c1 / c2 } else { c0 / (discriminant.sqrt() - c1) };
-        // Near a double root the discriminant cancels. The margin μF_n - |F_t| itself is concave and does not cancel, so Newton's method on it
-        // restores the digits.
+        // Near a double root the discriminant loses digits by cancellation. The margin μF_n - |F_t| itself is concave and does not cancel, so Newton
+        // steps on the margin restore the digits.
         let mut moved = 0.0;
         // Newton steps on the margin: each doubles the correct digits of the quadratic's root.
         for _ in 0..3 {
@@ -171,7 +171,7 @@ impl LocalLaw<'_> {
                 step = better;
             }
         }
-        // A line through the apex has a double root there, which costs half the digits. Beyond the apex it continues in the opposite nappe of
+        // A line through the apex has a double root there, which costs half the digits. Beyond the apex the line continues in the opposite nappe of
         // the cone, F_n < 0. The exit is then the linear root of F_n.
         if let Some(apex) = line.linear(line.force[0], line.rate[0], 1.0, SVector::zeros()) {
             let missed = (t0 + t1 * apex.step).norm();
@@ -205,8 +205,8 @@ impl LocalLaw<'_> {
     }
 }
 
-/// Newton's method for the root of a concave function below a start at which the function is negative. `value` returns value and slope. `None`
-/// if no step leads down.
+/// Newton's method for a root of a concave function. It starts at `at`, where the function is negative, and descends. `value` returns value and
+/// slope. `None` if no step leads down.
 fn newton_from_above(mut at: f64, value: impl Fn(f64) -> (f64, f64)) -> Option<f64> {
     let start = at;
     // Upper bound of the number of Newton steps. Near the apex the margin is curved over distances of the order of rounding; farther away each step
@@ -241,7 +241,7 @@ mod tests {
         for (mu, a) in [(0.5, 0.0), (0.5, 0.3), (0.7, 0.69)] {
             let local =
                 LocalLaw::new(&springs, Coulomb::new(mu), &Law::Cone { gap: true }, &polygon, [true, false]);
-            // Rounding of margins near one, divided by their rate at the edge.
+            // Rounding error of margins of about one, divided by the rate of the margin at the edge.
             let rounding = 1e-15 * mu * mu / (mu * mu - a * a);
             for missed in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
                 let (force, rate) = (Vector3::new(1.0, a, missed), Vector3::new(-1.0, -a, 0.0));
@@ -249,8 +249,8 @@ mod tests {
                 let (exit, _) = local.first_exit(&line).expect("leaves");
                 let left = missed / f64::sqrt(mu * mu - a * a);
                 assert!((1.0 - exit.step - left).abs() <= rounding, "{mu} {a} {missed}: {}", exit.step);
-                // Some friction remains at the exit, and its direction gives the facet: the line leaves beside the apex. At the apex the facet would
-                // be zero.
+                // Some friction remains at the exit, and its direction gives the facet: the line leaves the cone next to the apex. At the apex the
+                // facet would be zero.
                 assert!(exit.facet.norm() > 0.9, "{mu} {a} {missed}: {}", exit.facet);
             }
         }

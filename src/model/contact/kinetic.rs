@@ -1,4 +1,4 @@
-//! Friction that falls as a contact begins to slide.
+//! Friction that decreases as a contact begins to slide.
 //!
 //! ```text
 //! at rest   |F_t| <= μ_s F_n

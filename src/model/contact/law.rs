@@ -34,12 +34,12 @@ pub(crate) enum Law {
 pub(crate) struct LocalLaw<'c> {
     pub(crate) springs: &'c Compliance,
     pub(crate) law: &'c Law,
-    /// The polygon that replaces the round cone.
+    /// The polygonal cone that approximates the round cone.
     pub(crate) polygon: &'c Polygon,
     pub(super) friction: Coulomb,
     /// In space: whether the round cone limits the contact. The polygon then only supplies the states that are tried first.
     pub(super) on_round_cone: bool,
-    /// Whether a contact with infinite friction gets facets, those of a very large finite coefficient.
+    /// Whether a contact with infinite friction has facets, those of a cone with a very large finite coefficient.
     pub(super) infinite_friction_has_edges: bool,
 }
 
@@ -54,7 +54,8 @@ impl<'c> LocalLaw<'c> {
         Self { springs, law, polygon, friction, on_round_cone, infinite_friction_has_edges }
     }
 
-    /// The friction cone to which the contact's facets belong. Infinite friction that has facets is replaced by a very large finite coefficient.
+    /// The friction cone to which the contact's facets belong. If a contact with infinite friction has facets, the coefficient of this cone is very
+    /// large but finite.
     pub(crate) fn cone(&self) -> Coulomb {
         if self.infinite_friction_has_edges { self.friction.with_edges(self.springs) } else { self.friction }
     }
@@ -146,7 +147,7 @@ impl<'c> LocalLaw<'c> {
         if self.is_absent() { Mode::Open } else { Mode::Sticking }
     }
 
-    /// The state with the least stiffness: sliding on an edge of the cone, open at its apex.
+    /// The state in which the contact has the least stiffness: sliding on an edge of the cone, or open at its apex.
     pub(crate) fn yielding(&self) -> State {
         match self.law {
             Law::Edge(facets) if facets.len() == 2 => Mode::Corner(0),
@@ -189,7 +190,8 @@ impl<'c> LocalLaw<'c> {
         }
     }
 
-    /// The central slip direction of a sliding state, of any length: the facet normal, or the sum of the two normals at a corner.
+    /// A slip direction of a sliding state, of any length: the facet normal, or at a corner the sum of the two normals. `None` if the state does not
+    /// slide.
     pub(crate) fn outward(&self, state: &State) -> Option<SVector<f64, 3>> {
         if let Mode::Round(slide) = state {
             return Some(slide.direction);
@@ -200,7 +202,7 @@ impl<'c> LocalLaw<'c> {
         Some(second.map_or(first, |second| first + facets[second]))
     }
 
-    /// Friction margin at a force, on the round cone or at the nearest facet, N; infinite for infinite friction.
+    /// Friction margin of a contact under a force, N: on the round cone, or the least margin of all facets. Infinite for infinite friction.
     pub(crate) fn margin(&self, force: &SVector<f64, 3>) -> f64 {
         if self.never_slides() {
             return f64::INFINITY;

@@ -25,7 +25,7 @@ use crate::numerics::unit;
 use crate::prelude::*;
 
 impl LocalLaw<'_> {
-    /// Largest work along φ (N) and u (m) over the label's stretches and forces of length one in energy units.
+    /// Largest work along φ (N) and u (m) over all stretches and forces that the label allows, of length one in energy units.
     pub(crate) fn most_work(&self, label: &Label, phi: &SVector<f64, 3>, u: &SVector<f64, 3>) -> f64 {
         let c = self.springs.deflection(phi);
         let mut most = f64::NEG_INFINITY;
@@ -106,7 +106,7 @@ impl LocalLaw<'_> {
             both_ways(edge.across);
         }
         match facets {
-            // Forces into the cone that leave one facet and stay on the other.
+            // Forces inside the cone that leave one facet and stay on the other facet.
             [first, second] => {
                 let turn = cross(first, second);
                 visit(right_angle(second) / turn);

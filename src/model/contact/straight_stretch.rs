@@ -7,10 +7,10 @@
 //! r ψ' = -|d| sin ψ        tan(ψ/2) = tan(ψ₀/2) exp(-|d| ∫dτ/r),      ∫dτ/r = Δτ ln(r₁/r₀) / (r₁ - r₀)
 //! ```
 //!
-//! With two different stiffnesses [`RelaxingSlide`] gives the direction. Once sliding begins it lasts to the end, since |d| cos ψ grows and r'
-//! is constant. The return map of [`LocalLaw::answer`] uses only the final stretch instead. It is exact if sliding starts at the apex, where the
-//! traction keeps its direction; otherwise it is correct to first order. For the same closed form with a constant radius see R. D. Krieg and D.
-//! B. Krieg, Accuracies of numerical solution methods for the elastic-perfectly plastic model, J. Pressure Vessel Technology 99 (1977) 510.
+//! With two different stiffnesses [`RelaxingSlide`] gives the direction. Once sliding begins, it continues to the end, since |d| cos ψ grows and r'
+//! is constant. The return map of [`LocalLaw::answer`] uses only the final stretch instead. This map is exact if sliding starts at the apex, where
+//! the traction keeps its direction; otherwise the map is correct to first order. For the same closed form with a constant radius see R. D. Krieg and
+//! D. B. Krieg, Accuracies of numerical solution methods for the elastic-perfectly plastic model, J. Pressure Vessel Technology 99 (1977) 510.
 
 use crate::numerics::Each;
 use nalgebra::SVector;
@@ -63,7 +63,7 @@ impl LocalLaw<'_> {
         let (t, d) = (tangential(from), tangential(rate));
         let (r, growth) = (self.friction.limit(from[0]), self.friction.limit(rate[0]));
         let size = t.norm();
-        // A traction this close to its limit, relative to it, is on the cone: a previous step leaves that much rounding.
+        // A traction that differs from its limit by this fraction or less is on the cone: a previous step leaves rounding errors of this size.
         if size >= r * (1.0 - SOLVED_ROUNDING) && t.dot(&d) > growth * size {
             return Some(0.0);
         }
@@ -83,7 +83,7 @@ impl LocalLaw<'_> {
     fn slid_on(&self, from: &SVector<f64, 3>, rate: &SVector<f64, 3>, rest: f64) -> ContactResponse {
         let normal = from[0] + rate[0] * rest;
         let [r0, r1] = [from[0], normal].each(|f| self.friction.limit(f.max(0.0)));
-        // ∫dτ/r over the remaining time.
+        // The integral ∫dτ/r over the remaining time.
         let x = (r1 - r0) / r0;
         // Below this relative difference of the radii the first terms of the series replace the logarithm.
         let per_radius = rest / r0 * if x.abs() < 1e-7 { 1.0 - 0.5 * x } else { x.ln_1p() / x };

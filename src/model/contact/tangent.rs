@@ -18,11 +18,11 @@ use super::state::{Mode, State};
 /// The tangent stiffness C of a contact in a state, N/m.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Tangent {
-    /// No stiffness: the force is zero.
+    /// The contact is open: no stiffness, since the force is zero.
     Open,
-    /// The diagonal of K, N/m.
+    /// The contact sticks: the diagonal of K, N/m.
     Sticking(SVector<f64, 3>),
-    /// Sliding on an edge of the cone.
+    /// The contact slides on an edge of the cone.
     Sliding {
         /// Change of force per normal stretch, `k_n (e_n + μ P)`, N/m.
         drag: SVector<f64, 3>,

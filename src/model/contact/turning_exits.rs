@@ -73,8 +73,8 @@ impl LocalLaw<'_> {
         exits
     }
 
-    /// The angle at which a sliding contact stops. There the rate of a slip component that must not decrease becomes negative. Until then the contact
-    /// stays on its facets.
+    /// The angle at which a sliding contact stops. At this angle the rate of a slip component that must not decrease becomes negative. Up to this
+    /// angle the contact stays on its facets.
     fn stops(
         &self,
         state: &State,
@@ -141,7 +141,7 @@ impl LocalLaw<'_> {
         let rounding = ROUNDED_SUM * (self.cone().round_weight() * wave.size).powi(2);
         match Start::of(&difference, rounding, rounding) {
             Start::Above { roots } => difference.first_fall(most, rounding, roots),
-            // Near the apex the exit of the normal force is used instead.
+            // Near the apex the angle at which the normal force vanishes is used instead.
             Start::Falls | Start::Stays => None,
         }
     }
@@ -156,7 +156,7 @@ impl LocalLaw<'_> {
             let (at, rate) = (wave.of.at(step), wave.of.rate_at(step));
             let slope = cone.facet_margin(&rate, &outward(&at));
             let better = step - cone.round_margin(&at) / slope;
-            // Largest correction of the angle, rad: well above the square root of the rounding of squares.
+            // Largest correction of the angle, rad. It is well above the error of the angle, the square root of the rounding error of squares.
             if slope < 0.0 && better > 0.0 && (better - angle).abs() <= 1e-3 {
                 step = better;
             }
@@ -171,14 +171,14 @@ fn outward(force: &SVector<f64, 3>) -> SVector<f64, 3> {
     friction / friction.norm().max(f64::MIN_POSITIVE)
 }
 
-/// The behaviour of a margin at φ = 0.
+/// The behaviour of a margin at the start of an arc, φ = 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Start {
-    /// Positive, at once or after this number of roots at φ = 0.
+    /// The margin is positive, at once or after this number of roots at φ = 0.
     Above { roots: usize },
-    /// Zero at φ = 0 and negative beyond.
+    /// The margin is zero at φ = 0 and negative beyond.
     Falls,
-    /// Zero at every angle.
+    /// The margin is zero at every angle.
     Stays,
 }
 

@@ -25,7 +25,7 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Commanded displacement of the finger's core along the **coordinate axes**, m, in place of [`Self::command`]. It is converted to the
+    /// Commanded displacement of the finger's core along the **coordinate axes**, m, in place of [`Self::command`]. The command is converted to the
     /// contact frame when the grasp is made, so normal and tangent may be set later.
     ///
     /// ```

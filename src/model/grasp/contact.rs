@@ -127,7 +127,7 @@ impl<const C: usize> Contact<C> {
     }
 
     /// Names the body on the other side, one of [several](super::Bodies), in place of the ground or a finger. The body stiffness of the contact
-    /// belongs to the body that it is [on](Self::on), the finger stiffness to the body named here.
+    /// belongs to the body named by [`on`](Self::on), the finger stiffness to the body named here.
     pub fn against(mut self, body: impl Into<String>) -> Self {
         self.against = Some(body.into().into());
         self
@@ -146,8 +146,8 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Direction of the first tangent; its component along the normal is removed. In the plane it only selects the sign of t. The default is
-    /// `(n_y, -n_x)` in the plane. In space it is the projection of the coordinate axis that makes the largest angle with the normal.
+    /// Direction of the first tangent; its component along the normal is removed. In the plane the argument only selects the sign of t. The default
+    /// is `(n_y, -n_x)` in the plane. In space it is the projection of the coordinate axis that makes the largest angle with the normal.
     ///
     /// ```
     /// use grasp_lcp::nalgebra::Vector3;
@@ -166,7 +166,7 @@ impl<const C: usize> Contact<C> {
     }
 
     /// Coefficient of friction μ >= 0. With 0 (the default) the contact has no tangential spring, even if a tangential stiffness is given. With
-    /// `f64::INFINITY` it never slides while closed. A [bonded](Self::bonded) contact has its tangential springs for every μ.
+    /// `f64::INFINITY` the contact never slides while it is closed. A [bonded](Self::bonded) contact has its tangential springs for every μ.
     pub fn friction(mut self, mu: f64) -> Self {
         self.friction = mu;
         self
@@ -244,13 +244,13 @@ impl<const C: usize> Contact<C> {
         self.friction
     }
 
-    /// Coefficient of kinetic friction; the static one unless another [was given](Self::kinetic).
+    /// Coefficient of kinetic friction; equal to the static coefficient unless another [was given](Self::kinetic).
     #[must_use]
     pub fn kinetic_coefficient(&self) -> f64 {
         self.kinetic.unwrap_or(self.friction)
     }
 
-    /// Sets the coefficient of static friction and scales the kinetic one in proportion.
+    /// Sets the coefficient of static friction and scales that of kinetic friction in proportion.
     pub(crate) fn set_friction(&mut self, mu: f64) {
         let proportion = mu / self.friction;
         self.kinetic = self
@@ -265,7 +265,7 @@ impl<const C: usize> Contact<C> {
         if self.friction == 0.0 && self.hold != Hold::Bonded { 1 } else { self.space.axes() }
     }
 
-    /// Name of the contact in tables and pictures: the user's, or "contact" and `index`, its position in the list.
+    /// Name of the contact in tables and pictures: the name that the user gave, or "contact" and `index`, its position in the list.
     #[must_use]
     pub fn label_text(&self, index: usize) -> String {
         self.label(index).text()

@@ -15,20 +15,21 @@ use crate::numerics::Space;
 use crate::numerics::{Size, moved};
 use crate::prelude::*;
 
-/// A grasp with validated contacts. Its coordinates are the 3 or 6 of the object, then those of joints and other bodies.
+/// A grasp with validated contacts. Its coordinates are the 3 or 6 of the object, then those of joints and of other bodies.
 #[derive(Debug, Clone)]
 pub(crate) struct Engine {
-    /// Plane or space.
+    /// Whether the grasp is in the plane or in space.
     pub(super) space: Space,
     size: Size,
     pub(super) contacts: Vec<Contact<3>>,
     pub(super) sites: Vec<Site>,
-    /// The points in `contacts` grouped to contacts as users count them.
+    /// The contact points in `contacts`, grouped to contacts as users count them: all points of a soft fingertip are one contact.
     wholes: WholeContacts,
-    /// Centroid of the contact points, m. The engine refers moments and rotations to it, so that a distant origin of the caller costs no digits.
+    /// Centroid of the contact points, m. The engine refers moments and rotations to this point, so that a distant origin of the caller costs no
+    /// digits.
     pub(super) origin: SVector<f64, 3>,
-    /// Root mean square distance of the contact points from their centroid, m. The engine uses it as the unit of length of arms, so that
-    /// rotations and translations have comparable size for any unit of the caller.
+    /// Root mean square distance of the contact points from their centroid, m. The engine divides moment arms by this length, so that rotations and
+    /// translations have comparable size for any unit of the caller.
     pub(super) length: f64,
     /// The joints and drives behind the contacts, if any.
     pub(super) linkage: Option<Box<Linkage>>,
@@ -106,7 +107,7 @@ impl Engine {
         self.linkage().map_or(&[], |linkage| &linkage.centres)
     }
 
-    /// A grasp by these contacts. Its origin is the centroid of the contacts for which `is_meant` is true.
+    /// A grasp with these contacts. Its origin is the centroid of the contacts for which `is_meant` is true.
     fn of(
         space: Space,
         size: Size,
@@ -124,7 +125,7 @@ impl Engine {
         let count = meant().count().max(1) as f64;
         let origin = meant().fold(SVector::zeros(), |sum, c| sum + c.point / count);
         let spread = meant().map(|c| (c.point - origin).norm_squared() / count).sum::<f64>().sqrt();
-        // A single point has no extent, so any unit of length serves.
+        // A single point has no extent, so any unit of length can be used.
         let length = if spread * LARGEST > 1.0 { spread } else { 1.0 };
         let mut sites = Vec::with_capacity(contacts.len());
         for (index, contact) in contacts.iter().enumerate() {
@@ -135,13 +136,13 @@ impl Engine {
         Ok(Self { space, size, contacts, sites, wholes, origin, length, linkage: None, vacuum, trial })
     }
 
-    /// Plane or space.
+    /// Whether the grasp is in the plane or in space.
     #[inline]
     pub(crate) fn space(&self) -> Space {
         self.space
     }
 
-    /// Number of coordinates.
+    /// Number of coordinates of the grasp.
     #[inline]
     pub(crate) fn size(&self) -> Size {
         self.size
@@ -246,7 +247,7 @@ impl Engine {
     }
 }
 
-/// Plane or space, for a grasp by these contacts.
+/// Whether a grasp with these contacts is in the plane or in space.
 pub(super) fn space_of(contacts: &[Contact<3>]) -> Space {
     contacts.first().map_or(Space::Spatial, |contact| contact.space)
 }

@@ -68,19 +68,19 @@ impl<const C: usize> Bodies<C> {
         }
     }
 
-    /// Adds contacts with the ground, with fixed fingers, or between bodies; they have no joints.
+    /// Adds contacts with the ground, with fixed fingers, or between bodies. None of these contacts is moved by joints.
     pub fn contacts(mut self, contacts: impl IntoIterator<Item = Contact<C>>) -> Self {
         self.hand = contacts.into_iter().map(Finger::fixed).fold(self.hand, Hand::finger);
         self
     }
 
-    /// Adds hinges, slides, springs or cables between the bodies or to the ground. The contacts that model them follow all other contacts.
+    /// Adds hinges, slides, springs or cables between the bodies or to the ground. The contacts that model these links come after all other contacts.
     pub fn links(mut self, links: impl IntoIterator<Item = Link<C>>) -> Self {
         self.links.extend(links);
         self
     }
 
-    /// Sets the hand that holds the bodies. It replaces all contacts given before.
+    /// Sets the hand that holds the bodies. The hand replaces all contacts given before.
     pub fn held_by(mut self, hand: Hand<C>) -> Self {
         self.hand = hand;
         self

@@ -1,4 +1,4 @@
-//! Conversion of loads and motions of several bodies between the engine's coordinates and the user's.
+//! Conversion of loads and motions of several bodies between the engine's coordinates and those of the user.
 
 use alloc::sync::Arc;
 
@@ -18,7 +18,7 @@ impl Engine {
         self.linkage()?.bodies.as_deref()
     }
 
-    /// Sign, 1, -1 or 0, with which the force of a contact acts on the body that has the object's coordinates.
+    /// Sign, 1, -1 or 0, with which the force of a contact acts on the body that has the coordinates of the object.
     pub(crate) fn sign_on_object(&self, contact: usize) -> f64 {
         self.bodies().map_or(1.0, |bodies| bodies.sign(contact, bodies.object))
     }
@@ -130,7 +130,7 @@ impl Engine {
             let twist = if body == bodies.object {
                 Twist::among(self.space, outside)
             } else {
-                // Components beyond the end of the vector are zero.
+                // Components beyond the end of the vector are zero, so the vector may be shorter.
                 let count = Size::of(self.space.of_the_object());
                 let own = Vector::from_fn(count, |k| outside[place.first + k]);
                 Twist::among(self.space, &self.space.moved_twist(&place.centre, &own))

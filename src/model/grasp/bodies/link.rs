@@ -225,7 +225,7 @@ impl<const C: usize> Link<C> {
         self
     }
 
-    /// The user's name, or the kind with the number.
+    /// The name that the user gave, or else the kind of the link with its number.
     pub(crate) fn called(&self, number: usize) -> String {
         self.name.as_deref().map_or_else(|| format!("{} {number}", self.kind().name()), str::to_owned)
     }

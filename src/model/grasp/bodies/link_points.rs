@@ -48,7 +48,7 @@ impl Link<3> {
         })?;
         let points = self.points(space);
         let (count, all) = (points.len() as f64, self.stiffness.unwrap_or(Self::STIFF));
-        // Half of the bearings of a spatial slide act along each of the two directions normal to it.
+        // In space, half of the bearings of a slide act along each of the two directions normal to the slide.
         let is_slide = matches!(self.place, LinkPlace::Slide { .. });
         let share = if is_slide { (space.axes() - 1) as f64 / count } else { 1.0 / count };
         let is_one = points.len() == 1;
@@ -89,7 +89,8 @@ impl Link<3> {
                 let (half, across) = (0.5 * length, normals_to(space, &along));
                 let mut points = Vec::new();
                 for normal in &across {
-                    // Bearings lie at both ends. In space they also lie on both sides of the slide, so that it cannot turn about its direction.
+                    // Bearings lie at both ends. In space bearings also lie on both sides of the slide, so that the slide cannot turn about its
+                    // direction.
                     for arm in [&[along], &across[..]].concat() {
                         if arm != *normal {
                             for x in [-half, half] {

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! The contact law stays the same. The body on which loads act has the coordinates of the object. The coordinates of all other bodies come after
-//! those of the joints, and enter the motion of a contact in the same way as those of joints. Links between bodies are contacts that cannot open.
+//! those of the joints. Both enter the motion of a contact in the same way. Links between bodies are contacts that cannot open.
 
 mod assembled;
 mod body;

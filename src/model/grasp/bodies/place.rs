@@ -19,7 +19,7 @@ use crate::words::printable;
 pub(crate) struct BodyPlace {
     /// Index of the body's first coordinate; zero for the body that has the object's coordinates.
     pub(crate) first: usize,
-    /// Centroid of the body's contact points, m; the body's rotation is taken about it.
+    /// Centroid of the body's contact points, m. The coordinates of rotation refer to this point.
     pub(crate) centre: SVector<f64, 3>,
     /// Root mean square distance of the body's contact points from the centroid, m.
     pub(crate) reach: f64,
@@ -46,7 +46,7 @@ pub(crate) struct PlacedBodies {
     pub(crate) object: usize,
     /// Constant load on each body, in addition to the load of a question.
     pub(crate) loads: Vec<Wrench<3>>,
-    /// The part of `loads` that the user gave as loads, without weights.
+    /// The part of `loads` that the user gave as loads of bodies; weights are not included.
     pub(crate) user_loads: Vec<Wrench<3>>,
     /// The part of `loads` that a load program has applied; usually empty.
     pub(super) program_loads: Vec<Wrench<3>>,
@@ -161,7 +161,7 @@ impl PlacedBodies {
         columns
     }
 
-    /// Loads on all bodies for the load of a question.
+    /// The loads on all bodies that follow from the load of a question.
     pub(crate) fn shared(&self, load: &Wrench<3>) -> Vec<Wrench<3>> {
         let list = match &self.sharing {
             Sharing::OnObject => {
@@ -205,7 +205,7 @@ impl PlacedBodies {
         })
     }
 
-    /// These bodies with the loads `program_loads` added to their constant loads.
+    /// These bodies with the loads `program_loads` added to their constant loads; one load for each body.
     pub(super) fn under(&self, program_loads: Vec<Wrench<3>>) -> Self {
         let loads = paired(&self.loads, &program_loads, &|(always, more)| *always + *more);
         Self { loads, program_loads, ..self.clone() }
