@@ -40,8 +40,8 @@
 //! | positive semidefinite, or copositive-plus | solvable if {z ≥ 0, Mz + q ≥ 0} is not empty (3.8.6) | one is found; a ray proves that none exists (4.4.12) |
 //! | any other | perhaps no solution, perhaps many | a ray proves nothing |
 //!
-//! [`Outcome`] says which of these happened. It says "solved" only after the residuals have been recomputed from the given M and q. If a ray
-//! proves nothing, further attempts follow, which [`Lcp::solve_with`] lists.
+//! [`Outcome`] is "solved" only after the residuals have been recomputed from the given M and q. If a ray proves nothing, further attempts follow,
+//! which [`Lcp::solve_with`] lists.
 //!
 //! Proofs that no solution exists are checked without rounding.
 //!
