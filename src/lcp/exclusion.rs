@@ -114,8 +114,8 @@ fn solved(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
 
 /// A condition that the point of a basis violates.
 enum Broken {
-    /// z_j ≥ 0 for an element of α, given by its position in α.
+    /// The condition z_j ≥ 0, for an element of α that is given by its position in α.
     Domain(usize),
-    /// w_i ≥ 0.
+    /// The condition w_i ≥ 0.
     Slack(usize),
 }

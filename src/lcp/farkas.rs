@@ -139,9 +139,9 @@ impl Lcp {
 /// The values that an unknown may have.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Domain {
-    /// z_j ≥ 0.
+    /// The unknown is nonnegative: z_j ≥ 0.
     NotNegative,
-    /// z_j = 0.
+    /// The unknown is zero: z_j = 0.
     Zero,
 }
 

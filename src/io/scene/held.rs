@@ -19,7 +19,7 @@ use crate::words::Words;
 pub struct HoldAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// The verdict. Its fields are written on the same level as `says`.
+    /// The verdict. In the text its fields are fields of this answer itself.
     #[serde(flatten)]
     pub verdict: Verdict<C>,
 }
@@ -51,7 +51,7 @@ pub struct HoldAnswer<const C: usize> {
 pub struct NeedAnswer {
     /// The answer in a sentence.
     pub says: String,
-    /// The needed amount. Its fields are written on the same level as `says`.
+    /// The needed amount. In the text its fields are fields of this answer itself.
     #[serde(flatten)]
     pub needed: Needed,
 }
@@ -100,7 +100,7 @@ impl NeedAnswer {
 pub struct ImproveAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// The better finger places. Their fields are written on the same level as `says`.
+    /// The better finger places. In the text their fields are fields of this answer itself.
     #[serde(flatten)]
     pub improved: Improved<C>,
 }
@@ -140,7 +140,7 @@ impl<const C: usize> ImproveAnswer<C> {
 pub struct IdentifyAnswer {
     /// The answer in a sentence.
     pub says: String,
-    /// The estimates. Their fields are written on the same level as `says`.
+    /// The estimates. In the text their fields are fields of this answer itself.
     #[serde(flatten)]
     pub identified: Identified,
 }
@@ -176,12 +176,12 @@ impl IdentifyAnswer {
 pub struct ShakeAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// The verdict on the repeated load. Its fields are written on the same level as `says`.
+    /// The verdict on the repeated load. In the text its fields are fields of this answer itself.
     #[serde(flatten)]
     pub shaken: Shaken<C>,
 }
 
-/// Whether slipping ceases whatever the order of the repeated loads; see [`Shakedown`].
+/// Whether slip ceases, whatever the order of the repeated loads; see [`Shakedown`].
 ///
 /// ```
 /// use grasp_lcp::scene::Scene;

@@ -94,7 +94,7 @@ pub struct PadLayer {
 }
 
 impl PartSetup {
-    /// A part from this file, without mass.
+    /// A part whose mesh is in the file `mesh`, without mass.
     #[must_use]
     pub fn new(mesh: impl Into<String>, unit: Unit) -> Self {
         let (vertices, faces) = (Arc::new([]), Arc::new([]));

@@ -26,7 +26,7 @@ pub struct PathAnswer<const C: usize> {
     /// The place where motions cease to be small, if they do. Beyond this place the answer, which assumes the undeformed geometry, is inaccurate.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub small_motions_end: Option<EndOfSmallMotions>,
-    /// Energies of every leg that was entered, up to the end of the path; empty for a path in steps.
+    /// The energies of each leg that the path has reached; empty for a path in steps.
     pub energies: Vec<BalancedEnergy>,
     /// Sum of the estimated errors of the steps along sliding arcs, each relative in the sense of
     /// [`Settings::step_error`](crate::Settings::step_error); 0 where every piece is straight. For a path in steps, see [`SteppedPath::step_error`].

@@ -240,7 +240,7 @@ impl Setup<3> {
         words.in_space(self.space)
     }
 
-    /// The setup, unless one of its parts or questions is malformed.
+    /// Returns this setup, or an error if one of its parts or questions is malformed.
     fn checked(self) -> Result<Self, String> {
         self.check_bodies()?;
         #[cfg(feature = "urdf")]

@@ -45,14 +45,14 @@ pub enum Warning {
     },
     /// Several contacts have the same name, so that answers are ambiguous.
     SameName {
-        /// Indices of the contacts in the scene, from 0.
+        /// Indices of the contacts concerned, counted from 0 in the scene.
         contacts: Vec<usize>,
         /// The name that these contacts share.
         name: String,
     },
     /// Contacts or links have no stiffness, and answers depend on the default stiffness.
     StiffnessLeftOut {
-        /// Indices of the contacts in the scene, from 0.
+        /// Indices of the contacts concerned, counted from 0 in the scene.
         contacts: Vec<usize>,
         /// The names of the contacts in messages.
         names: Vec<String>,
@@ -74,7 +74,7 @@ pub enum Warning {
     },
     /// A friction coefficient is implausibly large; it may be given in percent.
     MuchFriction {
-        /// Indices of the contacts in the scene, from 0.
+        /// Indices of the contacts concerned, counted from 0 in the scene.
         contacts: Vec<usize>,
         /// The names of the contacts in messages.
         names: Vec<String>,
@@ -95,7 +95,7 @@ pub enum Warning {
     },
     /// A force or a stiffness is out of proportion to the other contacts; perhaps it is the modulus of a material, or in another unit.
     OutOfProportion {
-        /// Indices of the contacts in the scene, from 0.
+        /// Indices of the contacts concerned, counted from 0 in the scene.
         contacts: Vec<usize>,
         /// The names of the contacts in messages.
         names: Vec<String>,
@@ -106,14 +106,14 @@ pub enum Warning {
     },
     /// All normals point the same way, so that contacts cannot press with their given forces.
     SameSide {
-        /// Indices of the contacts in the scene, from 0.
+        /// Indices of the contacts concerned, counted from 0 in the scene.
         contacts: Vec<usize>,
         /// The names of the contacts in messages.
         names: Vec<String>,
     },
     /// All normals point away from the middle of the contacts, like those of fingers in a hole.
     Outwards {
-        /// Indices of the contacts in the scene, from 0.
+        /// Indices of the contacts concerned, counted from 0 in the scene.
         contacts: Vec<usize>,
         /// The names of the contacts in messages.
         names: Vec<String>,
@@ -147,7 +147,7 @@ pub enum Warning {
     },
     /// Two contacts are in one place, with parallel normals.
     OnePlace {
-        /// Indices of the contacts in the scene, from 0.
+        /// Indices of the contacts concerned, counted from 0 in the scene.
         contacts: Vec<usize>,
         /// The names of the contacts in messages.
         names: Vec<String>,

@@ -18,7 +18,7 @@ use super::tolerances::SMALLEST;
 /// Stretch and force of a contact; or, for the rates of conditions, the rates of both.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SpringState<'s> {
-    /// Stretch `a - G_iᵀq`, m.
+    /// Stretch of the contact's springs, `a - G_iᵀq`, with the contact's offset a and the object's motion q, m.
     pub(crate) stretch: SVector<f64, 3>,
     /// Contact force, N.
     pub(crate) force: &'s SVector<f64, 3>,

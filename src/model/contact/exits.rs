@@ -39,7 +39,7 @@ impl Line {
     }
 }
 
-/// A gap that changes linearly, with the sizes of the displacements whose difference it is, in m.
+/// A gap and its rate, with the magnitudes of the displacements whose difference is the gap, m.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GapLine {
     pub(crate) gap: f64,
@@ -172,7 +172,7 @@ impl LocalLaw<'_> {
             }
         }
         // A line through the apex has a double root there, which costs half the digits. Beyond the apex the line continues in the opposite nappe of
-        // the cone, F_n < 0. The exit is then the linear root of F_n.
+        // the cone, F_n < 0. The exit is then the root of F_n, which is linear in the step.
         if let Some(apex) = line.linear(line.force[0], line.rate[0], 1.0, SVector::zeros()) {
             let missed = (t0 + t1 * apex.step).norm();
             let through = missed <= ZERO_SLACK * (line.force_size + apex.step * line.rate_size);

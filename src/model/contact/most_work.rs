@@ -29,7 +29,7 @@ impl LocalLaw<'_> {
     pub(crate) fn most_work(&self, label: &Label, phi: &SVector<f64, 3>, u: &SVector<f64, 3>) -> f64 {
         let c = self.springs.deflection(phi);
         let mut most = f64::NEG_INFINITY;
-        // Records the work of a generator (ξ, F), given in force units.
+        // Compares the work of one generator with the largest so far. The generator is given in force units, as ξ = K v and F.
         let mut note = |xi: &SVector<f64, 3>, force: &SVector<f64, 3>| {
             let size = (2.0 * (self.springs.stored(xi) + self.springs.stored(force))).sqrt();
             most = most.max((c.dot(xi) + u.dot(force)) / size);

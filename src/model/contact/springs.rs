@@ -67,7 +67,7 @@ impl Spring {
     }
 }
 
-/// The correction r for which `known (factor + r) = product`.
+/// The correction r of a factor for which `known (factor + r) = product`, that is, the rounding error of the factor.
 fn rest_of_factor(product: f64, known: f64, factor: f64) -> f64 {
     let rounded = known * factor;
     ((product - rounded) - rounding_of(rounded, known, factor)) / known

@@ -79,7 +79,7 @@ impl LocalLaw<'_> {
         (tau > 0.0 && tau < 1.0).then_some(tau)
     }
 
-    /// State and force after sliding from a force on the cone for the remaining time `rest`.
+    /// State and force after sliding for the remaining time `rest`, from a force on the edge of the cone.
     fn slid_on(&self, from: &SVector<f64, 3>, rate: &SVector<f64, 3>, rest: f64) -> ContactResponse {
         let normal = from[0] + rate[0] * rest;
         let [r0, r1] = [from[0], normal].each(|f| self.friction.limit(f.max(0.0)));

@@ -34,7 +34,7 @@ pub(crate) enum Tangent {
 }
 
 impl Tangent {
-    /// C as a full matrix.
+    /// The tangent stiffness C as a full matrix.
     pub(crate) fn matrix(&self) -> SMatrix<f64, 3, 3> {
         match self {
             Self::Open => SMatrix::zeros(),
@@ -49,7 +49,7 @@ impl Tangent {
 }
 
 impl Tangent {
-    /// Change of force `C v` for a change v of the stretch.
+    /// Change of force `C v` for a change v of the stretch, N.
     #[inline]
     pub(crate) fn force(&self, stretch: &SVector<f64, 3>) -> SVector<f64, 3> {
         match self {

@@ -84,9 +84,9 @@ pub struct Contact<const C: usize> {
     pub(crate) hold: Hold,
     /// Number of the point in its soft fingertip, from 0.
     pub(crate) point_of_pad: Option<usize>,
-    /// Name of the body into which the normal points, if the grasp has several bodies.
+    /// Name of the body into which the normal of the contact points, if the grasp has several bodies.
     pub(crate) on: Option<Arc<str>>,
-    /// Name of the body on the other side, if the grasp has several bodies.
+    /// Name of the body on the other side of the contact, if the grasp has several bodies.
     pub(crate) against: Option<Arc<str>>,
     /// Kind of the link to which this point belongs; `None` for an ordinary contact.
     pub(crate) link: Option<LinkKind>,
@@ -120,14 +120,15 @@ impl<const C: usize> Contact<C> {
         }
     }
 
-    /// Names the body into which the normal points, one of [several](super::Bodies). Forces and displacements of the contact refer to this body.
+    /// Names the body into which the normal of the contact points, one of [several](super::Bodies). Forces and displacements of the contact refer to
+    /// this body.
     pub fn on(mut self, body: impl Into<String>) -> Self {
         self.on = Some(body.into().into());
         self
     }
 
-    /// Names the body on the other side, one of [several](super::Bodies), in place of the ground or a finger. The body stiffness of the contact
-    /// belongs to the body named by [`on`](Self::on), the finger stiffness to the body named here.
+    /// Names the body on the other side of the contact, one of [several](super::Bodies), in place of the ground or a finger. The body stiffness of
+    /// the contact belongs to the body named by [`on`](Self::on), the finger stiffness to the body named here.
     pub fn against(mut self, body: impl Into<String>) -> Self {
         self.against = Some(body.into().into());
         self

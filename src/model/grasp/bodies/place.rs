@@ -39,7 +39,7 @@ pub(super) enum Sharing {
 /// Several bodies in the engine.
 #[derive(Debug, Clone)]
 pub(crate) struct PlacedBodies {
-    /// Plane or space.
+    /// Whether the bodies are in the plane or in space.
     space: Space,
     pub(crate) names: Vec<Arc<str>>,
     /// Index of the body that has the object's coordinates.
