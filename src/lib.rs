@@ -1,9 +1,8 @@
 //! Does the grasp hold?
 //!
-//! A multifingered hand holds an object. Each contact is a point with Coulomb friction. Finger and object are elastic at each contact, like
-//! springs in series. Small displacements of the fingers are commanded, and a load acts on the object. This crate computes the motion of the
-//! object, the contact forces, and **the load at which a contact starts to slide**. It also tells whether an equilibrium exists beyond that
-//! load.
+//! A multifingered hand holds an object. Each contact is a point with Coulomb friction. Finger and object are elastic at each contact, like springs
+//! in series. Small displacements of the fingers are commanded, and a load acts on the object. This crate computes the motion of the object, the
+//! contact forces, and **the load at which a contact starts to slide**. It also decides whether an equilibrium exists beyond that load.
 //!
 //! ```
 //! use grasp_lcp::need::Need;
@@ -39,7 +38,7 @@
 //! | [`guide`] | which answer to trust, several equilibria, rays, facets, hands |
 //! | [`ask`] | a [`Grasp`](ask::Grasp), and a table of the questions that it answers |
 //! | [`grasp`] | the parts of a question: contacts, soft fingertips, stiffness, friction, hands, bodies, wrench and twist; vectors of other libraries |
-//! | [`hold`] | does it hold: the verdict on a load that is applied from rest, as one sentence |
+//! | [`hold`] | does it hold: the verdict on a load that grows from zero, as one sentence |
 //! | [`need`] | how much squeeze, friction, load, arm or angle a grasp needs or allows |
 //! | [`equilibrium`] | motion and contact forces under a load, or the proof that no equilibrium exists |
 //!
@@ -61,7 +60,7 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`lcp`] | `0 <= z ⟂ M z + q >= 0` by Lemke's method; knows nothing of contacts |
+//! | [`lcp`] | `0 <= z ⟂ M z + q >= 0` by Lemke's method; independent of contacts |
 //! | [`friction`] | frictional contact problems (W, q, μ) as simulators pose them, on the round cone |
 //! | [`forms`] | kinematic and force form of a grasp as linear complementarity problems, and the meaning of their rows |
 //!
@@ -99,29 +98,29 @@
 //! | μ | coefficient of friction, each contact its own | | 1 |
 //!
 //! Signs: normals point into the object, the way the finger pushes; in the plane `t = (n_y, -n_x)`. Friction drags the body along with the finger, so
-//! F_t and the slip s point the same way. The law is the unified one of the paper, its sections 3.A and 3.B, with contacts that may also open; the
-//! sign of its equation 3.B.5 is a misprint. Units are SI in the docs. Any consistent units work.
+//! F_t and the slip s have the same direction. The contact law is the unified law of the paper (sections 3.A and 3.B), for contacts that may also
+//! open; the sign in equation 3.B.5 of the paper is a misprint. Units are SI in the docs. Any consistent units work.
 //!
 //! # Answers
 //!
-//! "No equilibrium exists" is an answer ([`equilibrium::Outcome::NoEquilibrium`]) with its proof, never an error and never numbers. Malformed
-//! input is an [`Error`] with the contact, the field, its value and the allowed values. Every equilibrium carries
-//! [residuals](equilibrium::Residuals) recomputed from the question. With friction several equilibria are common: [`equilibrium::FoundBy`] is
-//! the rule by which the returned one was found. [`ask::Grasp::equilibria`] lists all of them; on the round cone it lists those found from the
-//! states of a polygonal cone.
+//! "No equilibrium exists" is an answer ([`equilibrium::Outcome::NoEquilibrium`]) with its proof; it is not an error, and no numbers are returned.
+//! Malformed input is an [`Error`] with the contact, the field, its value and the allowed values. Every equilibrium carries
+//! [residuals](equilibrium::Residuals) recomputed from the question. With friction several equilibria are common: [`equilibrium::FoundBy`] is the
+//! rule by which the returned one was found. [`ask::Grasp::equilibria`] lists all of them; on the round cone it lists those found from the states of
+//! a polygonal cone.
 //!
-//! A point contact carries no moment. A two-finger pinch in space therefore turns freely about the line between the contacts, which the answer
-//! reports in [`free_motions`](equilibrium::Equilibrium::free_motions). [`grasp::SoftFingertip`] spreads a contact over a patch that resists
+//! A point contact carries no moment. A two-finger pinch in space therefore turns freely about the line between the contacts. The answer contains
+//! this motion in [`free_motions`](equilibrium::Equilibrium::free_motions). [`grasp::SoftFingertip`] spreads a contact over a patch that resists
 //! moments.
 //!
-//! The model is that of "Position Control for Multifingered Robot Hand". The paper solves the sticking case as a quadratic program; [`energy`] has
-//! it, and shows where its minimum stops being an equilibrium. `paper-notes.md` in the repository lists what this crate takes from the paper, its
-//! misprints, and the extensions.
+//! The model is that of the paper "Position Control for Multifingered Robot Hand". The paper solves the sticking case as a quadratic program.
+//! [`energy`] implements this program, and shows where its minimum stops being an equilibrium. `paper-notes.md` in the repository lists what this
+//! crate takes from the paper, its misprints, and the extensions.
 //!
 //! # Without the standard library
 //!
-//! `default-features = false, features = ["libm"]` makes the crate `no_std`, with every question above, and the same answers to rounding. It needs an
-//! allocator and atomic pointers (`thumbv7em`, `riscv32imac`; not `thumbv6m`), and double precision, which small processors compute in software.
+//! `default-features = false, features = ["libm"]` makes the crate `no_std`, with every question above, and the same answers up to rounding. It needs
+//! an allocator and atomic pointers (`thumbv7em`, `riscv32imac`; not `thumbv6m`), and double precision, which small processors compute in software.
 //!
 //! | needs std | feature |
 //! |---|---|
@@ -131,9 +130,9 @@
 //! | scenes, files, streams, schemas | `serde`, `json`, `schema` |
 //! | the program | `cli`, `cli-full` |
 //!
-//! In a control loop [`screening::Fingers`] suffices: [`onset`](screening::Fingers::onset) and [`watch`](screening::Fingers::watch) allocate
-//! nothing, and the number of their operations does not depend on the data. Floating-point functions come from `libm`, whose last digits differ
-//! from std's. If a load has several equilibria, another one may therefore be returned.
+//! In a control loop [`screening::Fingers`] suffices: [`onset`](screening::Fingers::onset) and [`watch`](screening::Fingers::watch) allocate nothing,
+//! and the number of their operations does not depend on the data. Floating-point functions come from `libm`, whose last digits differ from std's. If
+//! a load has several equilibria, another equilibrium may therefore be returned.
 #![cfg_attr(not(feature = "std"), no_std)]
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
@@ -183,13 +182,13 @@ pub use contact::{Fit, PolygonCone};
 pub use equilibrium::{Settings, SmallMotions};
 pub use error::{ContactLabel, Error, Field};
 pub use grasp::Limit;
-/// nalgebra, the library of vectors and matrices in questions and answers, in the version of this crate.
+/// The version of nalgebra that this crate uses, for the vectors and matrices in questions and answers.
 pub use nalgebra;
 #[cfg(feature = "std")]
 #[doc(hidden)]
 pub use search::record;
 
-/// The programs in the README are doctests.
+/// The programs in the README are tested as doctests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -1,4 +1,4 @@
-//! One attempt: a path from the slack basis to its end, and the check of the point found.
+//! One attempt: Lemke's path from the slack basis to its end, and the check of the point at this end.
 //!
 //! An attempt returns `None` if the workspace then holds a solution, otherwise the way in which it failed.
 
@@ -15,14 +15,14 @@ use crate::numerics::tolerances::ROUNDED_SUM;
 use crate::prelude::*;
 
 impl Workspace {
-    /// Balances the problem and clears the results of the previous one.
+    /// Balances rows and columns of the problem, and clears the results of the previous one.
     pub(super) fn prepare(&mut self, lcp: &Lcp) {
         self.residuals = None;
         self.path.prepare(lcp.m.as_slice(), lcp.q.as_slice());
         self.reserve(lcp.len());
     }
 
-    /// Follows the path of a prepared problem with the covering vector of the settings.
+    /// Follows the path of a prepared problem with the covering vector of the settings. `None` if it ends in a solution.
     pub(super) fn first_path(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         self.cover(settings);
         self.follow(lcp, settings, settings.pivot_limit(lcp.len()))
@@ -47,7 +47,7 @@ impl Workspace {
         }
     }
 
-    /// Follows Lemke's path from the slack basis and checks its end.
+    /// Follows Lemke's path from the slack basis and checks its end. `None` if the end is a solution.
     pub(super) fn follow(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) -> Option<Unsolved> {
         let m = lcp.m.as_slice();
         self.path.start_from_slacks();
@@ -65,7 +65,7 @@ impl Workspace {
         })
     }
 
-    /// Checks the end of a path. If rounding has led to an infeasible basis, the path is resumed from that basis.
+    /// Checks the end of a path. If rounding has led to an infeasible basis, the path is resumed from that basis. `None` if the end is a solution.
     pub(super) fn finish_or_resume(
         &mut self,
         lcp: &Lcp,
@@ -86,22 +86,22 @@ impl Workspace {
         self.finish(lcp, settings)
     }
 
-    /// Improves a solution whose w is more negative than rounding allows. The path to it has treated nearly tied rows as ties, or small values as
-    /// noise. A second path continues from there and does neither; the better of both points is kept. Settings without retries skip this.
+    /// Improves a solution whose w is more negative than rounding explains: its path has treated nearly equal ratios as ties, or small values as
+    /// noise. A second path from this solution does neither, and the better of both points is kept. Settings without retries skip this step.
     fn sharpen(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) {
         let coarse = match self.residuals {
             Some(r) if r.negative_w > residual_rounding(lcp.len()) && settings.retries > 0 => r,
             _ => return,
         };
         let m = lcp.m.as_slice();
-        // Slightly negative values may have been set to zero earlier on the path.
+        // Recomputed from q, since slightly negative values may have been set to zero earlier on the path.
         self.path.recompute_values();
         if !self.path.cover_violations(m, ROUNDED_SUM) {
             return;
         }
         let kept = (self.point.clone(), self.basis.clone(), self.degenerate);
         let sharp = Settings { tie_tolerance: settings.tie_tolerance.min(ROUNDED_SUM), ..settings.clone() };
-        // A successful separation of near-ties takes few pivots. Without this limit large degenerate problems would run for long.
+        // If near-ties can be separated, few pivots suffice. Without this limit large degenerate problems would run for long.
         let limit = limit.min(self.path.pivots + 16);
         let goes_on = self.path.cover_and_run(m, &sharp, limit) == LemkeEnd::Complementary
             && self.finish_as_it_is(lcp, &sharp).is_none();

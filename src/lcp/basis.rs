@@ -4,7 +4,7 @@ use crate::prelude::*;
 
 /// A complementary basis: of every pair (w_i, z_i) one variable is basic, the other is nonbasic and zero.
 ///
-/// Let α be the set of i with z_i basic. The basis is regular if the principal block M_αα is. Its point is then z_α = −M_αα⁻¹ q_α, z = 0
+/// Let α be the set of i with z_i basic. The basis is regular if the principal block M_αα is regular. Its point is then z_α = −M_αα⁻¹ q_α, z = 0
 /// elsewhere, w = M z + q (Cottle, Pang & Stone, *The Linear Complementarity Problem*, 1992).
 #[derive(Debug, Clone, PartialEq, Eq, Hash, Default)]
 pub struct Basis {
@@ -40,7 +40,7 @@ impl Basis {
         self.basic_z[i] = true;
     }
 
-    /// Exchanges w_i and z_i.
+    /// Makes z_i basic and w_i nonbasic, or the reverse.
     pub(super) fn toggle(&mut self, i: usize) {
         self.basic_z[i] = !self.basic_z[i];
     }

@@ -1,7 +1,7 @@
 //! The secondary ray at the end of a path, and the infeasibility proof that it may contain.
 //!
 //! If M is copositive-plus, the direction ẑ of a secondary ray has ẑᵀMẑ = 0, hence (M + Mᵀ)ẑ = 0. Then Mᵀẑ = −Mẑ ≤ 0 and qᵀẑ < 0 (Cottle, Pang &
-//! Stone, proof of theorem 4.4.12), so ẑ itself is a Farkas vector. Whether it is one can be checked without knowing the class of M.
+//! Stone, proof of theorem 4.4.12), so ẑ itself is a Farkas vector. Whether ẑ is a Farkas vector can be checked without knowing the class of M.
 
 use super::dictionary::{LemkeVariable, largest};
 use super::outcome::{Outcome, Ray, Unsolved};
@@ -11,15 +11,15 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::vector_of;
 use nalgebra::DVector;
 
-/// The outcome of a path at whose end the entering variable grows without bound. If the ray is a Farkas vector the outcome is a proof. Otherwise
-/// it is the ray, in the caller's units and with largest entry 1. `None` if the ray overflows in these units.
+/// The outcome of a path at whose end the entering variable grows without bound. If the ray is a Farkas vector the outcome is a proof. Otherwise the
+/// outcome is the ray, in the caller's units and with largest entry 1. `None` if the ray overflows in these units.
 pub(super) fn ray(lcp: &Lcp, path: &LemkePath, entering: LemkeVariable) -> Option<Unsolved> {
     let mut rates = DVector::zeros(lcp.len());
     let mut covering_rate = 0.0;
     if let LemkeVariable::Z(e) = entering {
         rates[e] = 1.0;
     }
-    // Rates up to this size, and negative ones, are rounding and count as zero; a negative rate would invalidate a proof.
+    // Entries of the ray up to this size, and negative ones, are rounding and count as zero; a negative entry would invalidate a proof.
     let noise = SOLVED_ROUNDING * largest(&path.dictionary.u).max(1.0);
     for (basic, u) in path.dictionary.basic.iter().zip(&path.dictionary.u) {
         match *basic {

@@ -1,4 +1,4 @@
-//! From the end of a path to a point that is checked against the given data.
+//! From the end of a path to a point whose residuals are computed from the given data.
 
 use super::dictionary::LemkeVariable;
 use super::memory::refill;
@@ -14,7 +14,7 @@ use crate::numerics::IntoList;
 use crate::prelude::*;
 
 impl Workspace {
-    /// Checks the point z = 0, for a problem with q ≥ 0.
+    /// Checks the point z = 0, for a problem with q ≥ 0. `None` if it is a solution.
     pub(super) fn accept_slack_basis(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         let n = lcp.len();
         self.basis.clear(n);
@@ -24,7 +24,8 @@ impl Workspace {
         self.conclude(lcp, residuals, settings)
     }
 
-    /// Checks the point of the complementary basis in the dictionary, refined against the given M and q. `None` if it solves the problem.
+    /// Refines the point of the complementary basis in the dictionary, and checks it against the given M and q. `None` if the point solves the
+    /// problem.
     pub(super) fn finish(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         self.mark_vanishing(lcp);
         self.retire_vanishing(lcp);
@@ -48,8 +49,8 @@ impl Workspace {
         self.path.read_point(&mut self.point.z);
         let residuals = self.point.evaluate(lcp);
         let mut residuals = self.refine(lcp, residuals);
-        // A basic variable that is zero in exact arithmetic is computed as noise. It is set to zero if that does not increase the residuals beyond
-        // rounding.
+        // A basic variable that is zero in exact arithmetic is computed as noise. The variable is set to zero if that does not increase the residuals
+        // beyond rounding.
         if (0..n).any(|j| self.vanishing[j] && self.point.z[j] > 0.0) {
             let kept = self.point.z.iter().zip(&self.vanishing).map(|(z, out)| if *out { 0.0 } else { *z });
             self.spare.z.clear();
@@ -66,7 +67,7 @@ impl Workspace {
         self.conclude(lcp, residuals, settings)
     }
 
-    /// Replaces the workspace's point by its `spare` point, if `accept` holds for the largest residual of the latter.
+    /// Replaces the workspace's point by its `spare` point if `accept` holds for the largest residual of the spare point.
     fn take_spare(&mut self, lcp: &Lcp, residuals: &mut Residuals, accept: impl Fn(f64) -> bool) {
         let spare = self.spare.evaluate(lcp);
         if accept(spare.max()) {
@@ -78,7 +79,7 @@ impl Workspace {
     /// Marks the basic z's that are zero up to rounding.
     ///
     /// Such a z is small relative to the terms from which it was computed. It may also be small relative to the largest z, if the residuals stay as
-    /// small with all such z's set to zero. The second test finds z's whose terms are all noise.
+    /// small with all such z's set to zero. The second test finds z's that were computed from noise alone.
     fn mark_vanishing(&mut self, lcp: &Lcp) {
         let n = lcp.len();
         refill(&mut self.vanishing, n, false);
@@ -109,8 +110,8 @@ impl Workspace {
 
     /// Exchanges each vanishing z_j with w_j if the pivot is large enough.
     ///
-    /// The point then belongs to a smaller block, and the noise of z_j does not affect its rows. Variables are processed by index, since the
-    /// order of rows depends on rounding.
+    /// The point then belongs to a smaller principal block, and the noise of z_j does not affect its rows. Variables are processed by index, since
+    /// the order of rows depends on rounding.
     fn retire_vanishing(&mut self, lcp: &Lcp) {
         let LemkePath { dictionary, scaling, .. } = &mut self.path;
         for j in (0..lcp.len()).filter(|j| self.vanishing[*j]) {
@@ -140,7 +141,8 @@ impl Workspace {
         residuals
     }
 
-    /// Corrects the basic values for the defect of the point. The defect of a row with basic z_i is its w_i, which should vanish.
+    /// One step of refinement: corrects the basic values by the effect of the defect. The defect of a row with basic z_i is its w_i, which should
+    /// vanish.
     fn correct_values(&mut self) {
         let path = &mut self.path;
         self.defect.clear();
@@ -171,7 +173,8 @@ impl Workspace {
         changed
     }
 
-    /// Replaces the point by that of a new factorisation of the basis, without or with its vanishing variables, if it is better.
+    /// Factorises the block of the basis anew, first without its vanishing variables, then with them. Replaces the point if the new one has smaller
+    /// residuals.
     fn finish_by_factorisation(&mut self, lcp: &Lcp, best: &mut Residuals) {
         let alpha: Vec<usize> = self.basis.iter().list();
         let support: Vec<usize> = alpha.iter().copied().filter(|i| !self.vanishing[*i]).list();
@@ -190,7 +193,7 @@ impl Workspace {
         }
     }
 
-    /// Accepts the point (`None`) only if its residuals are within the tolerance and it depends on q.
+    /// Accepts the point (`None`) only if its residuals are within the tolerance and it does not also solve the problem for a very different q.
     fn conclude(&mut self, lcp: &Lcp, residuals: Residuals, settings: &Settings) -> Option<Unsolved> {
         let cause = if residuals == Residuals::UNUSABLE {
             BreakdownCause::Overflow

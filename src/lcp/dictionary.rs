@@ -36,7 +36,7 @@ pub(super) enum LemkeVariable {
 }
 
 impl LemkeVariable {
-    /// The other variable of the pair; z₀ has none.
+    /// The other variable of the pair. The covering variable z₀ belongs to no pair and is returned itself.
     pub(super) fn complement(self) -> Self {
         match self {
             Self::W(i) => Self::Z(i),
@@ -60,15 +60,15 @@ pub(super) struct Dictionary {
     columns: Vec<f64>,
     /// Values of the basic variables, row by row.
     pub(super) x: Vec<f64>,
-    /// The perturbation column, which breaks ties: the effect on the basic variables of adding p to q.
+    /// The column of p, which breaks ties: the effect on the basic variables of adding the perturbation p to q.
     pub(super) p: Vec<f64>,
-    /// For each row, the magnitude of the largest term that has entered its value.
+    /// For each row, the magnitude of the largest term from which its value in `x` was computed.
     pub(super) level: Vec<f64>,
     /// The column of the entering variable.
     pub(super) u: Vec<f64>,
     /// The covering vector d.
     pub(super) d: Vec<f64>,
-    /// The column of M, or d, whose effect is computed by (1), followed by a zero.
+    /// The column of M, or d, from which (1) computes the entering column. A zero follows it, for rows whose basic variable is no slack.
     entering: Vec<f64>,
     /// For each row, the index i of its basic slack w_i; n if its basic variable is no slack.
     slack: Vec<usize>,
@@ -106,7 +106,7 @@ impl Dictionary {
         }
     }
 
-    /// Whether w_i is nonbasic, so that row i is active.
+    /// Whether w_i is nonbasic, so that row i holds as an equation w_i = 0.
     pub(super) fn is_active(&self, i: usize) -> bool {
         self.slot[i].is_some()
     }
@@ -129,7 +129,7 @@ impl Dictionary {
         }
     }
 
-    /// The largest entry of the last loaded column, before elimination.
+    /// The largest entry of the loaded column of M or d, from which (1) computes the entering column.
     pub(super) fn entering_size(&self) -> f64 {
         largest(&self.entering)
     }
@@ -147,7 +147,7 @@ impl Dictionary {
         wide(Combine::<false> { columns: &self.columns, n: self.n, c: &self.c, y });
     }
 
-    /// Sets `level` for values that were computed as the effect of the right-hand side q: to the sums of the magnitudes of all their terms.
+    /// Sets `level` for values that were computed as the effect of the right-hand side q: to the sum of the magnitudes of all terms of each value.
     pub(super) fn sum_terms(&mut self, q: &[f64]) {
         self.c.clear();
         self.c.extend(self.kept.iter().map(|i| q[*i]));
@@ -159,8 +159,8 @@ impl Dictionary {
 
     /// Sets entries of the entering column to zero that are only noise.
     ///
-    /// For a column that is summed by (1), an entry is noise below `tolerance` times the magnitude of its terms. The column of a slack is
-    /// stored; its entries are noise below [`STORED_ROUNDING`] times the largest.
+    /// In a column that is summed by (1), an entry is noise below `tolerance` times the magnitude of its terms. In the stored column of a slack, an
+    /// entry is noise below [`STORED_ROUNDING`] times the largest entry.
     pub(super) fn clear_noise(&mut self, entering: LemkeVariable, tolerance: f64) {
         if let LemkeVariable::W(_) = entering {
             let rounding = STORED_ROUNDING * largest(&self.u);
@@ -251,7 +251,8 @@ impl Dictionary {
         }
     }
 
-    /// Makes an exchange except for the rank-one update of the stored columns, whose factors are left in `g` and `u`.
+    /// Makes the exchange of [`Self::exchange`] except for the rank-one update of the stored columns. Leaves the factors of this update in `g` and
+    /// `u`; returns the leaving variable.
     fn rearrange(&mut self, entering: LemkeVariable, r: usize) -> LemkeVariable {
         let n = self.n;
         let leaving = self.basic[r];
@@ -259,7 +260,8 @@ impl Dictionary {
         let inverse = 1.0 / pivot;
         self.step(r, pivot);
 
-        // In row r the update `D_v += g u` must give g alone. With row r of each column set to 0 and that of u set to 1 it needs no special case.
+        // In row r the update `D_v += g u` must give g alone. Row r of each column is therefore set to 0 and row r of u to 1, so the update needs no
+        // branch.
         self.u[r] = 1.0;
         let factor = -self.p[r] * inverse;
         self.p[r] = 0.0;
@@ -295,7 +297,8 @@ impl Dictionary {
         leaving
     }
 
-    /// Increases the entering variable until the basic variable of row r is zero, and updates values and levels.
+    /// Increases the entering variable until the basic variable of row r is zero. Updates the basic values in `x` and the magnitudes of their terms
+    /// in `level`.
     fn step(&mut self, r: usize, pivot: f64) {
         let step = -self.x[r] / pivot;
         let level = self.level[r] / pivot.abs();
@@ -308,7 +311,7 @@ impl Dictionary {
         self.level[r] = level;
     }
 
-    /// Removes a stored column; the last column takes its position.
+    /// Removes a stored column; the last column takes its position in `columns`.
     fn forget(&mut self, slot: usize) {
         let n = self.n;
         self.slot[self.kept[slot]] = None;

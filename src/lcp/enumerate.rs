@@ -22,7 +22,7 @@ use nalgebra::DVector;
 pub struct AllSolutions {
     /// One entry per solution point. Points of regular bases come first, in the order of the bases as binary numbers whose lowest bit is z_0.
     ///
-    /// A point that belongs to several bases is listed once, with `degenerate` set. `pivots` is 0.
+    /// A point that belongs to several bases is listed once, with [`Solution::degenerate`] set. [`Solution::pivots`] is 0.
     pub solutions: Vec<Solution>,
     /// The singular bases whose piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } is not empty. Such a piece may be a whole face of solutions;
     /// one of its points is among `solutions`.
@@ -74,7 +74,7 @@ pub(super) fn all_solutions(lcp: &Lcp, settings: &Settings) -> AllSolutions {
             None => without_point.push(bits),
         }
     }
-    // Singular bases are processed last, so that solutions of regular bases come first.
+    // Singular bases are processed last, so that solutions of regular bases come first in the list.
     for bits in without_point {
         let alpha = indices(bits);
         if let Some(basic) = search.point_of_singular_piece(&alpha)
@@ -86,8 +86,8 @@ pub(super) fn all_solutions(lcp: &Lcp, settings: &Settings) -> AllSolutions {
     search.found
 }
 
-/// A solution at a vertex of the solution set of a singular basis, for problems in which linear programming has found none. n is at most
-/// [`MOST_ROWS_WITH_VERTICES`](super::tolerances::MOST_ROWS_WITH_VERTICES).
+/// A solution at a vertex of the solution set of a singular basis, for problems in which linear programming has found no solution. The size n is at
+/// most [`MOST_ROWS_WITH_VERTICES`](super::tolerances::MOST_ROWS_WITH_VERTICES).
 pub(super) fn at_corner(lcp: &Lcp, settings: &Settings) -> Option<Solution> {
     let n = lcp.len();
     let mut scaling = Scaling::default();
@@ -102,7 +102,7 @@ pub(super) fn at_corner(lcp: &Lcp, settings: &Settings) -> Option<Solution> {
     })
 }
 
-/// Enumeration of the bases of one problem: its scaling and the solutions found so far.
+/// The state of an enumeration of all bases of one problem.
 struct Search<'a> {
     lcp: &'a Lcp,
     settings: &'a Settings,
@@ -111,7 +111,7 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Adds the point with these basic values if it is a new solution. Returns its basis if it is a solution, new or not.
+    /// Adds the point with the values `basic` of z_α if it is a new solution. Returns its basis if it is a solution, new or not.
     fn offer(&mut self, alpha: &[usize], basic: &DVector<f64>) -> Option<Basis> {
         let solution = self
             .solution_at(alpha, basic)
@@ -125,17 +125,17 @@ impl Search<'_> {
         Some(basis)
     }
 
-    /// The basic values with those set to zero that are zero up to rounding.
+    /// The values `basic` of z_α, in which those below rounding are replaced by zero.
     ///
-    /// Otherwise the sign of such noise would decide the sign of w in rows whose other terms are all zero. If a value was no noise, the residuals
-    /// become large without it.
+    /// Otherwise the sign of noise would decide the sign of w in rows whose other terms are all zero. If a replaced value was not noise, the
+    /// residuals become large.
     fn without_noise(&self, alpha: &[usize], basic: &DVector<f64>) -> DVector<f64> {
         let size = |j: usize| basic[j].abs() / self.scaling.column[alpha[j]];
         let largest = (0..alpha.len()).map(size).fold(0.0, f64::max);
         vector_of(alpha.len(), &|j| if size(j) <= ZERO_VALUE * largest { 0.0 } else { basic[j] })
     }
 
-    /// The solution with these basic values; `None` if they do not solve the problem.
+    /// The solution with the values `basic` of z_α; `None` if they do not solve the problem.
     fn solution_at(&self, alpha: &[usize], basic: &DVector<f64>) -> Option<Solution> {
         let (lcp, tolerance) = (self.lcp, self.settings.residual_tolerance);
         let mut z = vec![0.0; lcp.len()];
@@ -163,7 +163,8 @@ impl Search<'_> {
         Some(Solution { z, w, basis, residuals, pivots: 0, degenerate })
     }
 
-    /// A point of the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }, by linear programming on balanced data. The caller checks it.
+    /// A point of the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }, by linear programming on balanced data. The caller must check its
+    /// residuals.
     ///
     /// Here the scaling is not rounded to powers of two, so that the point chosen on a face does not depend on units.
     fn point_of_singular_piece(&self, alpha: &[usize]) -> Option<DVector<f64>> {
@@ -183,7 +184,7 @@ fn is_one_point(a: &DVector<f64>, b: &DVector<f64>) -> bool {
     let size = a.amax().max(b.amax());
     a.iter().zip(b).all(|(a, b)| {
         let difference = (a - b).abs();
-        // The first test allows for the errors of bases with condition numbers up to 1e7, the second for entries that are zero up to rounding.
+        // The first limit allows for the errors of bases with condition numbers up to 1e7, the second for entries that are zero up to rounding.
         difference <= NEGLIGIBLE * a.abs().max(b.abs()) || difference <= SOLVED_ROUNDING * size
     })
 }

@@ -1,4 +1,4 @@
-//! Malformed input.
+//! Errors about malformed input.
 
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
@@ -9,32 +9,32 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum LcpError {
-    /// M must be square.
+    /// M is not square.
     #[error(
         "the matrix of a complementarity problem must be square, but it has {rows} rows and {columns} columns"
     )]
     NotSquare {
-        /// Rows of the given matrix.
+        /// Number of rows of the given matrix.
         rows: usize,
-        /// Columns of the given matrix.
+        /// Number of columns of the given matrix.
         columns: usize,
     },
-    /// A row of M must have as many entries as there are rows.
+    /// A row of M has another number of entries than there are rows.
     #[error("row {row} of M has {given} entries, but must have {needed}")]
     RowLength {
         /// The row, counted from 0.
         row: usize,
-        /// Its length.
+        /// Length of this row.
         given: usize,
         /// The required length.
         needed: usize,
     },
-    /// A vector must have one entry per row of M.
+    /// A vector does not have one entry per row of M.
     #[error("{what} has {given} entries, but the problem has {needed} rows")]
     Length {
         /// Name of the vector.
         what: &'static str,
-        /// Its length.
+        /// Length of this vector.
         given: usize,
         /// The required length.
         needed: usize,
@@ -46,9 +46,9 @@ pub enum LcpError {
     BlockShape {
         /// Name of the block.
         what: &'static str,
-        /// Its rows.
+        /// Number of rows of the block.
         rows: usize,
-        /// Its columns.
+        /// Number of columns of the block.
         columns: usize,
         /// The required number of rows.
         needed_rows: usize,

@@ -7,9 +7,9 @@
 //! v_ᾱ ≥ 0,     (Mᵀv)_α ≤ 0,     qᵀv < 0
 //! ```
 //!
-//! If the block is regular and its point violates a condition, v is derived from a row of the inverse. The sums (Mᵀv)_α, which would be zero,
-//! are shifted slightly below zero, so that rounding cannot make them positive. For singular blocks v comes from a linear program. Every v is
-//! checked by sums without rounding; if none passes, the basis is not excluded.
+//! If the principal block M_αα is regular and its point violates a condition, v is derived from a row of the inverse of the block. The sums (Mᵀv)_α,
+//! which would be zero, are shifted slightly below zero, so that rounding cannot make them positive. For singular blocks v comes from a linear
+//! program. Every v is checked by sums without rounding; if none passes, the basis is not excluded.
 
 use super::farkas::{Domain, cleaned};
 use super::linear_program::{self, MARGINS};
@@ -20,7 +20,7 @@ use crate::numerics::{IntoList, chosen, increasing, mapped, matrix_of, vector_of
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// Whether it is proved of every complementary basis that no solution belongs to it. The function tries 2ⁿ bases, so n must be small.
+/// Whether for every complementary basis it is proved that no solution belongs to it. All 2ⁿ bases are tried, so n must be small.
 pub(super) fn every_basis(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> bool {
     let n = lcp.len();
     let (m, q) = scaling.balanced(&lcp.m, &lcp.q);
@@ -45,14 +45,15 @@ impl Judge<'_> {
         self.by_one_row(alpha) || self.by_broken_conditions(alpha) || self.by_linear_program(alpha)
     }
 
-    /// Whether one row alone excludes the basis: q_i < 0, and row i has no positive entry in the columns α. For i in α, where w_i = 0, the same holds
-    /// with both signs changed.
+    /// Whether one row alone excludes the basis: q_i < 0, and row i has no positive entry in the columns α. For i in α, where w_i = 0, the opposite
+    /// signs also exclude the basis.
     fn by_one_row(&self, alpha: &[usize]) -> bool {
         let hopeless = |i: usize, sign: f64| self.lcp.is_hopeless(i, sign, alpha.iter().copied());
         (0..self.q.len()).any(|i| hopeless(i, 1.0)) || alpha.iter().any(|i| hopeless(*i, -1.0))
     }
 
-    /// Tries rows of the inverse of a regular block as v, for the three conditions that the point of the basis violates most.
+    /// Whether a row of the inverse of the regular block M_αα, taken as v, excludes the basis. Three rows are tried, for the conditions that the
+    /// point of the basis violates most.
     fn by_broken_conditions(&self, alpha: &[usize]) -> bool {
         let (n, size) = (self.q.len(), alpha.len());
         let block = matrix_of(size, size, &|i, j| self.m[(alpha[i], alpha[j])]);
@@ -69,8 +70,8 @@ impl Judge<'_> {
         // Three conditions are tried per basis, the most violated first.
         increasing(&values).into_iter().take(3).any(|place| {
             let (value, which) = &broken[place];
-            // Shifting (Mᵀv)_α below zero may use this fraction of the violation; the rest keeps qᵀv negative. With a value near 0 or 1 rounding
-            // would decide one of the two signs.
+            // Shifting (Mᵀv)_α below zero may use this fraction of the violation; the remaining fraction keeps qᵀv negative. With a value near 0 or 1
+            // rounding would decide one of the two signs.
             let used_up = 0.25;
             let push = if reach > 0.0 { used_up * -value / reach } else { used_up };
             let mut target = DVector::from_element(size, -push);
@@ -90,13 +91,14 @@ impl Judge<'_> {
         })
     }
 
-    /// Tries the dual solutions of { min t : the piece is violated by at most t }, one for each margin.
+    /// Whether the dual solution of { min t : the piece is violated by at most t }, taken as v, excludes the basis. It is computed once for each
+    /// margin.
     fn by_linear_program(&self, alpha: &[usize]) -> bool {
         let program = |margin| linear_program::of_piece((&self.m, &self.q), alpha, margin, self.settings);
         MARGINS.into_iter().filter_map(program).any(|program| self.proves(alpha, &program.y))
     }
 
-    /// Whether a v for balanced rows excludes a basis, as computed or [`cleaned`].
+    /// Whether v excludes the basis, as computed or [`cleaned`]. `v` belongs to the balanced rows and is first converted to the given rows.
     fn proves(&self, alpha: &[usize], v: &DVector<f64>) -> bool {
         let y = vector_of(v.len(), &|i| v[i] * self.scaling.row[i]);
         let basic = |i: usize| alpha.contains(&i);
@@ -110,10 +112,10 @@ fn solved(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
     if rhs.is_empty() { Some(rhs.clone()) } else { block.clone().full_piv_lu().solve(rhs) }
 }
 
-/// A condition of a basis that its point violates.
+/// A condition that the point of a basis violates.
 enum Broken {
-    /// z_j ≥ 0 for an element of α, given by its position in α.
+    /// The condition z_j ≥ 0, for an element of α that is given by its position in α.
     Domain(usize),
-    /// w_i ≥ 0.
+    /// The condition w_i ≥ 0.
     Slack(usize),
 }

@@ -1,8 +1,8 @@
 //! Proofs by Farkas' lemma, without rounding, that no z ≥ 0 satisfies M z + q ≥ 0.
 //!
-//! A vector y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0 is such a proof, since z ≥ 0 and M z + q ≥ 0 would imply yᵀ(M z + q) ≥ 0. The y at the end of a path or of
-//! a linear program is rounded, which invalidates it where (Mᵀy)_j must be exactly zero. The entries of the exact y usually have the ratios of small
-//! integers, so integers are tried in its place. Where the exact (Mᵀy)_j may be negative, a linear program with a margin keeps it away from zero.
+//! A vector y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0 is such a proof, since z ≥ 0 and M z + q ≥ 0 would imply yᵀ(M z + q) ≥ 0. A computed y, from a path or a
+//! linear program, is rounded, which invalidates the proof where (Mᵀy)_j must be exactly zero. The entries of the exact y usually have the ratios of
+//! small integers, so integers are tried as entries. Where the exact (Mᵀy)_j may be negative, a linear program with a margin δ requires (Mᵀy)_j ≤ −δ.
 
 use core::cmp::Ordering;
 
@@ -25,8 +25,8 @@ impl Lcp {
         self.contradicts(y, |_| false, |_| Domain::NotNegative)
     }
 
-    /// Whether y proves that some constraints contradict each other: rows of M z + q that are zero or nonnegative, and unknowns of the two
-    /// kinds of [`Domain`]. The proof needs y_i ≥ 0 in nonnegative rows, (Mᵀy)_j ≤ 0 for z_j ≥ 0, and qᵀy < 0.
+    /// Whether y proves that some constraints contradict each other. Rows of M z + q are required to be zero or nonnegative, and each unknown has one
+    /// of the two kinds of [`Domain`]. The proof needs y_i ≥ 0 in nonnegative rows, (Mᵀy)_j ≤ 0 for z_j ≥ 0, and qᵀy < 0.
     pub(super) fn contradicts(
         &self,
         y: &DVector<f64>,
@@ -76,13 +76,14 @@ impl Lcp {
         self.columns().map(against).fold(f64::INFINITY, f64::min) * (1.0 - BOUND_ROUNDING)
     }
 
-    /// The proof contained in a rounded vector, as computed or [`cleaned`]: exact if possible, otherwise up to rounding.
+    /// The certificate with the vector y, as computed or [`cleaned`]: exact if y proves infeasibility without rounding, otherwise nearly infeasible.
+    /// `None` if y proves nothing.
     pub(super) fn farkas_proof(&self, y: &DVector<f64>) -> Option<Unsolved> {
         let certificate = |y| Certificate { y, pivots: 0 };
         if let Some(y) = cleaned(y).find(|y| self.proves_infeasible(y)) {
             return Some(Outcome::Infeasible(certificate(y)));
         }
-        // The first two vectors have the computed entries; the others are rounded to integers.
+        // The first two vectors have the computed entries; the other candidates are rounded to integers.
         let nearly = cleaned(y).take(2).find(|y| self.nearly_proves(y));
         nearly.map(|y| Outcome::NearlyInfeasible(certificate(y)))
     }
@@ -94,7 +95,7 @@ impl Lcp {
             let mut sums = (0.0, 0.0, true);
             for (m, y) in column.iter().zip(y) {
                 let term: f64 = m * y;
-                // A product that underflows has lost more than relative rounding.
+                // A product that underflows has lost more digits than relative rounding explains, so the bound on the error does not hold.
                 let kept = *m == 0.0 || *y == 0.0 || term.is_normal();
                 sums = (sums.0 + term, sums.1 + term.abs(), sums.2 && kept);
             }
@@ -111,8 +112,8 @@ impl Lcp {
             })
     }
 
-    /// Whether row i is negative (sign 1) or positive (sign −1) for every z ≥ 0 whose nonzero entries are in these columns. It is negative if q_i < 0
-    /// and no entry of the row in these columns is positive, and the other way round.
+    /// Whether row i is negative (sign 1) or positive (sign −1) for every z ≥ 0 whose nonzero entries are in these columns. The row is negative if
+    /// q_i < 0 and no entry of the row in these columns is positive; it is positive if both hold with the opposite signs.
     pub(super) fn is_hopeless(
         &self,
         row: usize,
@@ -138,9 +139,9 @@ impl Lcp {
 /// The values that an unknown may have.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Domain {
-    /// z_j ≥ 0.
+    /// The unknown is nonnegative: z_j ≥ 0.
     NotNegative,
-    /// z_j = 0.
+    /// The unknown is zero: z_j = 0.
     Zero,
 }
 
@@ -148,20 +149,20 @@ fn times(column: &[f64], y: &DVector<f64>) -> ExactSum {
     ExactSum::of_products(column.iter().copied().zip(y.iter().copied()))
 }
 
-/// Candidates for a proof: the vector as computed; without entries that are noise beside the largest; and integer vectors with the same ratios,
-/// for increasing rounding.
+/// Candidates for a Farkas vector: y as computed; y without entries that are noise compared with the largest; and integer vectors with nearly the
+/// same ratios, for increasing errors of these ratios.
 pub(super) fn cleaned(y: &DVector<f64>) -> impl Iterator<Item = DVector<f64>> {
     let noise = ZERO_VALUE * y.amax();
     let mut all = vec![y.clone(), y.map(|y| if y.abs() <= noise { 0.0 } else { y })];
-    // The rounding errors that the path has left are not known, so the candidates are tried with increasing errors.
+    // The size of the rounding errors in y is not known, so candidates are tried for increasing errors.
     for rounding in [1e-14, 1e-11, 1e-8] {
         all.extend(whole_within(y, rounding));
     }
     all.into_iter()
 }
 
-/// The integer vector with these ratios, if any. Entries become integers one after another, each by the least additional factor of the common
-/// denominator.
+/// The integer vector whose ratios are those of y up to `rounding`, if any. The common denominator is built entry by entry, each time multiplied by
+/// the smallest factor that makes the entry an integer.
 fn whole_within(y: &DVector<f64>, rounding: f64) -> Option<DVector<f64>> {
     let largest = y.amax();
     let mut denominator = 1.0;
@@ -174,7 +175,7 @@ fn whole_within(y: &DVector<f64>, rounding: f64) -> Option<DVector<f64>> {
     Some(y.map(|y| (y / largest * denominator).round()))
 }
 
-/// The denominator, in lowest terms, of the fraction that equals x within `rounding`, by continued fractions.
+/// The denominator, in lowest terms, of a fraction that equals x within `rounding`, found by continued fractions.
 fn denominator_of(x: f64, rounding: f64) -> Option<f64> {
     let (mut rest, mut before, mut denominator) = (x, 0.0, 1.0);
     while denominator <= LARGEST_WHOLE {

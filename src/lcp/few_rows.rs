@@ -1,7 +1,7 @@
-//! Farkas vectors that a person can check: few rows, few digits.
+//! Farkas vectors that a person can check: few nonzero entries, few digits.
 //!
 //! A path or a linear program ends in some vector that proves a contradiction, usually one of many. A single contradictory row, or two rows that
-//! contradict each other, explain more. Their proof does not depend on the last digit of an entry.
+//! contradict each other, are easier to understand. Such a proof does not depend on the last digit of an entry.
 
 use super::problem::Lcp;
 use super::tolerances::MOST_PAIRED_ROWS;
@@ -14,7 +14,7 @@ use nalgebra::DVector;
 const BINARY_DIGITS: [i32; 4] = [1, 3, 8, 20];
 
 impl Lcp {
-    /// A Farkas vector with one or two nonzero entries, if any.
+    /// A Farkas vector with one or two nonzero entries, if one exists.
     pub(super) fn few_rows(&self) -> Option<DVector<f64>> {
         let n = self.len();
         if let Some(row) = (0..n).find(|row| self.is_hopeless(*row, 1.0, 0..n)) {
@@ -37,10 +37,11 @@ impl Lcp {
         None
     }
 
-    /// A Farkas vector of the rows i and k. The ratio y_k / y_i must lie between bounds, one from each column and from q.
+    /// A Farkas vector y whose nonzero entries are in the rows i and k. The ratio y_k / y_i must lie between bounds, one from each column of M and
+    /// from q.
     fn two_rows(&self, i: usize, k: usize) -> Option<DVector<f64>> {
         let n = self.len();
-        // Each bound is stored as a pair (y_i, y_k). Where products of y with M must cancel they then do so exactly.
+        // Each bound is stored as a pair (y_i, y_k) of two matrix entries. Products of y with M that must cancel then cancel exactly.
         let (mut least, mut most) = ((1.0, 0.0), (0.0, 1.0));
         let ratio = |(y_i, y_k): (f64, f64)| y_k / y_i;
         for j in 0..=n {

@@ -2,7 +2,8 @@
 
 use crate::numerics::{Each, Loop};
 
-/// The update a_j += g_j u, and the next entering column y −= Σ_j c_j a_j, for four columns at a time in one pass over memory.
+/// The update a_j += g_j u of the stored columns a_j, and the next entering column y −= Σ_j c_j a_j. Four columns are processed at a time, in one
+/// pass over memory.
 pub(super) struct UpdateAndCombine<'a> {
     pub(super) columns: &'a mut [f64],
     pub(super) n: usize,
@@ -46,7 +47,7 @@ impl Loop for UpdateAndCombine<'_> {
     }
 }
 
-/// y −= Σ_j c_j a_j or, with SIZES, y += Σ_j |c_j a_j|.
+/// The sum y −= Σ_j c_j a_j over the stored columns a_j or, with `SIZES`, the sum of magnitudes y += Σ_j |c_j a_j|.
 pub(super) struct Combine<'a, const SIZES: bool> {
     pub(super) columns: &'a [f64],
     pub(super) n: usize,
@@ -86,7 +87,7 @@ impl<const SIZES: bool> Loop for Combine<'_, SIZES> {
     }
 }
 
-/// The update a_j += g_j u of all columns.
+/// The update a_j += g_j u of all stored columns a_j.
 pub(super) struct Update<'a> {
     pub(super) columns: &'a mut [f64],
     pub(super) n: usize,
@@ -108,7 +109,7 @@ impl Loop for Update<'_> {
     }
 }
 
-/// The update a += g u.
+/// The update a += g u of one column.
 #[inline(always)]
 pub(super) fn add(a: &mut [f64], g: f64, u: &[f64]) {
     for (a, u) in a.iter_mut().zip(u) {

@@ -1,7 +1,7 @@
 //! The sequence of attempts to solve a problem.
 //!
-//! In this order: Lemke's path; a proof from its ray; a proof by linear programming; other paths; all complementary bases. [`Lcp::solve_with`]
-//! states when each is tried.
+//! The order is: Lemke's path; a proof from its ray; a proof by linear programming; other paths; all complementary bases. [`Lcp::solve_with`]
+//! describes when each attempt is made.
 
 use super::enumerate;
 use super::exclusion;
@@ -19,7 +19,7 @@ use crate::prelude::*;
 use nalgebra::DVector;
 
 impl Workspace {
-    /// Makes the attempts in turn for a prepared problem, until it is solved (`None`) or decided otherwise.
+    /// Makes the attempts in turn for a prepared problem. `None` if one of them solves it, otherwise the outcome of the attempt that decides.
     pub(super) fn climb(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         let first = self.first_path(lcp, settings)?;
         match first {
@@ -59,27 +59,28 @@ impl Workspace {
         Some(first.after(self.path.pivots))
     }
 
-    /// `Infeasible`, with the certificate of one or two rows if there is one, otherwise with a simplified y.
+    /// The outcome `Infeasible`, with a certificate of one or two nonzero entries if there is one, otherwise with a simplified y.
     fn infeasible(&self, lcp: &Lcp, y: DVector<f64>) -> Unsolved {
         self.few_rows(lcp).unwrap_or_else(|| {
             Outcome::Infeasible(Certificate { y: lcp.plainer(y), pivots: self.path.pivots })
         })
     }
 
-    /// `Infeasible`, with the certificate of one or two rows; `None` without one.
+    /// The outcome `Infeasible`, with a certificate of one or two nonzero entries; `None` if there is no such certificate.
     fn few_rows(&self, lcp: &Lcp) -> Option<Unsolved> {
         let y = lcp.few_rows()?;
         Some(Outcome::Infeasible(Certificate { y, pivots: self.path.pivots }))
     }
 
-    /// Follows a path with another covering vector, then a path from a basis in which one or two z's are basic.
+    /// Follows a path with another covering vector, then a path from a basis in which one or two z's are basic. `None` if one of them ends in a
+    /// solution.
     fn retry(&mut self, lcp: &Lcp, settings: &Settings, attempt: usize) -> Option<Unsolved> {
         let units = self.path.scaling.row_unit.iter().enumerate();
         self.path.d.clear();
         self.path.d.extend(
-            // Entry i of d is 2^e units of the balanced row, with e between −3 and 3. In a narrower range the paths would stay close to the first
-            // one; in a wider one the problems would be badly scaled. No two attempts use the same values of [`generic`], since no dense problem has
-            // that many rows.
+            // Entry i of d is 2^e in the unit of the balanced row i, with e between −3 and 3. In a narrower range the paths would stay close to the
+            // first path. In a wider range the problems would be badly scaled. Attempts use different values of [`generic`], since no dense problem
+            // has a million rows.
             units.map(|(i, unit)| unit * (6.0 * (generic(attempt * 1_000_003 + i) - 1.0)).exp2()),
         );
         let limit = settings.retry_limit(lcp.len(), self.path.pivots);
@@ -92,7 +93,7 @@ impl Workspace {
         Some(failure)
     }
 
-    /// Stores the first solution that enumeration finds; returns `Some(())` if it finds none.
+    /// Stores the first solution that enumeration finds, and returns `None`; returns `Some(())` if enumeration finds no solution.
     fn take_enumerated(&mut self, lcp: &Lcp, settings: &Settings) -> Option<()> {
         let all = enumerate::all_solutions(lcp, settings);
         let Some(solution) = all.solutions.into_iter().next() else { return Some(()) };

@@ -16,14 +16,15 @@ use crate::numerics::tolerances::FEW_ROUNDINGS;
 pub(super) enum LemkeEnd {
     /// z₀ has left, so the basis is complementary.
     Complementary,
-    /// This variable grows without bound; its column is in the dictionary.
+    /// This entering variable grows without bound; its column is in the dictionary.
     Ray(LemkeVariable),
     PivotLimit,
     Breakdown(BreakdownCause),
 }
 
 impl LemkePath {
-    /// Lets z₀, whose column is in the dictionary, enter an infeasible basis. Then follows the path until z₀ leaves again.
+    /// Lets z₀, whose column is in the dictionary, enter an infeasible basis. Then follows the path until z₀ leaves again, and returns the end of the
+    /// path.
     pub(super) fn cover_and_run(&mut self, m: &[f64], settings: &Settings, limit: usize) -> LemkeEnd {
         let row = match most_violated_row(&self.dictionary, settings) {
             Ok(Some(row)) => row,
@@ -55,7 +56,7 @@ impl LemkePath {
             && self.cover_and_run(m, settings, limit) == LemkeEnd::Complementary
     }
 
-    /// Follows the path on which `entering` increases next; its column is in the dictionary.
+    /// Follows the path along which `entering` increases next, and returns its end. The dictionary must hold the column of `entering`.
     fn run(&mut self, mut entering: LemkeVariable, m: &[f64], settings: &Settings, limit: usize) -> LemkeEnd {
         loop {
             if self.pivots >= limit {
@@ -74,17 +75,17 @@ impl LemkePath {
         }
     }
 
-    /// Makes one exchange. Afterwards the dictionary holds the column of the leaving variable's complement.
+    /// Makes one exchange and returns the leaving variable. Afterwards the dictionary holds the column of the complement of the leaving variable.
     pub(super) fn pivot(&mut self, entering: LemkeVariable, row: usize, m: &[f64]) -> LemkeVariable {
         self.pivots += 1;
         self.age += 1;
         self.dictionary.pivot(entering, row, m, &self.scaling)
     }
 
-    /// The blocking row of the ratio test for the entering variable. The dictionary is first made accurate enough to rely on it.
+    /// The row whose basic variable first reaches zero as `entering` increases; `None` if no basic variable reaches zero.
     ///
-    /// A dictionary is recomputed first if it has drifted from the data, if its column has overflowed, or if it offers no pivot. It is also
-    /// recomputed if it offers only a doubtful pivot, unless one step of refinement changes its column by at most [`DRIFTED`].
+    /// The dictionary is first recomputed if it has drifted from the data, if the column of `entering` has overflowed, or if it offers no pivot. It
+    /// is also recomputed if it offers only a doubtful pivot, unless one step of refinement changes the column by at most [`DRIFTED`].
     pub(super) fn blocking_row(
         &mut self,
         entering: LemkeVariable,
@@ -92,7 +93,7 @@ impl LemkePath {
         m: &[f64],
         settings: &Settings,
     ) -> Result<Option<usize>, BreakdownCause> {
-        // The comparison with the data costs as much as one or two pivots. If it were rarer, drift would be found late.
+        // The comparison of dictionary and data costs as much as one or two pivots. If it were made more rarely, drift would be found late.
         if self.age > 0 && self.pivots.is_multiple_of(32) {
             if self.drift(m) > DRIFTED {
                 self.refactor(entering, m)?;
@@ -122,7 +123,7 @@ impl LemkePath {
             }
             if row.is_some() && pivot <= certain {
                 // The pivot is small relative to its column, but may be reliable relative to the terms of its own row. Only entries that are noise
-                // beside these terms are set to zero.
+                // compared with these terms are set to zero.
                 self.dictionary.clear_noise(entering, settings.pivot_tolerance);
                 let firm = blocking_row(&self.dictionary, certain, certain, role, settings);
                 if firm.is_some_and(|firm| !doubtful_row_breaks(&self.dictionary, certain, firm, role)) {

@@ -1,7 +1,7 @@
 //! The least violation of linear constraints, by linear programming. It yields proofs of infeasibility.
 //!
-//! If a ray proves nothing, the program min { t : M z + q + t 1 ≥ 0, z, t ≥ 0 } decides. If the minimum of t is positive, no z ≥ 0 satisfies M
-//! z + q ≥ 0, and the dual solution is a Farkas vector.
+//! If a ray proves nothing, the solver tries the program min { t : M z + q + t 1 ≥ 0, z, t ≥ 0 }. If the minimum of t is positive, no z ≥ 0 satisfies
+//! M z + q ≥ 0, and the dual solution is a Farkas vector.
 
 use super::farkas::cleaned;
 use super::outcome::{Certificate, Outcome, Unsolved};
@@ -20,8 +20,8 @@ pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option
         return Some(Outcome::Infeasible(Certificate { y, pivots: 0 }));
     }
     let (a, b) = scaling.balanced(&lcp.m, &lcp.q);
-    // Large problems get only one program, since each further margin costs one more path on 2 n + 1 rows. If rounding invalidates its proof they end
-    // as nearly infeasible; larger data usually contain rounding errors themselves.
+    // For large problems only one program is solved, since each further margin costs one more path on 2 n + 1 rows. If rounding invalidates its
+    // proof, the outcome is nearly infeasible. Data of large problems usually contain rounding errors themselves.
     let margins = if n <= 64 { &MARGINS[..] } else { &MARGINS[..1] };
     let mut nearly = None;
     for y in contradictions(&a, &b, margins, settings) {
@@ -34,8 +34,8 @@ pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option
     nearly
 }
 
-/// Dual solutions y ≥ 0 with bᵀy < 0, which may prove that no x ≥ 0 satisfies A x + b ≥ 0. One per margin, up to the first program that yields
-/// none.
+/// Dual solutions y ≥ 0 with bᵀy < 0, which may prove that no x ≥ 0 satisfies A x + b ≥ 0. Each margin gives one dual solution; the list ends at the
+/// first margin that gives none.
 fn contradictions<'a>(
     a: &'a DMatrix<f64>,
     b: &'a DVector<f64>,
@@ -61,12 +61,12 @@ impl Lcp {
     }
 }
 
-/// The margins δ of the linear programs. A vertex of the dual program lies on its constraints, and rounding may move it outside. With a margin
-/// it stays inside if there is room.
+/// The margins δ of the linear programs. A vertex of the dual program lies on its constraints, and rounding may move it outside. With a margin the
+/// vertex stays inside, if the constraints leave room for the margin.
 pub(super) const MARGINS: [f64; 4] = [0.0, 1e-3, 1e-6, 1e-9];
 
-/// The program for the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } of a balanced problem. Its x are the z_α. Its y has one entry per
-/// row, of either sign in the rows that must be zero.
+/// The program for the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } of a balanced problem. In its solution, x holds the z_α. The dual y has
+/// one entry per row of M, of either sign in the rows α, where (M z + q)_i = 0.
 pub(super) fn of_piece(
     (m, q): (&DMatrix<f64>, &DVector<f64>),
     alpha: &[usize],
@@ -74,7 +74,7 @@ pub(super) fn of_piece(
     settings: &Settings,
 ) -> Option<LinearProgram> {
     let (n, k) = (q.len(), alpha.len());
-    // Each row that must be zero appears a second time with the opposite sign.
+    // Each row α, which must be zero, appears a second time with the opposite sign.
     let row = |i: usize| if i < n { (i, 1.0) } else { (alpha[i - n], -1.0) };
     let a = matrix_of(n + k, k, &|i, j| row(i).1 * m[(row(i).0, alpha[j])]);
     let load = q.amax();
@@ -95,7 +95,8 @@ pub(super) struct LinearProgram {
     pub(super) y: DVector<f64>,
 }
 
-/// Solves the program and its dual, with t as an additional column of A. The program is feasible and bounded.
+/// Solves the program and its dual, with t as an additional column of A. `None` if the program is unbounded, which δ > 0 may cause, or if rounding
+/// prevents the solution.
 fn least_violation(
     a: &DMatrix<f64>,
     b: &DVector<f64>,
@@ -103,7 +104,7 @@ fn least_violation(
     settings: &Settings,
 ) -> Option<LinearProgram> {
     let columns = a.ncols();
-    // The cost −δ of a column of zeros would make the program unbounded, so such a column has no margin.
+    // For a column of zeros, the cost −δ would make the program unbounded, so such a column has cost 0.
     let cost = |j: usize| match j {
         j if j == columns => 1.0,
         j if a.column(j).iter().all(|a| *a == 0.0) => 0.0,

@@ -6,10 +6,10 @@ use crate::prelude::*;
 
 /// The number of mantissas, each below 2, that are multiplied before a logarithm of the product is taken.
 ///
-/// Above 1023 the product could overflow; if it is smaller, more logarithms are needed.
+/// Above 1023 the product could overflow. With a smaller number, more logarithms are needed.
 const MULTIPLIED: usize = 512;
 
-/// For each row, or for each column, Σ log₂|M_ij| over its entries that are neither zero nor subnormal, and their number.
+/// For each row, or for each column, Σ log₂|M_ij| over its entries that are neither zero nor subnormal, and the number of these entries.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Logarithms {
     pub(super) sum: Vec<f64>,
@@ -66,7 +66,7 @@ impl Logarithms {
         refill(&mut self.count, n, 0.0);
     }
 
-    /// Adds the logarithm of the product of mantissas to the sum and sets the product to 1, before it overflows.
+    /// Adds the logarithm of a product of mantissas to the sum, and sets the product to 1. Called before the product can overflow.
     fn put_away(&mut self, i: usize) {
         self.sum[i] += self.mantissas[i].log2();
         self.mantissas[i] = 1.0;

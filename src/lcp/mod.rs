@@ -40,8 +40,8 @@
 //! | positive semidefinite, or copositive-plus | solvable if {z ≥ 0, Mz + q ≥ 0} is not empty (3.8.6) | one is found; a ray proves that none exists (4.4.12) |
 //! | any other | perhaps no solution, perhaps many | a ray proves nothing |
 //!
-//! [`Outcome`] says which of these happened. It says "solved" only after the residuals have been recomputed from the given M and q. If a ray
-//! proves nothing, further attempts follow, which [`Lcp::solve_with`] lists.
+//! [`Outcome`] is "solved" only after the residuals have been recomputed from the given M and q. If a ray proves nothing, further attempts follow,
+//! which [`Lcp::solve_with`] lists.
 //!
 //! Proofs that no solution exists are checked without rounding.
 //!
@@ -55,11 +55,11 @@
 //!
 //! A pivot costs O(n²) flops. The path needs O(n²) memory in addition to M, which a [`Workspace`] or a [`Series`] keeps for reuse.
 
-// Files, lowest level first. `tolerances` holds every number with which a value is compared. `problem` is validated input, `scaling` balances
-// it, and a `dictionary` represents one of its bases. `path`, `lemke` and `refactor` move from dictionary to dictionary and recompute them.
-// `point` and `conclusion` check the end of a path against the data. `farkas` and `exclusion` prove without rounding that no solution exists.
-// One `attempt` is one path with its end; the `ladder` defines the sequence of attempts. The entry points are
-// `solve`, `enumerate`, `series` and `parametric`.
+// Files, lowest level first. `tolerances` holds every number with which a value is compared. `problem` is validated input, `scaling` balances its
+// rows and columns, and a `dictionary` represents one of its bases. `path`, `lemke` and `refactor` move from dictionary to dictionary and recompute
+// dictionaries. `point` and `conclusion` check the end of a path against the data. `farkas` and `exclusion` prove without rounding that no solution
+// exists. One `attempt` is one path with its end; the `ladder` defines the sequence of attempts. The entry points are `solve`, `enumerate`, `series`
+// and `parametric`.
 
 mod attempt;
 mod basis;

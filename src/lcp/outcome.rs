@@ -21,13 +21,13 @@ pub enum Outcome<S = Solution> {
     Infeasible(Certificate),
     /// Data that differ from the given ones by rounding are infeasible, as the [`Certificate`] shows.
     ///
-    /// The given data may have a z ≥ 0 with M z + q ≥ 0, but only a large one: [`Lcp::least_feasible`](super::Lcp::least_feasible) bounds it
-    /// from below. For computed data, stronger conclusions are rarely possible.
+    /// The given data may have a z ≥ 0 with M z + q ≥ 0, but only a large one: [`Lcp::least_feasible`](super::Lcp::least_feasible) gives a lower
+    /// bound on Σ z_j. For computed data, stronger conclusions are rarely possible.
     NearlyInfeasible(Certificate),
-    /// The problem has no solution. None belongs to any of the 2ⁿ complementary bases for the given M and q: each is excluded by a vector that was
-    /// checked without rounding. No Farkas certificate was found, so some z ≥ 0 with M z + q ≥ 0 probably exists.
+    /// The problem has no solution. For the given M and q no solution belongs to any of the 2ⁿ complementary bases: each basis is excluded by a
+    /// vector that was checked without rounding. No Farkas certificate was found, so some z ≥ 0 with M z + q ≥ 0 probably exists.
     NoBasis {
-        /// Pivots made.
+        /// Number of pivots on all paths.
         pivots: usize,
     },
     /// The path ended in a secondary ray, along which z₀ never reaches zero. The ray proves nothing, and all further attempts that the
@@ -35,14 +35,14 @@ pub enum Outcome<S = Solution> {
     Ray(Ray),
     /// The limit on the number of pivots was reached.
     PivotLimit {
-        /// Pivots made.
+        /// Number of pivots on all paths.
         pivots: usize,
     },
     /// The computation failed in double precision.
     Breakdown {
-        /// Pivots made before.
+        /// Number of pivots before the breakdown.
         pivots: usize,
-        /// The reason.
+        /// The reason for the breakdown.
         cause: BreakdownCause,
     },
 }
@@ -80,7 +80,7 @@ impl<S> Outcome<S> {
         }
     }
 
-    /// This outcome with its number of pivots set to `made`; for a solution the number does not change.
+    /// This outcome with its number of pivots set to `made`. A solution is returned unchanged.
     pub(super) fn after(mut self, made: usize) -> Self {
         match &mut self {
             Self::Solved(_) => {}
@@ -96,7 +96,7 @@ impl<S> Outcome<S> {
 }
 
 impl Unsolved {
-    /// The same outcome, typed for any kind of solution.
+    /// The same outcome with another type for solutions, of which it has none.
     pub(super) fn into<S>(self) -> Outcome<S> {
         self.and_then(|never| match never {})
     }
@@ -142,10 +142,10 @@ impl<S: fmt::Display> fmt::Display for Outcome<S> {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Certificate {
-    /// The vector.
+    /// The Farkas vector.
     #[cfg_attr(feature = "serde", serde(serialize_with = "super::written::list"))]
     pub y: DVector<f64>,
-    /// Pivots made.
+    /// Number of pivots on all paths.
     pub pivots: usize,
 }
 
@@ -178,7 +178,7 @@ pub struct Ray {
     pub direction: DVector<f64>,
     /// Rate ẑ₀ ≥ 0 of the covering variable, on the scale of the direction.
     pub covering_rate: f64,
-    /// Pivots made.
+    /// Number of pivots on all paths.
     pub pivots: usize,
 }
 
@@ -210,16 +210,16 @@ pub enum BreakdownCause {
     Tolerance {
         /// Name of the tolerance.
         name: &'static str,
-        /// Its value.
+        /// The value of this tolerance.
         value: f64,
     },
     /// A number left the range of double precision.
     #[error("a number left the range of double precision")]
     Overflow,
-    /// The principal block of the final basis is singular, or so close to it that q is smaller than the rounding of M z.
+    /// The principal block of the final basis is singular, or so close to singular that q is smaller than the rounding error of M z.
     #[error("the final basis is singular")]
     SingularBasis,
-    /// Newton's method, started from the solution of a polygon's complementarity problem, reached no smaller residual; see
+    /// Newton's method, started from a solution with polygonal cones, reached no residual smaller than this one; see
     /// [`FrictionProblem`](crate::friction::FrictionProblem).
     #[error("Newton's method came no closer than {residual:.1e}, at contact {contact}")]
     NoConvergence {
@@ -237,7 +237,7 @@ pub enum BreakdownCause {
         /// The contact with this residual, counted from 0.
         contact: usize,
     },
-    /// The final basis was reached, but these residuals of its point exceed the tolerance.
+    /// The final basis was reached, but the residuals of its point, given here, exceed the tolerance.
     #[error("the point of the final basis misses its tolerance, {0}")]
     Residual(Residuals),
 }

@@ -45,7 +45,7 @@ impl Lcp {
             }
             return Some(true);
         }
-        // Each additional row doubles the work.
+        // Each additional row doubles the number of Schur complements.
         (n <= 12).then(|| minors_are_positive(m.clone(), m))
     }
 }
@@ -84,7 +84,7 @@ fn eliminate(a: &mut DMatrix<f64>, k: usize) {
 /// The first entry of a must be positive. Two smaller matrices must be P-matrices: a without its first row and column, and the Schur complement
 /// of the first entry.
 ///
-/// m holds the original diagonal, in the order of a, relative to which a pivot is judged.
+/// The diagonal of m, in the order of a, is the original diagonal, with which pivots are compared.
 fn minors_are_positive(mut a: DMatrix<f64>, m: &DMatrix<f64>) -> bool {
     let n = a.nrows();
     if n == 0 {

@@ -17,7 +17,7 @@ use nalgebra::DVector;
 pub enum Trend {
     /// τ increases.
     Forward,
-    /// τ decreases: the path has turned back. Near the turning point there are no solutions for larger τ.
+    /// τ decreases: the path has turned back. Near the turning point the problem has no solutions for larger τ.
     Backward,
     /// τ is constant while the solution moves: all points of the piece are solutions at this τ.
     Still,
@@ -49,7 +49,7 @@ pub struct Breakpoint {
 pub enum PathEnd {
     /// The last piece is unbounded: τ → ∞ (forward), τ → −∞ (backward), or τ is constant (still).
     Unbounded(Trend),
-    /// The path has returned to an earlier piece, usually the first: it is a closed loop. The last breakpoint leads to that piece.
+    /// The path has returned to an earlier piece, usually the first, and thus is a closed loop. The last breakpoint leads to that piece.
     ///
     /// The loop has solutions up to the largest τ of its breakpoints. For larger τ other paths may have solutions.
     Loop,
@@ -63,8 +63,8 @@ pub enum PathEnd {
 
 /// An iterator over the breakpoints of the solution of 0 ≤ z ⟂ w = M z + q₀ + τ dq ≥ 0. The path starts at τ = 0 with increasing τ.
 ///
-/// On a complementary basis z is an affine function of τ. When a basic variable reaches zero it leaves, and its complement enters. This is
-/// Lemke's method with dq in place of d (Cottle, Pang & Stone, section 4.5).
+/// On a complementary basis z is an affine function of τ. When a basic variable reaches zero, it leaves the basis and its complement enters. The
+/// method is Lemke's with dq in place of d (Cottle, Pang & Stone, section 4.5).
 ///
 /// Each call of `next` follows one piece, at the cost of one pivot. When the iterator is exhausted, [`Parametric::end`] returns the reason.
 ///
@@ -94,9 +94,10 @@ pub struct Parametric<'a> {
     entering: LemkeVariable,
     trend: Trend,
     breakpoints: usize,
-    /// The basis of an earlier piece, replaced after 1, 2, 4, 8, … breakpoints. Every loop eventually returns to it (R. P. Brent, BIT 20, 1980).
+    /// The basis of an earlier piece of the path, replaced after 1, 2, 4, 8, … breakpoints. A path that has entered a loop returns to this basis
+    /// eventually (R. P. Brent, BIT 20, 1980).
     remembered: Basis,
-    /// Whether the path has returned to an earlier piece.
+    /// Whether the path has returned to an earlier piece of itself.
     closed: bool,
     end: Option<PathEnd>,
 }
@@ -112,7 +113,7 @@ impl<'a> Parametric<'a> {
         Self::from_basis(lcp, &Basis::slack(lcp.len()), dq, settings)
     }
 
-    /// [`Parametric::new`] from the solution that [`Lcp::solve_from`] finds. Of several solutions, a chosen one can thus be followed.
+    /// [`Parametric::new`] from the solution that [`Lcp::solve_from`] finds. If there are several solutions, the basis selects the one to follow.
     ///
     /// # Errors
     ///
@@ -148,7 +149,7 @@ impl<'a> Parametric<'a> {
         Ok(path)
     }
 
-    /// Prepares the dictionary of the solution at τ = 0, with the column of τ as the entering column.
+    /// Prepares the dictionary of the solution at τ = 0, with τ as the entering variable.
     fn begin(&mut self, dq: &DVector<f64>) -> Result<(), PathEnd> {
         self.basis = self.start.solution().ok_or(PathEnd::NoStart)?.basis.clone();
         self.remembered.clone_from(&self.basis);
@@ -174,7 +175,7 @@ impl<'a> Parametric<'a> {
         self.trend
     }
 
-    /// The reason why there are no further breakpoints; `None` until the iterator is exhausted.
+    /// The reason why the path has no further breakpoints; `None` until the iterator is exhausted.
     #[must_use]
     pub fn end(&self) -> Option<&PathEnd> {
         self.end.as_ref()
@@ -193,7 +194,7 @@ impl<'a> Parametric<'a> {
         (DVector::from_vec(rate), if tau.abs() <= noise { 0.0 } else { tau })
     }
 
-    /// Follows one piece up to the breakpoint at its end.
+    /// Follows one piece of the path up to the breakpoint at its end.
     fn step(&mut self) -> Result<Breakpoint, PathEnd> {
         if self.closed {
             return Err(PathEnd::Loop);
@@ -213,7 +214,7 @@ impl<'a> Parametric<'a> {
         match leaving {
             LemkeVariable::W(i) => Ok(self.breakpoint(Variable::W(i))),
             LemkeVariable::Z(i) => Ok(self.breakpoint(Variable::Z(i))),
-            // The path's parameter takes no part in the ratio test, so it cannot leave.
+            // The parameter τ takes no part in the ratio test, so it cannot leave the basis.
             LemkeVariable::Covering => Err(PathEnd::Breakdown(BreakdownCause::SingularBasis)),
         }
     }

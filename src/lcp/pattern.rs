@@ -2,7 +2,7 @@
 
 use crate::prelude::*;
 
-/// The nonzero entries of [M, q], column by column: as a list of their rows, or found by testing each entry.
+/// The nonzero entries of [M, q], column by column: a list of their rows, or the columns, whose entries are tested one by one.
 pub(super) enum Pattern<'a> {
     Listed(&'a [u32]),
     InPlace { n: usize, m: &'a [f64], q: &'a [f64] },
@@ -17,7 +17,7 @@ pub(super) enum Column<'a> {
 impl<'a> Pattern<'a> {
     /// The nonzero entries of [M, q], n rows stored by columns; `nonzero` is their number in each column.
     ///
-    /// A few entries are listed. Many are faster to test in place than to look up in a list.
+    /// If few entries are nonzero, their rows are listed. If many are nonzero, testing every entry is faster than using a list.
     pub(super) fn of(n: usize, m: &'a [f64], q: &'a [f64], nonzero: &[f64], list: &'a mut Vec<u32>) -> Self {
         let total: f64 = nonzero.iter().sum();
         if 4.0 * total >= (n * n) as f64 {
@@ -57,7 +57,7 @@ impl<'a> Pattern<'a> {
 }
 
 impl Column<'_> {
-    /// The sum of ρ_i over the rows i of the nonzero entries.
+    /// The sum of the entries `rho` over the rows in which the column has a nonzero entry.
     pub(super) fn sum(&self, rho: &[f64]) -> f64 {
         match self {
             Self::Listed(list) => list.iter().map(|i| rho[*i as usize]).sum(),
@@ -65,7 +65,7 @@ impl Column<'_> {
         }
     }
 
-    /// Adds the number `what` to `to[i]` for each row i of a nonzero entry.
+    /// Adds `what` to `to[i]` for each row i in which the column has a nonzero entry.
     pub(super) fn add(&self, what: f64, to: &mut [f64]) {
         match self {
             Self::Listed(list) => list.iter().for_each(|i| to[*i as usize] += what),
@@ -79,7 +79,7 @@ pub(super) fn is_nonzero(m: f64) -> bool {
     m.abs() >= f64::MIN_POSITIVE
 }
 
-/// The sum of ρ_i over the rows i in which a column has a nonzero entry.
+/// The sum of the entries `rho` over the rows in which `column` has a nonzero entry.
 fn sum_where(column: &[f64], rho: &[f64]) -> f64 {
     let mut lanes = [0.0; 4];
     let mut columns = column.chunks_exact(4);
@@ -95,7 +95,7 @@ fn sum_where(column: &[f64], rho: &[f64]) -> f64 {
     (lanes[0] + lanes[1]) + (lanes[2] + lanes[3])
 }
 
-/// Adds the number `what` to `to[i]` for each row i in which a column has a nonzero entry.
+/// Adds `what` to `to[i]` for each row i in which `column` has a nonzero entry.
 fn add_where(column: &[f64], what: f64, to: &mut [f64]) {
     for (to, m) in to.iter_mut().zip(column) {
         *to += if is_nonzero(*m) { what } else { 0.0 };

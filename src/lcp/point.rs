@@ -1,4 +1,4 @@
-//! A point z with its slacks, and its residuals.
+//! A point z with its slacks w = M z + q, and its residuals.
 
 use super::basis::Basis;
 use super::problem::Lcp;
@@ -7,7 +7,7 @@ use super::tolerances::ZERO_VALUE;
 use crate::prelude::*;
 use nalgebra::DVector;
 
-/// z, w = M z + q, and the magnitudes of the terms of w.
+/// A point z, its slacks w = M z + q, and the magnitudes of the terms of each w_i.
 #[derive(Debug, Clone, Default)]
 pub(super) struct LcpPoint {
     pub(super) z: Vec<f64>,
@@ -17,32 +17,32 @@ pub(super) struct LcpPoint {
 }
 
 impl LcpPoint {
-    /// The point of a problem with this z.
+    /// The point z of a problem, with its slacks.
     pub(super) fn new(z: Vec<f64>, lcp: &Lcp) -> Self {
         let mut point = Self { z, ..Self::default() };
         point.sum(lcp);
         point
     }
 
-    /// Computes w and the magnitudes of its terms.
+    /// Computes w and, for each row, the magnitude of its terms.
     fn sum(&mut self, lcp: &Lcp) {
         self.w.resize(lcp.len(), 0.0);
         self.terms.resize(lcp.len(), 0.0);
         slack_and_terms(&lcp.m, lcp.q.as_slice(), &self.z, &mut self.w, &mut self.terms);
     }
 
-    /// Residuals, from w and terms computed before.
+    /// The residuals at z. `w` and `terms` must have been computed.
     pub(super) fn residuals(&self, lcp: &Lcp) -> Residuals {
         residuals_from(&lcp.m, lcp.q.as_slice(), &self.z, &self.w, &self.terms)
     }
 
-    /// Computes w and its terms, and returns the residuals.
+    /// Computes w and the magnitudes of its terms, and returns the residuals.
     pub(super) fn evaluate(&mut self, lcp: &Lcp) -> Residuals {
         self.sum(lcp);
         self.residuals(lcp)
     }
 
-    /// Whether w_i exceeds the tolerance. It is called for basic z_i, whose w_i should vanish.
+    /// Whether w_i exceeds the tolerance. Callers use this for basic z_i, whose w_i should vanish.
     pub(super) fn has_slack(&self, i: usize, tolerance: f64) -> bool {
         self.w[i] > tolerance * self.terms[i]
     }
@@ -66,7 +66,7 @@ impl LcpPoint {
 impl Lcp {
     /// The residuals of the problem at z (n entries), see [`Residuals`].
     ///
-    /// They are infinite for a z of another length or with entries that are not finite.
+    /// The residuals are infinite for a z of another length or with entries that are not finite.
     #[must_use]
     pub fn residuals(&self, z: &DVector<f64>) -> Residuals {
         if z.len() != self.len() {

@@ -28,7 +28,7 @@ pub(super) fn solve_block(mut block: DMatrix<f64>, rhs: &DVector<f64>) -> Option
         }
     }
     let rhs = vector_of(size, &|i| rhs[i] * scaling.row[i]);
-    // Complete pivoting identifies singular blocks more reliably. For larger blocks partial pivoting is used, which is several times faster.
+    // Complete pivoting identifies singular blocks more reliably. For larger blocks partial pivoting is used, since it is several times faster.
     let y = if size <= 32 {
         let lu = block.clone().full_piv_lu();
         is_regular(&lu.lu_internal().diagonal()).then_some(())?;
@@ -42,7 +42,7 @@ pub(super) fn solve_block(mut block: DMatrix<f64>, rhs: &DVector<f64>) -> Option
 }
 
 fn is_regular(diagonal: &DVector<f64>) -> bool {
-    // Entries of the balanced block are near 1.
+    // Entries of the balanced block are near 1, so pivots are compared with 1.
     diagonal.iter().all(|u| u.abs() > FEW_ROUNDINGS)
 }
 
@@ -52,7 +52,7 @@ fn refined(
     solve: impl Fn(&DVector<f64>) -> Option<DVector<f64>>,
 ) -> Option<DVector<f64>> {
     let mut y = solve(rhs)?;
-    // The first step removes the error of the factorisation, the second what remains in ill-conditioned blocks.
+    // The first refinement step removes the error of the factorisation, the second the error that remains in ill-conditioned blocks.
     for _ in 0..2 {
         y += solve(&(rhs - block * &y))?;
     }

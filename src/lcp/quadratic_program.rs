@@ -8,7 +8,7 @@ use super::outcome::Outcome;
 use super::problem::Lcp;
 use super::settings::Settings;
 
-/// The optimality conditions of
+/// The complementarity problem that states the optimality conditions of a quadratic program:
 ///
 /// ```text
 /// minimise  gᵀx + ½ xᵀH x     subject to  A x + b >= 0,  x >= 0,
@@ -34,7 +34,8 @@ fn optimality_conditions(
     Lcp::new(m, vector_of(columns + rows, &|i| if i < columns { g[i] } else { b[i - columns] }))
 }
 
-/// The minimiser x of this program and the multipliers y of its rows; `None` without a minimum, or if rounding prevents the solution.
+/// The minimiser x of gᵀx + ½ xᵀH x under the constraints A x + b >= 0 and x >= 0, and the multipliers y of the rows of A x + b. `None` without a
+/// minimum, or if rounding prevents the solution.
 pub(crate) fn quadratic_program(
     h: Option<&DMatrix<f64>>,
     g: &DVector<f64>,

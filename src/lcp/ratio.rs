@@ -1,10 +1,10 @@
-//! The ratio test: which basic variable blocks the entering one, and the choice among several.
+//! The ratio test: which basic variable blocks the entering variable, and the choice if several block it at once.
 //!
-//! **Ties.** Symmetric problems have ties at almost every step, and breaking them by index or size may lead to cycling. The rule used here is
-//! the lexicographic one (Cottle, Pang & Stone, section 4.9) with a single generic vector p, for q + ε p with ε → 0+. The perturbed problem has
-//! no ties. Its path is found by comparing the column of p among rows that tie; the data are not changed.
+//! **Ties.** Symmetric problems have ties at almost every step, and breaking them by index or size may lead to cycling. The rule used here is the
+//! lexicographic rule (Cottle, Pang & Stone, section 4.9) with a single generic vector p, for q + ε p with ε → 0+. The perturbed problem has no ties.
+//! The path of the perturbed problem is found by comparing the column of p among rows that tie; the data are not changed.
 //!
-//! If z₀ is among the tied variables it leaves, since the point with z₀ = 0 solves the problem.
+//! If z₀ is among the tied variables, z₀ leaves, since the point with z₀ = 0 solves the problem.
 
 use super::dictionary::{Dictionary, LemkeVariable, largest};
 use super::settings::Settings;
@@ -31,7 +31,7 @@ pub(super) fn blocking_row(
     settings: &Settings,
 ) -> Option<usize> {
     let least = -noise;
-    // The parameter of a family may have any sign, so its row does not block.
+    // The parameter of a family of problems may have any sign, so its row does not block the entering variable.
     let exempt = if role == Covering::Parameter {
         dictionary.basic.iter().position(|basic| *basic == LemkeVariable::Covering)
     } else {
@@ -104,7 +104,7 @@ pub(super) fn doubtful_row_breaks(
     })
 }
 
-/// min x_i / −u_i over the rows with u_i < `least`, where negative x_i count as 0.
+/// The shortest step: min x_i / −u_i over the rows with u_i < `least`, where negative x_i count as 0.
 ///
 /// The loop has no branches, since half of them would be mispredicted.
 struct ShortestStep<'a> {

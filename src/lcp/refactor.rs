@@ -68,7 +68,7 @@ impl LemkePath {
         Ok(())
     }
 
-    /// Computes the dictionary in which `members` are basic and the slacks of the rows `leaving` are nonbasic.
+    /// Recomputes the dictionary in which `members` are basic and the slacks of the rows `leaving` are nonbasic.
     fn install(&mut self, m: &[f64]) -> Result<(), BreakdownCause> {
         self.start_from_slacks();
         for member in 0..self.members.len() {
@@ -92,7 +92,8 @@ impl LemkePath {
         Ok(())
     }
 
-    /// Corrects the basic values by the effect of the last computed defect, and recomputes `level`, which scales their rounding.
+    /// Corrects the basic values by the effect of the defect that was computed last. Recomputes `level`, the magnitude of the terms from which each
+    /// value is computed.
     pub(super) fn correct(&mut self) {
         self.dictionary.sum_terms(&self.terms);
         let mut effect = core::mem::take(&mut self.terms);
@@ -103,7 +104,7 @@ impl LemkePath {
         self.terms = effect;
     }
 
-    /// Recomputes the basic values of the current dictionary for a new right-hand side.
+    /// Recomputes the basic values of the current dictionary from the right-hand side q.
     pub(super) fn recompute_values(&mut self) {
         let mut x = core::mem::take(&mut self.dictionary.x);
         self.dictionary.effect(&self.q, &mut x);
@@ -111,8 +112,8 @@ impl LemkePath {
         self.dictionary.sum_terms(&self.q);
     }
 
-    /// Prepares z₀ to enter the current complementary basis. z₀ covers only the rows that are infeasible by more than `noise` times their
-    /// largest term. Returns whether there are any.
+    /// Prepares z₀ to enter the current complementary basis. z₀ covers only the rows that are infeasible by more than `noise` times their largest
+    /// term. Returns whether there are such rows.
     ///
     /// In the dictionary, the column of z₀ then has one balanced unit in these rows and 0 in the others. d becomes the covering vector to which this
     /// column belongs.
@@ -122,13 +123,13 @@ impl LemkePath {
         refill(&mut self.d, n, 0.0);
         let mut violated = false;
         for row in 0..n {
-            // One unit of the problem balanced by exact factors, as in every covering vector.
+            // One unit of the row or variable as balanced by exact factors; balancing to powers of two makes it slightly different from 1.
             let unit = match dictionary.basic[row] {
                 LemkeVariable::W(i) => self.scaling.row_unit[i],
                 LemkeVariable::Z(j) => self.scaling.column_unit(j),
                 LemkeVariable::Covering => 1.0,
             };
-            // The perturbation belongs to the variable, not to the row, since the order of rows depends on rounding.
+            // The perturbation belongs to the variable and not to its row, since the order of rows depends on rounding.
             dictionary.p[row] = unit * generic(index(dictionary.basic[row], n));
             dictionary.u[row] = 0.0;
             if dictionary.x[row] >= -noise * dictionary.level[row] {
@@ -234,7 +235,7 @@ mod tests {
 
     #[test]
     fn a_column_that_has_drifted_is_put_right() {
-        // Diagonally dominant, otherwise without structure.
+        // A diagonally dominant matrix without further structure.
         let m: Vec<f64> =
             (0..36).map(|k| f64::from(k + 1).sin() + if k % 7 == 0 { 3.0 } else { 0.0 }).collect();
         let mut path = LemkePath::default();

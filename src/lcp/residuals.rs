@@ -26,14 +26,14 @@ pub struct Residuals {
 }
 
 impl Residuals {
-    /// The largest of the three; NaN if any of them is NaN.
+    /// The largest of the three residuals; NaN if any of them is NaN.
     #[must_use]
     pub fn max(&self) -> f64 {
         let all = self.all();
         if all.iter().any(|r| r.is_nan()) { f64::NAN } else { all.into_iter().fold(0.0, f64::max) }
     }
 
-    /// Whether all three are numbers of at most this size.
+    /// Whether all three residuals are numbers of at most this size.
     #[must_use]
     pub fn within(&self, tolerance: f64) -> bool {
         self.all().iter().all(|r| *r <= tolerance)
@@ -54,7 +54,7 @@ impl fmt::Display for Residuals {
     }
 }
 
-/// Whether a point with these residuals and terms solves a problem with a very different q as well, so that it says nothing about this one. `row`
+/// Whether a point with these residuals and terms also solves a problem with a very different q. Such a point does not count as a solution. `row`
 /// holds the factors that balance the rows.
 pub(super) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f64]) -> bool {
     let balanced = |v: &[f64]| v.iter().zip(row).fold(0.0_f64, |size, (v, row)| size.max(v.abs() * row));
@@ -110,7 +110,7 @@ fn add_four(columns: [(&[f64], f64); 4], w: &mut [f64], terms: &mut [f64]) {
     }
 }
 
-/// The residuals at z, given w = M z + q and the magnitudes a of its terms.
+/// The residuals at z, computed from w = M z + q and from the magnitudes a_i of its terms.
 pub(super) fn residuals_from(m: &DMatrix<f64>, q: &[f64], z: &[f64], w: &[f64], terms: &[f64]) -> Residuals {
     let n = z.len();
     let mut out = Residuals { negative_z: 0.0, negative_w: 0.0, complementarity: 0.0 };
@@ -138,7 +138,7 @@ pub(super) fn residuals_from(m: &DMatrix<f64>, q: &[f64], z: &[f64], w: &[f64], 
     out
 }
 
-/// The rows of a problem at a point, with the magnitudes of their terms.
+/// The rows of M z + q at a point z, with the magnitudes of their terms.
 struct Rows<'a> {
     m: &'a DMatrix<f64>,
     q: &'a [f64],
@@ -147,7 +147,7 @@ struct Rows<'a> {
 }
 
 impl Rows<'_> {
-    /// w_i / a_i; zero in a row without terms.
+    /// The relative slack w_i / a_i; zero in a row without terms.
     fn relative_slack(&self, i: usize, w: f64) -> f64 {
         let a = self.terms[i];
         if a >= FAINT_ROW {
@@ -184,14 +184,14 @@ impl Rows<'_> {
         z.iter().enumerate().map(move |(j, z)| (m[(i, j)], *z)).chain([(q[i], 1.0)])
     }
 
-    /// The exact a_i; `None` for a row without terms.
+    /// The exact magnitude a_i of the terms of row i; `None` for a row without terms.
     fn exact_terms(&self, i: usize) -> Option<ExactSum> {
         let sizes = self.products(i).map(|(a, b)| (a.abs(), b.abs()));
         sizes.clone().any(|(a, b)| a > 0.0 && b > 0.0).then(|| ExactSum::of_products(sizes))
     }
 }
 
-/// The quotient of two sums, each of which may lie outside the range of doubles.
+/// The quotient of two exact sums, each of which may lie outside the range of doubles.
 fn ratio(sum: &ExactSum, of: &ExactSum) -> f64 {
     let ((x, k), (y, l)) = (sum.leading(), of.leading());
     times_power_of_two(x / y, k - l)

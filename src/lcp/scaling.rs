@@ -1,4 +1,4 @@
-//! Balancing of rows and columns.
+//! Balancing of the rows and columns of M.
 //!
 //! The factors solve the least-squares problem min Σ (log₂|M_ij| + ρ_i + γ_j)² over the nonzero entries (A. R. Curtis and J. K. Reid, *On the
 //! automatic scaling of matrices for Gaussian elimination*, 1972). The scaled matrix 2^ρ_i M_ij 2^γ_j does not change when rows or columns of M
@@ -21,12 +21,12 @@ use crate::numerics::{dot, matrix_of, vector_of};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// Row and column factors, all powers of two: scaled M_ij = row_i M_ij column_j.
+/// Factors of rows and columns, all powers of two: the balanced M_ij is row_i M_ij column_j.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Scaling {
     pub(super) row: Vec<f64>,
     pub(super) column: Vec<f64>,
-    /// Size of one unit of the row balanced by the exact factor 2^ρ_i, in the row balanced by a power of two: row_i / 2^ρ_i.
+    /// The factor row_i / 2^ρ_i by which rounding ρ_i to an integer changes the balanced row i.
     pub(super) row_unit: Vec<f64>,
     rho: Vec<f64>,
     gamma: Vec<f64>,
@@ -46,7 +46,7 @@ impl Scaling {
         refill(&mut self.rho, n, 0.0);
         refill(&mut self.gamma, n, 0.0);
         if self.columns.count.iter().all(|count| *count == n as f64) {
-            // Without zeros: γ_j = −mean_i log₂|M_ij|, then ρ_i = −mean_j (log₂|M_ij| + γ_j).
+            // If M has no zeros, the solution is γ_j = −mean_i log₂|M_ij|, then ρ_i = −mean_j (log₂|M_ij| + γ_j).
             for (gamma, sum) in self.gamma.iter_mut().zip(&self.columns.sum) {
                 *gamma = -sum / n as f64;
             }
@@ -74,10 +74,10 @@ impl Scaling {
         self.pattern = list;
     }
 
-    /// Conjugate gradients for ρ from 0, with γ eliminated: γ_j = −mean_i (log₂|M_ij| + ρ_i).
+    /// Computes ρ by conjugate gradients from ρ = 0, with γ eliminated: γ_j = −mean_i (log₂|M_ij| + ρ_i).
     fn descend(&mut self, pattern: &Pattern) {
         let n = self.rho.len();
-        // The residual at ρ = 0.
+        // The residual of the equations for ρ, at ρ = 0.
         self.residual.clear();
         self.residual.extend(self.rows.sum.iter().map(|sum| -sum));
         pattern.for_each(&self.columns.count, |j, count, column| {
@@ -86,9 +86,9 @@ impl Scaling {
         refill(&mut self.direction, n, 0.0);
         refill(&mut self.image, n, 0.0);
         let mut before = 0.0;
-        // Problems of contacts need about ten steps of conjugate gradients. Long chains need more, but the later steps change little.
+        // Contact problems need about ten steps of conjugate gradients. Long chains of contacts need more, but the later steps change little.
         for _ in 0..24 {
-            // The residual of each row is preconditioned by the number of entries of the row.
+            // The residual of each row is preconditioned by the number of nonzero entries of the row.
             let mut size = 0.0;
             let mut worst = 0.0_f64;
             for (r, count) in self.residual.iter().zip(&self.rows.count) {
@@ -123,12 +123,12 @@ impl Scaling {
         }
     }
 
-    /// Size of one unit of the z_j balanced by the exact factor 2^γ_j, in the z_j balanced by a power of two: 2^γ_j / column_j.
+    /// The factor 2^γ_j / column_j by which rounding γ_j to an integer changes the balanced z_j.
     pub(super) fn column_unit(&self, j: usize) -> f64 {
         (self.gamma[j] - self.gamma[j].round()).exp2()
     }
 
-    /// The balanced matrix and vector.
+    /// M and q with balanced rows and columns.
     pub(super) fn balanced(&self, m: &DMatrix<f64>, q: &DVector<f64>) -> (DMatrix<f64>, DVector<f64>) {
         let (row, column) = (&self.row, &self.column);
         (

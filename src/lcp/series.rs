@@ -1,4 +1,4 @@
-//! Many right-hand sides for one matrix.
+//! Problems with one matrix M and many right-hand sides q.
 
 use super::error::LcpError;
 use super::outcome::OutcomeView;
@@ -9,8 +9,8 @@ use nalgebra::{DMatrix, DVector};
 
 /// A series of problems with the same M, each solved from the basis of the previous one.
 ///
-/// The dictionary of the last basis is kept. A new q costs about as much as one pivot for its values, plus one pivot per change of the basis.
-/// After two problems nothing is allocated any more, unless a path fails.
+/// The dictionary of the last basis is kept. A new q costs about as much as one pivot for its values, plus one pivot per change of the basis. From
+/// the third problem on nothing is allocated, unless a path fails.
 ///
 /// ```
 /// use grasp_lcp::lcp::{Series, OutcomeView, Settings};

@@ -31,44 +31,44 @@ pub struct Settings {
     /// Lemke's path starts at z = 0 with z₀ so large that q + d z₀ ≥ 0, and ends when z₀ reaches zero. Every entry of d must be finite and
     /// nonnegative, and positive where q is negative; otherwise the solve ends in [`Outcome::Breakdown`](super::Outcome::Breakdown).
     ///
-    /// Another d gives another path. It may end in another solution and, for matrices without a guarantee, in a ray where this path finds a
-    /// solution. `None` stands for the vector of ones on the balanced problem, which makes the path independent of the units of rows, columns
+    /// Another d gives another path. It may end in another solution and, for matrices without a guarantee, in a ray although the path of the default
+    /// d finds a solution. `None` means the vector of ones on the balanced problem, which makes the path independent of the units of rows, columns
     /// and q.
     pub covering: Option<DVector<f64>>,
     /// Number of pivots after which the solve ends with [`Outcome::PivotLimit`](super::Outcome::PivotLimit).
     ///
-    /// It guards against problems on which Lemke's method takes about 2ⁿ pivots (Murty, Fathi); the tie rule excludes cycling. A given number
+    /// The limit guards against problems on which Lemke's method takes about 2ⁿ pivots (Murty, Fathi); the tie rule excludes cycling. A given limit
     /// bounds the sum over all paths.
     ///
-    /// `None` allows 10000 + 100 n pivots for the first path, and 100 + 10 n for each retry. Ordinary problems need n to 3 n pivots, and the
-    /// exponential families are still solved up to n = 13. Smaller limits stop solvable problems; larger ones only make the exponential families
-    /// take longer.
+    /// `None` allows 10000 + 100 n pivots for the first path, and 100 + 10 n for each retry. Ordinary problems need n to 3 n pivots, and those with
+    /// about 2ⁿ pivots are solved up to n = 13. A smaller limit stops solvable problems. A larger one only lengthens the solves that need about 2ⁿ
+    /// pivots.
     pub max_pivots: Option<usize>,
-    /// Relative size from which a coefficient of the entering column can block the entering variable; smaller ones are noise (default 1e-11).
-    /// The coefficient must exceed this fraction of the largest entry of the column, at least 1 in balanced units, or of the terms of its own
-    /// row.
+    /// Relative size from which a coefficient of the entering column can block the entering variable; smaller coefficients are noise (default 1e-11).
+    /// The coefficient must exceed this fraction of the terms of its own row, or of the largest entry of the column. That entry counts as at least 1
+    /// in balanced units.
     ///
-    /// It guards against pivots on rounding errors where the true coefficient is zero. These errors are some 1e-16 times the growth of the
+    /// The tolerance guards against pivots on rounding errors where the true coefficient is zero. These errors are some 1e-16 times the growth of the
     /// elimination. Below 1e-14 rounding errors become pivots and turn rays into wrong bases; above 1e-6 true blocking rows of ill-conditioned
     /// problems are overlooked.
     pub pivot_tolerance: f64,
-    /// Relative size below which a basic variable counts as zero after a step: its remaining value divided by its decrease in the step (default
-    /// 1e-12). Variables that are zero in this sense after the shortest step tie. A value below its own rounding error counts as zero in any
-    /// case.
+    /// Relative size below which a basic variable counts as zero after a step: the ratio of the remaining value to the decrease in the step (default
+    /// 1e-12). Variables that are zero in this sense after the shortest step tie. A value below its own rounding error counts as zero in any case.
     ///
-    /// It guards the tie rule: rows that tie in exact arithmetic must be recognised as ties although rounding separates them. At 0 exact ties
-    /// may be missed, and if z₀ loses one, the path of a solved problem continues into a ray. Above 1e-8 rows that do not tie are treated as
-    /// ties, and values of that size become negative.
+    /// The tolerance is needed by the tie rule: rows that tie in exact arithmetic must be recognised as ties although rounding separates them. At 0
+    /// exact ties may be missed, and if z₀ then does not leave, the path of a solvable problem continues into a ray. Above 1e-8 rows that do not tie
+    /// are treated as ties, and values of that size become negative.
     pub tie_tolerance: f64,
     /// Largest [`Residuals`](super::Residuals), recomputed from the given M and q, with which a point is accepted as a solution (default 1e-10).
     ///
-    /// It guards against false solutions. Computed solutions have residuals below 1e-14 unless the basis is nearly singular. Below 1e-15
+    /// The tolerance guards against false solutions. Computed solutions have residuals below 1e-14 unless the basis is nearly singular. Below 1e-15
     /// correctly rounded solutions are rejected; above 1e-6 points are accepted that solve a visibly different problem.
     pub residual_tolerance: f64,
     /// Whether linear programming searches for a proof that no z ≥ 0 satisfies M z + q ≥ 0, if a ray contains none (default `true`).
     ///
-    /// It avoids an undecided ray. Up to 64 rows it takes up to four linear programs, beyond that one; each is a path of a problem of 2 n + 1
-    /// rows. Without it most infeasible problems end in [`Outcome::Ray`](super::Outcome::Ray), after all retries.
+    /// The proof decides problems that otherwise end in a ray. Up to 64 rows the search solves up to four linear programs, for more rows one. Each is
+    /// a path of a problem of 2 n + 1 rows. Without this search most infeasible problems end in [`Outcome::Ray`](super::Outcome::Ray), after all
+    /// retries.
     pub prove_infeasible: bool,
     /// Number of other covering vectors, and of other starting bases, that are tried (default 8). They are tried after a ray that proves
     /// nothing, a breakdown, or a first path that reached its default limit.
@@ -76,13 +76,13 @@ pub struct Settings {
     /// With at least one retry, a solution whose slacks are negative by more than rounding is improved as well: its path is continued with ties
     /// resolved more finely.
     ///
-    /// It guards against rays on solvable problems, which other paths often avoid. The retries are deterministic, so a problem takes the same
-    /// paths in every solve. 0 follows one path only; more than a few dozen rarely find more.
+    /// Retries guard against rays on solvable problems, which other paths often avoid. The retries are deterministic, so a problem takes the same
+    /// paths in every solve. With 0 only one path is followed. More than a few dozen retries rarely solve further problems.
     pub retries: usize,
-    /// Largest n for which all 2ⁿ complementary bases are tried (default 10). This is the last resort, if no path ended in a solution and no
-    /// proof of infeasibility was found.
+    /// Largest n for which all 2ⁿ complementary bases are tried (default 10). The bases are tried last, if no path ended in a solution and no proof
+    /// of infeasibility was found.
     ///
-    /// It guards against missing solutions that no path reaches. Each further row doubles the cost; n above 20 is never tried.
+    /// The search finds solutions that no path reaches. Each further row doubles the cost; for n above 20 the bases are never tried.
     pub enumerate_up_to: usize,
 }
 
@@ -121,15 +121,13 @@ impl Settings {
         self
     }
 
-    /// These settings with another number of retries; 0 follows one path only. See
-    /// [`Settings::retries`].
+    /// These settings with another number of retries; with 0 only one path is followed. See [`Settings::retries`].
     pub fn with_retries(mut self, retries: usize) -> Self {
         self.retries = retries;
         self
     }
 
-    /// These settings with all complementary bases tried up to another n; 0 tries none. See
-    /// [`Settings::enumerate_up_to`].
+    /// These settings with another largest n for which all complementary bases are tried; with 0 none are tried. See [`Settings::enumerate_up_to`].
     pub fn with_enumerate_up_to(mut self, enumerate_up_to: usize) -> Self {
         self.enumerate_up_to = enumerate_up_to;
         self
@@ -157,7 +155,8 @@ impl Settings {
         }
     }
 
-    /// Settings for a single path: for problems on which Lemke's method cannot fail, and for callers that have a better alternative.
+    /// Settings with which a single path is followed: for problems on which Lemke's method cannot fail, and for callers that have a better
+    /// alternative.
     pub(crate) fn one_path() -> Self {
         Self { prove_infeasible: false, retries: 0, enumerate_up_to: 0, ..Self::default() }
     }
@@ -167,7 +166,7 @@ impl Settings {
         self.max_pivots.unwrap_or_else(|| 10_000_usize.saturating_add(n.saturating_mul(100)))
     }
 
-    /// The limit for the pivots after one more path on a problem of n rows, if `made` pivots were made before.
+    /// The limit on the total number of pivots once one more path is followed, if `made` pivots were made before. The problem has n rows.
     ///
     /// A path of exponential length is thus not followed to its end a second time.
     pub(super) fn retry_limit(&self, n: usize, made: usize) -> usize {

@@ -26,8 +26,8 @@ pub struct Solution {
     pub degenerate: bool,
 }
 
-/// A [`Solution`] that borrows the memory of its [`Workspace`](super::Workspace) or [`Series`](super::Series). Each field corresponds to the one
-/// of the same name.
+/// A [`Solution`] that borrows the memory of its [`Workspace`](super::Workspace) or [`Series`](super::Series). It has the same fields as a
+/// [`Solution`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]

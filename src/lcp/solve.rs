@@ -18,8 +18,8 @@ impl Lcp {
 
     /// Solves the problem by Lemke's method. An ordinary path has n to 3 n pivots.
     ///
-    /// The first path may end without a solution. If it ended because of a pivot limit or an invalid covering vector that the caller has set,
-    /// that is the answer. Otherwise the following attempts are made until one decides the problem:
+    /// The first path may end without a solution. If it ended because of a pivot limit or an invalid covering vector that the caller has set, this
+    /// outcome is returned. Otherwise the following attempts are made until one decides the problem:
     ///
     /// 1. the ray itself as a Farkas vector;
     /// 2. a Farkas vector from the linear program min { t : M z + q + t 1 ≥ 0, z, t ≥ 0 }
@@ -46,7 +46,7 @@ impl Lcp {
     /// Solves the problem by Lemke's method from a complementary basis instead of the slack basis, for example from the solution of a
     /// neighbouring problem.
     ///
-    /// z₀ covers only the rows that are infeasible for this basis. The path is therefore short if the basis is close to that of the solution.
+    /// z₀ covers only the rows that are infeasible for this basis. The path is therefore short if the basis is close to the basis of the solution.
     ///
     /// If the basis is singular or has another length, or if the path does not end in a solution, [`Lcp::solve_with`] takes over. For many q
     /// with the same M use a [`Series`](super::Series).
@@ -92,7 +92,7 @@ impl Workspace {
         self.answer(failure)
     }
 
-    /// Solves a problem and keeps the dictionary of its basis, even if it is the slack basis.
+    /// Solves a problem by [`Self::solve`], and keeps the dictionary of the final basis, even if this is the slack basis.
     pub(super) fn solve_first(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         if let Some(refused) = self.refuse(lcp, settings) {
             return Some(refused);
@@ -101,7 +101,7 @@ impl Workspace {
         self.climb(lcp, settings)
     }
 
-    /// Solves the problem of a new right-hand side for the matrix whose dictionary the path holds.
+    /// Solves the problem for a new right-hand side, starting from the dictionary that the path holds for the same matrix.
     pub(super) fn solve_next(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         if let Some(refused) = self.refuse(lcp, settings) {
             return Some(refused);
@@ -111,7 +111,7 @@ impl Workspace {
         self.resume(lcp, settings)
     }
 
-    /// Follows the path from the current complementary basis. If it fails, the solve starts again from the slack basis.
+    /// Follows the path from the current complementary basis. If this path does not end in a solution, the solve starts again from the slack basis.
     fn resume(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         let limit = settings.pivot_limit(lcp.len());
         let m = lcp.m.as_slice();

@@ -1,123 +1,127 @@
 //! Tolerances of the solver: limits below which a value is zero, noise or rounding.
 //!
-//! All are without units. Rows and columns of M are balanced first, so entries of M lie near 1; every other quantity is compared with the terms
-//! from which it was computed. ε = 2⁻⁵².
+//! All tolerances are without units. Rows and columns of M are balanced first, so entries of M lie near 1; every other quantity is compared with the
+//! terms from which it was computed. ε = 2⁻⁵².
 //!
-//! Tolerances that a caller may change are fields of [`Settings`](super::Settings), where their reasons are given.
+//! Tolerances that a caller may change are fields of [`Settings`](super::Settings), where the reasons for their values are given.
 
 /// A value is zero below this fraction of its largest term, or of the largest value of its kind.
 ///
-/// Sums of n terms have errors of about nε, and a few pivots multiply that by a few. If smaller, noise remains in the basis and `degenerate` is not
-/// set. Above 1e-10, values are set to zero without a visible effect on the residuals.
+/// Sums of n terms have relative errors of about nε, and a few pivots multiply them by a small number. With a smaller limit, noise remains in the
+/// basis and `degenerate` is not set. Above 1e-10, true values are set to zero, which the residuals do not show.
 pub(super) const ZERO_VALUE: f64 = 1e-13;
 
 /// Residuals above this limit are worth a new factorisation of the basis, which costs up to 2n³/3 flops.
 ///
-/// Refined points stay below it unless the basis is nearly singular. If smaller, ordinary problems are factorised needlessly; if larger, available
-/// digits are given away.
+/// Refined points stay below it unless the basis is nearly singular. With a smaller limit, ordinary problems are factorised needlessly. With a larger
+/// limit, points keep fewer correct digits than possible.
 pub(super) const SOUND_RESIDUAL: f64 = 1e-13;
 
 /// Entries of a slack's stored column are rounding below this fraction of the largest entry.
 ///
-/// Such a column is updated from pivot to pivot rather than summed, so its terms are unknown; the updates of some dozen pivots leave this much
-/// rounding. If smaller, noise becomes a pivot; if larger, true small pivots are overlooked.
+/// Such a column is updated from pivot to pivot rather than summed, so its terms are unknown. The updates of a few dozen pivots leave rounding errors
+/// of this size. With a smaller limit, noise becomes a pivot. With a larger limit, true small pivots are overlooked.
 pub(super) const STORED_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// A pivot below this fraction of its column is accepted only in a recently computed or refined dictionary.
 ///
-/// Such a pivot multiplies the errors of all entries by its inverse: half of the sixteen digits would be lost. If larger, dictionaries are
-/// recomputed, at O(n³), although nothing was lost; if smaller, pivots are made on noise.
+/// Such a pivot multiplies the errors of all entries by its inverse: half of the sixteen digits would be lost. With a larger limit, dictionaries are
+/// recomputed, at O(n³), although they are accurate. With a smaller limit, pivots are made on noise.
 pub(crate) const DOUBTFUL_PIVOT: f64 = 1e-7;
 
-/// A dictionary whose values violate the data by more than this fraction of their terms is recomputed.
+/// A dictionary is recomputed if its values violate w = q + M z + d z₀ by more than this fraction of the terms.
 ///
-/// Below it, the signs of values down to 1e-10 of their terms are reliable. If smaller, long paths are refactorised again and again; if larger, the
-/// path may deviate from that of the problem.
+/// Up to this violation, values larger than 1e-10 of their terms have the correct sign. With a smaller limit, long paths are refactorised again and
+/// again. With a larger limit, the path may leave that of exact arithmetic.
 pub(super) const DRIFTED: f64 = 1e-10;
 
-/// This fraction of the largest q_i is added to the terms of every row when drift is measured.
+/// This fraction of the largest q_i is added to the terms of every row when the drift of the dictionary from the data is measured.
 ///
-/// Otherwise a row that holds only noise would have no terms for comparison. If smaller, such rows cause refactorisations that do not help; if
-/// larger, drift in rows of small terms is not noticed.
+/// Otherwise a row whose terms are all noise would have nothing to be compared with. With a smaller fraction, such rows cause refactorisations that
+/// do not help. With a larger fraction, drift in rows of small terms is not noticed.
 pub(super) const DRIFT_FLOOR: f64 = 1e-3;
 
-/// A vanishing z is removed from the basis only if the pivot is at least this fraction of its column.
+/// A z that is zero up to rounding is removed from the basis only if the pivot is at least this fraction of its column.
 ///
-/// The exchange is meant to save digits of the other values, and a smaller pivot would cost more digits than it saves. At 1 hardly any such z
-/// would be removed.
+/// Removal keeps the noise of this z out of the other values, but a small pivot would amplify their rounding errors. With 1 hardly any such z would
+/// be removed.
 pub(super) const RETIRING_PIVOT: f64 = 1e-5;
 
 /// A pivot below this fraction of the entry or column from which it was computed is rounding. The basis is then singular, in a recomputed
 /// dictionary, or a principal minor is not positive.
 ///
-/// Only rows are pivoted, and Schur complements of twelve rows are nested, so some fifty roundings are allowed for. If smaller, singular bases pass
-/// and give values of 1e15, and singular matrices count as P-matrices. If larger, bases of condition 1e14 are refused although refinement would save
-/// them, and so are P-matrices close to singular.
+/// Only rows are exchanged, and up to twelve Schur complements follow each other, so the limit allows for about fifty roundings. With a smaller
+/// limit, singular bases are accepted and give values of 1e15, and singular matrices count as P-matrices. With a larger limit, bases of condition
+/// 1e14 are refused although refinement would give a solution, and so are P-matrices close to singular.
 pub(super) const ELIMINATED_PIVOT: f64 = 1e-14;
 
-/// A point whose residuals exceed rounding must solve the problem for a q close to the given one. In balanced rows the two may differ by this
-/// fraction of the largest entry.
+/// A point whose residuals exceed rounding must solve the problem exactly for some q′ close to q. In balanced rows q′ may differ from q by this
+/// fraction of the largest entry of q.
 ///
-/// Residuals are relative to the terms of M z. If these terms cancel down to a q of 1e-10 of their size, residuals of 1e-10 say nothing about q. If
-/// smaller, good points of ill-conditioned problems are refused; if larger, points pass that ignore q.
+/// Residuals are relative to the terms of M z. If q is only 1e-10 of these terms, a point with residuals of 1e-10 may not depend on q at all. With a
+/// smaller fraction, good points of ill-conditioned problems are refused. With a larger fraction, points that do not depend on q are accepted.
 pub(crate) const BACKWARD_ERROR: f64 = 1e-6;
 
-/// The solution does not depend on q, up to rounding, if q is below this fraction of the terms of M z in every row: some hundred thousand roundings.
+/// A point does not depend on q, up to rounding, if q is below this fraction of the terms of M z in every row. The fraction is about 1e5 rounding
+/// errors.
 ///
-/// A singular basis whose determinant is computed as 1e-16 gives a z of 1e14. To rounding, that z satisfies 0 ≤ z ⟂ M z + q ≥ 0 for every q.
-/// Problems of condition 1e10 are not affected; if this limit were larger, they would be refused.
+/// A singular basis whose determinant is computed as 1e-16 gives a z of 1e14. Up to rounding, this z satisfies 0 ≤ z ⟂ M z + q ≥ 0 for every q.
+/// Problems of condition 1e10 are not affected; with a larger fraction they would be refused.
 pub(crate) const LOST: f64 = 1e-11;
 
 /// Residual, in powers of two, at which the equations of the balancing exponents have converged.
 ///
-/// Equal rows must get equal factors, or ties turn into near-ties. If smaller, the iteration never converges; if larger, ties are separated.
+/// Equal rows must get equal factors, or ties turn into near-ties. With a smaller limit, the iteration never converges. With a larger limit, ties are
+/// separated.
 pub(super) const BALANCED_EXPONENTS: f64 = 1e-13;
 
 /// The rounding of a sum of n products and two further operations, relative to Σ|terms|: 8 (n + 2) ε.
 ///
-/// The worst case is (n + 2) ε/2, but a Farkas vector is itself rounded. If larger, vectors pass that prove nothing.
+/// The worst case is (n + 2) ε/2, but a Farkas vector is itself rounded. With a larger bound, vectors that prove nothing are accepted as proofs.
 pub(super) fn sum_rounding(n: usize) -> f64 {
     8.0 * (n as f64 + 2.0) * f64::EPSILON
 }
 
-/// Residuals of a point of n rows are rounding up to (8 + n/8) ε: a row of n terms cannot be summed much more accurately.
+/// Residuals of a point of n rows count as rounding up to (8 + n/8) ε: a row of n terms cannot be summed much more accurately.
 ///
-/// If smaller, points are refined without gain; if larger, refinement stops a digit early.
+/// With a smaller bound, points are refined without gain. With a larger bound, refinement stops one digit too early.
 pub(super) fn residual_rounding(n: usize) -> f64 {
     (8.0 + n as f64 / 8.0) * f64::EPSILON
 }
 
-/// The rounding that n eliminations leave in a diagonal entry whose exact value is zero, relative to its original value: 8 n ε.
+/// The rounding error that n elimination steps leave in a diagonal entry whose exact value is zero, relative to the original entry: 8 n ε.
 ///
-/// If smaller, noise makes semidefinite matrices definite or indefinite; if larger, definite ones of condition 1/(8 n ε) count as semidefinite.
+/// With a smaller bound, noise decides whether a semidefinite matrix counts as definite or indefinite. With a larger bound, definite matrices of
+/// condition 1/(8 n ε) count as semidefinite.
 pub(super) fn elimination_rounding(n: usize) -> f64 {
     8.0 * n as f64 * f64::EPSILON
 }
 
-/// The largest n for which all 2ⁿ bases are tried, about a million.
+/// The largest n for which all 2ⁿ bases are tried; 2²⁰ bases are about a million.
 ///
-/// If larger, a call takes minutes; if smaller, problems remain undecided that nothing else decides.
+/// With a larger limit, a call takes minutes. With a smaller limit, some problems remain undecided.
 pub(super) const MOST_ENUMERATED: usize = 20;
 
-/// The largest number of rows of a problem whose vertices, some thousands, are tried.
+/// The largest number of rows for which the vertices of a problem, then a few thousand, are tried.
 ///
-/// If larger, the vertices cost more than the linear programs that they replace.
+/// With a larger limit, the vertices cost more than the linear programs that they replace.
 pub(super) const MOST_ROWS_WITH_VERTICES: usize = 6;
 
-/// The largest number of rows for which pairs of rows are tried and vectors simplified, by n² checks of n² products.
+/// The largest number of rows for which pairs of rows are tried as proofs, and Farkas vectors are simplified. Either takes n² checks, each with n²
+/// products.
 ///
-/// If larger, these checks take longer than Lemke's path; if smaller, simple proofs are replaced by long ones.
+/// With a larger limit, these checks take longer than Lemke's path. With a smaller limit, proofs are longer than necessary.
 pub(super) const MOST_PAIRED_ROWS: usize = 48;
 
-/// 2⁵³, the largest denominator tried for the ratios of a proof: beyond it not all integers are doubles.
+/// 2⁵³, the largest denominator that is tried for the ratios of a Farkas vector: beyond it not all integers are doubles.
 pub(super) const LARGEST_WHOLE: f64 = 9_007_199_254_740_992.0;
 
-/// The lower bound on z that goes with a nearly proved contradiction is reduced by this fraction, to cover its own rounding.
+/// The lower bound on z that follows from a Farkas vector is reduced by this fraction, to cover its own rounding error.
 ///
-/// If smaller, a bound may claim too much; if larger, it is weaker than necessary.
+/// With a smaller fraction, the bound may be too large. With a larger fraction, it is weaker than necessary.
 pub(super) const BOUND_ROUNDING: f64 = 1e-14;
 
 /// Magnitude of the terms of a row below which products may have underflowed or lost digits. Such rows are summed again without rounding.
 ///
-/// It is 2¹¹⁴ times the smallest double, so the errors in larger rows are negligible. If larger, more rows are summed twice.
+/// It is 2¹¹⁴ times the smallest double, so the errors in larger rows are negligible. With a larger limit, more rows are summed twice.
 pub(super) const FAINT_ROW: f64 = 1.03e-289;

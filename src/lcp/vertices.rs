@@ -1,8 +1,8 @@
 //! Vertices of small polyhedra, for problems in which linear programming has failed because entries differ by many orders of magnitude.
 //!
-//! A nonempty piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } has a vertex: some rows are zero there, and as many z are nonzero. The cone of
-//! vectors y ≥ 0 with Mᵀy ≤ 0 has edges, and an edge with qᵀy < 0 proves that no z ≥ 0 satisfies M z + q ≥ 0. Each vertex or edge is the
-//! solution of a small regular system, balanced separately.
+//! A nonempty piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } has a vertex: a point where some rows are zero, and as many z are nonzero. The cone
+//! of vectors y ≥ 0 with Mᵀy ≤ 0 has edges, and an edge with qᵀy < 0 proves that no z ≥ 0 satisfies M z + q ≥ 0. Each vertex or edge is the solution
+//! of a small regular system, balanced separately.
 
 use super::farkas::cleaned;
 use super::linear_program::MARGINS;
@@ -38,8 +38,7 @@ pub(super) fn farkas(lcp: &Lcp, scaling: &Scaling) -> Option<DVector<f64>> {
     let load = if q.amax() > 0.0 { q.amax() } else { 1.0 };
     subsets(n).filter(|rows| !rows.is_empty()).find_map(|rows| {
         let k = rows.len();
-        // An edge is found by its k nonzero entries and the sums of columns that vanish there, one fewer than k. The columns are those of M, and q as
-        // the last one.
+        // An edge y is determined by its k nonzero entries, and by k − 1 columns of [M, q] whose product with y vanishes.
         subsets(n + 1).filter(|columns| columns.len() + 1 == k).find_map(|columns| {
             let column = |j: usize, row: usize| if j < n { m[(row, j)] } else { q[row] / load };
             MARGINS.into_iter().find_map(|margin| {
@@ -56,8 +55,8 @@ pub(super) fn farkas(lcp: &Lcp, scaling: &Scaling) -> Option<DVector<f64>> {
     })
 }
 
-/// Solves a square system. Rows and columns with a single entry are eliminated first: they cannot be balanced against the rest, and could make
-/// the system appear singular.
+/// Solves a square system. Rows and columns with a single nonzero entry are eliminated first: these cannot be balanced against the others, and could
+/// make the system appear singular.
 fn peeled(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
     let size = rhs.len();
     let alone = |line: &mut dyn Iterator<Item = f64>| {
@@ -86,7 +85,7 @@ fn subsets(count: usize) -> Subsets {
     Subsets { count, size: 0, bits: 0 }
 }
 
-/// Iterator over subsets as bits: all of one size, then those of the next.
+/// Iterator over subsets as bits: all subsets of one size, then those of the next size.
 struct Subsets {
     count: usize,
     size: usize,

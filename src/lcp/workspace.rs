@@ -12,7 +12,7 @@ use crate::prelude::*;
 
 /// Memory of the solver that is reused from problem to problem.
 ///
-/// Once a workspace has solved a problem, it allocates nothing for others that are no larger, provided that their first path succeeds.
+/// Once a workspace has solved a problem, it allocates nothing for other problems that are no larger, provided that their first path succeeds.
 ///
 /// ```
 /// use grasp_lcp::lcp::{Lcp, OutcomeView, Settings, Workspace};
@@ -31,7 +31,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone, Default)]
 pub struct Workspace {
     pub(super) path: LemkePath,
-    /// The point at the end of the last path; `spare` is another point, with which it is compared.
+    /// The point at the end of the last path; `spare` is another point, with which the first is compared.
     pub(super) point: LcpPoint,
     pub(super) spare: LcpPoint,
     /// For each z, whether it is basic but zero up to rounding.
@@ -68,7 +68,7 @@ impl Workspace {
         }
     }
 
-    /// Reserves memory for steps that only some problems need.
+    /// Reserves memory for steps that only some problems need, so that later problems of this size do not allocate.
     pub(super) fn reserve(&mut self, n: usize) {
         let LcpPoint { z, w, terms } = &mut self.spare;
         for scratch in [&mut self.correction, &mut self.defect, z, w, terms] {

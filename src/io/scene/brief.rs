@@ -1,4 +1,4 @@
-//! Answers in about a hundred bytes: outcome, load factor, and the first contact.
+//! Short answers, of about a hundred bytes each: outcome, load factor, and the first contact that slips.
 
 use serde::Serialize;
 
@@ -20,7 +20,7 @@ use crate::numerics::tried;
 use crate::shake::{Repeats, Shakedown, Shaken};
 use crate::words::Words;
 
-/// A short answer. It omits the behaviour beyond an onset or the end of a path, which a full answer computes.
+/// A short answer. Unlike a full answer, it omits the behaviour beyond an onset or beyond the end of a load path.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Wrench};
@@ -40,28 +40,29 @@ pub struct Brief {
     pub question: &'static str,
     /// The name of the outcome in the format.
     pub outcome: &'static str,
-    /// The load factor at first slip, or at the loss of a load that grows from rest. For `need` the amount, for `identify` the first unknown.
+    /// The load factor at first slip; for `hold` the load factor at which equilibrium is lost. For `need` the amount, for `identify` the value of the
+    /// first unknown.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub factor: Option<f64>,
     /// The angle at first slip under a turning load, rad.
     #[serde(rename = "angle_rad", skip_serializing_if = "Option::is_none")]
     pub angle: Option<f64>,
-    /// The leg on which a path ends, from 0.
+    /// The leg of the load program on which the load path ends, counted from 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub leg: Option<usize>,
-    /// The fraction of that leg that was followed.
+    /// The fraction of this leg that was followed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fraction: Option<f64>,
-    /// The least margin `μ F_n - |F_t|` of an equilibrium, among contacts that have one, N.
+    /// The least friction margin `μ F_n - |F_t|` of an equilibrium, N, over the contacts with a finite margin.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub margin: Option<f64>,
     /// The first contact, joint or tendon that stops sticking, or the contact with the least margin: its name, or its kind and number.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub first: Option<String>,
-    /// The change of state of [`Self::first`]; in an equilibrium, its state.
+    /// The change of the contact state, or of the drive, in [`Self::first`]; for an equilibrium the state of this contact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub does: Option<&'static str>,
-    /// Whether the object turns [too far](Equilibrium::is_beyond_small_motions) for the answer to say much about it. Left out if false.
+    /// Whether the object turns [too far](Equilibrium::is_beyond_small_motions) for the model of small motions. Left out if false.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub beyond_small_motions: bool,
     /// Whether a suction cup is [open all around](Equilibrium::open_cups), so that the equilibrium does not hold. Left out if false.
@@ -197,7 +198,7 @@ fn is_far(state: Option<&Equilibrium<3>>) -> bool {
     state.is_some_and(Equilibrium::is_beyond_small_motions)
 }
 
-/// Short answer to `hold`: whether the load is held, and the load factor at its loss.
+/// Short answer to `hold`: whether the load is held, and the load factor at which equilibrium is lost.
 fn held_briefly(verdict: &Verdict<3>) -> Brief {
     let outcome = match verdict.holding {
         Holding::Sticks => "sticks",
@@ -218,7 +219,7 @@ fn held_briefly(verdict: &Verdict<3>) -> Brief {
     Brief { factor, first: contact, beyond_small_motions, ..Brief::new("hold", outcome) }
 }
 
-/// Short answer to `need`: the amount that is needed.
+/// Short answer to `need`: the least or largest amount of the sought quantity.
 fn needed_briefly(needed: &Needed) -> Brief {
     let outcome = match needed.amount {
         Amount::Bound { .. } => "bound",
@@ -231,7 +232,7 @@ fn needed_briefly(needed: &Needed) -> Brief {
     Brief { factor, angle, ..Brief::new("need", outcome) }
 }
 
-/// Short answer to `improve`: first slip or reserve of the best grasp, and the contact that slides first or has the least reserve.
+/// Short answer to `improve`: load factor at first slip, or least friction margin, of the best grasp, and the contact that limits it.
 fn improved_briefly(improved: &Improved<3>) -> Brief {
     let outcome = match improved.search {
         SearchEnd::Optimum => "optimum",
@@ -247,7 +248,7 @@ fn improved_briefly(improved: &Improved<3>) -> Brief {
     Brief { factor: improved.after, first, ..Brief::new("improve", outcome) }
 }
 
-/// Short answer to `shake`: the kind of repetition, and a contact that slides.
+/// Short answer to `shake`: whether slip ceases, alternates or accumulates as the loads repeat, and a contact that slides.
 fn shaken_briefly(shaken: &Shaken<3>) -> Brief {
     let first = |contacts: &[WholeContact]| contacts.first().map(|part| part.label.clone());
     let (outcome, slides, on) = match &shaken.repeats {
@@ -263,7 +264,8 @@ fn shaken_briefly(shaken: &Shaken<3>) -> Brief {
     Brief { leg: on, first: slides, beyond_small_motions, ..Brief::new("shake", outcome) }
 }
 
-/// Short answer to `shakedown`: whether slipping ceases in any order, the factor, and a contact that would slide beyond it.
+/// Short answer to `shakedown`: whether slip ceases in any order of the loads, the shakedown factor, and a contact that would slide beyond this
+/// factor.
 fn shakedown_briefly(found: Option<&Shakedown<3>>) -> Brief {
     let Some(found) = found else { return Brief::new("shakedown", "undecided") };
     let outcome = match found.rests(1.0) {
@@ -275,7 +277,7 @@ fn shakedown_briefly(found: Option<&Shakedown<3>>) -> Brief {
     Brief { factor: Some(found.factor), first, ..Brief::new("shakedown", outcome) }
 }
 
-/// Short answer to `compare`: the verdict, and the multiple of the load up to which equilibrium and minimum agree.
+/// Short answer to `compare`: the verdict, and the multiple of the load up to which the equilibrium is the minimum of energy.
 fn compared_briefly(answer: &CompareAnswer<3>) -> Brief {
     let outcome = match answer.comparison.verdict {
         ComparisonVerdict::Agree => "agree",
@@ -289,7 +291,7 @@ fn compared_briefly(answer: &CompareAnswer<3>) -> Brief {
     Brief { factor: answer.agrees_up_to, ..Brief::new("compare", outcome) }
 }
 
-/// Short answer to `identify`: the end of the search, and the first unknown if the slips determine it.
+/// Short answer to `identify`: how the search ended, and the value of the first unknown if the observed slips determine it.
 fn identified_briefly(found: &Identified) -> Brief {
     let first = found.estimates.first().filter(|estimate| estimate.is_fixed);
     Brief { factor: first.map(|estimate| estimate.value), ..Brief::new("identify", ended(&found.ending)) }
@@ -313,7 +315,7 @@ fn drive(change: DriveChange) -> &'static str {
     }
 }
 
-/// The name of the search's end in the format.
+/// The name of a search's end in the format.
 fn ended(ending: &Ending) -> &'static str {
     match ending {
         Ending::Converged => "converged",

@@ -5,14 +5,14 @@ use crate::grasp::{ArmMotion, Payload, Space, Wrench};
 use crate::numerics::Each;
 use crate::serial::{Few, Given, Number};
 
-/// The fault of an acceleration without a mass; its message also says where the mass may be left out.
+/// The message for a field `accelerated` without a `mass`. It also says in which scenes the mass may be left out.
 pub(super) const ALONE: &str = "needs a `mass` beside it; without one it is that of all bodies by their own masses, in a scene with \"gravity\" and \"shared_by_mass\": true";
 
 /// The rotation of the arm.
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct WrittenTurning {
-    /// A point on the axis, m; the origin if left out.
+    /// A point on the axis of rotation, m; the origin if left out.
     about: Option<Few<Given, 3>>,
     /// The angular velocity, degrees a second: one number in the plane, three along the axis in space.
     velocity_deg: Option<Few<Given, 3>>,
@@ -35,7 +35,7 @@ pub(super) struct WrittenMass<'w> {
 }
 
 impl WrittenMass<'_> {
-    /// The load in the plane or in space; `None` if it has no mass.
+    /// The load in the plane or in space; `None` if no mass is given.
     pub(super) fn load_in(&self, space: Space) -> Result<Option<Wrench<3>>, String> {
         let Some(mass) = self.mass else {
             let others = [
@@ -51,7 +51,7 @@ impl WrittenMass<'_> {
             };
         };
         let along = |given: Option<&Few<Given, 3>>, name: &str| part(given, space.axes(), name);
-        // The rotation in the plane is about z, the last axis of space.
+        // In the plane the rotation is about z, the last axis of space, so its number comes last.
         let planes = space.planes().len();
         let about_axes = |given: Option<&Few<Given, 3>>, name: &str| {
             let listed = part(given, planes, name)?;

@@ -1,9 +1,9 @@
-//! Loads of all bodies in the text of a scene (feature `json`): a force that is shared by mass acts at the common centre of mass unless a point is given,
-//! and an acceleration without a mass is that of all bodies.
+//! Completes loads on all bodies in the text of a scene (feature `json`). A force that is shared by mass acts at the common centre of mass unless a
+//! point is given. An acceleration without a mass accelerates the common mass of all bodies.
 
 use serde_json::{Map, Value};
 
-/// The text of a scene whose loads have the mass and the centre of mass that they leave out; `None` if none leaves them out.
+/// The text of a scene with missing masses and centres of mass added to its loads; `None` if no load lacks them.
 pub(super) fn with_centre_of_mass(text: &[u8]) -> Option<Vec<u8>> {
     let mut scene: Value = serde_json::from_slice(text).ok()?;
     let mut is_written = false;
@@ -30,7 +30,7 @@ struct AllBodies {
 }
 
 impl AllBodies {
-    /// `None` unless loads act on all bodies and these have a mass.
+    /// The total mass and its centre; `None` unless the loads of questions act on all bodies, and the bodies have a mass.
     fn of(setup: &Map<String, Value>, axes: usize) -> Option<Self> {
         let bodies = setup.get("bodies")?.as_array()?;
         let share = setup.get("shared_by_mass").and_then(Value::as_bool).unwrap_or(false);
@@ -54,7 +54,7 @@ impl AllBodies {
         })
     }
 
-    /// Completes the loads of a question; returns whether one was incomplete.
+    /// Adds the missing `mass` and `at` to all loads of a question; returns whether a load was changed.
     fn write_into(&self, value: &mut Value) -> bool {
         let mut is_written = false;
         match value {
@@ -66,7 +66,7 @@ impl AllBodies {
             Value::Object(fields) => {
                 is_written = self.complete(fields);
                 for (name, value) in fields {
-                    // These loads act on one body each.
+                    // Each of these loads acts on one body.
                     let is_on_one = matches!(&**name, "together_with" | "body_loads_by" | "body_loads_to");
                     is_written |= !is_on_one && self.write_into(value);
                 }
@@ -82,7 +82,7 @@ impl AllBodies {
             return false;
         }
         let accelerates = self.are_heavy && has("accelerated") && !has("mass");
-        // A force beside a moment is a wrench about the origin, as answers write it.
+        // A force with a moment is left as a wrench about the origin, the form in which answers are written.
         let pulls =
             self.share && !has("moment") && ["force", "weight", "mass", "any_force"].into_iter().any(has);
         if accelerates {

@@ -1,4 +1,4 @@
-//! The answer to `compare`: the equilibrium beside the minimum of the paper's quadratic program.
+//! The answer to `compare`: the equilibrium, and the minimum of energy from the quadratic program of the paper on which the crate is based.
 
 use serde::{Deserialize, Serialize};
 
@@ -11,7 +11,7 @@ use crate::load_path::Ramp;
 use crate::serial::AsComputed;
 use crate::words::Words;
 
-/// The equilibrium under a load beside the minimum of energy; see [`Energy::compare`](crate::ask::Energy::compare).
+/// The equilibrium under a load, compared with the minimum of energy; see [`Energy::compare`](crate::ask::Energy::compare).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
@@ -19,16 +19,16 @@ pub struct CompareAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
     /// Multiple of the load up to which the minimum of energy is the equilibrium, infinite if it always is; see
-    /// [`Energy::agreement`](crate::ask::Energy::agreement). Left out if they do not agree at rest, or if it is not known.
+    /// [`Energy::agreement`](crate::ask::Energy::agreement). Left out if both differ already under the base load, or if the multiple is not known.
     #[serde(default, with = "AsComputed::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     pub agrees_up_to: Option<f64>,
-    /// The comparison under the whole load.
+    /// The comparison under the base load plus the whole load.
     #[serde(flatten)]
     pub comparison: Comparison<C>,
 }
 
 impl SceneNames<'_> {
-    /// The comparison under `base + load`, and the multiple of `load` up to which equilibrium and minimum agree.
+    /// The comparison under `base + load`, and the multiple of `load` up to which the equilibrium is the minimum of energy.
     pub(super) fn compared(
         &self,
         base: &Wrench<3>,

@@ -1,4 +1,4 @@
-//! Suction in the file: a force, or a suction cup.
+//! Suction in the text of a scene: a force, or a suction cup.
 
 use std::fmt;
 
@@ -9,7 +9,8 @@ use serde::ser::{Serialize, Serializer};
 use crate::error::Error;
 use crate::grasp::{Space, SuctionCup};
 
-/// A suction cup of a scene, `"suction": {"radius": 0.02, "pressure": 60000}`; see [`SuctionCup`]. On a contact in space, in place of a soft fingertip.
+/// A suction cup of a scene, `"suction": {"radius": 0.02, "pressure": 60000}`; see [`SuctionCup`]. Only a contact in space has one, in place of a
+/// soft fingertip.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -18,7 +19,7 @@ use crate::grasp::{Space, SuctionCup};
 pub struct Cup {
     /// Radius of the lip, m.
     pub radius: f64,
-    /// Points on the lip; 12 if left out.
+    /// Number of contact points on the lip; 12 if left out.
     #[serde(default = "twelve")]
     pub points: usize,
     /// Pressure in the cup below that of the surrounding air, Pa.
@@ -44,10 +45,10 @@ impl Cup {
         Self { radius, points: twelve(), pressure: None, force: Some(force) }
     }
 
-    /// The cup for the grasp.
+    /// This cup as a part of the grasp.
     ///
     /// # Errors
-    /// [`Error::Fingertip`] for a number out of range, in the plane, and unless exactly one of pressure and force is given.
+    /// [`Error::Fingertip`] for a number out of range, for a cup in the plane, and unless exactly one of pressure and force is given.
     pub(super) fn made(&self, space: Space) -> Result<SuctionCup, Error> {
         if space == Space::Planar {
             let (what, allowed) = ("number of axes of the cup", "2: a force, N, as a number");
@@ -65,7 +66,7 @@ impl Cup {
     }
 }
 
-/// The field `suction`: the force of a vacuum, or a cup with its lip.
+/// The field `suction`: the force of a vacuum, or a suction cup.
 pub(super) enum WrittenSuction {
     /// Force of the vacuum, N.
     Force(f64),

@@ -1,4 +1,4 @@
-//! Conversion of planar setups, questions and answers between vectors of two and three components; texts are read and written with three.
+//! Conversion of planar setups, questions and answers between vectors of two and three components. Inside the crate, scenes have three components.
 
 use super::answer::Answer;
 use super::body::BodySetup;

@@ -40,7 +40,7 @@ pub enum FaultKind {
     Syntax,
     /// The JSON is no scene.
     Scene,
-    /// A question that the grasp of the scene does not allow.
+    /// The grasp of the scene does not allow the question.
     Question,
     /// The scene made this library fail: a fault of the library and not of the scene.
     Internal,
@@ -50,10 +50,10 @@ pub enum FaultKind {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct TextPosition {
-    /// The line, from 1. It is not written, since a scene of a stream is on one line.
+    /// The line, counted from 1. The line is not written, since a scene of a stream is on one line.
     #[serde(skip)]
     pub line: usize,
-    /// The column, from 1.
+    /// The column, counted from 1.
     pub column: usize,
 }
 
@@ -72,7 +72,7 @@ impl fmt::Display for Fault {
     }
 }
 
-/// The fields of a faulty scene that can still be read.
+/// The fields of a faulty scene that are read for messages: the version of the format and the id.
 #[derive(Deserialize)]
 struct Outside {
     format: Option<String>,
@@ -123,19 +123,19 @@ impl Fault {
         serde_json::from_slice::<Outside>(text).ok().and_then(|outside| outside.id)
     }
 
-    /// A fault of the scene as a whole.
+    /// A fault that concerns the scene as a whole, and no field of it.
     pub(crate) fn of_scene(message: String) -> Self {
         Self { kind: FaultKind::Scene, message, field: None, at: None }
     }
 
-    /// A scene on which the library failed, with the message of the failure.
+    /// The fault of the library that a scene has caused, with the message of the failure.
     pub(crate) fn internal(fault: &str) -> Self {
         let message =
             format!("internal: this scene made the library fail, which is a fault of the library ({fault})");
         Self { kind: FaultKind::Internal, message, field: None, at: None }
     }
 
-    /// A question that the grasp refuses, with its error.
+    /// The fault of a question that the grasp refuses, with the message of this error.
     pub(crate) fn of_question(error: &Error) -> Self {
         Self { kind: FaultKind::Question, message: error.to_string(), field: None, at: None }
     }
@@ -165,7 +165,7 @@ impl Scene {
             Err(fault) => fault.message.contains(ALONE),
         };
         if let Some(completed) = acts_on_all.then(|| with_centre_of_mass(text)).flatten() {
-            // A place in the completed text is none in the text that was given.
+            // Positions in the completed text do not apply to the text of the user, so the fault gets none.
             scene = read(&completed).map_err(|fault| Fault { at: None, ..fault });
         }
         let scene = scene?;

@@ -12,7 +12,7 @@ const OF_A_LIST_OR_OBJECT: [&str; 7] = [
 ];
 
 /// The path of the field to which an error of the reader belongs, such as `planar.contacts[1].friction`; `None` for the whole text. `read` is the
-/// number of bytes that were read, and `message` that of the error.
+/// number of bytes that were read, and `message` is the message of the error.
 pub(super) fn faulty_field(
     text: &[u8],
     read: usize,
@@ -24,12 +24,12 @@ pub(super) fn faulty_field(
     // A name without its fields, a unit variant, is reported at the byte after it.
     let alone = message.starts_with("invalid type: unit variant");
     let json = if error.is_syntax() || alone { before } else { &text[..read] };
-    // serde_json reports a list where none is allowed either at its opening bracket or just before it.
+    // serde_json gives the position of a list where none is allowed either as its opening bracket or as the byte before.
     let behind = last.starts_with(b"[") && !last[1..].starts_with(b"[");
     let around = (behind && message.starts_with("invalid type: sequence"))
         || OF_A_LIST_OR_OBJECT.iter().any(|of| message.starts_with(of));
     let mut path = field_path(json, around);
-    // An unknown name is a fault of the object that contains it.
+    // An unknown name counts as a fault of the object that contains it.
     let unknown = message.strip_prefix("unknown variant `").and_then(|rest| rest.split('`').next());
     if let Some(object) = unknown.and_then(|name| path.strip_suffix(name)?.strip_suffix('.')) {
         path.truncate(object.len());
@@ -82,7 +82,7 @@ fn field_path(read: &[u8], around: bool) -> String {
                 }
                 i = read.len().min(i + 1);
                 if name_next {
-                    // A name that the text cuts off does not belong to the path.
+                    // A name that is cut off by the end of the text does not belong to the path.
                     let Ok(name) = serde_json::from_slice::<String>(&read[start..i]) else { break };
                     if !path.is_empty() {
                         path.push('.');

@@ -105,7 +105,8 @@ impl<const C: usize> FingerSetup<C> {
 }
 
 impl FingerSetup<3> {
-    /// The finger as the hand of the grasp needs it, soft fingertips as points. `first` is the index of its first contact in the scene.
+    /// This finger for the hand of the grasp, each soft fingertip divided into its point contacts. `first` is the index of its first contact in the
+    /// scene.
     pub(super) fn spread(&self, first: usize) -> Result<grasp::Finger<3>, Error> {
         let points = |k: usize| self.contacts[k].points(first + k);
         let mut finger = grasp::Finger::new(self.joints.iter().cloned());

@@ -40,11 +40,11 @@ pub struct Fingertip<const C: usize> {
     pub no_stiffness: bool,
     /// A comment for the reader of the file.
     pub comment: Option<String>,
-    /// The joints of its finger that move the contact.
+    /// The joints of the finger that move the contact.
     pub moved_by: MovedBy,
 }
 
-/// The joints that move a contact of a [finger](super::FingerSetup). It has no meaning for a contact without a finger.
+/// The joints that move a contact of a [finger](super::FingerSetup). A contact without a finger ignores this choice.
 #[derive(Debug, Clone, PartialEq, Default)]
 #[non_exhaustive]
 pub enum MovedBy {
@@ -75,8 +75,8 @@ impl<const C: usize> From<Contact<C>> for Fingertip<C> {
 }
 
 impl<const C: usize> Fingertip<C> {
-    /// This contact spread over a patch: a ring, a disc or a rectangle in space, a pair or a pad in the plane.
-    /// A patch of the other space is an error of [`Setup::grasp`](super::Setup::grasp).
+    /// This contact spread over a patch: a ring, a disc or a rectangle in space, a pair or a pad in the plane. For a patch of the plane in space, or
+    /// the reverse, [`Setup::grasp`](super::Setup::grasp) returns an error.
     pub fn soft(self, tip: Tip) -> Self {
         Self { soft: Some(tip), ..self }
     }
@@ -98,10 +98,10 @@ impl<const C: usize> Fingertip<C> {
 }
 
 impl Fingertip<3> {
-    /// The point contacts of the patch, or the contact itself.
+    /// The point contacts of the patch, or the contact itself. `index` is that of the contact in the scene, for messages.
     ///
     /// # Errors
-    /// [`Error::Contact`] with this index, or [`Error::Fingertip`].
+    /// [`Error::Contact`] with `index`, or [`Error::Fingertip`].
     pub(super) fn points(&self, index: usize) -> Result<Vec<Contact<3>>, Error> {
         #[cfg(feature = "mesh")]
         if let Some(touches) = &self.touches {

@@ -66,7 +66,7 @@ fn at_factor(factor: f64, words: Words) -> String {
 }
 
 impl<const C: usize> Answer<C> {
-    /// [`Question::first_line`] without the question: the place of an onset is then a load factor and not a load.
+    /// [`Question::first_line`] without the question. An onset is then given by its load factor and not by its load.
     #[must_use]
     pub fn first_line(&self, words: Words) -> String {
         let digits = words.precision();
@@ -108,7 +108,7 @@ fn solved<const C: usize>(under: &str, answer: &SolveAnswer<C>, words: Words) ->
     let Some(held) = &answer.from_rest else { return sentence };
     let from_rest = format!("put on from rest: {:.digits$}", held.verdict);
     match &answer.outcome {
-        // The path from rest loses the load, which is the verdict. The search has neither found nor excluded another equilibrium.
+        // As the load grows, equilibrium is lost: the load is not held. Whether another equilibrium exists under the whole load is undecided.
         Outcome::Undecided(doubt) if held.verdict.holds() == Some(false) => {
             format!("{from_rest}. Whether another equilibrium exists elsewhere is undecided: {doubt}")
         }
@@ -116,7 +116,7 @@ fn solved<const C: usize>(under: &str, answer: &SolveAnswer<C>, words: Words) ->
     }
 }
 
-/// A warning that the answer belongs to motions that are no longer small.
+/// A warning that the motions under this load are no longer small.
 fn beyond_small_motions(far: &TooFar, words: Words) -> String {
     format!(". CAUTION: {far:.0$}: results for small motions no longer apply", words.precision())
 }
@@ -171,7 +171,7 @@ fn first_slip<const C: usize, At>(
     }
 }
 
-/// The kind of an onset, and the changes of contacts and drives: "FIRST SLIP", "left and right slide".
+/// The kind of an onset, and the changes of contact states and drives: "FIRST SLIP", "left and right slide".
 fn leaving<const C: usize, At>(event: &OnsetAt<C, At>, words: Words) -> (&'static str, String) {
     let changes = event.whole_changes();
     let slides = changes.iter().any(|change| {
@@ -194,7 +194,7 @@ fn leaving<const C: usize, At>(event: &OnsetAt<C, At>, words: Words) -> (&'stati
     (what, if clauses.is_empty() { "points of a fingertip change".to_owned() } else { clauses.join(", ") })
 }
 
-/// "left slides", "left and right slide": the verb loses its s where several do it.
+/// "left slides", "left and right slide": the verb without its final s if there are several names.
 fn plural<T: ToString>(names: &[T], verb: &str) -> String {
     let (first, rest) =
         verb.split_once(' ').map_or((verb, String::new()), |(first, rest)| (first, format!(" {rest}")));

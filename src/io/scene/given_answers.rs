@@ -1,4 +1,4 @@
-//! Answers of a grasp in the form in which a scene writes them.
+//! Answers of a grasp in the form of a scene's answers.
 
 use super::labels::SceneNames;
 use super::onset::{Factor, OnsetAnswer, TurnAnswer};

@@ -9,10 +9,10 @@ use crate::ask::{Grasp, check_growing};
 use crate::error::Error;
 use crate::grasp::Wrench;
 
-/// The name of a question, its load at rest, its growing load, and the loads on other bodies in proportion to that.
+/// Name of a question, its base load, its growing load, and the loads on other bodies that grow in proportion to the growing load.
 type Growing<'q> = (&'static str, Wrench<3>, Option<Wrench<3>>, &'q BTreeMap<String, Wrench<3>>);
 
-/// The growing loads of a question; `None` for a kind of question that has none.
+/// The loads of a question that grow in proportion to each other; `None` for a kind of question that has none.
 fn growing(asked: &Question<3>) -> Option<Growing<'_>> {
     match asked {
         Question::Hold { base, load, together_with } => Some(("hold", *base, Some(*load), together_with)),
@@ -26,11 +26,11 @@ fn growing(asked: &Question<3>) -> Option<Growing<'_>> {
 }
 
 impl Setup<3> {
-    /// The grasp for a question, with the loads on other bodies that grow in proportion to its load; `need` adds them to its question instead. If
-    /// gravity turns, the grasp has no gravity, since the turning load is the weight.
+    /// The grasp for a question. It includes the loads on other bodies that grow in proportion to the question's load, except for `need`, whose
+    /// question holds them. If gravity turns, the grasp has no gravity, since the turning load is the weight.
     ///
     /// # Errors
-    /// [`Error::Question`] where nothing can grow together, and as for [`Grasp::growing_together`].
+    /// [`Error::Question`] if the loads on other bodies cannot grow in proportion to the load, and as for [`Grasp::growing_together`].
     pub fn grasp_of(&self, grasp: &Grasp<3>, question: &Question<3>) -> Result<Grasp<3>, Error> {
         self.check_growing(question)?;
         if let Some(tilted) = self.tilted_grasp(question)? {

@@ -12,14 +12,14 @@ use crate::need::Needed;
 use crate::shake::{Shakedown, Shaken};
 use crate::words::Words;
 
-/// Whether the grasp holds a load that grows from rest; see [`Verdict`].
+/// Whether the grasp holds a load that grows from zero; see [`Verdict`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct HoldAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// The verdict; its fields are written beside the others of this answer.
+    /// The verdict. In the text its fields are fields of this answer itself.
     #[serde(flatten)]
     pub verdict: Verdict<C>,
 }
@@ -51,7 +51,7 @@ pub struct HoldAnswer<const C: usize> {
 pub struct NeedAnswer {
     /// The answer in a sentence.
     pub says: String,
-    /// The needed amount; its fields are written beside the others of this answer.
+    /// The needed amount. In the text its fields are fields of this answer itself.
     #[serde(flatten)]
     pub needed: Needed,
 }
@@ -100,7 +100,7 @@ impl NeedAnswer {
 pub struct ImproveAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// The better finger places; their fields are written beside the others of this answer.
+    /// The better finger places. In the text their fields are fields of this answer itself.
     #[serde(flatten)]
     pub improved: Improved<C>,
 }
@@ -140,7 +140,7 @@ impl<const C: usize> ImproveAnswer<C> {
 pub struct IdentifyAnswer {
     /// The answer in a sentence.
     pub says: String,
-    /// The estimates; their fields are written beside the others of this answer.
+    /// The estimates. In the text their fields are fields of this answer itself.
     #[serde(flatten)]
     pub identified: Identified,
 }
@@ -176,12 +176,12 @@ impl IdentifyAnswer {
 pub struct ShakeAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// The verdict on the repeated load; its fields are written beside the others of this answer.
+    /// The verdict on the repeated load. In the text its fields are fields of this answer itself.
     #[serde(flatten)]
     pub shaken: Shaken<C>,
 }
 
-/// Whether slipping ceases whatever the order of the repeated loads; see [`Shakedown`].
+/// Whether slip ceases, whatever the order of the repeated loads; see [`Shakedown`].
 ///
 /// ```
 /// use grasp_lcp::scene::Scene;
@@ -207,10 +207,10 @@ pub struct ShakeAnswer<const C: usize> {
 pub struct ShakedownAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// Whether slipping ceases under these loads. Left out if that depends on their order, or if it is unknown.
+    /// Whether slipping ceases under these loads. Left out if this depends on the order of the loads, or if it is unknown.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rests: Option<bool>,
-    /// The answer, if there is one.
+    /// The shakedown factor and the slips; left out if no factor could be computed.
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     pub found: Option<Shakedown<C>>,
 }

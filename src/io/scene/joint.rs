@@ -1,4 +1,4 @@
-//! Joints in the file.
+//! Joints in the text of a scene.
 
 use crate::numerics::by_axis;
 use std::sync::Arc;

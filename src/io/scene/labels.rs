@@ -1,4 +1,4 @@
-//! The scene's names of contacts in the answers of its grasp.
+//! Labels of contacts as the scene names them, for the answers of its grasp.
 
 use crate::ask::Grasp;
 use crate::equilibrium::{Equilibrium, Outcome, WorkDone};
@@ -8,7 +8,7 @@ use crate::error::ContactLabel;
 pub(super) struct SceneNames<'g>(pub(super) &'g Grasp<3>);
 
 impl SceneNames<'_> {
-    /// The scene's label of a point contact of the grasp.
+    /// The scene's label of a point contact; `index` counts the point contacts of the grasp.
     pub(super) fn label(&self, index: usize) -> ContactLabel {
         let engine = &self.0.engine;
         ContactLabel {
@@ -17,18 +17,18 @@ impl SceneNames<'_> {
         }
     }
 
-    /// Replaces the grasp's label of a contact by the scene's.
+    /// Replaces the label that the grasp gives to a contact by the label of the scene.
     pub(super) fn name(&self, contact: &mut ContactLabel) {
         *contact = self.label(contact.index);
     }
 
-    /// An equilibrium as answers of a scene contain it, with the labels of the scene.
+    /// An equilibrium in the form of a scene's answers, with the labels of the scene.
     pub(super) fn equilibrium(&self, mut state: Equilibrium<3>) -> Equilibrium<3> {
         state.contacts.iter_mut().for_each(|contact| self.name(&mut contact.contact));
         state.written()
     }
 
-    /// An outcome as answers of a scene contain it, with the labels of the scene and without the work done.
+    /// An outcome in the form of a scene's answers, with the labels of the scene and without the work done by the solver.
     pub(super) fn outcome(&self, mut outcome: Outcome<3>) -> Outcome<3> {
         match &mut outcome {
             Outcome::Equilibrium(state) => **state = self.equilibrium(state.as_ref().clone()),
@@ -38,8 +38,8 @@ impl SceneNames<'_> {
         outcome
     }
 
-    /// An outcome as the answer to `solve` contains it. An equilibrium also has its accuracy, and says for each contact whether working precision
-    /// distinguishes its state.
+    /// An outcome in the form of the answer to `solve`. An equilibrium also gets its accuracy. For each contact it says whether working precision
+    /// suffices to distinguish the contact state from its neighbours.
     pub(super) fn solved(&self, mut outcome: Outcome<3>) -> Outcome<3> {
         if let Outcome::Equilibrium(state) = &mut outcome {
             state.accuracy = self.0.accuracy(state);

@@ -19,9 +19,9 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 pub(super) const DEFAULT_STIFFNESS: f64 = 1e4;
 
 impl Setup<3> {
-    /// Warnings about contacts and about links without a stiffness if an answer depends on it. Springs between a tenth and ten times the default,
-    /// different for each of them and for each direction, are tried in their place: each question is answered several times. Motions always depend
-    /// on the stiffness of contacts, so that every `solve` is listed.
+    /// Warnings about contacts and links without a stiffness, if an answer depends on this stiffness. Each question is answered several times, with
+    /// trial stiffnesses between a tenth and ten times the default, different for each contact, link and direction. Motions always depend on the
+    /// stiffness of contacts, so every `solve` is listed.
     ///
     /// # Errors
     /// As for [`Self::answers`].
@@ -49,7 +49,7 @@ impl Setup<3> {
         Ok(depends.then_some(Warning::StiffnessLeftOut { contacts, names, stiffness, questions }))
     }
 
-    /// A warning about links without a stiffness if an answer depends on it by more than a thousandth, found in the same way.
+    /// A warning about links without a stiffness, if trial stiffnesses change an answer by more than a thousandth.
     fn stiffness_of_links_left_out(&self) -> Result<Option<Warning>, Error> {
         let first = self.entries().count();
         let (mut contacts, mut names) = (Vec::new(), Vec::new());
@@ -69,7 +69,8 @@ impl Setup<3> {
         Ok(depends.then_some(Warning::StiffnessLeftOut { contacts, names, stiffness, questions }))
     }
 
-    /// Indices of the questions whose answers change by more than `same_within`, relative, in one of two trials; and of those for which `is_known` holds.
+    /// Indices of the questions whose answers depend on the stiffness. A relative change of more than `same_within` in one of two trials shows it;
+    /// questions for which `is_known` holds are listed without a trial.
     pub(super) fn questions_that_depend(
         &self,
         trial: &dyn Fn(usize) -> Self,
@@ -96,7 +97,7 @@ impl Setup<3> {
         Ok(questions)
     }
 
-    /// This setup with trial stiffnesses of links in place of those left out.
+    /// This setup, in which links without a given stiffness have a trial stiffness.
     fn with_links(&self, trial: usize) -> Self {
         let mut setup = self.clone();
         for (number, LinkSetup { link, .. }) in setup.links.iter_mut().enumerate() {
@@ -108,7 +109,7 @@ impl Setup<3> {
         setup
     }
 
-    /// This setup with trial springs of contacts in place of those left out.
+    /// This setup, in which contacts without a given stiffness have trial springs.
     fn with_springs(&self, trial: usize) -> Self {
         let mut setup = self.clone();
         let mut entries: Vec<&mut Fingertip<3>> = setup.contacts.iter_mut().list();
@@ -136,7 +137,7 @@ impl Setup<3> {
             Question::Hold { base, load, .. } => {
                 let verdict = grasp.hold(Ramp::load(*base, *load))?;
                 let (first, lost) = (verdict.first_slip.as_ref(), verdict.lost.as_ref());
-                // The answer about a load that is lost does not state its first slip.
+                // If the load is lost, the first slip on the way to it is not part of the answer.
                 let first = first.filter(|_| verdict.holds() == Some(true));
                 let first = first.map_or(f64::INFINITY, |first| first.factor);
                 let lost = lost.map_or(f64::INFINITY, |lost| lost.factor);
@@ -177,7 +178,7 @@ impl<const C: usize> Fingertip<C> {
     }
 }
 
-/// This grasp without limits of small motions.
+/// This grasp without limits on rotation and slip, so that all motions count as small.
 fn without_limits(grasp: &Grasp<3>) -> Grasp<3> {
     grasp.with(&grasp.settings().with_small_motions(LARGEST, LARGEST))
 }

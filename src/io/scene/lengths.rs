@@ -1,5 +1,5 @@
-//! Converts lengths in the text of a scene from mm, cm or inches to m (feature `json`). In the text the field names distinguish lengths from other numbers.
-//! The text also has the points at which loads act, of which a wrench keeps only the moment.
+//! Converts lengths in the text of a scene from mm, cm or inches to m (feature `json`). In the text the field names distinguish lengths from other
+//! numbers. The text also contains the points at which loads act; a wrench keeps only the moment that follows from such a point.
 
 use serde_json::{Map, Value};
 
@@ -59,14 +59,14 @@ pub(super) fn in_metres(text: &[u8], unit: Unit) -> Result<Scene, Fault> {
     if let Some(fields) = scene.as_object_mut() {
         fields.remove("unit");
     }
-    // The converted value becomes text again, since another deserializer would compile all of the reader a second time.
+    // Converted to text and read again: reading from a `Value` directly would compile the whole deserialiser a second time.
     let scene: Scene = serde_json::from_slice(&serde_json::to_vec(&scene).map_err(fault)?).map_err(fault)?;
     Ok(Scene { unit, ..scene })
 }
 
 impl Scene {
-    /// A warning about a load that acts far outside of the grasp, although its force points at the grasp and has no long arm. `text` is the scene's
-    /// text. [`Self::warnings`] reports loads with a long arm.
+    /// A warning about a load whose point of action lies far outside of the grasp, although its line of action passes near the grasp. `text` is the
+    /// scene's text. [`Self::warnings`] reports loads with a long moment arm.
     #[must_use]
     pub fn far_load_in(&self, text: &[u8]) -> Option<Warning> {
         let scene: Value = serde_json::from_slice(text).unwrap_or_default();
@@ -88,7 +88,7 @@ impl Setup<3> {
     }
 }
 
-/// Calls `look` with every list in a JSON field named `at`.
+/// Calls `look` with every list that a JSON field named `at` contains.
 fn each_at(value: &Value, look: &mut dyn FnMut(&[Value])) {
     match value {
         Value::Array(list) => list.iter().for_each(|value| each_at(value, look)),
@@ -104,10 +104,10 @@ fn each_at(value: &Value, look: &mut dyn FnMut(&[Value])) {
     }
 }
 
-/// The unit of lengths, and the kinds of joints, on which it depends whether their commands are lengths.
+/// The unit of lengths, and the kinds of joints. The command of a prismatic joint is a length, that of a revolute joint an angle.
 struct Lengths {
     unit: Unit,
-    /// Whether each joint of all fingers is prismatic.
+    /// For each joint of all fingers, whether it is prismatic.
     is_prismatic: Vec<bool>,
 }
 
@@ -140,7 +140,7 @@ impl Lengths {
         }
     }
 
-    /// Converts the lengths of an object to m; `of` is the field that holds it.
+    /// Converts the lengths of an object to m. `of` is the name of the field whose value the object is.
     fn object(&self, fields: &mut Map<String, Value>, of: &str) {
         let is_turning = of == "joints" && !fields.contains_key("prismatic");
         for (name, value) in fields {
@@ -154,7 +154,7 @@ impl Lengths {
                     }
                 }
                 ("joints_by" | "joints_to" | "joint_change", Value::Array(all)) => {
-                    // Entries after those of joints belong to tendons, whose commands are lengths.
+                    // Entries after those for the joints belong to tendons, whose commands are lengths.
                     self.each(all, |joint| self.is_prismatic.get(joint).is_none_or(|is| *is));
                 }
                 ("arms", Value::Array(all)) => {
@@ -178,7 +178,7 @@ impl Lengths {
         }
     }
 
-    /// Converts those entries of a list to m whose index satisfies `is_length`.
+    /// Converts those entries of a list to m for which `is_length` returns true for the index.
     fn each(&self, list: &mut [Value], is_length: impl Fn(usize) -> bool) {
         for (index, value) in list.iter_mut().enumerate() {
             if is_length(index) {

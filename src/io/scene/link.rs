@@ -38,7 +38,7 @@ impl<const C: usize> From<Link<C>> for LinkSetup<C> {
     }
 }
 
-/// A link in the file: exactly one of hinge, ball, slide, rigid, spring and cable.
+/// A link in the text of a scene: exactly one of hinge, ball, slide, rigid, spring and cable.
 #[derive(serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -73,16 +73,16 @@ struct Written<const C: usize> {
     /// The body that the link joins to the ground, instead of `between`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     on: Option<Arc<str>>,
-    /// Stiffness along each direction that the link holds, N/m; 1e9 if left out.
+    /// Stiffness along each direction in which the link prevents relative motion, N/m; 1e9 if left out.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     stiffness: Option<f64>,
     /// The pull of a spring or cable before anything moves, N; 0 if left out.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     pretension: Option<f64>,
-    /// The pull of a spring or cable at rest without load, N, after all other parts have yielded to it; instead of the pretension.
+    /// The pull of a spring or cable without load, N, after all other springs have yielded; instead of the pretension.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     tension: Option<f64>,
-    /// The length of a cable beyond the distance of its ends, m; 0 if left out.
+    /// The length of a cable in excess of the distance between its ends, m; 0 if left out.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     slack: Option<f64>,
 }
@@ -96,7 +96,7 @@ struct Hinge<const C: usize> {
     /// The axis, of any length; in space only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     axis: Option<AxisRow<Given, C>>,
-    /// The distance of the two bearings along the axis, m; in space only.
+    /// The distance between the two bearings along the axis, m; in space only.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     length: Option<f64>,
 }
@@ -118,7 +118,7 @@ struct Slide<const C: usize> {
     point: AxisRow<Given, C>,
     /// The direction of the slide, of any length.
     direction: AxisRow<Given, C>,
-    /// The distance of the bearings, m.
+    /// The distance between the bearings, m.
     #[serde(with = "AsGiven::<f64>")]
     length: f64,
 }
@@ -139,7 +139,7 @@ struct Rigid<const C: usize> {
 #[cfg_attr(feature = "schema", schemars(rename = "Between"))]
 #[serde(deny_unknown_fields)]
 struct Line<const C: usize> {
-    /// The start of the line, m: a point of the linked body, or of the first of two.
+    /// The start of the line, m: a point of the linked body, or of the first of the two linked bodies.
     from: AxisRow<Given, C>,
     /// The end of the line, m: a point of the ground, or of the second body.
     to: AxisRow<Given, C>,
@@ -242,7 +242,7 @@ impl<const C: usize> LinkSetup<C> {
             );
         }
         link.slack = written.slack.unwrap_or(0.0);
-        // The caller adds the name of the link to the message.
+        // The caller adds the name of the link to this error message.
         link.check_in(space).map_err(|error| match error {
             Error::Link { kind, field, value, allowed, .. } => {
                 format!("{field} of the {kind} is {value}, must be {allowed}")
@@ -269,7 +269,7 @@ impl<const C: usize> Hinge<C> {
 }
 
 impl Setup<3> {
-    /// The point contacts that model all links. In the grasp they come after all other contacts.
+    /// The point contacts by which all links are modelled. In the grasp they come after all other contacts.
     pub(super) fn points_of_links(&self) -> Result<Vec<Contact<3>>, Error> {
         let mut points = Vec::new();
         for (number, LinkSetup { link, .. }) in self.links.iter().enumerate() {

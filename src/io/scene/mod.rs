@@ -1,8 +1,8 @@
 //! Scenes: grasps, and questions about them, as text (feature `serde`).
 //!
-//! A [`Scene`] is read and written by serde, from JSON or from any other format that describes itself; its [answers](Scene::answers) are written the
-//! same way. Input that cannot be read unambiguously is refused: unknown fields, unknown versions, lists of the wrong length, numbers out of range.
-//! Units are those of the crate: SI, or any consistent ones.
+//! A [`Scene`] is read and written by serde, from JSON or from any other self-describing format; its [answers](Scene::answers) are written the same
+//! way. Input that cannot be read unambiguously is refused: unknown fields, unknown versions, lists of the wrong length, numbers out of range. Units
+//! are those of the crate: SI, or any consistent ones.
 //!
 //! # The format, version `grasp-lcp/1`
 //!
@@ -109,10 +109,10 @@
 //! | `spring`, `cable` | `{"from": …, "to": …}` | m | |
 //! | `between` | names of two bodies; `from` is on the first, `to` on the second | | to the ground |
 //! | `on` | the body that the link joins to the ground | | an error with several bodies and no `between` |
-//! | `stiffness` | stiffness along each direction that the link holds | N/m | 1e9; of a spring an error |
+//! | `stiffness` | stiffness along each direction in which the link prevents relative motion | N/m | 1e9; of a spring an error |
 //! | `pretension` | pull of a spring or a cable before anything moves | N | 0 |
-//! | `tension` | in place of `pretension`: the pull at rest without load, after all other parts have yielded to it | N | not used |
-//! | `slack` | the length of a cable beyond the distance of its ends | m | 0 |
+//! | `tension` | in place of `pretension`: the pull without load, after all other springs have yielded | N | not used |
+//! | `slack` | the length of a cable in excess of the distance between its ends | m | 0 |
 //!
 //! Lists with an entry for each contact have no entries for links.
 //!
@@ -159,8 +159,9 @@
 //! | `turning` | `about` a point (m) with `velocity_deg` and `acceleration_deg` or `…_rad`: a number in the plane, in space three along the axis | degrees or rad a second, and a second squared | none |
 //! | `inertia` | about its centre: a number in the plane, in space three about axes along the coordinates | kg m² | an error if the load depends on it |
 //!
-//! `Scene::from_json` (feature `json`) lets a force, weight or mass without `at` and `moment` act at the common centre of mass if it is `shared_by_mass`: then each
-//! body's part acts at its own centre of mass. There, or on a single body under `gravity`, `accelerated` without a `mass` accelerates the bodies by their own masses.
+//! `Scene::from_json` (feature `json`) lets a force, weight or mass without `at` and `moment` act at the common centre of mass if loads are
+//! `shared_by_mass`: each body then carries its part at its own centre of mass. With `shared_by_mass`, or on a single body under `gravity`,
+//! `accelerated` without a `mass` accelerates the bodies by their own masses.
 //!
 //! A question is an object with one field:
 //!
@@ -170,7 +171,7 @@
 //! | `need` | `quantity`, loads, `together_with` | the amount that the grasp needs, see [`Need`](crate::need::Need) |
 //! | `improve` | `base`, loads, `at_most`; a `surface` of contacts | better places of the fingers, and their clamping forces, see [`Improve`](crate::improve::Improve) |
 //! | `solve` | `load` (a wrench), `together_with` | the equilibrium under it |
-//! | `compare` | `base`, `load` (wrenches) | whether the minimum of the paper's quadratic program is the equilibrium, and up to which fraction of the load, see [`energy`](crate::energy) |
+//! | `compare` | `base`, `load` (wrenches) | whether the minimum of energy, from the paper's quadratic program, is the equilibrium, and up to which fraction of the load, see [`energy`](crate::energy) |
 //! | `onset` | `base`, `direction` (wrenches), `command_change`, `joint_change`, `together_with` | the onset of sliding under `base + τ direction`, commands changing by τ times their change |
 //! | `onset_of_turn` | a turn | the onset of sliding while the load turns |
 //! | `follow` | `start` (a wrench), `legs`, `in_steps` | the load path of a program; with hundreds of contacts in steps, where `in_steps` is the error that a leg may add to forces |
@@ -294,7 +295,7 @@
 //! | `solve` | `equilibrium`, `no_equilibrium`, `undecided` ; if that does not decide whether the load is held, `from_rest` has the answer of `hold` | [`SolveAnswer`] |
 //! | `compare` | the sentence `says`, `agrees_up_to`, and as `verdict` one of `agree`, `two_equilibria`, `out_of_equilibrium`, `no_equilibrium`, `unknown`, `no_minimum`, `unsolved` | [`CompareAnswer`] |
 //! | `onset` | `at`, `never`, `already_sliding`, `no_base`, `gives_way`, `undecided` | [`OnsetAnswer`] |
-//! | `onset_of_turn` | as of `onset`, with `angle_rad` in place of the factor, and the contacts that reach the limit of their state before | [`TurnAnswer`] |
+//! | `onset_of_turn` | as of `onset`, with `angle_rad` in place of the factor, and the contacts that touch their limit before first slip | [`TurnAnswer`] |
 //! | `follow` | `completed`, `lost`, `no_start`, `undecided` | [`PathAnswer`] |
 //! | `shake` | the sentence `says`, and as `repeats` one of `rests`, `dies_out`, `alternates`, `walks`, `lost`, `no_rest`, `undecided` | [`ShakeAnswer`] |
 //! | `identify` | the sentence `says`, and as `ending` one of `converged`, `not_converged`, `not_predicted` | [`IdentifyAnswer`] |

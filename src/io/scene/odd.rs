@@ -14,21 +14,21 @@ use crate::numerics::{IntoList, Space, chosen, largest, mapped, picked};
 use crate::statics::Closure;
 
 impl Setup<3> {
-    /// Warnings about the contacts alone, whatever the loads.
+    /// Warnings about implausible data of contacts, such as friction, stiffness, force and position, whatever the loads.
     pub(super) fn odd_contacts(&self, grasp: &Grasp<3>) -> Vec<Warning> {
         let mut warnings = Vec::new();
         let entries: Vec<_> = self.entries().list();
         let name = |i: usize| entries[i].contact.label_text(i);
         let names = |contacts: &[usize]| mapped(contacts, &|i| name(*i));
         let mu = |i: usize| entries[i].contact.friction_coefficient();
-        // Soft rubber on dry concrete has about 1.2, tyres of racing cars have less than 2.
+        // The coefficient of soft rubber on dry concrete is about 1.2, that of the tyres of racing cars less than 2.
         let much = |i: &usize| mu(*i) > 2.0 && mu(*i).is_finite();
         let contacts: Vec<_> = chosen(entries.len(), &much);
         if let Some(first) = contacts.first() {
             let (friction, names) = (mu(*first), names(&contacts));
             warnings.push(Warning::MuchFriction { contacts, names, friction });
         }
-        // Force closure is not known with joints and contacts that are held by a force: there nothing is odd.
+        // Force closure is not computed for a grasp with joints or with contacts held by a force; such a grasp gets no warning.
         let open = || matches!(grasp.statics().force_closure(), Ok(closure) if !matches!(closure, Closure::Closed { .. }));
         if self.has_no_friction(&entries) && open() {
             warnings.push(Warning::NoFriction);
@@ -45,7 +45,7 @@ impl Setup<3> {
         let stiffness = |i: usize| largest(entries[i].contact.series_stiffness_of_axes().as_slice(), &|k| *k);
         let softest = (0..entries.len()).map(stiffness).fold(f64::INFINITY, f64::min);
         let force = |i: usize| entries[i].contact.press.or(entries[i].contact.force).unwrap_or(0.0);
-        // Contacts of steel have 1e8 to 1e9 N/m; neighbours ten million times as soft carry nothing.
+        // Contacts of steel have 1e8 to 1e9 N/m. Beside a contact ten million times as stiff the others carry no force.
         let is_stiff = |i: &usize| stiffness(*i).is_finite() && stiffness(*i) >= 1e11_f64.min(1e7 * softest);
         // The largest hydraulic presses exert less than 1e9 N.
         let is_strong = |i: &usize| force(*i) >= 1e9;
@@ -101,21 +101,21 @@ impl Setup<3> {
         let (mut pressed, mut carried) = (0.0, 0.0);
         for entry in self.entries() {
             let force = entry.contact.press.or(entry.contact.force).unwrap_or(0.0);
-            // With little friction the normals of other contacts may carry the load: a coefficient of 0.3 is assumed at least.
+            // Even with little friction the normal forces of other contacts may carry the load, so a friction coefficient of at least 0.3 is assumed.
             (pressed, carried) =
                 (pressed + force, carried + force * entry.contact.friction_coefficient().max(0.3));
         }
         let force = |load: &Wrench<3>| load.force_part();
         let mut heaviest = 0.0_f64;
         for question in &self.questions {
-            // The direction of an onset is scaled by the load factor, so that its size has no meaning.
+            // The load of an onset is its direction times the load factor, so the size of the direction has no meaning.
             if !matches!(question, Question::Onset { .. }) {
                 for load in applied_loads(question) {
                     heaviest = heaviest.max(force(&load).norm());
                 }
             }
         }
-        // Grippers are designed for loads below the limit of friction; a load of a hundred times this limit is a mistake.
+        // Grippers are designed for loads that friction can carry; a load of a hundred times this limit is probably a mistake.
         if carried > 0.0 && heaviest > 100.0 * carried {
             warnings.push(Warning::HeavyLoad { force: heaviest, pressed });
         }
@@ -127,7 +127,7 @@ impl Setup<3> {
             let force = force(load);
             let about = *load - Wrench::force_through(&centre, &force);
             let moment = about.components()[3..].iter().fold(0.0, |h: f64, m| h.hypot(*m));
-            // A pure moment has no arm.
+            // A pure moment acts at no point, so its moment arm counts as zero.
             if force.norm() > 0.0 { moment / force.norm() } else { 0.0 }
         };
         let mut far = 0.0_f64;
@@ -140,7 +140,7 @@ impl Setup<3> {
         warnings
     }
 
-    /// The mean of the contact points, m, and the size of the grasp: the largest distance from its first contact, m.
+    /// The mean of the contact points, m, and the size of the grasp: the largest distance of a contact from the first contact, m.
     pub(super) fn middle(&self) -> (SVector<f64, 3>, f64) {
         let points: Vec<_> = self.entries().map(|entry| entry.contact.point).list();
         let count = points.len() as f64;
@@ -148,7 +148,7 @@ impl Setup<3> {
         (centre, spread(&points))
     }
 
-    /// A warning if all contacts press away from their centre, although the object has no outline that explains it.
+    /// A warning if all contacts press away from their centre and no outline of the object shows that they are in a hole.
     fn outwards(&self, entries: &[&Fingertip<3>]) -> Option<Warning> {
         let count = entries.len() as f64;
         let centre =
@@ -178,7 +178,7 @@ impl Setup<3> {
         self.links.is_empty() && self.bodies.is_empty() && entries.iter().all(is_bare)
     }
 
-    /// A warning if all normals point to the same side, so that contacts cannot press against each other.
+    /// A warning if all normals point to the same side, so that no contact can press against another.
     pub(super) fn same_side(&self) -> Option<Warning> {
         let entries: Vec<_> = self.entries().list();
         if entries.len() < 2 || !self.links.is_empty() || !self.bodies.is_empty() {
@@ -199,7 +199,7 @@ pub(super) fn far_load(distance: f64, size: f64) -> Option<Warning> {
     is_far.then_some(Warning::ManyMetres { what, length: distance, beside: Some(size) })
 }
 
-/// The loads that a question applies in addition to the load at rest.
+/// The loads that a question applies in addition to its base load.
 pub(super) fn applied_loads(question: &Question<3>) -> Vec<Wrench<3>> {
     match question {
         Question::Hold { load, .. } | Question::Solve { load, .. } | Question::Compare { load, .. } => {
@@ -215,12 +215,12 @@ pub(super) fn applied_loads(question: &Question<3>) -> Vec<Wrench<3>> {
     }
 }
 
-/// The largest distance from the first point, m; the largest distance between any two points is at most twice this.
+/// The largest distance from the first point, m. No two points have more than twice this distance from each other.
 fn spread(points: &[SVector<f64, 3>]) -> f64 {
     largest(points, &|point| (point - points[0]).norm())
 }
 
-/// Whether two contacts of the same bodies are at one point with parallel normals.
+/// Whether two contacts of the same bodies are at one point, relative to the `size` of the grasp, with parallel normals.
 fn is_in_place_of(one: &Fingertip<3>, other: &Fingertip<3>, size: f64) -> bool {
     let (a, b) = (&one.contact, &other.contact);
     let parallel = a.normal.dot(&b.normal).abs() >= (1.0 - NEGLIGIBLE) * a.normal.norm() * b.normal.norm();
@@ -228,7 +228,7 @@ fn is_in_place_of(one: &Fingertip<3>, other: &Fingertip<3>, size: f64) -> bool {
     (&a.on, &a.against) == (&b.on, &b.against) && near && parallel
 }
 
-/// Whether a step along the normal leads out of an outline of the plane and a step against it leads in.
+/// Whether a step from `point` along `normal` leads out of a closed outline in the plane, and a step against it leads in.
 fn points_out(outline: &[SVector<f64, 3>], point: &SVector<f64, 3>, normal: &SVector<f64, 3>) -> bool {
     if outline.len() < 3 {
         return false;
@@ -239,7 +239,7 @@ fn points_out(outline: &[SVector<f64, 3>], point: &SVector<f64, 3>, normal: &SVe
     is_inside(outline, &(point - step)) && !is_inside(outline, &(point + step))
 }
 
-/// Whether a ray along x from a point crosses a closed line an odd number of times.
+/// Whether a point lies inside a closed line in the plane: a ray from it along x crosses the line an odd number of times.
 fn is_inside(outline: &[SVector<f64, 3>], point: &SVector<f64, 3>) -> bool {
     let sides = outline.iter().zip(outline.iter().cycle().skip(1));
     let crossed = sides.filter(|(a, b)| {

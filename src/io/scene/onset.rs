@@ -1,4 +1,4 @@
-//! Answers about first slip, at a load factor or at an angle of a turning load.
+//! Answers about first slip under a growing load, at a load factor, or under a turning load, at an angle.
 
 use crate::numerics::IntoList;
 use serde::{Deserialize, Serialize};
@@ -12,36 +12,36 @@ use crate::load_path::{
 };
 use crate::serial::AsComputed;
 
-/// First slip, at a [`Factor`] or an [`Angle`]; see [`path::Onset`].
+/// Whether and where first slip occurs, as a [`Factor`] or as an [`Angle`]; see [`path::Onset`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "outcome", rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum OnsetAnswer<const C: usize, At = Factor> {
-    /// The first contact stops sticking at this place.
+    /// The first contact stops sticking at this load factor or angle.
     At(Box<OnsetAt<C, At>>),
-    /// All contacts keep sticking however large the load, or up to the last angle of a turn.
+    /// All contacts keep sticking, however large the load grows, or up to the last angle of a turn.
     Never,
-    /// A contact slides already where the load begins.
+    /// A contact slides already at load factor or angle zero.
     AlreadySliding {
-        /// The equilibrium where the load begins.
+        /// The equilibrium at load factor or angle zero.
         state: Box<Equilibrium<C>>,
     },
-    /// No equilibrium exists where the load begins.
+    /// No equilibrium exists at load factor or angle zero.
     NoBase(NoEquilibrium<C>),
-    /// No contact stops sticking, but beyond this place no forces can balance the load.
+    /// No contact stops sticking, but beyond this load factor or angle no forces can balance the load.
     GivesWay {
-        /// The place up to which the grasp holds.
+        /// The load factor or angle up to which the grasp holds.
         #[serde(flatten)]
         at: At,
-        /// The reason why the grasp does not hold beyond.
+        /// The reason why no equilibrium exists beyond this load factor or angle.
         reason: NoEquilibrium<C>,
     },
-    /// The equilibrium where the load begins is undecided.
+    /// Whether an equilibrium exists at load factor or angle zero is undecided.
     Undecided(Undecided),
 }
 
-/// The place of an onset under a growing load.
+/// The load factor at which an onset occurs under a growing load.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Factor {
@@ -50,7 +50,7 @@ pub struct Factor {
     pub factor: f64,
 }
 
-/// The place of an onset under a turning load.
+/// The angle at which an onset occurs under a turning load.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Angle {
@@ -64,7 +64,7 @@ pub struct Angle {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct OnsetAt<const C: usize, At = Factor> {
-    /// The place of first slip.
+    /// The load factor or angle at first slip.
     #[serde(flatten)]
     pub at: At,
     /// The load at first slip.
@@ -74,14 +74,14 @@ pub struct OnsetAt<const C: usize, At = Factor> {
     /// The joints and tendons that change their state at this load.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub drives: Vec<PartChange>,
-    /// The behaviour beyond; rates are per unit of the load factor, or per radian.
+    /// The behaviour beyond first slip; rates are per unit of the load factor, or per radian.
     pub beyond: Beyond<C>,
     /// The equilibrium at first slip.
     pub state: Equilibrium<C>,
 }
 
 impl<const C: usize, At> OnsetAt<C, At> {
-    /// The contacts that stop sticking; points of one soft fingertip count together.
+    /// The contacts that stop sticking; all points of a soft fingertip count as one contact.
     #[must_use]
     pub fn whole_changes(&self) -> Vec<WholeChange<C>> {
         let change = |leaving: &Leaving<C>| {
@@ -103,7 +103,7 @@ impl<const C: usize, At> OnsetAt<C, At> {
     }
 }
 
-/// First slip under a turning load, and contacts and drives that reach their limit before it; see [`path::TurnOnset`].
+/// First slip under a turning load, and the contacts and drives that touch their limit before; see [`path::TurnOnset`].
 ///
 /// A tray of 4 N between two palms that press with 10 N each, tilted from x to y until it slides:
 ///
@@ -133,7 +133,7 @@ pub struct TurnAnswer<const C: usize> {
     /// The first slip.
     #[serde(flatten)]
     pub onset: OnsetAnswer<C, Angle>,
-    /// Contacts and drives that reach the limit of their state before the onset, to within rounding, without exceeding it.
+    /// Contacts and drives that reach a limit before first slip, up to rounding, without exceeding it.
     pub touches: Vec<EdgeTouch>,
 }
 
@@ -142,7 +142,7 @@ impl SceneNames<'_> {
         let undecided = |doubt| OnsetAnswer::Undecided(Undecided { doubt, work: WorkDone::default() });
         match onset {
             path::Onset::At(event) => {
-                // Both exist, since the event belongs to this grasp.
+                // The behaviour beyond and the equilibrium both exist, since the event belongs to this grasp.
                 let (Some(beyond), Some(state)) = (self.0.beyond(event), self.0.state_at_onset(event)) else {
                     return undecided(Doubt::Inaccurate);
                 };

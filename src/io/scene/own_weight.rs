@@ -1,4 +1,4 @@
-//! The weight of bodies with masses under the scene's gravity: questions may tilt it, and no load counts it twice.
+//! The weight that the scene's gravity gives to the bodies. Questions may tilt it; loads that contain the weight again are refused.
 
 use std::borrow::Cow;
 
@@ -42,7 +42,8 @@ impl Setup<3> {
         (mass > 0.0).then(|| (mass, (moment / mass).into()))
     }
 
-    /// The name of the body on which a load acts, if the body has a mass: the named body, else the loaded one; any body with a mass if all share loads.
+    /// The name of the body on which a load acts, if this body has a mass: the body `named`, or else the loaded one. If all bodies share the load,
+    /// the first body with a mass.
     #[must_use]
     pub fn weighty_body(&self, named: Option<&str>) -> Option<&str> {
         self.own_mass()?;
@@ -55,15 +56,15 @@ impl Setup<3> {
         body.filter(|body| body.mass > 0.0).map(|body| &*body.name)
     }
 
-    /// This setup without gravity, for loads that contain the weight. They act on every body with the share of its mass.
+    /// This setup without gravity, for loads that contain the weight. Such loads act on every body in proportion to its mass.
     pub fn with_gravity_as_load(&self) -> Self {
         Self { gravity: None, loaded: None, shared_by_mass: true, ..self.clone() }
     }
 
-    /// The question that is put to the grasp of [`Self::grasp_of`]. If gravity turns, the turning load is the weight of the bodies.
+    /// The question as the grasp of [`Self::grasp_of`] answers it. If gravity turns, the turning load is the weight of the bodies.
     ///
     /// # Errors
-    /// [`Error::Question`] if gravity should turn but the bodies have no weight, or if a base load acts beside it.
+    /// [`Error::Question`] if gravity should turn but the bodies have no weight, or if a base load acts in addition to the turning gravity.
     pub fn meant<'q>(&self, question: &'q Question<3>) -> Result<Cow<'q, Question<3>>, Error> {
         Ok(match question {
             Question::OnsetOfTurn(turn) => match self.own_turn(turn)? {
@@ -85,7 +86,7 @@ impl Setup<3> {
         })
     }
 
-    /// The turning weight of all bodies, if the turn states no load.
+    /// The turning weight of all bodies; `None` if the turn has a load of its own, or if the bodies have no weight.
     fn own_turn(&self, turn: &Turn<3>) -> Result<Option<Turn<3>>, Error> {
         let Some(axis) = turn.tilts_bodies_about else { return Ok(None) };
         let (Some(gravity), Some((mass, centre))) = (self.gravity, self.own_mass()) else {

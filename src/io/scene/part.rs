@@ -36,21 +36,21 @@ pub struct PartSetup {
     /// The density of the part, kg/m³, in place of its mass.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub density: Option<f64>,
-    /// The mesh once it is read.
+    /// The mesh, once its file is read.
     #[serde(skip)]
     pub read: Option<Arc<Part>>,
 }
 
-/// A pad that closes on the part, in place of the point and the normal of a contact; see [`Touch`]. Either a rectangle or a disc.
+/// A pad that closes on the part, in place of the point and the normal of a contact; see [`Touch`]. The pad is either a rectangle or a disc.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct Touches {
-    /// Sides along the first and the second tangent, m.
+    /// Sides of the pad along the first and the second tangent, m, if it is a rectangle.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rectangle: Option<[f64; 2]>,
-    /// Radius of a disc, m.
+    /// Radius of the pad if it is a disc, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub disc: Option<f64>,
     /// Radius of a round finger, m: the rectangle is bent around an axis along the second tangent.
@@ -59,8 +59,8 @@ pub struct Touches {
     /// Opening angle of a V, degrees: the rectangle is folded along the second tangent, the bottom of the V.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub v_deg: Option<f64>,
-    /// Whether the collision shapes of the robot's link are the pad, within the rectangle if it is given. The position of `from` along the closing
-    /// direction then has no effect.
+    /// Whether the pad is given by the collision shapes of the robot's link, limited to the rectangle if one is given. Only the component of `from`
+    /// across the closing direction then matters.
     #[serde(default, skip_serializing_if = "core::ops::Not::not")]
     pub collision_shapes: bool,
     /// Of a rectangle: numbers of strips in half of each side, with two points each, 2 and 2 if left out. Of a disc: numbers of annuli and of
@@ -69,15 +69,15 @@ pub struct Touches {
     pub strips: Option<[usize; 2]>,
     /// The middle of the pad before it closes, m.
     pub from: [f64; 3],
-    /// The direction in which it closes, of any length.
+    /// The direction in which the pad closes, of any length.
     pub closing: [f64; 3],
     /// The elastic layer of the pad, in place of a stiffness of the contact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub layer: Option<PadLayer>,
-    /// The part once its mesh is read.
+    /// The grasped part, once its mesh is read.
     #[serde(skip)]
     pub part: Option<Arc<Part>>,
-    /// The pad of the collision shapes once the robot is read.
+    /// The pad that follows from the collision shapes, once the robot is read.
     #[serde(skip)]
     pub shape: Option<Arc<Pad>>,
 }
@@ -94,14 +94,14 @@ pub struct PadLayer {
 }
 
 impl PartSetup {
-    /// A part from this file, without mass.
+    /// A part whose mesh is in the file `mesh`, without mass.
     #[must_use]
     pub fn new(mesh: impl Into<String>, unit: Unit) -> Self {
         let (vertices, faces) = (Arc::new([]), Arc::new([]));
         Self { mesh: mesh.into(), vertices, faces, unit, mass: None, density: None, read: None }
     }
 
-    /// The part, from its arrays or from its file; a relative path counts from `folder`.
+    /// The part, from `vertices` and `faces` or from its file; a relative path counts from `folder`.
     fn read_from(&self, folder: &Path) -> Result<Part, Error> {
         let part = if self.vertices.is_empty() {
             Part::read(folder.join(&self.mesh), self.unit)?
@@ -118,7 +118,7 @@ impl PartSetup {
 }
 
 impl Touches {
-    /// A rectangular pad with these sides, m, from its middle before it closes, m, along a direction.
+    /// A rectangular pad with these sides, m, whose middle is at `from`, m, before the pad closes along the direction `closing`.
     #[must_use]
     pub fn rectangle(sides: [f64; 2], from: [f64; 3], closing: [f64; 3]) -> Self {
         let (rectangle, disc, round, v_deg) = (Some(sides), None, None, None);
@@ -138,10 +138,10 @@ impl Touches {
         }
     }
 
-    /// The pad.
+    /// The pad that these fields describe.
     ///
     /// # Errors
-    /// [`Error::Fingertip`] for numbers out of range, and unless it is a rectangle or a disc.
+    /// [`Error::Fingertip`] for numbers out of range, and unless the shape is either a rectangle or a disc.
     pub(super) fn pad(&self) -> Result<Pad, Error> {
         let strips = self.strips.unwrap_or([2, if self.disc.is_some() { 8 } else { 2 }]);
         let has_another_shape = self.disc.or(self.round).or(self.v_deg).is_some();
@@ -169,7 +169,7 @@ impl Touches {
         Ok(self.layer.iter().fold(pad, |pad, layer| pad.of_layer(layer.modulus, layer.thickness)))
     }
 
-    /// The pad where it touches the part, with the friction and springs of `contact`; errors name the contact by `index`.
+    /// The contact between the pad and the part, with the friction and springs of `contact`. Errors name the contact by `index`.
     pub(super) fn touched(&self, index: usize, contact: &Contact<3>) -> Result<Touched, Error> {
         let Some(part) = &self.part else {
             let fault =
@@ -179,14 +179,15 @@ impl Touches {
         Touch::new(self.pad()?, contact.clone()).on_as(index, part)
     }
 
-    /// One contact for every point at which the pad touches the part.
+    /// One contact for every point at which the pad touches the part. Errors name the contact by `index`.
     pub(super) fn points(&self, index: usize, contact: &Contact<3>) -> Result<Vec<Contact<3>>, Error> {
         Ok(self.touched(index, contact)?.into_contacts())
     }
 }
 
 impl<const C: usize> Fingertip<C> {
-    /// This contact as a pad that closes on the part of the scene, in space; its point and normal become place and direction of the pad.
+    /// This contact as a pad that closes on the part of the scene, in space; its point and normal become the position of the pad before it closes,
+    /// and the closing direction.
     pub fn touching(mut self, touches: Touches) -> Self {
         self.contact.point = nalgebra::SVector::from_fn(|a, _| touches.from[a]);
         self.contact.normal = nalgebra::SVector::from_fn(|a, _| touches.closing[a]);
@@ -195,7 +196,7 @@ impl<const C: usize> Fingertip<C> {
 }
 
 impl<const C: usize> Setup<C> {
-    /// The mesh of the part, if the scene has one that is read.
+    /// The grasped part, if the scene has one and its mesh is read.
     #[must_use]
     pub fn part_read(&self) -> Option<&Part> {
         self.part.as_ref()?.read.as_deref()
@@ -203,7 +204,7 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// This setup with a part that is already read, with lengths in m, as the part that pads touch.
+    /// This setup with `part`, whose lengths are in m, as the part that all pads touch.
     pub fn on_part(mut self, part: Arc<Part>) -> Self {
         let of_fingers = self.fingers.iter_mut().flat_map(|finger| &mut finger.contacts);
         for touches in self.contacts.iter_mut().chain(of_fingers).filter_map(|entry| entry.touches.as_mut()) {
@@ -229,7 +230,7 @@ impl Setup<3> {
         Ok(self.on_part(part))
     }
 
-    /// This setup after a check of its part, which is built if arrays give it; and whether the points of all contacts are known.
+    /// Checks the part, and builds it if `vertices` and `faces` give it. Returns the setup, and whether the points of all contacts are known.
     pub(super) fn with_part_of_arrays(self) -> Result<(Self, bool), String> {
         let has_points = self.check_part()?;
         if self.part.as_ref().is_none_or(|part| part.vertices.is_empty()) {
@@ -259,7 +260,7 @@ impl Setup<3> {
         }
     }
 
-    /// Warnings about pads that touch the part with only a fraction of their area, or that lie over an edge.
+    /// Warnings about pads that touch the part with only a fraction of their area, or that lie over an edge of the part.
     pub(super) fn badly_touching(&self) -> Result<Vec<Warning>, Error> {
         let mut warnings = Vec::new();
         for (contact, entry) in self.entries().enumerate() {
@@ -279,12 +280,12 @@ impl Setup<3> {
 }
 
 impl Scene {
-    /// This scene with the mesh of its part, and the fingers of its robot, if it has them (feature `urdf`). Relative paths count from the folder, which is
-    /// usually that of the scene's file.
+    /// This scene with the mesh of its part and with the fingers of its robot (feature `urdf`), both read from files. Relative paths count from the
+    /// folder, which is usually that of the scene's file.
     ///
     /// # Errors
-    /// [`Error::Mesh`] if the mesh cannot be read or has no volume for its density, [`Error::Argument`] for a mass or density out of range, and as for a
-    /// `Robot` that is read.
+    /// [`Error::Mesh`] if the mesh cannot be read or has no volume for its density, [`Error::Argument`] for a mass or density out of range, and the
+    /// errors of reading a `Robot`.
     pub fn with_files_from(self, folder: impl AsRef<Path>) -> Result<Self, Error> {
         let setup = self.setup.with_files_from(folder.as_ref())?;
         Ok(Self { setup, ..self })

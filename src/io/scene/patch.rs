@@ -1,29 +1,29 @@
-//! Soft fingertips in the file: kind, size and resolution of their patch.
+//! Soft fingertips in the text of a scene: kind, size and resolution of their patch.
 
 use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
 use crate::grasp::{Face, Pressure, SoftFingertip, Space};
 
-/// The patch of a [`SoftFingertip`]: rings, discs and rectangles in space, pairs and pads in the plane. It is written as
-/// `{"disc": {"radius": 0.006, …}}`. The function that a variant names states the allowed numbers.
+/// The patch of a [`SoftFingertip`]: rings, discs and rectangles in space, pairs and pads in the plane. A patch is written as
+/// `{"disc": {"radius": 0.006, …}}`. The function that a variant names documents the allowed numbers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Tip {
-    /// [`SoftFingertip::ring`].
+    /// A ring of points; see [`SoftFingertip::ring`].
     Ring {
         /// Radius of the ring, m.
         radius: f64,
         /// Number of points on the ring.
         points: usize,
     },
-    /// [`SoftFingertip::disc`].
+    /// A disc; see [`SoftFingertip::disc`].
     Disc {
         /// Radius of the disc, m.
         radius: f64,
-        /// Number of annuli of equal width, two rings of points each.
+        /// Number of annuli of equal width, with two rings of points each.
         annuli: usize,
         /// Number of points on each ring.
         points: usize,
@@ -31,24 +31,24 @@ pub enum Tip {
         #[serde(default)]
         pressure: Pressure,
     },
-    /// [`SoftFingertip::rectangle`].
+    /// A rectangle; see [`SoftFingertip::rectangle`].
     Rectangle {
         /// Sides along the first and the second tangent, m.
         sides: [f64; 2],
-        /// Number of strips in half of each side, two points each; one for each side if left out.
+        /// Number of strips in half of each side, with two points on each strip; one strip for each side if left out.
         #[serde(default = "one_each")]
         strips: [usize; 2],
     },
-    /// [`SoftFingertip::pair`].
+    /// A pair of points; see [`SoftFingertip::pair`].
     Pair {
         /// Width of the pad, m; its two points are at the edges.
         width: f64,
     },
-    /// [`SoftFingertip::pad`].
+    /// A straight pad; see [`SoftFingertip::pad`].
     Pad {
         /// Width of the pad from edge to edge, m.
         width: f64,
-        /// Number of strips of equal width on either side of the middle, two points each.
+        /// Number of strips of equal width on either side of the middle, with two points each.
         strips: usize,
         /// The pressure profile; uniform if left out.
         #[serde(default)]

@@ -1,4 +1,4 @@
-//! Answers about the events of a load program.
+//! Answers to `follow`: the events along the load path of a load program.
 
 use serde::{Deserialize, Serialize};
 
@@ -10,7 +10,7 @@ use crate::load_path::{
 use crate::numerics::{mapped, moved};
 use crate::serial::AsComputed;
 
-/// A load path that was followed to its end; see [`LoadPath`], and [`SteppedPath`] for one that was followed in steps.
+/// A load path that was followed to its end; see [`LoadPath`], and [`SteppedPath`] for a path that was followed in steps.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
@@ -20,22 +20,21 @@ pub struct PathAnswer<const C: usize> {
     pub end: PathOutcome<C>,
     /// The events on the path, in order; empty for a path in steps, which does not locate events.
     pub events: Vec<Event<C>>,
-    /// The steps of a path that was followed in steps, in order.
+    /// The steps, in order, if the path was followed in steps; otherwise empty.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub steps: Vec<Step<C>>,
-    /// The place where motions cease to be small, if they do. Beyond it the answer, which assumes the undeformed geometry, is inaccurate.
+    /// The place where motions cease to be small, if they do. Beyond this place the answer, which assumes the undeformed geometry, is inaccurate.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub small_motions_end: Option<EndOfSmallMotions>,
-    /// Energies of every leg that was entered, up to the end of the path; empty for a path in steps.
+    /// The energies of each leg that the path has reached; empty for a path in steps.
     pub energies: Vec<BalancedEnergy>,
-    /// Sum of the estimated errors of the steps along sliding arcs, each relative as in
-    /// [`Settings::step_error`](crate::Settings::step_error); 0 where every piece is straight. For a path in steps, see
-    /// [`SteppedPath::step_error`].
+    /// Sum of the estimated errors of the steps along sliding arcs, each relative in the sense of
+    /// [`Settings::step_error`](crate::Settings::step_error); 0 where every piece is straight. For a path in steps, see [`SteppedPath::step_error`].
     #[serde(with = "AsComputed::<f64>")]
     pub step_error: f64,
 }
 
-/// The end of a load path, with the state there; see [`PathEnd`].
+/// The end of a load path, with the equilibrium there; see [`PathEnd`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "outcome", rename_all = "snake_case")]
@@ -47,30 +46,30 @@ pub enum PathOutcome<const C: usize> {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         state: Option<Box<Equilibrium<C>>>,
     },
-    /// The path loses its equilibrium.
+    /// The equilibrium is lost: it cannot be continued under the load program.
     Lost {
-        /// The place and the kind of the loss.
+        /// The place at which equilibrium is lost, and the reason.
         #[serde(flatten)]
         loss: Loss<C>,
-        /// Whether another equilibrium exists just beyond.
+        /// Whether another equilibrium exists just beyond the loss.
         beyond: Beyond<C>,
         /// The equilibrium at the loss; left out if rounding errors are too large for it.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         state: Option<Box<Equilibrium<C>>>,
     },
-    /// The start of the path has no equilibrium.
+    /// No equilibrium exists at the start of the path.
     NoStart {
-        /// The outcome at the start: no equilibrium, or a doubt.
+        /// The outcome at the start: no equilibrium, or undecided.
         start: Box<Outcome<C>>,
     },
-    /// The path could not be followed further; it holds up to the given place.
+    /// The path could not be followed further; up to this leg and fraction it is valid.
     Undecided {
-        /// The leg, from 0.
+        /// The leg, counted from 0.
         leg: usize,
         /// Fraction of the leg that was followed.
         #[serde(with = "AsComputed::<f64>")]
         fraction: f64,
-        /// The reason of the doubt.
+        /// The reason why the path is undecided.
         doubt: Doubt,
     },
 }
@@ -80,16 +79,16 @@ pub enum PathOutcome<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct BalancedEnergy {
-    /// The energies, J. Their turnover is zero here, since `residual` is already relative to it.
+    /// The energies, J. The field `turnover` is zero here, since `residual` is already divided by it.
     #[serde(flatten)]
     pub energy: LegEnergy,
-    /// The error of the energy balance over the sum of the sizes of all contributions; zero in exact arithmetic.
+    /// The error of the energy balance, divided by the sum of the magnitudes of all contributions; zero in exact arithmetic.
     #[serde(with = "AsComputed::<f64>")]
     pub residual: f64,
 }
 
 impl SceneNames<'_> {
-    /// A path that was followed to its end, and the events on the way.
+    /// The answer for a path that was followed to its end, with the events on the way.
     pub(super) fn path(&self, path: &LoadPath<'_, 3>, events: Vec<Event<3>>) -> PathAnswer<3> {
         let balanced = |energy: &LegEnergy| BalancedEnergy {
             energy: LegEnergy { turnover: 0.0, ..*energy },
@@ -105,7 +104,7 @@ impl SceneNames<'_> {
         }
     }
 
-    /// A path that was followed to its end in steps.
+    /// The answer for a path that was followed to its end in steps.
     pub(super) fn path_in_steps(&self, path: &SteppedPath<'_, 3>, steps: Vec<Step<3>>) -> PathAnswer<3> {
         PathAnswer {
             end: self.end(path.end(), path.state(), path.beyond()),

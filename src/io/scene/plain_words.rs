@@ -1,8 +1,8 @@
-//! Messages of the JSON reader in words for the author of a scene.
+//! Rewords messages of the JSON reader for the author of a scene.
 
 use crate::numerics::IntoList;
 
-/// Rewords a message of serde or serde_json. `here` is the byte of the text at the fault, if it is known.
+/// Rewords a message of serde or serde_json for users. `here` is the byte of the text at the fault, if it is known.
 pub(super) fn in_plain_words(message: &str, here: Option<u8>) -> String {
     if let Some((given, wanted)) = message
         .strip_prefix("invalid type: ")
@@ -57,7 +57,7 @@ pub(super) fn in_plain_words(message: &str, here: Option<u8>) -> String {
         {
             "JSON has no comments: scenes, contacts and bodies have a field `comment` for a text"
         }
-        // serde_json reports "expected value" also for a valid number or list where an enum is expected.
+        // serde_json also gives the message "expected value" for a valid number or list where an enum is expected.
         "expected value" | "expected ident" if here.is_some_and(|byte| b"0123456789-[".contains(&byte)) => {
             "this is none of the values that are allowed here, must be a name in double quotes, or an object"
         }
@@ -107,7 +107,8 @@ fn expected_text(what: &str) -> &str {
     }
 }
 
-/// The name between backquotes in `allowed` with the least edit distance to `name`, if that is at most one plus a fifth of its length.
+/// The name between backquotes in `allowed` with the least edit distance to `name`; `None` if this distance exceeds one plus a fifth of the length of
+/// `name`.
 fn alike<'a>(name: &str, allowed: &'a str) -> Option<&'a str> {
     let names = allowed.split('`').skip(1).step_by(2);
     let near = names.map(|known| (slips(name, known), known)).min()?;

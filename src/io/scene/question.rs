@@ -43,7 +43,8 @@ pub enum Question<const C: usize> {
         #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
         together_with: BTreeMap<String, Wrench<C>>,
     },
-    /// Is the equilibrium under a load the minimum of the paper's quadratic program? See [`Energy::compare`](crate::ask::Energy::compare).
+    /// Is the equilibrium under a load the minimum of energy, which the quadratic program of the paper computes? See
+    /// [`Energy::compare`](crate::ask::Energy::compare).
     Compare {
         /// The load that acts from the start and stays constant; zero if left out.
         #[serde(default = "no_load::<C>")]
@@ -51,8 +52,8 @@ pub enum Question<const C: usize> {
         /// The load that grows from zero in addition to the base.
         load: Wrench<C>,
     },
-    /// The onset of sliding along a ramp: the load is `base + τ direction` at the load factor τ, and commands change by τ times their change. See
-    /// [`Grasp::onset`](crate::ask::Grasp::onset).
+    /// The onset of sliding under a load that grows linearly: the load is `base + τ direction` at the load factor τ, and commands change by τ times
+    /// their change. See [`Grasp::onset`](crate::ask::Grasp::onset).
     Onset {
         /// The load at load factor 0; zero if left out.
         #[serde(default = "no_load::<C>")]
@@ -77,7 +78,7 @@ pub enum Question<const C: usize> {
     },
     /// The onset of sliding while a load turns; see [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn).
     OnsetOfTurn(Turn<C>),
-    /// The load path of a program; see [`Grasp::follow`](crate::ask::Grasp::follow) and
+    /// The load path of a load program; see [`Grasp::follow`](crate::ask::Grasp::follow) and
     /// [`Grasp::follow_in_steps`](crate::ask::Grasp::follow_in_steps).
     Follow {
         /// The load at the start; zero if left out.
@@ -92,19 +93,19 @@ pub enum Question<const C: usize> {
     },
     /// Does the grasp survive a repeated load? See [`Grasp::shake`](crate::ask::Grasp::shake).
     Shake {
-        /// The load at rest, where every cycle begins and ends; zero if left out.
+        /// The constant load, which acts alone at the beginning and the end of every cycle; zero if left out.
         #[serde(default = "no_load::<C>")]
         base: Wrench<C>,
-        /// The loads in addition to the base, each applied and removed in turn.
+        /// The loads in addition to the base, each applied and removed, one after the other.
         #[serde(default, skip_serializing_if = "Vec::is_empty")]
         loads: Vec<Wrench<C>>,
-        /// The legs of a cycle, instead of loads; loads and commands at its end must be those at its beginning.
+        /// The legs of a cycle, instead of loads; loads and commands at the end of the cycle must be those at its beginning.
         #[serde(default, skip_serializing_if = "Vec::is_empty")]
         legs: Vec<Leg<C>>,
     },
     /// Does the grasp survive loads that repeat in any order? See [`Statics::shakedown`](crate::ask::Statics::shakedown).
     Shakedown {
-        /// The load at rest; zero if left out.
+        /// The constant load, to which the repeated loads are added; zero if left out.
         #[serde(default = "no_load::<C>")]
         base: Wrench<C>,
         /// The loads in addition to the base. Their order is arbitrary, and so is the path between them within their convex hull.
@@ -114,14 +115,14 @@ pub enum Question<const C: usize> {
     Identify(Box<Identify<C>>),
 }
 
-/// The expected form of a question, in the error for a value that is no object, such as `"onset"` alone.
+/// The expected form of a question, for the message about a value that is no object, such as `"onset"` alone.
 const QUESTION_FORM: &str = "a question with what it needs, such as {\"hold\": {\"load\": {\"force\": [0, -1]}}}, with three numbers in space";
 
 read_as_object!(QUESTION_FORM, Question, C);
 
 impl<const C: usize> Question<C> {
-    /// The load at rest, the loads, and loads of other bodies that grow with them, of the questions `hold`, `solve` and `need`; `None` for other questions
-    /// and without a load.
+    /// The base load, the growing loads, and the loads on other bodies that grow in proportion; for the questions `hold`, `solve` and `need`. `None`
+    /// for other questions, and for a `need` without a growing load.
     #[must_use]
     pub fn loads(&self) -> Option<(Wrench<C>, Loads<C>, &BTreeMap<String, Wrench<C>>)> {
         match self {
@@ -132,22 +133,22 @@ impl<const C: usize> Question<C> {
         }
     }
 
-    /// The equilibrium under a load.
+    /// The question for the equilibrium under a load.
     #[must_use]
     pub fn solve(load: Wrench<C>) -> Self {
         Self::Solve { load, together_with: BTreeMap::new() }
     }
 
-    /// The onset of sliding along a ramp, or under a load that grows from zero.
+    /// The question for the onset of sliding along a [`Ramp`], or under a load that grows from zero.
     pub fn onset(ramp: impl Into<Ramp<C>>) -> Self {
         let Ramp { base, direction, command_change, joint_change } = ramp.into();
         Self::Onset { base, direction, command_change, joint_change, together_with: BTreeMap::new() }
     }
 
-    /// The ramp of [`Self::Hold`], [`Self::Compare`] and [`Self::Onset`], without loads that grow together with it.
+    /// The base load and the growing load of [`Self::Hold`], [`Self::Compare`] and [`Self::Onset`], without growing loads on other bodies.
     ///
     /// # Errors
-    /// [`Error::Question`] for other questions, whose loads are not a ramp.
+    /// [`Error::Question`] for other questions, whose loads do not grow linearly.
     pub fn ramp(&self) -> Result<Ramp<C>, Error> {
         match self {
             Self::Hold { base, load, .. } | Self::Compare { base, load } => Ok(Ramp::load(*base, *load)),
@@ -165,10 +166,10 @@ impl<const C: usize> Question<C> {
         }
     }
 
-    /// The legs of [`Self::Follow`], or of one cycle of [`Self::Shake`].
+    /// The legs of [`Self::Follow`], or of one cycle of [`Self::Shake`], which may be given as loads.
     ///
     /// # Errors
-    /// [`Error::Question`] unless there are either loads or legs.
+    /// [`Error::Question`] for a [`Self::Shake`] with both loads and legs or with neither, and for other questions.
     pub fn legs(&self) -> Result<Vec<Leg<C>>, Error> {
         let (loads, legs) = match self {
             Self::Follow { legs, .. } => return Ok(legs.clone()),

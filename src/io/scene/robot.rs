@@ -1,4 +1,4 @@
-//! A robot in a file, and contacts on its links in place of fingers (feature `urdf`).
+//! A robot from its description file, and contacts on its links in place of fingers (feature `urdf`).
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -15,7 +15,7 @@ use crate::robot::{Mover, Robot};
 use crate::touch::Pad;
 
 /// The robot that holds the object, `{"urdf": "hand.urdf", "joints": {"thumb_base": 20}, "stiffness": {"others": 3}, "effort": "from file"}`; see
-/// [`Robot`]. Once its file is read, fingers with joints stand in its place.
+/// [`Robot`]. Once the file is read, fingers with joints replace this field.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -29,18 +29,18 @@ pub struct RobotSetup<const C: usize> {
     /// Roll, pitch and yaw of the robot's root link, degrees; 0 if left out.
     #[serde(default)]
     pub turned_deg: [f64; 3],
-    /// Positions of the joints by name, degrees, of prismatic joints m; 0 if left out.
+    /// Positions of the joints by name, degrees, or m for prismatic joints; 0 if left out.
     #[serde(default)]
     pub joints: BTreeMap<String, f64>,
-    /// Commanded positions of the joints by name, degrees or m; the actual positions if left out.
+    /// Commanded positions of the joints by name, degrees or m; those in `joints` if left out.
     #[serde(default)]
     pub commanded: BTreeMap<String, f64>,
     /// Stiffness of the joints by name, N m/rad or N/m; `others` is the stiffness of all joints without an entry.
     pub stiffness: BTreeMap<String, f64>,
-    /// Limits of the motors: with `"from file"` they stall at the efforts of the description file; no limits if left out.
+    /// Limits of the motors: with `"from file"` motors stall at the efforts of the description file; no limits if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub effort: Option<MotorLimits>,
-    /// Contacts by the link they are on, in the frame of the link.
+    /// Contacts by the name of the link on which they lie, in the frame of this link.
     pub contacts: BTreeMap<String, Vec<Fingertip<C>>>,
 }
 
@@ -76,7 +76,7 @@ impl RobotSetup<3> {
         Ok(if self.effort.is_some() { robot.limited_by_effort() } else { robot })
     }
 
-    /// The contacts on links that no joint moves, and fingers with all other contacts.
+    /// Returns the contacts on links that no joint moves, and fingers with all other contacts.
     fn spread(self, folder: &Path) -> Result<(Vec<Fingertip<3>>, Vec<FingerSetup<3>>), Error> {
         let robot = self.read_from(folder)?;
         let (mut links, mut entries) = (Vec::new(), Vec::new());
@@ -123,7 +123,7 @@ fn placed(robot: &Robot, link: usize, index: usize, mut entry: Fingertip<3>) -> 
 }
 
 impl Setup<3> {
-    /// Refuses a robot in the plane, a robot without contacts, and surfaces of its contacts.
+    /// Refuses a robot in the plane, a robot without contacts, and robot contacts with a field `surface`.
     pub(super) fn check_robot(&self) -> Result<(), String> {
         let Some(robot) = &self.robot else { return Ok(()) };
         let mut entries = robot.contacts.values().flatten();

@@ -1,4 +1,5 @@
-//! JSON Schemas that are not derived: of numbers that may be words such as "infinite", rows, wrenches, and objects that are checked after they are read.
+//! JSON Schemas that are not derived: of rows, of wrenches, of numbers that may be words such as "infinite", and of types with their own
+//! deserialiser.
 
 use std::borrow::Cow;
 
@@ -12,7 +13,7 @@ use crate::grasp::{Space, Twist, Wrench};
 use crate::numerics::mapped;
 use crate::serial::{As, AxisRow, Computed, Friction, Given, Kind, Number, Numeric, SpringStiffness};
 
-/// A kind of number whose schema states a range.
+/// A kind of number whose schema contains the allowed range.
 trait Bounded: Kind + 'static {
     fn name() -> &'static str;
     fn bounds() -> Schema;
@@ -68,7 +69,7 @@ impl<K: Bounded> JsonSchema for Number<K> {
     }
 }
 
-/// A number within its range, or a word for a number, such as "infinite".
+/// The schema of a number within its range, or a word for a number, such as "infinite".
 fn number<K: Bounded>() -> Schema {
     let mut number = K::bounds();
     number.insert("type".to_owned(), "number".into());
@@ -79,7 +80,7 @@ fn number<K: Bounded>() -> Schema {
     json_schema!({ "anyOf": [number, { "enum": words }] })
 }
 
-/// A list whose length lies between two numbers.
+/// The schema of a list whose length lies between two numbers.
 fn list<K: Bounded>(least: usize, most: usize) -> Schema {
     json_schema!({ "type": "array", "items": number::<K>(), "minItems": least, "maxItems": most })
 }
@@ -118,19 +119,19 @@ where
         T::Written::json_schema(generator)
     }
 
-    // schemars' derive calls this to learn whether a field is optional, if it cannot write the default of a generic field.
+    // The code that schemars derives calls this function to decide whether a field is optional, where it cannot write the default of a generic field.
     fn _schemars_private_is_option() -> bool {
         T::Written::_schemars_private_is_option()
     }
 }
 
-/// A number or a list of one number, such as the moment in the plane; in space a list of three.
+/// The schema of an angular quantity: in the plane a number or a list of one number, in space a list of three.
 fn angular<K: Bounded>(axes: usize) -> Schema {
     let listed = list::<K>(axes, axes);
     if axes == 1 { json_schema!({ "anyOf": [number::<K>(), listed] }) } else { listed }
 }
 
-/// A wrench or twist: linear part, angular part and the part of the joints, all optional in input.
+/// The schema of a wrench or twist: linear part, angular part and the part of the joints, all optional in input.
 fn by_parts<K: Bounded, const C: usize>(
     generator: &SchemaGenerator,
     [linear, turning]: [(&str, &str); 2],
@@ -148,7 +149,7 @@ fn by_parts<K: Bounded, const C: usize>(
     })
 }
 
-/// A part with its description; in input it may be `null`.
+/// The schema `part` of a component with a description; in input the component may be `null`.
 fn described(generator: &SchemaGenerator, part: Schema, description: &str) -> Schema {
     let mut part = if generator.contract().is_serialize() {
         part
@@ -159,7 +160,7 @@ fn described(generator: &SchemaGenerator, part: Schema, description: &str) -> Sc
     part
 }
 
-/// The rotation of the arm that carries a body.
+/// The schema of the rotation of the arm that carries a body.
 fn turning<const C: usize>(generator: &SchemaGenerator) -> Schema {
     let rate = || angular::<Given>(Space::of::<C>().planes().len());
     let about = described(generator, list::<Given>(C, C), "A point of the axis, m; the origin if left out.");
@@ -250,7 +251,7 @@ impl<const C: usize> JsonSchema for Springs<C> {
     }
 }
 
-/// Adds the other name of `series_stiffness` to a contact, which the derive does not know.
+/// Adds the field `stiffness`, another name of `series_stiffness`, to the schema of a contact. The derive macro does not know the other name.
 pub(super) fn with_stiffness(contact: &mut Schema) {
     let fields = contact.get_mut("properties").and_then(Value::as_object_mut);
     if let Some((fields, mut other)) = fields.and_then(|fields| {

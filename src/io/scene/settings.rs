@@ -1,4 +1,4 @@
-//! Settings in the file; those that are left out have the crate's defaults.
+//! Settings in the text of a scene; those that are left out have the crate's defaults.
 
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
@@ -8,15 +8,15 @@ use crate::equilibrium::{Settings, SmallMotions};
 use crate::error::is_moderate;
 use crate::serial::object;
 
-/// `{"facets": 8, "fit": "inscribed"}` (feature `serde`), see [`crate::scene`].
+/// Written as `{"facets": 8, "fit": "inscribed"}` (feature `serde`), see [`crate::scene`].
 impl Serialize for PolygonCone {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         WrittenPolygon { facets: self.facets(), fit: self.fit() }.serialize(serializer)
     }
 }
 
-/// `{"facets": 8, "fit": "inscribed"}`, both optional (feature `serde`), see [`crate::scene`].
-/// Refuses what [`PolygonCone::new`] refuses.
+/// Read from `{"facets": 8, "fit": "inscribed"}`, both optional (feature `serde`), see [`crate::scene`]. Refuses numbers of facets that
+/// [`PolygonCone::new`] refuses.
 impl<'de> Deserialize<'de> for PolygonCone {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         object::read(deserializer, "a polygon", |WrittenPolygon { facets, fit }| {
@@ -31,7 +31,7 @@ impl<'de> Deserialize<'de> for PolygonCone {
 struct WrittenPolygon {
     /// Number of facets.
     facets: usize,
-    /// Whether the polygon is inscribed in the round cone, circumscribed about it, or between.
+    /// Whether the polygon is inscribed in the round cone, circumscribed about it, or balanced between both.
     fit: Fit,
 }
 
@@ -42,7 +42,7 @@ impl Default for WrittenPolygon {
     }
 }
 
-/// The friction cone of answers in space.
+/// The friction cone of answers in space: round, or the polygonal cone itself.
 #[derive(Clone, Copy, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
@@ -55,26 +55,26 @@ enum Cone {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 struct WrittenSettings {
-    /// The friction cone of answers; in space only.
+    /// The friction cone of answers, round or polygonal; in space only.
     cone: Cone,
-    /// The polygon that takes the place of the round cone in methods that need one.
+    /// The polygonal cone that replaces the round cone where a solver needs facets.
     polygon: PolygonCone,
-    /// Largest number of pivots; set by the size of the problem if left out.
+    /// Largest number of pivots of Lemke's method; set by the size of the problem if left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     max_pivots: Option<usize>,
     /// Largest number of combinations of contact states to try.
     most_states: usize,
-    /// Relative error of one step along a sliding arc.
+    /// Relative error of one step along a sliding arc, a piece of a load path on which slip directions turn.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 1)))]
     step_error: f64,
     /// Largest number of steps along sliding arcs within a leg.
     most_steps: usize,
-    /// The largest load factor up to which `hold` seeks the loss of the load.
+    /// The largest load factor up to which `hold` searches for the loss of equilibrium.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     most_load: f64,
-    /// Largest number of cycles of a repeated load that are followed.
+    /// Largest number of cycles of a repeated load that are computed.
     most_cycles: usize,
-    /// The rotation and slip up to which motions are small.
+    /// The rotation and the slip up to which motions count as small.
     small_motions: SmallMotions,
 }
 
@@ -100,6 +100,7 @@ impl From<&Settings> for WrittenSettings {
     }
 }
 
+/// Written as
 /// `{"cone": "round", "polygon": …, "max_pivots": …, "most_states": …, "step_error": …, "most_steps": …, "most_load": …, "most_cycles": …, "small_motions": …}`
 /// (feature `serde`), see [`crate::scene`].
 impl Serialize for Settings {
@@ -108,7 +109,7 @@ impl Serialize for Settings {
     }
 }
 
-/// All fields optional (feature `serde`), see [`crate::scene`].
+/// Read from an object whose fields are all optional (feature `serde`), see [`crate::scene`].
 impl<'de> Deserialize<'de> for Settings {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         object::read(deserializer, "settings", |written: WrittenSettings| {

@@ -17,7 +17,8 @@ use crate::grasp::{self, Bodies, Hand, Space, Tendon, inside, outside};
 use crate::serial::{AsGiven, in_text_of, object, space_of_text};
 use crate::words::Words;
 
-/// Contacts, questions and settings: 3 degrees of freedom of the object and `C` = 2 axes of a contact in the plane, 6 and 3 in space.
+/// A grasp with its questions and settings. `C` is the number of axes of a contact: 2 in the plane, where the object has 3 degrees of freedom, 3 in
+/// space, where it has 6.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Wrench};
@@ -49,7 +50,7 @@ pub struct Setup<const C: usize> {
     /// The plane or space; the vectors of a planar setup may have three components.
     #[serde(skip, default = "space_of_text::<C>")]
     pub(crate) space: Space,
-    /// Contacts whose fingers have no joints. [`Setup::grasp`] is an error if neither this list nor a finger has a contact.
+    /// Contacts whose fingers have no joints. [`Setup::grasp`] returns an error if neither this list nor a finger has a contact.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub contacts: Vec<Fingertip<C>>,
     /// Fingers with joints; their contacts are numbered after those in `contacts`.
@@ -58,23 +59,23 @@ pub struct Setup<const C: usize> {
     /// Tendons over the joints of all fingers.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub tendons: Vec<Tendon>,
-    /// Several bodies; contacts then name the bodies they touch. Empty for one object.
+    /// Several bodies; contacts then name the bodies that they touch. Empty for one object.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub bodies: Vec<BodySetup<C>>,
     /// Links between bodies, or between a body and the ground; one object may be linked to the ground.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub links: Vec<LinkSetup<C>>,
-    /// Acceleration of gravity on the masses of bodies, m/s², beside the loads of questions.
+    /// Acceleration of gravity on the masses of bodies, m/s², in addition to the loads of questions.
     #[serde(default, with = "AsGiven::<Option<SVector<f64, C>>>", skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub gravity: Option<SVector<f64, C>>,
-    /// The body on which the loads of questions act; the first if left out.
+    /// The body on which the loads of questions act; the first body if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loaded: Option<String>,
-    /// Whether loads of questions act on all bodies, on each with the share of its mass.
+    /// Whether loads of questions act on all bodies, on each in proportion to its mass.
     #[serde(default, skip_serializing_if = "is_false")]
     pub shared_by_mass: bool,
-    /// Corners of the object in order, m; only pictures show them.
+    /// Corners of the object in order, m; used only to draw pictures.
     #[serde(default, with = "AsGiven::<Vec<SVector<f64, C>>>", skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub outline: Vec<SVector<f64, C>>,
@@ -89,7 +90,7 @@ pub struct Setup<const C: usize> {
     /// The questions, in the order of their answers.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub questions: Vec<Question<C>>,
-    /// The settings for all questions. With the polygonal cone, onsets are those of the polygon ([`Grasp::onset`]).
+    /// The settings for all questions. With the polygonal cone, an onset is the load at which a contact force reaches a facet ([`Grasp::onset`]).
     #[serde(default, skip_serializing_if = "is_default")]
     pub settings: Settings,
 }
@@ -103,7 +104,7 @@ fn is_default(settings: &Settings) -> bool {
     *settings == Settings::default()
 }
 
-/// A setup as it is deserialized field by field, before it is checked.
+/// A setup that is deserialized field by field, before its checks.
 struct Fields(Setup<3>);
 
 impl<'de> Deserialize<'de> for Fields {
@@ -125,7 +126,7 @@ impl<'de, const C: usize> Deserialize<'de> for Setup<C> {
     }
 }
 
-/// A setup with vectors of three components that is read from a text with two.
+/// A planar setup that is read from a text with vectors of two components, and stored with three.
 pub(super) struct PlanarSetup(pub(super) Setup<3>);
 
 impl<'de> Deserialize<'de> for PlanarSetup {
@@ -147,7 +148,7 @@ impl<const C: usize> From<&Grasp<C>> for Setup<C> {
 }
 
 impl<const C: usize> Setup<C> {
-    /// A setup without questions and outline, with default settings. A [`Contact`](crate::grasp::Contact) is turned `into` a [`Fingertip`].
+    /// A setup without questions and outline, with default settings. A [`Contact`](crate::grasp::Contact) is converted to a [`Fingertip`] by `into`.
     pub fn new(contacts: impl IntoIterator<Item = Fingertip<C>>) -> Self {
         Self {
             space: Space::of::<C>(),
@@ -187,7 +188,7 @@ impl<const C: usize> Setup<C> {
         self
     }
 
-    /// This setup with other settings.
+    /// This setup with other settings for its questions.
     pub fn with_settings(mut self, settings: Settings) -> Self {
         self.settings = settings;
         self
@@ -202,14 +203,14 @@ impl<const C: usize> Setup<C> {
         all.into_iter()
     }
 
-    /// Whether there are fingers, tendons or contacts held by a force; the grasp is then that of a [`Hand`], see [`Self::hand`].
+    /// Whether there are fingers, tendons or contacts held by a force. The grasp is then made by a [`Hand`], see [`Self::hand`].
     #[must_use]
     pub fn is_held_by_a_hand(&self) -> bool {
         let by_force = self.contacts.iter().any(|entry| entry.contact.force.is_some());
         by_force || !self.fingers.is_empty() || !self.tendons.is_empty()
     }
 
-    /// The grasp with the settings of the setup. Soft fingertips become several contacts, so that it may have more contacts than the scene.
+    /// The grasp with the settings of the setup. It may have more contacts than the scene, since soft fingertips become several contacts.
     ///
     /// # Errors
     /// As for [`Grasp::new`], [`Hand::grasp`] and [`SoftFingertip`](crate::grasp::SoftFingertip), with the index
@@ -218,7 +219,7 @@ impl<const C: usize> Setup<C> {
         inside(self).grasp_checked().map(outside)
     }
 
-    /// The hand that holds the object: fingers without joints first, one for each contact.
+    /// The hand that holds the object. Its fingers without joints, one for each contact, come first.
     ///
     /// # Errors
     /// [`Error::Contact`], [`Error::Fingertip`] and [`Error::Hand`] for parts that cannot be built.
@@ -234,12 +235,12 @@ impl Setup<3> {
         self.space.axes()
     }
 
-    /// These words for vectors of three components: in the plane the third is not written.
+    /// The same format of numbers, for vectors of three components; in the plane the third is not written.
     pub fn words(&self, words: Words) -> Words {
         words.in_space(self.space)
     }
 
-    /// The setup, unless one of its parts or questions is malformed.
+    /// Returns this setup, or an error if one of its parts or questions is malformed.
     fn checked(self) -> Result<Self, String> {
         self.check_bodies()?;
         #[cfg(feature = "urdf")]
@@ -255,7 +256,7 @@ impl Setup<3> {
         #[cfg(not(feature = "mesh"))]
         let (setup, has_points) = (self, true);
         if has_points && (setup.is_held_by_a_hand() || !setup.bodies.is_empty()) {
-            // Only a built grasp checks that joints fit the contacts that they move.
+            // Whether joints fit the contacts that they move is checked only when a grasp is built.
             setup.grasp_checked().map(drop).map_err(|error| error.to_string())?;
         }
         for (index, question) in setup.questions.iter().enumerate() {
@@ -303,7 +304,7 @@ impl Setup<3> {
         Ok(self.tendons.iter().cloned().fold(Hand::new(fingers), Hand::tendon))
     }
 
-    /// The bodies with the hand that holds them.
+    /// The bodies, with the hand that holds the bodies.
     fn several_bodies(&self) -> Result<Bodies<3>, Error> {
         let mut bodies = Bodies::new(self.bodies.iter().map(BodySetup::body)).held_by(self.whole_hand()?);
         if let Some(gravity) = self.gravity {
@@ -315,7 +316,7 @@ impl Setup<3> {
         Ok(if self.shared_by_mass { bodies.shared_by_mass() } else { bodies })
     }
 
-    /// Refuses fields about bodies in a scene without bodies, and two ways of sharing a load.
+    /// Refuses fields about bodies in a scene without bodies, and a load that is both shared by mass and on one body.
     fn check_bodies(&self) -> Result<(), String> {
         let said = [
             ("gravity", self.gravity.is_some()),
@@ -341,7 +342,7 @@ impl Setup<3> {
         Ok(())
     }
 
-    /// Replaces the contact index of the grasp in an error by that of the scene: a soft fingertip is several contacts of the grasp.
+    /// Replaces the contact index in an error of the grasp by the index in the scene. There all points of a soft fingertip are one contact.
     fn in_the_scene(&self, error: Error) -> Error {
         let Error::Contact { contact: ContactLabel { index, name, link, .. }, field, value, allowed } = error
         else {

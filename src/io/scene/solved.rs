@@ -14,16 +14,16 @@ use crate::words::Words;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SolveAnswer<const C: usize> {
-    /// The equilibrium, the proof, or the doubt.
+    /// The equilibrium, the proof that none exists, or the reason why neither was found.
     #[serde(flatten)]
     pub outcome: Outcome<C>,
-    /// The answer of `hold` for the same load from rest. It is given if the outcome is undecided, or if a suction cup has lost its vacuum.
+    /// The answer of `hold` for the same load, growing from zero. It is given if the outcome is undecided, or if a suction cup has lost its vacuum.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub from_rest: Option<HoldAnswer<C>>,
 }
 
 impl SceneNames<'_> {
-    /// The answer to `solve`. If it does not decide whether the load is held, the answer of `hold` is added.
+    /// The answer to `solve`. If the outcome does not decide whether the load is held, the answer of `hold` is added.
     pub(super) fn solve(
         &self,
         load: &Wrench<3>,

@@ -1,4 +1,4 @@
-//! Stiffness in the file.
+//! Stiffness in the text of a scene.
 
 use crate::numerics::by_axis;
 use nalgebra::SVector;

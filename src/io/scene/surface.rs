@@ -1,4 +1,4 @@
-//! Curves and surfaces in the file, along which contacts may move.
+//! Curves and surfaces in the text of a scene, along which contacts may move.
 
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
@@ -72,7 +72,7 @@ enum WrittenSurface<const C: usize> {
 }
 
 impl<const C: usize> WrittenSurface<C> {
-    /// The surface; an error if it belongs to the other space.
+    /// The surface; an error for a curve of the plane in a spatial scene, or a surface of space in a planar one.
     fn surface(self) -> Result<Surface<C>, String> {
         let (name, axes) = match &self {
             Self::Segment(_) => ("segment", 2),

@@ -9,7 +9,8 @@ const DEPENDS: f64 = 0.05;
 
 impl<const C: usize> Setup<C> {
     /// Indices of the questions whose answers change by more than 5 % if the tangential stiffness of all contacts is a tenth, or ten times as large.
-    /// Each question is answered three times. The load at which motions cease to be small always depends on it, and counts only if it limits the answer.
+    /// Each question is answered three times. The load at which motions cease to be small always depends on this stiffness, so its change counts only
+    /// where it limits the answer.
     ///
     /// # Errors
     /// As for [`Self::answers`].

@@ -1,16 +1,18 @@
 //! Tolerances of the warnings about a scene: differences below which two numbers count as equal.
 
-/// Relative difference up to which a force at rest counts as the stated one.
+/// Relative difference up to which the normal force without load counts as the given `pressed_with`.
 ///
-/// With a smaller value, a scene with rounded forces gets a warning. With a larger value, wrongly stated squeezes get none.
+/// With a smaller value, a scene with rounded forces gets a warning. With a larger value, a wrong `pressed_with` gets none.
 pub(super) const OTHERWISE_PRESSED: f64 = 0.02;
 
 /// Relative difference below which two answers are the same, so that a stiffness that was left out does not matter.
 ///
-/// With a smaller value, the error of sliding arcs counts as a difference. With a larger value, answers that depend on the stiffness get no warning.
+/// With a smaller value, the integration error of sliding arcs counts as a difference. With a larger value, answers that depend on the stiffness get
+/// no warning.
 pub(super) const SAME_ANSWER: f64 = 1e-6;
 
 /// Largest factor and divisor of a stiffness that was left out, in trials; each direction of each contact has another factor.
 ///
-/// With a smaller value, answers that depend on the stiffness hardly differ. With a larger value, trials have springs that nobody builds.
+/// With a smaller value, answers that depend on the stiffness hardly differ between the trials. With a larger value, trials have springs that nobody
+/// builds.
 pub(super) const STIFFNESS_RANGE: f64 = 10.0;

@@ -22,7 +22,7 @@ use crate::serial::{Computed, Few, Given, Number, space_of_text};
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, bound = "")]
 struct WrittenTurn<const C: usize> {
-    /// The weight, N, of an object that is tilted with its grasp. Without any load here, the scene's own `gravity` turns.
+    /// The weight, N, of an object that is tilted with its grasp. If no load of the turn is given, the scene's own `gravity` turns.
     #[cfg_attr(feature = "schema", schemars(with = "Option<AxisRow<Given, C>>"))]
     weight: Option<Few<Given, 3>>,
     /// A force that turns, N, instead of a weight.
@@ -34,7 +34,7 @@ struct WrittenTurn<const C: usize> {
     /// The axis of the turn by the right-hand rule, of any length but zero; in space only.
     #[cfg_attr(feature = "schema", schemars(with = "Option<AxisRow<Given, 3>>"))]
     axis: Option<Few<Given, 3>>,
-    /// A constant wrench beside the weight or force.
+    /// A constant wrench in addition to the weight or force.
     beside: Option<Wrench<C>>,
     /// The constant part of `constant + cosine cos θ + sine sin θ`, instead of a weight or force.
     constant: Option<Wrench<C>>,
@@ -48,13 +48,13 @@ struct WrittenTurn<const C: usize> {
     /// The angle of the turn, rad, instead of `angle_deg`.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     angle_rad: Option<Number<Given>>,
-    /// Whether the load turns the other way round.
+    /// Whether the load turns in the opposite direction.
     #[serde(default)]
     reversed: bool,
 }
 
 impl<const C: usize> WrittenTurn<C> {
-    /// The turn from the fields that are given.
+    /// The turn that the given fields describe.
     fn turn(&self) -> Result<Turn<C>, String> {
         let turn = match (&self.weight, &self.force) {
             (None, None) if self.turns_nothing() => Turn::of_bodies(self.axis()?.into()),
@@ -84,7 +84,7 @@ impl<const C: usize> WrittenTurn<C> {
         Ok(turn)
     }
 
-    /// Whether no load is given, so that the scene's gravity turns.
+    /// Whether the turn is given without a load, so that the scene's gravity turns.
     fn turns_nothing(&self) -> bool {
         let wrenches = [&self.beside, &self.constant, &self.cosine, &self.sine];
         self.at.is_none() && wrenches.iter().all(|given| given.is_none())
@@ -131,7 +131,7 @@ impl<const C: usize> WrittenTurn<C> {
     }
 }
 
-/// `{"constant": …, "cosine": …, "sine": …, "angle_rad": …}` (feature `serde`), see [`crate::scene`].
+/// Written as `{"constant": …, "cosine": …, "sine": …, "angle_rad": …}` (feature `serde`), see [`crate::scene`].
 impl<const C: usize> Serialize for Turn<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         if let Some(axis) = self.tilts_bodies_about {
@@ -154,7 +154,7 @@ impl<const C: usize> Serialize for Turn<C> {
     }
 }
 
-/// A weight that is tilted, a force that turns, or three wrenches (feature `serde`), see [`crate::scene`]. Refuses what
+/// Read from a weight that is tilted, a force that turns, or three wrenches (feature `serde`), see [`crate::scene`]. Refuses a turn that
 /// [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn) would refuse.
 impl<'de, const C: usize> Deserialize<'de> for Turn<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {

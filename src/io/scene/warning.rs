@@ -1,4 +1,4 @@
-//! Warnings about probable mistakes in a scene that can be answered.
+//! Warnings about probable mistakes in a scene. The scene can be answered nevertheless.
 
 use std::fmt;
 
@@ -27,107 +27,108 @@ use crate::words::{Words, listed, printable};
 #[serde(tag = "kind", rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum Warning {
-    /// A question begins without load, and no command, clearance or drive presses a contact on.
+    /// A question begins without load, and no command, clearance or drive presses a contact against the object.
     NothingPresses,
-    /// Bodies have masses, but the scene has no gravity, and nothing else presses a contact on.
+    /// Bodies have masses, but the scene has no gravity, and nothing else presses a contact against the object.
     NoGravity,
-    /// At rest a contact presses with another force than its `pressed_with`, which only sets the stretch of its spring before the object gives way.
+    /// Without load a contact presses with another force than its `pressed_with`. That field only sets the stretch of its spring before the object
+    /// moves.
     PressesOtherwise {
-        /// The contact of the scene, from 0.
+        /// Index of the contact in the scene, from 0.
         contact: usize,
         /// The name of the contact in messages.
         name: String,
         /// The force `pressed_with`, N.
         told: f64,
-        /// The force at rest, N.
+        /// The normal force without load, N.
         force: f64,
     },
     /// Several contacts have the same name, so that answers are ambiguous.
     SameName {
-        /// The contacts of the scene, from 0.
+        /// Indices of the contacts concerned, counted from 0 in the scene.
         contacts: Vec<usize>,
         /// The name that these contacts share.
         name: String,
     },
-    /// Contacts have no stiffness, and answers depend on the default.
+    /// Contacts or links have no stiffness, and answers depend on the default stiffness.
     StiffnessLeftOut {
-        /// The contacts of the scene, from 0.
+        /// Indices of the contacts concerned, counted from 0 in the scene.
         contacts: Vec<usize>,
         /// The names of the contacts in messages.
         names: Vec<String>,
         /// The default stiffness in all directions, N/m.
         stiffness: f64,
-        /// The questions whose answers depend on it, from 0.
+        /// The questions whose answers depend on the stiffness, counted from 0.
         questions: Vec<usize>,
     },
-    /// At rest a spring or cable pulls with another force than its pretension, since the bodies at its ends give way.
+    /// Without load a spring or cable pulls with another force than its pretension, since the bodies at its ends move.
     PullsOtherwise {
-        /// The link of the scene, from 0.
+        /// Index of the link in the scene, from 0.
         link: usize,
         /// The name of the link in messages.
         name: String,
         /// The given pretension, N.
         told: f64,
-        /// The pull at rest, N.
+        /// The pull without load, N.
         force: f64,
     },
     /// A friction coefficient is implausibly large; it may be given in percent.
     MuchFriction {
-        /// The contacts of the scene, from 0.
+        /// Indices of the contacts concerned, counted from 0 in the scene.
         contacts: Vec<usize>,
         /// The names of the contacts in messages.
         names: Vec<String>,
-        /// The friction coefficient of the first of them.
+        /// The friction coefficient of the first of these contacts.
         friction: f64,
     },
     /// No contact has friction, and without it the contacts do not hold the object against every load.
     NoFriction,
     /// A length is implausibly large; it may be given in mm.
     ManyMetres {
-        /// The length in words, with a verb.
+        /// Beginning of the message, up to the length, for example "a load acts at a distance of".
         what: String,
-        /// The length in doubt, m.
+        /// The implausible length, m.
         length: f64,
-        /// The distance of the contacts, m, if the length is too large beside it.
+        /// The distance between contacts, m, if the length is too large in comparison with it.
         #[serde(skip_serializing_if = "Option::is_none")]
         beside: Option<f64>,
     },
-    /// A force or a stiffness is out of proportion to the rest; perhaps it is a modulus of a material, or in another unit.
+    /// A force or a stiffness is out of proportion to the other contacts; perhaps it is the modulus of a material, or in another unit.
     OutOfProportion {
-        /// The contacts of the scene, from 0.
+        /// Indices of the contacts concerned, counted from 0 in the scene.
         contacts: Vec<usize>,
         /// The names of the contacts in messages.
         names: Vec<String>,
-        /// Whether it is a stiffness, N/m, in place of a force, N.
+        /// Whether the value is a stiffness, N/m, and not a force, N.
         is_stiffness: bool,
         /// The stiffness, N/m, or the force, N, of the first of these contacts.
         value: f64,
     },
     /// All normals point the same way, so that contacts cannot press with their given forces.
     SameSide {
-        /// The contacts of the scene, from 0.
+        /// Indices of the contacts concerned, counted from 0 in the scene.
         contacts: Vec<usize>,
         /// The names of the contacts in messages.
         names: Vec<String>,
     },
-    /// All normals point away from the middle of the contacts, as those of fingers in a hole.
+    /// All normals point away from the middle of the contacts, like those of fingers in a hole.
     Outwards {
-        /// The contacts of the scene, from 0.
+        /// Indices of the contacts concerned, counted from 0 in the scene.
         contacts: Vec<usize>,
         /// The names of the contacts in messages.
         names: Vec<String>,
     },
-    /// A load is more than a hundred times what friction carries with the forces with which contacts press; perhaps its mass is given in g.
+    /// A load is more than a hundred times the load that friction can carry at the given normal forces; perhaps its mass is given in g.
     HeavyLoad {
         /// The force of the load, N.
         force: f64,
-        /// The sum of the forces with which contacts press, N.
+        /// The sum of the normal forces with which contacts press, N.
         pressed: f64,
     },
     /// Some of a pad's area does not meet the grasped part.
     #[cfg(feature = "mesh")]
     MissesInPart {
-        /// The contact of the scene, from 0.
+        /// Index of the contact in the scene, from 0.
         contact: usize,
         /// The name of the contact in messages.
         name: String,
@@ -137,16 +138,16 @@ pub enum Warning {
     /// A pad presses where its surface and that of the grasped part meet at an angle larger than the friction angle.
     #[cfg(feature = "mesh")]
     OverAnEdge {
-        /// The contact of the scene, from 0.
+        /// Index of the contact in the scene, from 0.
         contact: usize,
         /// The name of the contact in messages.
         name: String,
-        /// The largest angle between both surfaces, degrees.
+        /// The largest angle between the surfaces of pad and part, degrees.
         angle: f64,
     },
     /// Two contacts are in one place, with parallel normals.
     OnePlace {
-        /// The contacts of the scene, from 0.
+        /// Indices of the contacts concerned, counted from 0 in the scene.
         contacts: Vec<usize>,
         /// The names of the contacts in messages.
         names: Vec<String>,
@@ -155,7 +156,7 @@ pub enum Warning {
     },
     /// A normal points out of the object's outline.
     PointsOut {
-        /// The contact of the scene, from 0.
+        /// Index of the contact in the scene, from 0.
         contact: usize,
         /// The name of the contact in messages.
         name: String,
@@ -280,7 +281,7 @@ fn lies_over_an_edge(f: &mut fmt::Formatter<'_>, words: Words, name: &str, angle
     write!(f, "{name} lies over an edge: pad and part meet at up to {angle}°, more than friction bridges")
 }
 
-/// Writes the force of a spring or a cable at rest, and its pretension, N. A spring that pushes has negative ones.
+/// Writes the pull of a spring or a cable without load, and its pretension, N. Both are negative for a spring that pushes.
 fn write_pull(f: &mut fmt::Formatter<'_>, words: Words, name: &str, [force, told]: [f64; 2]) -> fmt::Result {
     let [now, nominal] = [force, told].map(|x| words.number(x * told.signum()));
     let (does, why) = if told < 0.0 {
@@ -294,13 +295,13 @@ fn write_pull(f: &mut fmt::Formatter<'_>, words: Words, name: &str, [force, told
     write!(f, "{} {does} with {now} N at rest, not with {nominal} N: {why}", printable(name))
 }
 
-/// A list of the names of contacts.
+/// The names of contacts as one text, for messages.
 fn all(names: &[String]) -> String {
     listed(&mapped(names, &|name| printable(name)))
 }
 
 impl Scene {
-    /// Probable mistakes in the scene.
+    /// Warnings about probable mistakes in the scene.
     ///
     /// # Errors
     /// As for [`Setup::warnings`].
@@ -308,7 +309,7 @@ impl Scene {
         self.setup.warnings()
     }
 
-    /// Probable mistakes that show before any question is answered: all but [`Self::stiffness_left_out`].
+    /// Probable mistakes that are found before any question is answered: all but [`Self::stiffness_left_out`].
     ///
     /// # Errors
     /// As for [`Setup::warnings`].
@@ -316,7 +317,7 @@ impl Scene {
         self.setup.warnings_at_once()
     }
 
-    /// Contacts and links without a stiffness on which an answer depends; see [`Setup::stiffness_left_out`].
+    /// Warnings about contacts and links without a stiffness on which an answer depends; see [`Setup::stiffness_left_out`].
     ///
     /// # Errors
     /// As for [`Setup::warnings`].
@@ -326,7 +327,7 @@ impl Scene {
 }
 
 impl<const C: usize> Setup<C> {
-    /// Probable mistakes in the setup.
+    /// Warnings about probable mistakes in the setup.
     ///
     /// # Errors
     /// As for [`Self::grasp`].
@@ -359,7 +360,7 @@ impl Setup<3> {
         Ok(warnings)
     }
 
-    /// Names that more than one contact has.
+    /// Warnings about names that more than one contact has.
     fn same_names(&self) -> Vec<Warning> {
         let mut named: Vec<(&str, Vec<usize>)> = Vec::new();
         for (contact, entry) in self.entries().enumerate() {

@@ -1,4 +1,4 @@
-//! Refuses weights in the text of a question that the scene's gravity already contains (feature `json`).
+//! Refuses questions that contain the weight of a body again, although the scene's gravity already acts on it (feature `json`).
 
 use serde_json::Value;
 
@@ -8,7 +8,7 @@ use crate::grasp::inside;
 use crate::words::printable;
 
 impl Setup<3> {
-    /// Refuses questions of the scene of this text that count a weight twice. Only their text still distinguishes a mass from a force.
+    /// Refuses the questions of a scene that count a weight twice. They are checked in `text`, since a mass has become a force in the setup.
     pub(super) fn refuse_in_scene(&self, text: &[u8]) -> Result<(), Fault> {
         if self.own_mass().is_none() {
             return Ok(());
@@ -41,7 +41,7 @@ impl Setup<3> {
         }
     }
 
-    /// The first field that counts a weight twice, with the message.
+    /// The first field that counts a weight twice, and the message about it.
     fn weight_twice(&self, value: &Value, path: &str, body: Option<&str>) -> Option<(String, String)> {
         let fields = match value {
             Value::Array(list) => {

@@ -1,4 +1,4 @@
-//! Wrenches and twists in the file: linear and angular part by name.
+//! Wrenches and twists in the text of a scene: linear and angular part by name.
 //!
 //! `{"force": [0, -1], "moment": 0.2}` in the plane, `{"force": [0, 0, -1], "moment": [0, 0.1, 0]}`
 //! in space. Parts that are left out are zero. `"at": [0.1, 0]` lets the force act at a point other than the origin; its moment is added.
@@ -43,7 +43,7 @@ pub(super) fn part<K>(given: Option<&Few<K, 3>>, expected: usize, name: &str) ->
     Ok(part)
 }
 
-/// The linear and the angular part in one vector.
+/// The linear and the angular part in one vector; `names` are those of the parts, for messages.
 fn join<K>(space: Space, parts: [Option<&Few<K, 3>>; 2], names: [&str; 2]) -> Result<Vector, String> {
     let (axes, turns) = (space.axes(), space.planes().len());
     let (linear, angular) = (part(parts[0], axes, names[0])?, part(parts[1], turns, names[1])?);
@@ -80,7 +80,7 @@ struct WrittenTwist {
 /// The expected form of a wrench, for the message about any other value.
 const WRENCH_FORM: &str = "a wrench, such as {\"force\": [0, -1]}, with three numbers in space";
 
-/// `{"force": …, "moment": …}` (feature `serde`), see [`crate::scene`].
+/// Written as `{"force": …, "moment": …}` (feature `serde`), see [`crate::scene`].
 impl<const C: usize> Serialize for Wrench<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let space = space_of_text::<C>();
@@ -88,8 +88,8 @@ impl<const C: usize> Serialize for Wrench<C> {
     }
 }
 
-/// `{"force": …, "moment": …, "at": …}` or with a `"mass"`, all optional (feature `serde`), see [`crate::scene`].
-/// Refuses the numbers that a grasp refuses.
+/// Read from `{"force": …, "moment": …, "at": …}` or with a `"mass"`, all optional (feature `serde`), see [`crate::scene`]. Refuses the numbers that
+/// a grasp refuses.
 impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
         object::read(deserializer, WRENCH_FORM, |written: WrittenWrench| {
@@ -117,13 +117,13 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
                 turning: turning.as_ref(),
             };
             let wrench = Self::among(space, &wrench);
-            // Adding a zero wrench would lose the sign of a zero.
+            // Added only if there is a carried body: adding a zero wrench would change -0 to 0.
             Ok(carried.load_in(space)?.map_or(wrench, |pull| wrench + Self::from_inside(pull)))
         })
     }
 }
 
-/// `{"translation": …, "rotation": …}` (feature `serde`), see [`crate::scene`].
+/// Written as `{"translation": …, "rotation": …}` (feature `serde`), see [`crate::scene`].
 impl<const C: usize> Serialize for Twist<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let space = space_of_text::<C>();
@@ -131,7 +131,7 @@ impl<const C: usize> Serialize for Twist<C> {
     }
 }
 
-/// `{"translation": …, "rotation": …}`, both optional (feature `serde`), see [`crate::scene`].
+/// Read from `{"translation": …, "rotation": …}`, both optional (feature `serde`), see [`crate::scene`].
 impl<'de, const C: usize> Deserialize<'de> for Twist<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
         object::read(deserializer, "a twist", |WrittenTwist { translation, rotation }| {

@@ -1,4 +1,4 @@
-//! The whole of a scene: its version, its id, and its plane or space.
+//! The outermost object of a scene: its version, its id, and a setup in the plane or in space.
 
 use std::fmt;
 
@@ -16,8 +16,8 @@ use crate::words::{Unit, Words};
 /// The version of the format that is written and read.
 pub const FORMAT: &str = "grasp-lcp/1";
 
-/// A grasp in the plane or in space, with its questions; see [the format](crate::scene). It is read from JSON or another self-describing
-/// format, or made `from` a grasp or a [`Setup`].
+/// A grasp in the plane or in space, with its questions; see [the format](crate::scene). A scene is read from JSON or another self-describing format,
+/// or made `from` a grasp or a [`Setup`].
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Scene {
@@ -25,9 +25,10 @@ pub struct Scene {
     pub id: Option<Id>,
     /// A comment for the reader of the file.
     pub comment: Option<String>,
-    /// The unit of lengths in the text that [`Scene::from_json`] has read. In this value, and where it is written, lengths are in m.
+    /// The unit of lengths in the text that [`Scene::from_json`] has read. All lengths in this value are in m, and so are those that are written.
     pub unit: Unit,
-    /// Contacts, questions and settings. Vectors have three components in the plane, too, where the third is zero; [`Scene::planar`] has them with two.
+    /// Contacts, questions and settings. Vectors have three components, in the plane too, where the third is zero. [`Scene::planar`] returns the
+    /// setup with two.
     pub setup: Setup<3>,
 }
 
@@ -42,7 +43,7 @@ pub enum Id {
     Text(String),
 }
 
-/// A text or a whole number (feature `serde`), see [`crate::scene`].
+/// Read from a text or a whole number (feature `serde`), see [`crate::scene`].
 impl<'de> Deserialize<'de> for Id {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(IdVisitor)
@@ -86,14 +87,14 @@ impl Answers {
         &self.list
     }
 
-    /// The answers of a scene in the plane, with vectors of two components.
+    /// The answers of a scene in the plane, with vectors of two components; `None` for a scene in space.
     #[inline]
     #[must_use]
     pub fn planar(self) -> Option<Vec<Answer<2>>> {
         (self.space == Space::Planar).then(|| outside(self.list))
     }
 
-    /// The answers of a scene in space.
+    /// The answers of a scene in space; `None` for a scene in the plane.
     #[must_use]
     pub fn spatial(self) -> Option<Vec<Answer<3>>> {
         (self.space == Space::Spatial).then_some(self.list)
@@ -122,7 +123,7 @@ enum WrittenAnswers {
 crate::serial::schema_as_written!("Answers", Answers, WrittenAnswers);
 
 impl Scene {
-    /// The answer to every question, in order. Sentences have lengths in the [unit](Self::unit) of the scene, all fields have them in m.
+    /// The answer to every question, in order. Sentences give lengths in the [unit](Self::unit) of the scene, all fields give them in m.
     ///
     /// # Errors
     /// As for [`Setup::answers`].
@@ -130,7 +131,7 @@ impl Scene {
         self.answers_in(Words::default().in_unit(self.unit))
     }
 
-    /// The answer to every question, in order, with numbers in its sentences of this form.
+    /// The answer to every question, in order. `words` determines digits and units of the numbers in sentences.
     ///
     /// # Errors
     /// As for [`Setup::answers`].
@@ -139,14 +140,14 @@ impl Scene {
         Ok(Answers { space: self.setup.space, list })
     }
 
-    /// The setup of a scene in the plane, with vectors of two components.
+    /// The setup of a scene in the plane, with vectors of two components; `None` for a scene in space.
     #[inline]
     #[must_use]
     pub fn planar(&self) -> Option<Setup<2>> {
         (self.setup.space == Space::Planar).then(|| outside(self.setup.clone()))
     }
 
-    /// The setup of a scene in space.
+    /// The setup of a scene in space; `None` for a scene in the plane.
     #[must_use]
     pub fn spatial(&self) -> Option<Setup<3>> {
         (self.setup.space == Space::Spatial).then(|| self.setup.clone())

@@ -1,4 +1,4 @@
-//! A contact in the file, and its checks.
+//! A contact in the text of a scene, and its checks.
 
 use std::sync::Arc;
 
@@ -17,7 +17,7 @@ use crate::improve::Surface;
 use crate::serial::object;
 use crate::serial::{AsGiven, AxisRow, Friction, Given, Number, space_of_text};
 
-/// A contact in the file.
+/// A contact in the text of a scene.
 #[derive(serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(all(feature = "schema", not(feature = "mesh")), schemars(extend("required" = ["point", "normal"])))]
@@ -59,7 +59,7 @@ struct Written<const C: usize> {
     /// The finger's normal and tangential stiffness, N/m; the finger is rigid if only the object's stiffness is given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     finger_stiffness: Option<Springs<C>>,
-    /// The stiffness of object and finger in series, N/m, in place of these two; 1e4 in all directions if no stiffness is given.
+    /// The stiffness of object and finger in series, N/m, in place of their separate stiffnesses; 1e4 in all directions if no stiffness is given.
     #[serde(default, alias = "stiffness", skip_serializing_if = "Option::is_none")]
     series_stiffness: Option<Springs<C>>,
     /// The coefficient of friction; 0 if left out.
@@ -95,7 +95,7 @@ struct Written<const C: usize> {
     /// The curve or surface along which `improve` may move the contact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     surface: Option<Surface<C>>,
-    /// The joints of its finger that move the contact; all if left out.
+    /// The joints of the finger that move the contact; all if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     moved_by: Option<WrittenMover>,
 }
@@ -293,13 +293,13 @@ impl<const C: usize> Fingertip<C> {
     }
 }
 
-/// The beginning of a message about a contact.
+/// The beginning of a message about a contact: its name, if it has one.
 fn named(name: Option<&str>) -> String {
     name.map_or(String::new(), |name| format!("{name}: "))
 }
 
 impl<const C: usize> Written<C> {
-    /// The point and the normal; of a contact that touches the part, the start and the closing direction of its pad.
+    /// The point and the normal. For a contact that touches the part, the middle of its pad before it closes, and the closing direction.
     fn place(&self) -> Result<(SVector<f64, C>, SVector<f64, C>), String> {
         #[cfg(feature = "mesh")]
         if let Some(touches) = &self.touches {
@@ -324,7 +324,7 @@ impl<const C: usize> Written<C> {
         Ok((point.0, normal.0))
     }
 
-    /// The springs, if any are given.
+    /// The stiffness of the contact; `None` if none is given.
     fn stiffness(&self) -> Result<Option<Stiffness<C>>, String> {
         #[cfg(feature = "mesh")]
         if let Some(touches) = &self.touches

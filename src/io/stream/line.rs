@@ -1,6 +1,6 @@
-//! One line of input of the stream.
+//! One line of the stream's input.
 
-/// Longest line, bytes. A longer line is discarded, and its answer is an error.
+/// Length of the longest line that is accepted, bytes. A longer line is discarded, and its answer is an error.
 pub const LONGEST_LINE: usize = 1 << 26;
 
 /// One line of input.

@@ -32,11 +32,11 @@ pub struct Tally {
 /// Upper bound on the number of lines that are read but whose answers are not yet written; lines in the input buffer of [`BLOCK_BYTES`] do not count.
 #[must_use]
 pub const fn most_ahead(threads: usize) -> usize {
-    // Blocks in the queue, one block with which the reader waits for room in the queue, and one that is written.
+    // The blocks in the queue, one block for which the reader waits until the queue has room, and one block that is being written.
     (queue(threads) + 2) * LINES_OF_A_BLOCK
 }
 
-/// Length of the queue: blocks whose answers are computed, or wait for the block that is written.
+/// Length of the queue. It holds blocks whose answers are being computed, and blocks that wait until those before them are written.
 const fn queue(threads: usize) -> usize {
     4 * threads
 }
@@ -51,7 +51,7 @@ struct Answered {
     tally: Tally,
 }
 
-/// Answers every line of `input` by one line of `output`, in order. See [the stream](super) and [`StreamOptions`].
+/// Answers every line of `input` by one line of `output`, in order. See [the stream](super) and [`StreamOptions`]. Returns the numbers of lines.
 ///
 /// # Errors
 /// The error of reading or writing. A line that is no scene has an error in place of its answer.
@@ -70,13 +70,13 @@ pub fn answer_lines(
         for _ in 0..threads {
             scope.spawn(move || {
                 while let Some(Job { lines, answer }) = next(take_job) {
-                    // The receiver is gone if writing failed.
+                    // Sending fails if the receiver is gone, because writing the output failed.
                     let _ = answer.send(answer_block(&lines, options));
                 }
             });
         }
         let written = write_blocks(&take_place, &mut output);
-        // Without its receiver the queue is closed, and the reader stops.
+        // Dropping the receiver closes the queue, and the reader stops.
         drop(take_place);
         let read = reader.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
         written.and_then(|tally| read.map(|lines| Tally { lines, ..tally }))
@@ -87,7 +87,7 @@ fn next(jobs: &Mutex<Receiver<Job>>) -> Option<Job> {
     jobs.lock().ok()?.recv().ok()
 }
 
-/// Reads lines into blocks, and returns their number.
+/// Reads lines into blocks, and returns the number of lines.
 fn read_blocks(
     input: impl Read,
     jobs: &Sender<Job>,

@@ -23,7 +23,7 @@ pub struct StreamOptions {
     pub threads: usize,
     /// Whether answers are [short](crate::scene::Brief).
     pub brief: bool,
-    /// Largest number of contact points. A scene with more is refused, because all later lines would wait for it. 2 000 by default.
+    /// Largest number of contact points. A scene with more points is refused, because all later lines would wait for its answer. 2 000 by default.
     pub most_points: usize,
     /// Largest number of combinations of contact states that a scene may try, even if its settings allow more. 20 000 by default.
     pub most_states: usize,

@@ -112,12 +112,13 @@ impl Reply {
 }
 
 fn beginning(text: &[u8]) -> String {
-    // Without an id, the first 60 characters of the line identify it.
+    // Without an id, a reply contains the first 60 characters of the line to identify it.
     let beginning = 60;
     String::from_utf8_lossy(&text[..text.len().min(4 * beginning)]).chars().take(beginning).collect()
 }
 
-/// The hash FNV-1a (G. Fowler, L. C. Noll and K.-P. Vo, *The FNV Non-Cryptographic Hash Algorithm*), which users can write in a few lines of any language.
+/// The hash FNV-1a (G. Fowler, L. C. Noll and K.-P. Vo, *The FNV Non-Cryptographic Hash Algorithm*), which users can implement in a few lines of any
+/// language.
 fn fnv1a(text: &[u8]) -> u64 {
     text.iter()
         .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3))

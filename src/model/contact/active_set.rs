@@ -1,8 +1,9 @@
-//! The active set of a contact at an event: the edges of its cone that it has reached. It determines the law of the contact's rates beyond the
-//! event.
+//! The active set of a contact at an event: the edges of its friction cone that the contact force has reached. The active set determines the law for
+//! the rates of force and stretch beyond the event.
 //!
-//! Inside its cone a contact keeps sticking in the next step. On facets of the cone it may slide along them. At the apex and at a closed gap
-//! every state is possible, so the rates obey the whole law again. The onset and the load path share these laws.
+//! A contact with its force inside the cone keeps sticking in the next step. With its force on facets of the cone it sticks, or slides along the
+//! normals of these facets. At the apex, or with a gap that has just closed, every state is possible, so the rates obey the whole contact law again.
+//! Onset and load path use the same laws.
 
 use crate::numerics::IntoList;
 use nalgebra::SVector;
@@ -15,24 +16,24 @@ use super::tolerances::{WEIGHTLESS, ZERO_SLACK};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
-/// The edges of its cone that a contact has reached, or the apex.
+/// The edges of the friction cone that the contact force has reached, or its apex.
 #[derive(Debug, Clone)]
 pub(crate) struct ActiveSet {
-    /// Normals of the active facets: those on which the contact slides, and those that it has reached without margin.
+    /// Normals of the active facets: those on which the contact slides, and those on which the margin of its force is zero.
     pub(crate) facets: Vec<SVector<f64, 3>>,
     /// Whether the contact is closed without force, or open with a gap of zero.
     pub(crate) apex: bool,
 }
 
 impl ActiveSet {
-    /// The empty set: inside the cone, or open with a gap.
+    /// The empty set: the force lies inside the cone, or the contact is open with a positive gap.
     pub(crate) const EMPTY: Self = Self { facets: Vec::new(), apex: false };
 
     pub(crate) fn is_empty(&self) -> bool {
         !self.apex && self.facets.is_empty()
     }
 
-    /// Empties the set: the contact leaves all edges of its cone.
+    /// Empties the set: the contact force leaves all edges of its cone.
     pub(crate) fn clear(&mut self) {
         self.facets.clear();
         self.apex = false;
@@ -43,7 +44,7 @@ impl ActiveSet {
         force.norm() <= WEIGHTLESS * force_size
     }
 
-    /// Adds to the set the facet, or the apex, that each of these exits reaches.
+    /// Adds to the active set the facet, or the apex, that each of these exits reaches.
     pub(crate) fn add_exits(&mut self, axes: usize, state: &State, exits: &[Exit]) {
         for exit in exits {
             // A zero vector in `Exit::facet` marks an exit at which the normal force or the gap vanishes. Normals that differ only by rounding are
@@ -54,7 +55,7 @@ impl ActiveSet {
                 self.facets.push(exit.facet);
             }
         }
-        // As many facets as the frame has axes intersect only at the apex.
+        // If the force is on as many facets as the frame has axes, it is at the apex, their only common point.
         self.apex |= self.facets.len() >= axes;
     }
 }
@@ -75,7 +76,7 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The active set of a closed contact under this force.
+    /// The active set of a closed contact under the force of `line`.
     pub(crate) fn active_set(&self, line: &Line) -> ActiveSet {
         if !self.has_edges() {
             return ActiveSet::EMPTY;
@@ -110,7 +111,7 @@ impl LocalLaw<'_> {
         Some(self.slipping_state(&numbers.list()))
     }
 
-    /// Removes the facets, or the apex, whose margin, normal force or gap grows at these rates.
+    /// Removes from the active set the facets whose margin grows at these rates, and the apex if the normal force or the gap grows.
     pub(crate) fn drop_by_rates(&self, active: &mut ActiveSet, state: &State, line: &Line, gap: &GapLine) {
         let falls_short = |margin_rate: f64, weight: f64| margin_rate <= ZERO_SLACK * line.rate_size * weight;
         let stays_at_the_apex = || line.rate[0].abs() <= ZERO_SLACK * line.rate_size;
@@ -142,7 +143,7 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// Removes the facets, or the apex, that are no longer reached at this force. Facets on which the contact slides stay.
+    /// Removes from the active set the facets, or the apex, that the force of `line` does not reach. Facets on which the contact slides stay.
     pub(crate) fn drop_by_force(&self, active: &mut ActiveSet, state: &State, line: &Line) {
         let reached = self.active_set(line);
         active.apex &= reached.apex;
@@ -159,8 +160,8 @@ impl LocalLaw<'_> {
         state.own_facets(facets.len()).iter().flatten().any(|&j| facets[j] == *facet)
     }
 
-    /// Whether these rates move the force of a sticking contact along a tangent of the round cone, from a point on its edge. A tangent leads
-    /// outside, so the contact slides, with a rate that may start at zero.
+    /// Whether these rates move the force of a sticking contact, which is on the edge of the round cone, along a tangent of the cone. A tangent leads
+    /// out of the cone, so the contact begins to slide, perhaps with a rate of zero.
     pub(crate) fn grazes(&self, state: &State, rate: &SVector<f64, 3>, size: f64) -> bool {
         let (Law::Edge(facets), Mode::Sticking) = (self.law, state) else { return false };
         let (p, cone) = (&facets[0], self.cone());
@@ -169,8 +170,8 @@ impl LocalLaw<'_> {
             && across > ZERO_SLACK * size
     }
 
-    /// Whether the force of a sticking contact moves straight along a tangent of the round cone, from a point on its edge. The tangent leads
-    /// outside.
+    /// Whether the force of a sticking contact moves along a straight tangent of the round cone, from a point on its edge. A tangent leads out of the
+    /// cone.
     pub(crate) fn leaves_by_a_tangent(&self, line: &Line) -> bool {
         let (friction, cone) = (tangential(&line.force), self.cone());
         if !self.on_round_cone || !self.may_slide() || friction.norm() == 0.0 {
@@ -179,17 +180,17 @@ impl LocalLaw<'_> {
         let (p, weight) = (friction.normalize(), cone.round_weight());
         let rate = tangential(&line.rate);
         let across = (rate - p * p.dot(&rate)).norm();
-        // At the end of a slip the margin and its rate are zero only to the accuracy of the integration steps.
+        // At the end of a slip the margin and its rate are zero only up to the error of the integration steps.
         let on_the_edge = cone.round_margin(&line.force) <= NEGLIGIBLE * line.force_size * weight;
-        // If the rate across the friction direction is below this fraction, the force moves radially, outwards or inwards.
+        // If the force rate across the friction direction is below this fraction of the rate, the force moves radially, outwards or inwards.
         on_the_edge
             && cone.facet_margin(&line.rate, &p) <= NEGLIGIBLE * line.rate_size * weight
             && across > 1e-6 * line.rate_size * weight
     }
 
-    /// Translates a state of the law of rates into a state of the whole law. [`Law::Edge`] numbers its facets by their place in its list, the whole
-    /// law by their place on the polygon. On the round cone the result is the slide along that edge. `None` for facets that the whole law does not
-    /// have.
+    /// Translates a state under the law `rates` to the corresponding state under the whole contact law. [`Law::Edge`] numbers facets by their place
+    /// in its list, the whole law by their place on the polygon. On the round cone the result is a slide along the facet's normal. `None` for facets
+    /// that the whole law does not have.
     pub(crate) fn of_the_rates(&self, rates: &Law, state: State) -> Option<State> {
         let Law::Edge(edge) = rates else { return Some(state) };
         let [first, second] = state.own_facets(edge.len());
@@ -206,19 +207,19 @@ impl LocalLaw<'_> {
         Some(self.slipping_state(&facets))
     }
 
-    /// Translates a state of the whole law into a state of the law of rates: the inverse of [`Self::of_the_rates`]. `None` if this law does not
-    /// determine the state.
+    /// Translates a state under the whole contact law to the corresponding state under the law `rates`: the inverse of [`Self::of_the_rates`]. `None`
+    /// if `rates` does not determine the state.
     pub(crate) fn in_the_rates(&self, rates: &Law, state: State) -> Option<State> {
         if !state.slides() {
             return Some(state);
         }
         let edge = match (rates, state) {
-            // On the round cone the only facet of the edge is the direction of the slide.
+            // On the round cone an edge has only one facet, with the direction of the slide as its normal.
             (Law::Edge(_), Mode::Round(_)) => return Some(Mode::Facet(0)),
             (Law::Edge(edge), _) => edge,
-            // The rates obey the bonded law although the state slides: the contact has just stopped sliding.
+            // The law for rates is the bonded law although the state slides: the contact has just stopped sliding.
             (Law::Bonded, _) => return Some(Mode::Sticking),
-            // At the apex of a round cone the law of the rates contains no slip direction.
+            // At the apex of a round cone, a state under the law for rates has no slip direction.
             (Law::Absent, _) | (Law::Cone { .. }, Mode::Round(_)) => return None,
             (Law::Cone { .. }, _) => return Some(state),
         };
@@ -228,7 +229,7 @@ impl LocalLaw<'_> {
         match (first, second) {
             (None, _) => Some(state),
             (Some(first), None) => (0_u16..).nth(at(first)?).map(Mode::Facet),
-            // An edge has at most two facets, so the corner between them is its only one.
+            // An edge has at most two facets, so it has only one corner, the corner between both facets.
             (Some(first), Some(second)) => at(first).and(at(second)).map(|_| Mode::Corner(0)),
         }
     }

@@ -1,4 +1,4 @@
-//! The return map: exact force and state of one contact from its stretch.
+//! The return map: computes force and state of one contact exactly from its stretch.
 //!
 //! With the stretch `v = a - G_iᵀq`, T = K_t v_t its trial traction and r = μ F_n, on the round cone
 //!
@@ -8,8 +8,9 @@
 //! sliding   |T| > r                     F_t = S v_t,  S = (K_t⁻¹ + λ)⁻¹,  λ > 0 from |S v_t| = r
 //! ```
 //!
-//! In the last case the slip is `s = v_t - K_t⁻¹F_t = λ F_t`, along the force. With equal tangential stiffnesses this is the radial return. With
-//! two different ones F_t is the closest point of the disc in the metric K_t⁻¹. On a polygon it is the closest point in that metric, too.
+//! A sliding contact has the slip `s = v_t - K_t⁻¹F_t = λ F_t`, along the friction force. With equal tangential stiffnesses this is the radial return
+//! of plasticity. With two different ones F_t is the closest point of the disc in the metric K_t⁻¹. On a polygon F_t is the closest point of the
+//! polygon in the same metric.
 
 use crate::numerics::by_axis;
 use nalgebra::SVector;
@@ -23,7 +24,7 @@ use super::tangential::{cross, tangential_norm};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// State and force of a contact, as functions of its stretch.
+/// State and force of a contact at a given stretch.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ContactResponse {
     pub(crate) state: State,
@@ -32,15 +33,15 @@ pub(crate) struct ContactResponse {
 }
 
 impl ContactResponse {
-    /// The open state, without force.
+    /// The response of an open contact, without force.
     pub(crate) fn open() -> Self {
         Self { state: Mode::Open, force: SVector::zeros() }
     }
 }
 
 impl LocalLaw<'_> {
-    /// The force at a stretch on the round cone, or on the edge of the law. `near` starts the iteration for λ: its value at a nearby stretch, or
-    /// zero.
+    /// State and force at a stretch on the round cone, or on the single facet of [`Law::Edge`]. The iteration for the slip per force λ starts at
+    /// `near`: λ at a nearby stretch, or zero.
     pub(crate) fn answer(&self, stretch: &SVector<f64, 3>, near: f64) -> ContactResponse {
         let mut force = self.springs.force(stretch);
         let sticking = ContactResponse { state: Mode::Sticking, force };
@@ -69,8 +70,8 @@ impl LocalLaw<'_> {
         ContactResponse { state: Mode::Round(slide), force }
     }
 
-    /// Projects a trial force onto the cone of radius r. The friction direction is that of the trial traction with springs softened by the slip
-    /// λ.
+    /// Projects a trial force onto the friction disc of radius r. The friction direction is that of the trial traction after the slip per force λ has
+    /// softened the springs.
     fn slide_onto_the_cone(&self, force: &mut SVector<f64, 3>, r: f64, lambda: f64) -> Slide {
         let softened = by_axis(|a| if a == 0 { 0.0 } else { force[a] * self.springs.softening(a, lambda) });
         let slide = Slide::new(&softened, lambda);
@@ -80,13 +81,13 @@ impl LocalLaw<'_> {
         slide
     }
 
-    /// The force at a stretch on the cone in use, round or polygonal.
+    /// State and force at a stretch on the cone in use, round or polygonal.
     #[inline]
     pub(crate) fn response(&self, stretch: &SVector<f64, 3>, near: f64) -> ContactResponse {
         if self.on_round_cone { self.answer(stretch, near) } else { self.answer_on_polygon(stretch) }
     }
 
-    /// The force at a stretch on the polygonal cone: the cone's closest point to the trial force in the metric K⁻¹.
+    /// State and force at a stretch on the polygonal cone. The force is the point of the cone that is closest to the trial force in the metric K⁻¹.
     #[inline]
     fn answer_on_polygon(&self, stretch: &SVector<f64, 3>) -> ContactResponse {
         if self.is_absent() {
@@ -107,7 +108,7 @@ impl LocalLaw<'_> {
         ContactResponse { state, force }
     }
 
-    /// The state at a trial force `K v`, the elastic force without opening or slip.
+    /// The state at the trial force `K v`, the elastic force that a stretch v would cause without opening or slip.
     #[inline]
     fn state_on_polygon(&self, facets: &[SVector<f64, 3>], trial: &SVector<f64, 3>) -> State {
         if trial[0] <= 0.0 && self.may_open() {
@@ -140,7 +141,8 @@ impl LocalLaw<'_> {
         if most <= r {
             return Mode::Sticking;
         }
-        // Moves from facet to facet towards the neighbour that the projected force violates. With equal springs the first facet is final.
+        // Moves from facet to facet, each time to the neighbour whose condition the projected force violates. With equal tangential springs the first
+        // facet is final.
         for _ in facets {
             let h = &facets[usize::from(facet)];
             let softened = self.springs.force(h);
@@ -168,26 +170,28 @@ impl LocalLaw<'_> {
     }
 }
 
-/// λ with `|S(λ) v_t| = r`, from the trial traction T = K_t v_t; positive if |T| > r.
+/// Slip per force λ with `|S v_t| = r`, where S = (K_t⁻¹ + λ)⁻¹ and `trial` is the trial traction K_t v_t; positive if `traction`, its length,
+/// exceeds r.
 ///
 /// The secular equation 1/|S v| = 1/r, known from trust regions, is nearly linear in λ and concave. From any start the first Newton step lands
 /// left of the root. From there the steps increase towards the root and never pass it.
 fn slip_per_force(springs: &Compliance, trial: &SVector<f64, 3>, traction: f64, r: f64, near: f64) -> f64 {
-    // If r is below this fraction of the traction, S is negligible beside K; it is not taken smaller. With r = 0 no finite λ would be large enough.
+    // A radius below this fraction of the traction is replaced by the fraction. S is then negligible beside K, and with r = 0 no finite λ would
+    // suffice.
     let excess = traction / r.max(traction * 1e-200);
     if springs.is_isotropic() {
         return springs.deflection_along(1, excess - 1.0);
     }
     let unit = trial / traction;
-    // Largest starting λ, as a multiple of the compliance of the stiffest spring. Beyond it squares underflow, and Newton's steps could not
+    // Largest starting λ, as a multiple of the compliance of the stiffest spring. For larger λ squares underflow, and Newton's steps could not
     // return.
     let mut lambda = if near * springs.stiffest() < 1e100 { near } else { 0.0 };
-    // λ < 0 is a backward slip. It is bounded by the softer axis, and stays above -1/k of the stiffer axis, where 1 + λk vanishes.
+    // A negative λ is a backward slip. The softer axis bounds it from below; it must also stay above -1/k of the stiffer axis, where 1 + λk vanishes.
     let [soft, stiff] = springs.tangential_range();
-    // Relative step length of λ at which the iteration ends.
+    // Relative change of λ at which the iteration ends.
     let last = 1e-8;
     let least = if excess >= 1.0 { 0.0 } else { ((excess - 1.0) / soft).max(-(1.0 - last) / stiff) };
-    // Upper bound of the number of Newton steps; each gains digits.
+    // Upper bound of the number of Newton steps for λ.
     for _ in 0..60 {
         let softened = springs.softened(lambda);
         let (mut square, mut slope) = (0.0, 0.0);

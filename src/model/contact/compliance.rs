@@ -1,10 +1,10 @@
-//! The compliance of one contact: a spring along each axis of its frame. No other type reads a stiffness.
+//! The compliance of one contact: a spring along each axis of its frame. All other code of the contact law uses stiffnesses through this type.
 //!
 //! ```text
 //! F = K v,   K = diag(k_n, k_t…),   v = a - u_c + g - s        stretch, in m; force, in N; stiffness, in N/m
 //! ```
 //!
-//! **Energy units.** `x = K^{-1/2}F = K^{1/2}v` has the unit √J, and `½|x|²` is the stored energy. These units hide the ratios of stiffnesses.
+//! **Energy units.** `x = K^{-1/2}F = K^{1/2}v` has the unit √J, and `½|x|²` is the stored energy. In these units every spring has the stiffness one.
 
 use nalgebra::SVector;
 
@@ -38,58 +38,58 @@ impl Compliance {
         self.axes > 1
     }
 
-    /// Elastic force `K v`, N.
+    /// Elastic force `K v` of a stretch v, N.
     #[inline(always)]
     pub(crate) fn force(&self, stretch: &SVector<f64, 3>) -> SVector<f64, 3> {
         self.k.component_mul(stretch)
     }
 
-    /// Component of `K v` along an axis, N.
+    /// Component along an axis of the elastic force `K v`, N.
     #[inline(always)]
     pub(crate) fn force_along(&self, axis: usize, stretch: f64) -> f64 {
         self.k[axis] * stretch
     }
 
-    /// The diagonal of K.
+    /// The stiffnesses along the axes, the diagonal of K, N/m.
     #[inline(always)]
     pub(crate) fn diagonal(&self) -> SVector<f64, 3> {
         self.k
     }
 
-    /// Elastic deflection `K⁻¹F`, m, zero along axes without a spring.
+    /// Elastic deflection `K⁻¹F` under a force F, m; zero along axes without a spring.
     pub(crate) fn deflection(&self, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         by_axis(|a| if a < self.axes { force[a] / self.k[a] } else { 0.0 })
     }
 
-    /// Component of `K⁻¹F` along an axis with a spring, m.
+    /// Component along an axis with a spring of the deflection `K⁻¹F`, m.
     #[inline(always)]
     pub(crate) fn deflection_along(&self, axis: usize, force: f64) -> f64 {
         force / self.k[axis]
     }
 
-    /// Component of `K⁻¹F` along an axis in double-double precision, m.
+    /// Component along an axis of the deflection `K⁻¹F`, in double-double precision, m.
     pub(crate) fn precise_deflection_along(&self, axis: usize, force: DoubleDouble) -> DoubleDouble {
         force.over(self.k[axis])
     }
 
-    /// The slip: the tangential part of `v - K⁻¹F`, m, or of v itself along axes without a spring.
+    /// The slip at a stretch v under a force F, m: the tangential part of `v - K⁻¹F`, or of v itself along axes without a spring.
     pub(crate) fn slip(&self, stretch: &SVector<f64, 3>, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         let mut slip = stretch - self.deflection(force);
         slip[0] = 0.0;
         slip
     }
 
-    /// Stored elastic energy `½ F·K⁻¹F`, J.
+    /// Elastic energy `½ F·K⁻¹F` that the springs store under a force F, J.
     pub(crate) fn stored(&self, force: &SVector<f64, 3>) -> f64 {
         (0..self.axes).map(|a| 0.5 * force[a] * force[a] / self.k[a]).sum()
     }
 
-    /// The diagonal of `K^{1/2}`, which converts energy units to forces, and stretches to energy units.
+    /// The diagonal of `K^{1/2}`, which converts forces from energy units to N, and stretches from m to energy units.
     pub(crate) fn root(&self) -> SVector<f64, 3> {
         self.k.map(f64::sqrt)
     }
 
-    /// The diagonal entry of `K^{1/2}` along an axis.
+    /// The square root of the stiffness along an axis, the entry of `K^{1/2}`.
     #[inline(always)]
     pub(crate) fn root_along(&self, axis: usize) -> f64 {
         self.k[axis].sqrt()
@@ -100,7 +100,7 @@ impl Compliance {
         self.k[one] / self.k[other]
     }
 
-    /// Whether both tangential springs are equal, as in the plane, which has only one.
+    /// Whether the tangential springs are equal; always true in the plane, which has only one.
     pub(crate) fn is_isotropic(&self) -> bool {
         self.axes < 3 || self.k[1] == self.k[2]
     }
@@ -110,13 +110,13 @@ impl Compliance {
         self.k[0] / self.k[self.axes - 1]
     }
 
-    /// The largest stiffness, N/m.
+    /// The largest of all spring stiffnesses, N/m.
     #[inline(always)]
     pub(crate) fn stiffest(&self) -> f64 {
         self.k.amax()
     }
 
-    /// The least stiffness of a spring, N/m.
+    /// The smallest of all spring stiffnesses, N/m.
     pub(crate) fn softest(&self) -> f64 {
         self.k.iter().take(self.axes).fold(f64::INFINITY, |least, k| least.min(*k))
     }

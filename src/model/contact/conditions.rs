@@ -6,7 +6,7 @@
 //! sliding   F_n, slip across its facets, the other facets' μ F_n - h·F_t >= 0
 //! ```
 //!
-//! All conditions are linear in stretch and force, so the same function evaluates their rates along a load or a motion.
+//! All conditions are linear in stretch and force, so the same function also evaluates their rates from the rates of stretch and force.
 
 use nalgebra::SVector;
 
@@ -15,22 +15,22 @@ use super::state::{Mode, State};
 use super::tangential::cross;
 use super::tolerances::SMALLEST;
 
-/// Stretch and force of a contact, or the rates of both.
+/// Stretch and force of a contact; or, for the rates of conditions, the rates of both.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SpringState<'s> {
-    /// Stretch `a - G_iᵀq`, m.
+    /// Stretch of the contact's springs, `a - G_iᵀq`, with the contact's offset a and the object's motion q, m.
     pub(crate) stretch: SVector<f64, 3>,
     /// Contact force, N.
     pub(crate) force: &'s SVector<f64, 3>,
-    /// Size of the displacements whose difference is the stretch, m; it scales the rounding of the stretch.
+    /// Size of the displacements whose difference is the stretch, m. The rounding error of the stretch is proportional to this size.
     pub(crate) span: f64,
     /// The largest contact force of the grasp, N.
     pub(crate) largest: f64,
 }
 
 impl LocalLaw<'_> {
-    /// Size that scales the rounding of the contact's force, N. The force of a stiff contact is accurate to the forces of the other contacts,
-    /// since its displacements cancel. The force of a soft contact is accurate to its displacements.
+    /// Size that scales the rounding error of the contact's force, N. For a stiff contact it is the largest force of the grasp, since its stretch is
+    /// a difference of large displacements. For a soft contact it is the rounding scale of its displacements times its stiffness.
     #[inline(always)]
     pub(crate) fn force_size(&self, force: &SVector<f64, 3>, span: f64, largest: f64) -> f64 {
         SMALLEST + force.norm() + largest.min(self.springs.stiffest() * span)
@@ -66,8 +66,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// Slip components that must not be negative in a sliding state, each with its rounding scale for a unit slip. There is one along the slide
-    /// or the facet normal, and two at a corner, along both normals.
+    /// Slip components that must not be negative in a sliding state, each with the scale of its rounding error for a unit slip. On the round cone or
+    /// on a facet there is one component, along the slip direction or the facet normal. At a corner there are two, along both normals.
     pub(super) fn slips_along(&self, state: &State, slip: &SVector<f64, 3>) -> [Option<[f64; 2]>; 2] {
         let facets = self.facets();
         match state {
@@ -89,7 +89,7 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// Visits the friction margin at every edge of the cone on which the contact does not slide.
+    /// Visits the friction margin at every edge of the cone, except the edges on which the contact slides.
     fn for_each_margin(
         &self,
         state: &State,

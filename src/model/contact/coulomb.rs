@@ -1,6 +1,6 @@
-//! Coulomb's cone `|F_t| <= μ F_n` of one contact. No other type reads a coefficient of friction.
+//! Coulomb's cone `|F_t| <= μ F_n` of one contact. All other code of the contact law uses friction coefficients through this type.
 //!
-//! A facet of a polygonal cone is `h·F_t <= μ F_n` with an outward normal h. The round cone is replaced at a tangential force by its tangent
+//! A facet of a polygonal cone is `h·F_t <= μ F_n` with an outward normal h. At a given tangential force the round cone is replaced by its tangent
 //! facet, whose unit normal points along that force.
 
 use nalgebra::SVector;
@@ -29,18 +29,19 @@ impl Coulomb {
         self.mu.is_infinite()
     }
 
-    /// Whether the cone has edges: friction is neither zero nor infinite.
+    /// Whether the cone has edges, because friction is neither zero nor infinite.
     #[inline(always)]
     pub(crate) fn has_edges(self) -> bool {
         self.mu > 0.0 && self.mu.is_finite()
     }
 
-    /// This cone; infinite friction is replaced by a very large finite coefficient, which gives the contact facets.
+    /// This cone, where infinite friction is replaced by a very large finite coefficient, so that the cone has facets.
     pub(crate) fn with_edges(self, springs: &Compliance) -> Self {
         if self.mu.is_finite() {
             return self;
         }
-        // A contact with infinite friction needs facets only where it must open. The coefficient grows with √(k_n/k_t) where that exceeds one.
+        // A contact with infinite friction needs facets only to open, which it does at the apex of the cone. The coefficient grows with √(k_n/k_t)
+        // where this root exceeds one.
         Self { mu: 1e8 * springs.ratio_to_the_last().sqrt().max(1.0) }
     }
 
@@ -50,14 +51,14 @@ impl Coulomb {
         self.mu * normal_force
     }
 
-    /// `e_n + μ t`: the force on the cone for unit normal force and tangential direction t.
+    /// The force `e_n + μ t` on the edge of the cone, for unit normal force and a tangential direction t.
     pub(crate) fn generator(self, t: &SVector<f64, 3>) -> SVector<f64, 3> {
         let mut force = t * self.mu;
         force[0] = 1.0;
         force
     }
 
-    /// The row `(μ, -h)`, whose product with a force is the facet's margin `μ F_n - h·F_t`.
+    /// The vector `(μ, -h)`, whose product with a force is the margin `μ F_n - h·F_t` of the facet with normal h.
     pub(crate) fn facet_row(self, h: &SVector<f64, 3>) -> SVector<f64, 3> {
         let mut row = -h;
         row[0] = self.mu;
@@ -76,13 +77,13 @@ impl Coulomb {
         self.mu * force[0] - tangential_norm(force)
     }
 
-    /// Rounding scale of a facet's margin, relative to the scale of the force.
+    /// Scale of the rounding error of a facet's margin, relative to the scale of the force.
     #[inline(always)]
     pub(crate) fn facet_weight(self, h: &SVector<f64, 3>) -> f64 {
         self.mu + h.norm()
     }
 
-    /// Rounding scale of the round cone's margin, relative to the scale of the force; one for infinite friction.
+    /// Scale of the rounding error of the round cone's margin, relative to the scale of the force; 1 for infinite friction.
     #[inline(always)]
     pub(crate) fn round_weight(self) -> f64 {
         if self.mu.is_finite() { 1.0 + self.mu } else { 1.0 }

@@ -1,6 +1,8 @@
-//! The edges of a contact's cone, as conditions on its force while it sticks, and the conditions that a set of forces violates most.
+//! The edges of a contact's friction cone as linear conditions `a·F >= 0` on its force F while it sticks. Functions select the conditions that a set
+//! of forces violates most.
 //!
-//! The round cone has a facet `a(φ) = (μ, -cos φ, -sin φ)` at every angle φ. The margin `a·F` is therefore a trigonometric function of φ.
+//! The round cone has a facet `a(φ) = (μ, -cos φ, -sin φ)` at every angle φ. At a given force F the margin `a·F` is therefore a trigonometric
+//! function of φ.
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
@@ -16,32 +18,32 @@ use crate::prelude::*;
 /// Conditions on the force of a contact that keeps sticking. For a contact that stays open, the first component is the gap.
 #[derive(Debug, Clone)]
 pub(crate) enum Edges {
-    /// `a·F >= 0` for each row a: a facet, or the normal force or the gap alone.
+    /// `a·F >= 0` for each row a of coefficients: a facet, or the normal force or the gap alone.
     Rows(Vec<SVector<f64, 3>>),
-    /// The round friction cone, `limit F_n >= |F_t|`.
+    /// The round friction cone, `μ F_n >= |F_t|`.
     Round {
-        /// The coefficient of friction.
+        /// The coefficient of friction μ.
         limit: f64,
     },
 }
 
-/// The facets `(limit, -cos φ, -sin φ)` of a round cone as functions of the angle φ.
+/// The coefficients `(limit, -cos φ, -sin φ)` of the facets of a round cone with friction coefficient `limit`, as functions of the angle φ.
 pub(crate) fn round_rows(limit: f64) -> Harmonic<SVector<f64, 3>> {
     Harmonic { constant: unit(0) * limit, cosine: -unit(1), sine: -unit(2) }
 }
 
-/// Whether a condition is violated by more than rounding, where `size` is the magnitude of its terms.
+/// Whether a condition with the coefficients `row` is violated by more than rounding. `size` is the magnitude of its terms.
 pub(crate) fn is_broken(value: f64, row: &SVector<f64, 3>, size: f64) -> bool {
     value < -ZERO_SLACK * row.norm() * size
 }
 
-/// Whether this condition involves friction, and not the normal force or the gap alone.
+/// Whether a condition with the coefficients `row` involves friction, and not only the normal force or the gap.
 pub(crate) fn rubs(row: &SVector<f64, 3>) -> bool {
     row[1] != 0.0 || row[2] != 0.0
 }
 
 impl Edges {
-    /// The row with the least value at a force, and that value; `None` without conditions.
+    /// The coefficients of the condition `a·F >= 0` with the least value at a force F, and this value; `None` without conditions.
     pub(crate) fn worst(&self, force: &SVector<f64, 3>) -> Option<(SVector<f64, 3>, f64)> {
         match self {
             Self::Rows(rows) => {
@@ -63,7 +65,7 @@ impl Edges {
         self.worst(force).is_none_or(|(row, value)| !is_broken(value, &row, size))
     }
 
-    /// All rows. Of a round cone, the rows at the angles that `angles` selects.
+    /// The coefficients of all conditions. Of a round cone, those of its facets at the angles that `angles` selects.
     pub(crate) fn rows(
         &self,
         angles: &dyn Fn(&Harmonic<SVector<f64, 3>>) -> Vec<f64>,
@@ -77,7 +79,8 @@ impl Edges {
         }
     }
 
-    /// All rows. Of a round cone, the rows at the angles where `value` has a local minimum, or four rows around the cone if it has none.
+    /// The coefficients of all conditions. Of a round cone, those of its facets at the angles where `value` has a local minimum, or at four angles if
+    /// it has none.
     pub(crate) fn least(&self, value: &dyn Fn(&SVector<f64, 3>) -> f64) -> Vec<SVector<f64, 3>> {
         self.rows(&|around| {
             let angles = local_minima(&|angle| value(&around.at(angle)));
@@ -85,7 +88,8 @@ impl Edges {
         })
     }
 
-    /// The rows that forces `F + A x` with `|x| = size` may violate. On a round cone it is the row a with the least `a·F - size |Aᵀa|`.
+    /// The coefficients a of the conditions that forces `F + A x` with `|x| = size` may violate. For a round cone only those with the least
+    /// `a·F - size |Aᵀa|`.
     pub(crate) fn on_a_sphere(
         &self,
         force: &SVector<f64, 3>,
@@ -98,15 +102,16 @@ impl Edges {
         })
     }
 
-    /// Rows that include the most violated one at every corner of a box `F + Σ ±c_p`. On a round cone the worst corner changes only at angles
-    /// where some `a·c_p` changes sign, two for each p. One angle between neighbouring changes therefore suffices.
+    /// Coefficients of conditions that include the most violated one at every corner of a box `F + Σ ±c_p` of forces. On a round cone, the worst
+    /// corner depends on the angle of the facet a. It changes only where some `a·c_p` changes sign, twice for each p. One angle between neighbouring
+    /// changes therefore suffices.
     pub(crate) fn in_a_box(&self, sides: &[SVector<f64, 3>]) -> Vec<SVector<f64, 3>> {
         self.rows(&|around| {
             let mut turns = vec![0.0];
             for c in sides {
-                // A facet's product with c is zero where μ c_n = c₁ cos φ + c₂ sin φ.
+                // The product `a·c` of a facet's coefficients a with the side c is zero where μ c_n = c₁ cos φ + c₂ sin φ.
                 let (towards, aside) = (c[2].atan2(c[1]), (around.constant.dot(c) / c[1].hypot(c[2])).acos());
-                // The angle is NaN if the sign never changes.
+                // The angle is NaN if the sign of the product never changes.
                 let both = [towards - aside, towards + aside].each(|x| x.rem_euclid(TAU));
                 turns.extend(both.iter().filter(|x| x.is_finite()));
             }
@@ -149,7 +154,7 @@ fn local_minima(of: &dyn Fn(f64) -> f64) -> Vec<f64> {
 }
 
 impl LocalLaw<'_> {
-    /// The conditions of sticking; for an open contact, that its gap (the first component) stays nonnegative.
+    /// The conditions under which a contact keeps sticking; for an open contact the condition that its gap (the first component) stays nonnegative.
     pub(crate) fn edges(&self, state: &State) -> Edges {
         if self.is_absent() || self.is_bonded() {
             return Edges::Rows(Vec::new());

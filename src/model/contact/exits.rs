@@ -39,7 +39,7 @@ impl Line {
     }
 }
 
-/// A gap that changes linearly, with the sizes of the displacements whose difference it is, in m.
+/// A gap and its rate, with the magnitudes of the displacements whose difference is the gap, m.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GapLine {
     pub(crate) gap: f64,
@@ -49,7 +49,7 @@ pub(crate) struct GapLine {
 }
 
 impl GapLine {
-    /// The step at which the gap closes.
+    /// The step at which the gap closes; `None` if the gap does not decrease.
     pub(crate) fn closing(&self) -> Option<Exit> {
         (self.rate < -ZERO_SLACK * self.rate_size).then(|| {
             let step = (self.gap / -self.rate).max(0.0);
@@ -60,12 +60,12 @@ impl GapLine {
 }
 
 impl LocalLaw<'_> {
-    /// All exits from a state. A closed contact may reach a facet on which it does not slide; an open one may close its gap.
+    /// All exits from a state. A closed contact may reach a facet on which it does not slide; an open contact may close its gap.
     pub(crate) fn ways_out(&self, state: &State, line: &Line, gap: &GapLine) -> Vec<Exit> {
         match state {
             Mode::Open => gap.closing().into_iter().list(),
             Mode::Sticking => self.exits(line),
-            // Facets on which the contact slides are no exits: it stays on them.
+            // A sliding contact stays on the facets on which it slides, so these facets are no exits.
             Mode::Facet(_) | Mode::Corner(_) | Mode::Round(_) => {
                 let facets = self.facets();
                 let own = state.own_facets(facets.len());
@@ -76,7 +76,7 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The first exit of a sticking contact's force from its cone, and the step of the second exit.
+    /// The first exit of a sticking contact's force from its cone, and the step of the second exit. `None` if the force never leaves the cone.
     pub(crate) fn first_exit(&self, line: &Line) -> Option<(Exit, f64)> {
         let mut first: Option<Exit> = None;
         let mut next = f64::INFINITY;
@@ -92,14 +92,14 @@ impl LocalLaw<'_> {
         self.on_round_cone && self.cone().has_edges() && !self.is_bonded() && !self.is_absent()
     }
 
-    /// All exits of the line from the cone, in any order.
+    /// All exits of the line of forces from the cone, in any order.
     fn exits(&self, line: &Line) -> Vec<Exit> {
         let mut exits = Vec::new();
         self.for_each_exit(line, |exit| exits.push(exit));
         exits
     }
 
-    /// Visits all exits from the cone.
+    /// Visits all exits of the line of forces from the cone.
     fn for_each_exit(&self, line: &Line, visit: impl FnMut(Exit)) {
         if self.has_a_round_edge() {
             self.round_exit(line).into_iter().for_each(visit);
@@ -120,7 +120,7 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The step along a straight line of forces at which it reaches the facet, or the apex, of an exit.
+    /// The step along a straight line of forces at which the line reaches the facet, or the apex, of an exit.
     pub(crate) fn step_to_exit(&self, exit: &Exit, force: &SVector<f64, 3>, rate: &SVector<f64, 3>) -> f64 {
         let slack = |f: &SVector<f64, 3>| {
             if exit.facet.norm() == 0.0 { f[0] } else { self.cone().facet_margin(f, &exit.facet) }
@@ -134,8 +134,8 @@ impl LocalLaw<'_> {
     /// c₀ + 2 c₁ s + c₂ s² = 0,   c₀ = (μF_n - |F_t|)(μF_n + |F_t|),   c₁ = μ²F_n F_n' - F_t·F_t',   c₂ = μ²F_n'² - |F_t'|²
     /// ```
     ///
-    /// computed as `s = c₀ / (√(c₁² - c₀c₂) - c₁)`, which avoids cancellation. A line that starts on the edge (c₀ = 0) and points inwards can
-    /// only return at `s = -2c₁/c₂`.
+    /// The root is computed as `s = c₀ / (√(c₁² - c₀c₂) - c₁)`, which avoids cancellation. A line that starts on the edge (c₀ = 0) and points inwards
+    /// can only return at `s = -2c₁/c₂`.
     fn round_exit(&self, line: &Line) -> Option<Exit> {
         let cone = self.cone();
         let (t0, t1) = (tangential(&line.force), tangential(&line.rate));
@@ -145,7 +145,7 @@ impl LocalLaw<'_> {
         let on_edge = n0 - friction <= ZERO_SLACK * line.force_size * weight;
         let leaves = |at: &SVector<f64, 3>| at / at.norm().max(f64::MIN_POSITIVE);
         if on_edge {
-            // At the apex, where friction has no direction, the direction of its rate replaces it.
+            // At the apex friction has no direction; the direction of its rate is used.
             let outward =
                 if friction > ZERO_SLACK * line.force_size * weight { leaves(&t0) } else { leaves(&t1) };
             if let Some(exit) = line.linear(n0 - friction, n1 - outward.dot(&t1), weight, outward) {
@@ -156,10 +156,10 @@ impl LocalLaw<'_> {
         let c1 = n0 * n1 - t0.dot(&t1);
         let c2 = n1 * n1 - t1.norm_squared();
         let discriminant = c1 * c1 - c0 * c2;
-        // Without a root the step is NaN.
+        // If the line never leaves the cone, the quadratic has no root and the step is NaN.
         let mut step = if on_edge { -2.0 * c1 / c2 } else { c0 / (discriminant.sqrt() - c1) };
-        // Near a double root the discriminant cancels. The margin μF_n - |F_t| itself is concave and does not cancel, so Newton's method on it
-        // restores the digits.
+        // Near a double root the discriminant loses digits by cancellation. The margin μF_n - |F_t| itself is concave and does not cancel, so Newton
+        // steps on the margin restore the digits.
         let mut moved = 0.0;
         // Newton steps on the margin: each doubles the correct digits of the quadratic's root.
         for _ in 0..3 {
@@ -171,8 +171,8 @@ impl LocalLaw<'_> {
                 step = better;
             }
         }
-        // A line through the apex has a double root there, which costs half the digits. Beyond the apex it continues in the opposite nappe of
-        // the cone, F_n < 0. The exit is then the linear root of F_n.
+        // A line through the apex has a double root there, which costs half the digits. Beyond the apex the line continues in the opposite nappe of
+        // the cone, F_n < 0. The exit is then the root of F_n, which is linear in the step.
         if let Some(apex) = line.linear(line.force[0], line.rate[0], 1.0, SVector::zeros()) {
             let missed = (t0 + t1 * apex.step).norm();
             let through = missed <= ZERO_SLACK * (line.force_size + apex.step * line.rate_size);
@@ -197,7 +197,7 @@ impl LocalLaw<'_> {
         let facet = leaves(&(t0 + t1 * step));
         let closing = facet.dot(&t1) - n1;
         if closing <= ZERO_SLACK * line.rate_size * weight {
-            // The line touches the cone from inside, or its rates are rounding of zero.
+            // The line touches the cone from inside, or its rates are zero up to rounding.
             return None;
         }
         let uncertainty = ZERO_SLACK * weight * (line.force_size + step * line.rate_size) / closing;
@@ -205,12 +205,12 @@ impl LocalLaw<'_> {
     }
 }
 
-/// Newton's method for the root of a concave function below a start at which the function is negative. `value` returns value and slope. `None`
-/// if no step leads down.
+/// Newton's method for a root of a concave function. It starts at `at`, where the function is negative, and descends. `value` returns value and
+/// slope. `None` if no step leads down.
 fn newton_from_above(mut at: f64, value: impl Fn(f64) -> (f64, f64)) -> Option<f64> {
     let start = at;
-    // Upper bound of the number of Newton steps. Near the apex the margin bends within a distance of rounding; farther away each step doubles
-    // the correct digits.
+    // Upper bound of the number of Newton steps. Near the apex the margin is curved over distances of the order of rounding; farther away each step
+    // doubles the correct digits.
     for _ in 0..60 {
         let (height, slope) = value(at);
         let better = at - height / slope;
@@ -229,7 +229,8 @@ mod tests {
     use super::Line;
     use crate::contact::{Compliance, Coulomb, Fit, Law, LocalLaw, Polygon, PolygonCone};
 
-    /// A line that misses the apex by a friction ε leaves the cone where `√(μ² - a²) (1 - s) = ε`. F_n and the friction a F_n vanish at s = 1.
+    /// A line that misses the apex by a friction ε leaves the cone where `√(μ² - a²) (1 - s) = ε`. F_n and the friction a F_n along the first tangent
+    /// vanish at s = 1.
     #[test]
     fn a_line_beside_the_apex_leaves_before_it() {
         let springs = Compliance::new(&Vector3::new(1.0, 1.0, 1.0), 3);
@@ -240,7 +241,7 @@ mod tests {
         for (mu, a) in [(0.5, 0.0), (0.5, 0.3), (0.7, 0.69)] {
             let local =
                 LocalLaw::new(&springs, Coulomb::new(mu), &Law::Cone { gap: true }, &polygon, [true, false]);
-            // Rounding of margins near one, divided by their rate at the edge.
+            // Rounding error of margins of about one, divided by the rate of the margin at the edge.
             let rounding = 1e-15 * mu * mu / (mu * mu - a * a);
             for missed in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
                 let (force, rate) = (Vector3::new(1.0, a, missed), Vector3::new(-1.0, -a, 0.0));
@@ -248,8 +249,8 @@ mod tests {
                 let (exit, _) = local.first_exit(&line).expect("leaves");
                 let left = missed / f64::sqrt(mu * mu - a * a);
                 assert!((1.0 - exit.step - left).abs() <= rounding, "{mu} {a} {missed}: {}", exit.step);
-                // Some friction remains at the exit, and its direction gives the facet: the line leaves beside the apex. At the apex the facet would
-                // be zero.
+                // Some friction remains at the exit, and its direction gives the facet: the line leaves the cone next to the apex. At the apex the
+                // facet would be zero.
                 assert!(exit.facet.norm() > 0.9, "{mu} {a} {missed}: {}", exit.facet);
             }
         }

@@ -1,8 +1,8 @@
-//! Convex hull of the contact law if only part of the state is known: a convex cone with few generators.
+//! Convex hull of all stretches and forces that the contact law allows if only part of the state is known: a convex cone with few generators.
 //!
-//! The law is positively homogeneous: with (v, F) it also allows every positive multiple. So is the law under a label. A label fixes whether the
-//! contact is open or closed, whether it sticks or slides, and between which angles its friction points. In force units `ξ = K v`, with p on the
-//! unit circle, the hull is spanned by
+//! The law is positively homogeneous: with a stretch v and a force F it also allows every positive multiple of both. This remains true if a label
+//! restricts the states. A label fixes whether the contact is open or closed, whether it sticks or slides, and between which angles its friction
+//! points. In force units `ξ = K v`, with p on the unit circle, the hull is spanned by
 //!
 //! ```text
 //!                   ξ            F
@@ -11,8 +11,8 @@
 //! slides            e_n + μ p    e_n + μ p           K_t p   0
 //! ```
 //!
-//! A polygon circumscribed about the arc replaces the directions p. The hull thus contains all that the law allows, and slightly more. If the
-//! hulls of all contacts contradict equilibrium, the law does so, too.
+//! A polygon circumscribed about the arc replaces the directions p. The hull thus contains all stretches and forces that the law allows, and slightly
+//! more. If no equilibrium exists with the hulls of all contacts, none exists with the law.
 
 use crate::numerics::{Each, IntoList, by_axis};
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI, TAU};
@@ -25,14 +25,14 @@ use super::tolerances::NARROWEST_ARC;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::prelude::*;
 
-/// A sector of friction directions, from one angle to a larger one, at most a full turn apart, rad.
+/// A sector of friction directions, from one angle to a larger one, rad. The angles differ by at most a full turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Sector {
     pub(crate) from: f64,
     pub(crate) to: f64,
 }
 
-/// A label: partial knowledge of a contact's state.
+/// A label: the part of a contact's state that is known in a branch of the search.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Label {
     Anything,
@@ -52,7 +52,7 @@ pub(crate) struct HullRay {
 }
 
 impl Label {
-    /// The sector to which the friction force is restricted.
+    /// The sector to which the label restricts the friction force.
     pub(super) fn sector(&self) -> Sector {
         match self {
             Self::Friction(sector) | Self::Sticking(sector) | Self::Sliding(sector) => *sector,
@@ -60,7 +60,7 @@ impl Label {
         }
     }
 
-    /// Whether the two labels `halves` together allow every state that this label allows.
+    /// Whether the two labels `halves` together allow every state that `self` allows.
     pub(crate) fn is_covered_by(&self, halves: &[Self; 2]) -> bool {
         let joined = |parts: [&Sector; 2]| {
             parts[0]
@@ -73,7 +73,7 @@ impl Label {
             (Self::Anything, [Self::Open, Self::Closed]) => true,
             (Self::Friction(whole), [Self::Sticking(a), Self::Sliding(b)]) => whole == a && whole == b,
             (Self::Closed, [Self::Friction(a), Self::Friction(b)]) => {
-                // The ends of a full turn may miss each other by this angle, the rounding of their difference.
+                // The end of a full turn may differ from its beginning by this angle, the rounding error of their difference.
                 joined([a, b]).is_some_and(|whole| whole.width() >= TAU - 1e-14)
             }
             (Self::Friction(whole), [Self::Friction(a), Self::Friction(b)])
@@ -128,7 +128,7 @@ impl Sector {
         (0..=pieces).map(move |k| on_circle(from + step * f64::from(k)))
     }
 
-    /// The angle measured from the start of the sector; an angle outside is moved to the nearer end.
+    /// The angle of a direction from the start of the sector; for a direction outside, the angle of the nearer end.
     fn inside(&self, angle: f64) -> f64 {
         let (along, width) = ((angle - self.from).rem_euclid(TAU), self.width());
         if along <= width {
@@ -154,7 +154,7 @@ fn vector(normal: f64, tangential: [f64; 2]) -> SVector<f64, 3> {
 const AXES: [[f64; 2]; 4] = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
 
 impl LocalLaw<'_> {
-    /// The label at the root of the search, before any division.
+    /// The label with which the search over labels begins, before any label is divided.
     pub(crate) fn first_label(&self) -> Label {
         match self.law {
             Law::Absent => Label::Open,
@@ -163,7 +163,7 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// Generators of the convex hull of the law under a label.
+    /// Generators of the convex hull of all stretches and forces that the law allows under a label.
     pub(crate) fn hull(&self, label: &Label) -> Vec<HullRay> {
         let root = self.springs.root();
         let rubs = self.springs.resists_tangentially();
@@ -205,7 +205,7 @@ impl LocalLaw<'_> {
         }
         let on_cone = |t: [f64; 2]| self.friction.generator(&vector(0.0, t));
         match label {
-            // The label allows slip in any direction, so the tangential stretch does not restrict friction.
+            // The label allows slip in any direction, so the tangential stretch is independent of the friction force.
             Label::Anything | Label::Closed => {
                 for t in
                     Sector::FULL_TURN.around().into_iter().filter(|t| t[0].hypot(t[1]) > 1.0 + NARROWEST_ARC)
@@ -234,8 +234,8 @@ impl LocalLaw<'_> {
         rays
     }
 
-    /// Two narrower labels that together allow the same states as `label`. `stretch` and `force` are a point of its hull; the cut is placed where
-    /// they violate the law. `None` if the label cannot be divided.
+    /// Two narrower labels that together allow the same states as `label`. `stretch` and `force` lie in the hull of `label`. The sector of friction
+    /// directions is cut where they violate the contact law. `None` if the label cannot be divided.
     pub(crate) fn divide(
         &self,
         label: &Label,
@@ -246,7 +246,7 @@ impl LocalLaw<'_> {
         let slip = self.springs.slip(stretch, force);
         let (traction, friction) = (tangential_norm(&pushed), tangential_norm(force));
         let angle = |x: &SVector<f64, 3>| x[2].atan2(x[1]);
-        // Tangential parts below this fraction of larger vectors are rounding and have no direction.
+        // If friction, or slip, is below this fraction of the larger forces, it is rounding and has no direction.
         let towards = if friction > SOLVED_ROUNDING * (force[0].abs() + traction) {
             angle(force)
         } else {
@@ -260,7 +260,7 @@ impl LocalLaw<'_> {
             Label::Closed if !self.may_slide() => None,
             Label::Closed => {
                 let apart = (slides_towards - towards + PI).rem_euclid(TAU) - PI;
-                // If the directions of friction and slip differ by less than 0.1 rad, the first cut is made at right angles to them.
+                // If the directions of friction and slip differ by less than 0.1 rad, the first cut is made at right angles to these directions.
                 let from = towards + if apart.abs() < 0.1 { FRAC_PI_2 } else { 0.5 * apart };
                 Some(Sector { from, to: from + TAU }.at(from + PI).each(Label::Friction))
             }
@@ -273,13 +273,13 @@ impl LocalLaw<'_> {
                 let limit = self.friction.limit(force[0]).min(traction);
                 let turned = friction * (a - b).abs().min(1.0);
                 let width = sector.width();
-                // Wider sectors are halved; narrower ones are cut between the directions of friction and slip.
+                // Sectors wider than this angle are halved. Narrower sectors are cut between the directions of friction and slip.
                 let wide = 1.1 * PI;
                 if matches!(label, Label::Friction(_)) && (limit - friction).abs() > turned && width < wide {
                     return Some([Label::Sticking(sector), Label::Sliding(sector)]);
                 }
                 let part = if width > wide { 0.5 } else { 0.5 * (a + b) / width };
-                // Least fraction of a sector that a cut leaves on either side.
+                // Smallest fraction of a sector on either side of a cut.
                 let least_part = 0.15;
                 let middle = sector.from + width * part.clamp(least_part, 1.0 - least_part);
                 let label =

@@ -1,8 +1,8 @@
 //! The law of one contact: springs, friction cone, and the conditions that apply.
 //!
-//! An equilibrium and its continuation are the same kind of problem. At rest a contact has its whole cone. Rates describe the continuation
-//! beyond a state. In rates a contact inside its cone is bonded, an open contact is absent, and a contact on an edge has only that edge. A
-//! contact at the apex has the whole cone again.
+//! An equilibrium, and the rates with which it continues as the load grows, are the same kind of problem. In the equilibrium problem every contact
+//! has its whole cone. In the problem for the rates, a contact with its force inside the cone is bonded, and an open contact is absent. A contact
+//! with its force on an edge of the cone has only this edge as a condition. A contact at the apex has the whole cone again.
 
 use nalgebra::SVector;
 
@@ -25,7 +25,7 @@ pub(crate) enum Law {
         /// Whether the contact may also open.
         gap: bool,
     },
-    /// On an edge of its cone with F_n > 0: only these facets `h·F_t <= μ F_n`, at most one per tangent.
+    /// The force lies on an edge of the cone with F_n > 0. Only these facets `h·F_t <= μ F_n` are conditions, at most one per tangent.
     Edge(Vec<SVector<f64, 3>>),
 }
 
@@ -34,12 +34,12 @@ pub(crate) enum Law {
 pub(crate) struct LocalLaw<'c> {
     pub(crate) springs: &'c Compliance,
     pub(crate) law: &'c Law,
-    /// The polygon that replaces the round cone.
+    /// The polygonal cone that approximates the round cone.
     pub(crate) polygon: &'c Polygon,
     pub(super) friction: Coulomb,
-    /// In space: whether the round cone limits the contact. The polygon then only proposes states.
+    /// In space: whether the round cone limits the contact. The polygon then only supplies the states that are tried first.
     pub(super) on_round_cone: bool,
-    /// Whether a contact with infinite friction gets facets, those of a very large finite coefficient.
+    /// Whether a contact with infinite friction has facets, those of a cone with a very large finite coefficient.
     pub(super) infinite_friction_has_edges: bool,
 }
 
@@ -54,7 +54,8 @@ impl<'c> LocalLaw<'c> {
         Self { springs, law, polygon, friction, on_round_cone, infinite_friction_has_edges }
     }
 
-    /// The friction cone to which the contact's facets belong. Infinite friction that has facets is replaced by a very large finite coefficient.
+    /// The friction cone to which the contact's facets belong. If a contact with infinite friction has facets, the coefficient of this cone is very
+    /// large but finite.
     pub(crate) fn cone(&self) -> Coulomb {
         if self.infinite_friction_has_edges { self.friction.with_edges(self.springs) } else { self.friction }
     }
@@ -77,18 +78,18 @@ impl<'c> LocalLaw<'c> {
         self.has_a_whole_cone() && self.friction.has_edges()
     }
 
-    /// Whether some force lies outside the contact's cone. A frictionless guide that is kept closed carries every force, like a bonded contact.
+    /// Whether the contact cannot carry every force. A frictionless guide that is kept closed carries every force, like a bonded contact.
     pub(crate) fn has_edges(&self) -> bool {
         !self.is_bonded() && (self.may_open() || !self.facets().is_empty())
     }
 
-    /// Whether the contact has its whole cone: at rest, or in rates at the apex.
+    /// Whether the law is a whole cone: in an equilibrium, or for the rates of a contact at the apex.
     #[inline(always)]
     pub(super) fn has_a_whole_cone(&self) -> bool {
         matches!(self.law, Law::Cone { .. })
     }
 
-    /// Whether the normal spring of a closed contact acts both ways. A contact that can neither open nor slide may pull; with a cone it may not.
+    /// Whether the normal spring of a closed contact pushes and pulls. Only a contact that can neither open nor slide may pull.
     pub(crate) fn may_pull(&self) -> bool {
         !self.may_open() && !self.may_slide() && !self.is_absent()
     }
@@ -120,7 +121,7 @@ impl<'c> LocalLaw<'c> {
         !self.springs.resists_tangentially()
     }
 
-    /// Outward normals of the facets that are conditions of the contact.
+    /// Outward normals h of the facets `h·F_t <= μ F_n` that are conditions of the contact.
     #[inline]
     pub(crate) fn facets(&self) -> &'c [SVector<f64, 3>] {
         match self.law {
@@ -141,12 +142,12 @@ impl<'c> LocalLaw<'c> {
         usize::from(self.may_open()) + self.facets().len()
     }
 
-    /// The state without slip or opening: sticking. For an absent contact it is open.
+    /// The state of the elastic trial, without slip or opening: sticking. An absent contact is open.
     pub(crate) fn unjumped(&self) -> State {
         if self.is_absent() { Mode::Open } else { Mode::Sticking }
     }
 
-    /// The state with the least stiffness: sliding on an edge of the cone, open at its apex.
+    /// The state in which the contact has the least stiffness: sliding on an edge of the cone, or open at its apex.
     pub(crate) fn yielding(&self) -> State {
         match self.law {
             Law::Edge(facets) if facets.len() == 2 => Mode::Corner(0),
@@ -175,8 +176,8 @@ impl<'c> LocalLaw<'c> {
         states
     }
 
-    /// The state in which the given facets, in ascending order, slip together. Facets that share no corner slip together only at the apex, F =
-    /// 0.
+    /// The state in which the contact slips on all given facets at once; their numbers are in ascending order. Facets without a common corner can
+    /// only slip together at the apex, where F = 0.
     pub(crate) fn slipping_state(&self, facets: &[u16]) -> State {
         let count = self.facets().len();
         match *facets {
@@ -189,7 +190,8 @@ impl<'c> LocalLaw<'c> {
         }
     }
 
-    /// The central slip direction of a sliding state, of any length: the facet normal, or the sum of the two normals at a corner.
+    /// A slip direction of a sliding state, of any length: the facet normal, or at a corner the sum of the two normals. `None` if the state does not
+    /// slide.
     pub(crate) fn outward(&self, state: &State) -> Option<SVector<f64, 3>> {
         if let Mode::Round(slide) = state {
             return Some(slide.direction);
@@ -200,7 +202,7 @@ impl<'c> LocalLaw<'c> {
         Some(second.map_or(first, |second| first + facets[second]))
     }
 
-    /// Friction margin at a force, on the round cone or at the nearest facet, N; infinite for infinite friction.
+    /// Friction margin of a contact under a force, N: on the round cone, or the least margin of all facets. Infinite for infinite friction.
     pub(crate) fn margin(&self, force: &SVector<f64, 3>) -> f64 {
         if self.never_slides() {
             return f64::INFINITY;

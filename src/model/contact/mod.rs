@@ -1,6 +1,6 @@
 //! One contact: its compliance, friction and states, independent of the scene.
 //!
-//! Every solver uses [`LocalLaw`]. Only [`Compliance`] reads stiffnesses, only [`Coulomb`] reads μ.
+//! Every solver uses [`LocalLaw`]. Stiffnesses are used only through [`Compliance`], friction coefficients only through [`Coulomb`].
 //!
 //! | file | idea |
 //! |---|---|

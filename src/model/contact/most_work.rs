@@ -1,18 +1,19 @@
-//! Upper bound of a contact's work along a virtual stretch and a virtual force, under a label, in closed form.
+//! Upper bound, in closed form, of the work of a contact along a virtual force and a virtual motion. A label restricts the states of the contact (see
+//! `hull`).
 //!
-//! Let `w(v, F) = φ·v + u·F`, c = K⁻¹φ and ξ = K v. The work w is bounded by its largest value at the generators of the label's hull, over the
-//! directions p of friction that the label allows:
+//! Let φ be the virtual force and u the virtual motion, and let `w(v, F) = φ·v + u·F`, c = K⁻¹φ and ξ = K v. The work w is bounded by its largest
+//! value at the generators of the label's hull, over the directions p of friction that the label allows:
 //!
 //! ```text
 //! open       -c_n,  |c_t|                      sticks, slides    (c + u)_n + μ (c + u)_t·p,   (c + u)_n
 //! slides     c_t·K_t p
 //! ```
 //!
-//! The generators are scaled to length one in energy units. If no value is positive, the contact does no positive work in any state that the law
-//! allows.
+//! The generators are scaled to length one in energy units. If none of these values is positive, the contact does no positive work in any state that
+//! the label allows.
 //!
-//! In rates a contact on an edge `μ F_n >= h·F_t` has other generators: forces along the edge both ways, forces into the cone, and slips along
-//! h.
+//! In the law for rates, a contact on an edge `μ F_n >= h·F_t` has other generators: forces along the edge both ways, forces into the cone, and slips
+//! along h.
 
 use nalgebra::SVector;
 
@@ -24,11 +25,11 @@ use crate::numerics::unit;
 use crate::prelude::*;
 
 impl LocalLaw<'_> {
-    /// Largest work along φ (N) and u (m) over the label's stretches and forces of length one in energy units.
+    /// Largest work along φ (N) and u (m) over all stretches and forces that the label allows, of length one in energy units.
     pub(crate) fn most_work(&self, label: &Label, phi: &SVector<f64, 3>, u: &SVector<f64, 3>) -> f64 {
         let c = self.springs.deflection(phi);
         let mut most = f64::NEG_INFINITY;
-        // Records the work of a generator (ξ, F), given in force units.
+        // Compares the work of one generator with the largest so far. The generator is given in force units, as ξ = K v and F.
         let mut note = |xi: &SVector<f64, 3>, force: &SVector<f64, 3>| {
             let size = (2.0 * (self.springs.stored(xi) + self.springs.stored(force))).sqrt();
             most = most.max((c.dot(xi) + u.dot(force)) / size);
@@ -50,7 +51,7 @@ impl LocalLaw<'_> {
                 note(&normal, &none);
             }
         }
-        // The label allows slip in any direction: the tangential stretch is free, and only the force does work.
+        // The label allows slip in any direction. The tangential stretch is then free and has the generators ±e_t.
         let slips_anyhow = may_be_open || *label == Label::Closed && self.may_slide();
         if slips_anyhow {
             for axis in tangents.clone().map(unit::<3>) {
@@ -92,7 +93,7 @@ impl LocalLaw<'_> {
         most.copied().unwrap_or_else(SVector::zeros)
     }
 
-    /// Visits the generators of the forces of a contact on the edge of these facets.
+    /// Visits the generators of the forces of a contact whose law is the edge with these facets.
     fn for_each_force_at_an_edge(&self, facets: &[SVector<f64, 3>], mut visit: impl FnMut(SVector<f64, 3>)) {
         let edge = self.edge(&self.yielding());
         let on_the_edge = self.cone().generator(&edge.pull);
@@ -105,7 +106,7 @@ impl LocalLaw<'_> {
             both_ways(edge.across);
         }
         match facets {
-            // Forces into the cone that leave one facet and stay on the other.
+            // Forces inside the cone that leave one facet and stay on the other facet.
             [first, second] => {
                 let turn = cross(first, second);
                 visit(right_angle(second) / turn);

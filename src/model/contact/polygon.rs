@@ -1,4 +1,4 @@
-//! The friction cone as a polygon: `F_t` lies in μF_n times a polygon around the origin.
+//! The friction cone as a polygonal cone: `F_t` lies in μF_n times a polygon around the origin.
 //!
 //! In the plane the polygon is the interval [-1, 1], which is exact.
 
@@ -19,16 +19,16 @@ use crate::prelude::*;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Fit {
-    /// Corners on the circle: never more friction than on the round cone, and less by up to 1 - cos(π/m).
+    /// Corners are on the circle: never more friction than on the round cone, and less by up to 1 - cos(π/m).
     #[default]
     Inscribed,
     /// Facets touch the circle: never less friction than on the round cone, and more by up to 1/cos(π/m) - 1.
     Circumscribed,
-    /// Facets as far inside the circle as corners outside: facets at the distance `cos(π/m)^(1/2)`, corners at its reciprocal.
+    /// Facets are as far inside the circle as corners outside: facets at the distance `cos(π/m)^(1/2)`, corners at its reciprocal.
     Balanced,
 }
 
-/// The polygonal cone that approximates the round one in space. Planar grasps ignore it.
+/// The polygonal cone that approximates the round one in space. Planar grasps need no such polygon.
 ///
 /// `F_t` lies in `μ F_n` times a regular polygon around the origin, with m facets normal to h_j and m corners d_j:
 ///
@@ -36,9 +36,10 @@ pub enum Fit {
 /// h_j·F_t <= μ F_n for all j      or      F_t = Σ β_j d_j,  β >= 0,  Σ β_j <= μ F_n
 /// ```
 ///
-/// Corner j lies at the angle `2πj/m` from the first tangent towards the second, facet normal j at `(2j - 1)π/m`, j from 0; h_j has the length
-/// that puts the facet at `h_j·x = 1`. A contact with F_t on a facet slips along its normal. With F_t at a corner it slips between the normals
-/// of the two facets (maximum dissipation over the polygon). Default: 8 facets, inscribed. See [choosing facets](crate::guide::choosing_facets).
+/// Corner j lies at the angle `2πj/m` from the first tangent towards the second, facet normal j at `(2j - 1)π/m`, j from 0; h_j has the length that
+/// puts the facet at `h_j·x = 1`. A contact with F_t on a facet slips along the normal of the facet. A contact with F_t at a corner slips between the
+/// normals of the two facets (maximum dissipation over the polygon). Default: 8 facets, inscribed. See [choosing
+/// facets](crate::guide::choosing_facets).
 ///
 /// ```
 /// use grasp_lcp::{Error, Fit, PolygonCone};
@@ -55,7 +56,7 @@ pub struct PolygonCone {
 }
 
 impl PolygonCone {
-    /// Largest number of facets; beyond it neighbouring facets differ by little more than rounding.
+    /// Largest number of facets; with more facets, neighbouring facets would differ by little more than rounding.
     pub const MOST_FACETS: usize = 4096;
 
     /// A polygon of `facets` facets.
@@ -81,7 +82,7 @@ impl PolygonCone {
         self.facets
     }
 
-    /// Position of the polygon relative to the circle.
+    /// Whether the polygon is inside the circle, outside, or balanced between both.
     #[must_use]
     pub fn fit(&self) -> Fit {
         self.fit
@@ -103,7 +104,7 @@ pub(crate) struct Polygon {
     pub(crate) corners: Vec<SVector<f64, 3>>,
 }
 
-/// The polygons of the plane and of the default cone, computed once.
+/// The polygon of the plane and that of the default cone, computed once.
 static SHARED: [Once<Arc<dyn Any + Send + Sync>>; 2] = [const { Once::new() }; 2];
 
 impl Polygon {
@@ -142,7 +143,7 @@ impl Polygon {
         }
     }
 
-    /// Whether it is the interval of the plane.
+    /// Whether this is the interval [-1, 1], the polygon of the plane.
     #[inline(always)]
     pub(crate) fn is_interval(&self) -> bool {
         self.normals.len() == 2
@@ -157,7 +158,7 @@ impl Polygon {
     }
 }
 
-/// The corner p between two facets: h₁·p = h₂·p = 1, no normal component.
+/// The corner p between two facets with normals h₁ and h₂: h₁·p = h₂·p = 1, without a normal component.
 pub(crate) fn corner(h1: &SVector<f64, 3>, h2: &SVector<f64, 3>) -> SVector<f64, 3> {
     let turn = cross(h1, h2);
     let mut p = SVector::zeros();
@@ -169,7 +170,7 @@ pub(crate) fn corner(h1: &SVector<f64, 3>, h2: &SVector<f64, 3>) -> SVector<f64,
 /// Cosine and sine of an angle.
 fn direction(angle: f64) -> [f64; 2] {
     let (sin, cos) = angle.sin_cos();
-    // Values below this limit are rounding of zero at a right angle. A cosine of 6e-17 instead of 0 would break the ties of symmetric grasps.
+    // Values below this limit are rounding errors of zero, at a right angle. A cosine of 6e-17 instead of 0 would break the ties of symmetric grasps.
     [cos, sin].each(|x| if x.abs() < 1e-15 { 0.0 } else { x })
 }
 

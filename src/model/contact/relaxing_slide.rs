@@ -1,4 +1,5 @@
-//! The direction in which a contact slides after a straight stretch. It turns gradually towards the direction of the stretch rate.
+//! The direction in which a contact with unequal tangential springs slides during a straight stretch. The direction turns gradually towards that of
+//! the stretch rate.
 //!
 //! The friction force is r p, with the unit vector p at an angle φ from the first tangent, and the contact slips along p. With K = diag(k₁, k₂)
 //! the spring law gives
@@ -8,7 +9,8 @@
 //! dφ/ds = A sin(θ - φ) + B sin 2φ,      ds = dτ / (r p·K p),   A = k₁k₂ |v_t'|,   B = r' (k₂ - k₁)/2
 //! ```
 //!
-//! with v_t' at the angle θ. Each of the two terms alone has a closed form. The first also gives `∫ p·K p ds = ∫ dτ/r`, which determines s:
+//! where v_t' has the angle θ. With only one of the two terms, the equation for φ has a closed solution. The first solution also gives
+//! `∫ p·K p ds = ∫ dτ/r`, which determines s:
 //!
 //! ```text
 //! under_stretch    tan(ψ/2) = tan(ψ₀/2) e^{-A s}, ψ = φ - θ
@@ -16,14 +18,14 @@
 //! ```
 //!
 //! Half a step `under_stretch`, a whole step `squeezed` and half a step `under_stretch` (Strang splitting) are correct to second order. They are
-//! exact for a constant normal force or equal springs. Sliding never stops: where its rate γ, with γ p·K p = p·K v_t' - r', vanishes, it increases by
-//! `(p⊥·K v_t')²`.
+//! exact for a constant normal force or equal springs. Sliding never stops: the slip rate γ obeys γ p·K p = p·K v_t' - r', and where γ vanishes, the
+//! right-hand side increases at the rate `(p⊥·K v_t')²/r`.
 
 use crate::numerics::Each;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Two tangential springs that slide under a constant rate of stretch; τ from 0 to 1 has no unit.
+/// A contact with two tangential springs that slides under a constant rate of stretch; the time τ from 0 to 1 has no unit.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RelaxingSlide {
     /// Tangential stiffnesses k₁ and k₂, N/m.
@@ -35,24 +37,24 @@ pub(super) struct RelaxingSlide {
 }
 
 impl RelaxingSlide {
-    /// The unit direction of the friction force after `∫ dτ/r = per_radius`, in 1/N, from the direction `start`.
+    /// The unit direction of the friction force at the time τ at which `∫ dτ/r` is `per_radius`, in 1/N. Sliding begins with the direction `start`.
     pub(super) fn direction_after(&self, start: [f64; 2], per_radius: f64) -> [f64; 2] {
         let [k1, k2] = self.tangential;
-        // With equal springs the term `squeezed` vanishes, and s is known.
+        // With equal springs `under_stretch` alone determines the direction, and s is per_radius / k₁.
         if k1 == k2 {
             return self.under_stretch(start, per_radius / k1).0;
         }
         let (mut low, mut high) = (per_radius / k1.max(k2), per_radius / k1.min(k2));
         let mut s = per_radius / self.stiffness(start);
-        // Upper bound of the number of Newton steps for s; each gains digits.
+        // Upper bound of the number of Newton steps for s.
         for _ in 0..60 {
             let (p, integral) = self.split_step(start, s);
             let off = integral - per_radius;
             *(if off > 0.0 { &mut high } else { &mut low }) = s;
             let newton = s - off / self.stiffness(p);
             let next = if low <= newton && newton <= high { newton } else { 0.5 * (low + high) };
-            // Relative step length of s at which the iteration ends: rounding. A coarser limit would make the force discontinuous for Newton's
-            // method on the object.
+            // Relative change of s at which the iteration ends, at the level of rounding. A coarser limit would make the force a discontinuous
+            // function of the stretch, which Newton's method for the motion of the object cannot use.
             let last = (next - s).abs() <= 1e-15 * s;
             s = next;
             if last {
@@ -74,13 +76,13 @@ impl RelaxingSlide {
         (p, first + second)
     }
 
-    /// Direction and integral after the increment s of the path parameter, at a constant normal force.
+    /// Direction p after the increment s of the path parameter, and the integral `∫ p·K p ds` over it, at a constant normal force.
     fn under_stretch(&self, p: [f64; 2], s: f64) -> ([f64; 2], f64) {
         let [k1, k2] = self.tangential;
         let size = (self.stretched[0] * self.stretched[0] + self.stretched[1] * self.stretched[1]).sqrt();
         let rate = k1 * k2 * size;
         let e = self.stretched.each(|v| v / size);
-        // ψ is the angle from the stretch to the force.
+        // Here ψ is the angle from the stretch rate to the friction force.
         let (cos0, sin0) = (e[0] * p[0] + e[1] * p[1], e[0] * p[1] - e[1] * p[0]);
         let half = sin0 / (1.0 + cos0) * (-rate * s).exp();
         let square = half * half;
@@ -95,9 +97,9 @@ impl RelaxingSlide {
         ([cos * e[0] - sin * e[1], sin * e[0] + cos * e[1]], integral)
     }
 
-    /// The direction after the increment s of the path parameter under a constant tangential stretch, while the normal force changes.
+    /// The direction after the increment s of the path parameter, if the tangential stretch is constant and the normal force changes.
     fn squeezed(&self, p: [f64; 2], s: f64) -> [f64; 2] {
-        // Largest exponent. Beyond it no digit of the previous direction would remain; up to it squares do not overflow.
+        // Largest exponent. For a larger exponent no digit of the previous direction would remain; up to this exponent squares do not overflow.
         let far = 300.0;
         let y = (0.5 * self.growth * (self.tangential[1] - self.tangential[0]) * s).clamp(-far, far);
         let q = [p[0] * (-y).exp(), p[1] * y.exp()];
@@ -128,7 +130,7 @@ mod tests {
         [phi.cos(), phi.sin()]
     }
 
-    /// The direction after dividing the path into `steps` steps of the closed forms.
+    /// The direction after the path is divided into `steps` steps, each by the closed forms.
     fn in_steps(slide: &RelaxingSlide, mut p: [f64; 2], steps: u32) -> [f64; 2] {
         let h = 1.0 / f64::from(steps);
         for i in 0..steps {

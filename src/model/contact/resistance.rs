@@ -1,13 +1,14 @@
 //! Upper bound of a contact's power against a motion of the body, for any previous slip.
 //!
-//! With the velocity u of the body's point in the contact frame, and m the largest power of a unit friction force against u_t,
+//! Let F be the contact force, and u the velocity of the body's point in the contact frame. With the largest power m of a unit friction force against
+//! u_t,
 //!
 //! ```text
 //! -F·u  <=  (μ m - u_n) F_n  <=  (μ m - u_n)₊ k_n (v_n)₊
 //! ```
 //!
-//! since a closed contact has the normal force `k_n v_n` of its normal stretch v_n, whatever its history. A contact that can neither open nor
-//! slide has the force K v.
+//! since the normal force of a closed contact is `k_n v_n`, where v_n is its normal stretch, whatever its history. A contact that can neither open
+//! nor slide has the force K v.
 
 use crate::numerics::largest;
 
@@ -16,19 +17,19 @@ use nalgebra::SVector;
 use super::law::LocalLaw;
 use super::tangential::tangential;
 
-/// A bound on `-F·u` in terms of the contact's stretch v: W if u is a velocity, J if u is a virtual displacement.
+/// A bound on `-F·u` in terms of the contact's stretch v. Its unit is W if u is a velocity, J if u is a virtual displacement.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Resistance {
     /// The bound is this factor, N, times the positive part of the normal stretch.
     ByFriction(f64),
-    /// The power is exactly the product of this row, N, and the stretch.
+    /// The power is exactly the product of this vector, N, and the stretch.
     BySprings(SVector<f64, 3>),
     /// No bound: infinite friction can resist the motion without limit.
     Unlimited,
 }
 
 impl LocalLaw<'_> {
-    /// The bound on the contact's power against a velocity u of the body, contact frame.
+    /// The bound on the contact's power against a velocity u of the body in the contact frame.
     pub(crate) fn resistance(&self, u: &SVector<f64, 3>) -> Resistance {
         if self.is_bonded() || self.may_pull() {
             return Resistance::BySprings(-self.springs.force(u));

@@ -1,19 +1,20 @@
 //! Sliding on the round cone, linearised: the slip direction turns as the stretch changes.
 //!
-//! With `s = λ F_t`, p = F_t / |F_t| and S = (K_t⁻¹ + λ)⁻¹ the differential of the force is that of two springs,
+//! Let the slip be `s = λ F_t`, p = F_t / |F_t| and S = (K_t⁻¹ + λ)⁻¹. Then the differential of the force is the sum of two springs,
 //!
 //! ```text
 //! dF_t = μ dF_n P + κ d (d·dv),     P = S p / (p·S p),     κ = det S / (p·S p)
 //! ```
 //!
-//! with d the tangent across p. The first term is a facet of the cone with normal p. The second is a spring across the slip, softened by it.
+//! where d is the tangent at right angles to p. The first term is the force on a facet of the cone with normal p. The second is a spring across the
+//! slip direction, which the slip softens.
 
 use nalgebra::SVector;
 
 use super::compliance::Compliance;
 use super::tangential::{right_angle, tangential, tangential_norm};
 
-/// A slide on the round cone.
+/// The data of a slide on the round cone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Slide {
     /// Unit direction p of the friction force and of the slip; no normal component.
@@ -22,12 +23,12 @@ pub(crate) struct Slide {
     pub(crate) lambda: f64,
 }
 
-/// The edge of the cone on which a contact slides, linearised: `F_t = μ F_n P + κ d (d·v)`.
+/// The edge of the cone on which a contact slides, linearised: the friction force is `F_t = μ F_n P + κ d (d·v)` at the stretch v.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Edge {
     /// P, the friction force for μ F_n = 1 if the spring across the slip is not stretched.
     pub(crate) pull: SVector<f64, 3>,
-    /// d, the tangent at right angles to the slip direction, and as long as that vector.
+    /// d, the tangent at right angles to the slip direction, with the length of the vector that gives this direction.
     pub(crate) across: SVector<f64, 3>,
     /// κ, the stiffness across the slip, N/m; zero in the plane, at a corner of a polygon and without tangential springs.
     pub(crate) stiffness: f64,
@@ -47,7 +48,7 @@ impl Slide {
         Self { direction: tangential(friction) / tangential_norm(friction), lambda }
     }
 
-    /// The edge of the cone on which the contact slides. The slide's direction may also be a facet normal h of any length: P and `κ d dᵀ` then
+    /// The edge of the cone on which the contact slides. The direction of this slide may also be a facet normal h of any length; P and `κ d dᵀ` then
     /// belong to the facet `h·F_t <= μ F_n`.
     #[inline]
     pub(super) fn edge(&self, springs: &Compliance) -> Edge {

@@ -1,4 +1,5 @@
-//! A contact in a known state is equivalent to a few springs. Each is stretched along one direction and pushes along another.
+//! A contact in a known state is equivalent to a few springs. Each spring is stretched along the direction `right` and pushes along the direction
+//! `left`.
 //!
 //! ```text
 //! F_i = Σ_r left_r (right_r · v_i),     v_i = a_i - G_iᵀq
@@ -24,9 +25,9 @@ use crate::prelude::*;
 pub(crate) struct Spring {
     pub(crate) right: SVector<f64, 3>,
     pub(crate) left: SVector<f64, 3>,
-    /// Rounding error of `right`; with it the product of `left` and `right` along an axis is the given stiffness to the last digit.
+    /// Rounding error of `right`. With this correction the product of `left` and `right` along an axis is the given stiffness to the last digit.
     pub(crate) right_rest: SVector<f64, 3>,
-    /// Rounding error of `left`; with it friction equals μ F_n to the last digit.
+    /// Rounding error of `left`. With this correction the friction force equals μ F_n to the last digit.
     pub(crate) left_rest: SVector<f64, 3>,
 }
 
@@ -66,7 +67,7 @@ impl Spring {
     }
 }
 
-/// The correction r for which `known (factor + r) = product`.
+/// The correction r of a factor for which `known (factor + r) = product`, that is, the rounding error of the factor.
 fn rest_of_factor(product: f64, known: f64, factor: f64) -> f64 {
     let rounded = known * factor;
     ((product - rounded) - rounding_of(rounded, known, factor)) / known
@@ -91,8 +92,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The edge of the cone on which a contact in this state slides. On a facet it is the point `P = K_t h / (h·K_t h)` with a spring across the
-    /// slip; else a corner.
+    /// The edge of the cone on which a contact in this state slides. On a facet with normal h, P is `K_t h / (h·K_t h)` and a spring acts across the
+    /// slip; at a corner P is the corner.
     #[inline]
     pub(crate) fn edge(&self, state: &State) -> Edge {
         if let Mode::Round(slide) = state {

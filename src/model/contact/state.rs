@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use super::slide::Slide;
 
-/// A state of a contact. R holds the data of a slide on a round cone.
+/// A state of a contact. R is the type of the data of a slide on a round cone.
 ///
 /// | state | force | condition |
 /// |---|---|---|
@@ -24,7 +24,7 @@ pub(crate) enum Mode<R> {
     Round(R),
 }
 
-/// A state on any cone.
+/// A state on a polygonal or on the round cone.
 pub(crate) type State = Mode<Slide>;
 
 impl<R> Mode<R> {
@@ -40,7 +40,7 @@ impl<R> Mode<R> {
         matches!(self, Self::Sticking)
     }
 
-    /// Whether both are the same state, ignoring the direction of a slide on the round cone.
+    /// Whether both states are of the same kind, ignoring the direction of a slide on the round cone.
     pub(crate) fn is_kind_of<Q>(&self, other: &Mode<Q>) -> bool {
         match (self, other) {
             (Self::Open, Mode::Open)
@@ -51,7 +51,7 @@ impl<R> Mode<R> {
         }
     }
 
-    /// Numbers of the facets, among `count`, on which the contact slides.
+    /// Numbers of the facets, among `count` facets of the cone, on which the contact slides.
     pub(crate) fn own_facets(&self, count: usize) -> [Option<usize>; 2] {
         match self {
             Self::Facet(j) => [Some(usize::from(*j)), None],
@@ -62,12 +62,12 @@ impl<R> Mode<R> {
 }
 
 impl State {
-    /// The slide on the round cone, if the contact is in that state.
+    /// The data of the slide on the round cone; `None` in any other state.
     pub(crate) fn slide(&self) -> Option<&Slide> {
         if let Self::Round(slide) = self { Some(slide) } else { None }
     }
 
-    /// A slide on the round cone with friction along a tangent. Its previous slip is contained in the offset, so λ = 0.
+    /// A slide on the round cone with friction along a tangent. Its earlier slip is already part of the contact's offset, so λ = 0.
     pub(crate) fn sliding_along(friction: &SVector<f64, 3>) -> Self {
         Self::Round(Slide::new(friction, 0.0))
     }

@@ -7,10 +7,10 @@
 //! r ψ' = -|d| sin ψ        tan(ψ/2) = tan(ψ₀/2) exp(-|d| ∫dτ/r),      ∫dτ/r = Δτ ln(r₁/r₀) / (r₁ - r₀)
 //! ```
 //!
-//! With two different stiffnesses [`RelaxingSlide`] gives the direction. Once sliding begins it lasts to the end, since |d| cos ψ grows and r'
-//! is constant. The return map of [`LocalLaw::answer`] uses only the final stretch instead. It is exact if sliding starts at the apex, where the
-//! traction keeps its direction; otherwise it is correct to first order. For the same closed form with a constant radius see R. D. Krieg and D.
-//! B. Krieg, Accuracies of numerical solution methods for the elastic-perfectly plastic model, J. Pressure Vessel Technology 99 (1977) 510.
+//! With two different stiffnesses [`RelaxingSlide`] gives the direction. Once sliding begins, it continues to the end, since |d| cos ψ grows and r'
+//! is constant. The return map of [`LocalLaw::answer`] uses only the final stretch instead. This map is exact if sliding starts at the apex, where
+//! the traction keeps its direction; otherwise the map is correct to first order. For the same closed form with a constant radius see R. D. Krieg and
+//! D. B. Krieg, Accuracies of numerical solution methods for the elastic-perfectly plastic model, J. Pressure Vessel Technology 99 (1977) 510.
 
 use crate::numerics::Each;
 use nalgebra::SVector;
@@ -26,9 +26,9 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::prelude::*;
 
 impl LocalLaw<'_> {
-    /// State and force after a straight stretch from `before`, which satisfies the contact's law, to `stretch`. Any earlier slip is contained in
-    /// `before`: [`Compliance::slip`](super::Compliance::slip). In the plane, or without sliding, the result equals [`Self::answer`]. The
-    /// exception is a contact that closes in between: its friction starts at the closing.
+    /// State and force after a straight stretch from `before`, which satisfies the contact's law, to `stretch`. Any earlier slip must be subtracted
+    /// from `before`; [`Compliance::slip`](super::Compliance::slip) returns it. In the plane, or without sliding, the result equals [`Self::answer`].
+    /// The exception is a contact that closes on the way: its friction starts when it closes.
     pub(crate) fn answer_after(
         &self,
         before: &SVector<f64, 3>,
@@ -43,7 +43,7 @@ impl LocalLaw<'_> {
         }
         let rate = to - from;
         if from[0] < 0.0 && self.may_open() {
-            // The contact closes in between: only the tangential stretch after closing counts.
+            // The contact closes on the way: only the tangential stretch after closing causes friction.
             let mut since = (stretch - before) * (to[0] / rate[0]).clamp(0.0, 1.0);
             since[0] = stretch[0];
             return self.answer(&since, 0.0);
@@ -57,13 +57,13 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The time τ at which the traction reaches its limit. It is zero if the traction is at the limit and grows faster than the limit; `None` if
-    /// never reached.
+    /// The time τ at which the traction reaches its limit. It is zero if the traction is at the limit and grows faster than the limit; `None` if the
+    /// limit is not reached.
     fn stops_sticking(&self, from: &SVector<f64, 3>, rate: &SVector<f64, 3>) -> Option<f64> {
         let (t, d) = (tangential(from), tangential(rate));
         let (r, growth) = (self.friction.limit(from[0]), self.friction.limit(rate[0]));
         let size = t.norm();
-        // A traction this close to its limit, relative to it, is on the cone: a previous step leaves that much rounding.
+        // A traction that differs from its limit by this fraction or less is on the cone: a previous step leaves rounding errors of this size.
         if size >= r * (1.0 - SOLVED_ROUNDING) && t.dot(&d) > growth * size {
             return Some(0.0);
         }
@@ -79,11 +79,11 @@ impl LocalLaw<'_> {
         (tau > 0.0 && tau < 1.0).then_some(tau)
     }
 
-    /// State and force after sliding from a force on the cone for the remaining time `rest`.
+    /// State and force after sliding for the remaining time `rest`, from a force on the edge of the cone.
     fn slid_on(&self, from: &SVector<f64, 3>, rate: &SVector<f64, 3>, rest: f64) -> ContactResponse {
         let normal = from[0] + rate[0] * rest;
         let [r0, r1] = [from[0], normal].each(|f| self.friction.limit(f.max(0.0)));
-        // ∫dτ/r over the remaining time.
+        // The integral ∫dτ/r over the remaining time.
         let x = (r1 - r0) / r0;
         // Below this relative difference of the radii the first terms of the series replace the logarithm.
         let per_radius = rest / r0 * if x.abs() < 1e-7 { 1.0 - 0.5 * x } else { x.ln_1p() / x };
@@ -102,7 +102,8 @@ impl LocalLaw<'_> {
         self.sliding_at(normal, &direction, r1, r1 * per_radius)
     }
 
-    /// A contact that slides along `direction`. The slip softens its spring across the slip to the fraction `holds` of its stiffness.
+    /// State and force of a contact that slides along `direction`. The slip reduces the stiffness of the spring across the slip to the fraction
+    /// `holds`.
     fn sliding_at(&self, normal: f64, direction: &SVector<f64, 3>, r: f64, holds: f64) -> ContactResponse {
         if tangential_norm(direction) == 0.0 {
             let mut force = SVector::zeros();

@@ -1,12 +1,13 @@
-//! The tangent stiffness of one contact, `dF = C dv`, as a sum of few dyads.
+//! The tangent stiffness C of one contact, with `dF = C dv`, as a sum of a few dyads.
 //!
 //! ```text
 //! sticking    C = K
 //! sliding     C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ
 //! ```
 //!
-//! The normal spring also changes friction, and a spring acts across the slip; P, κ and d are those of [`Edge`]. A sum over many
-//! contacts adds dyad by dyad. A contact has at most as many dyads as C has columns, and each costs one multiplication per entry.
+//! While the contact slides, the normal spring also changes the friction force, and a spring acts across the slip; P, κ and d are those of [`Edge`].
+//! A sum over many contacts adds the dyads one by one. Each contact has at most as many dyads as C has columns, and each dyad costs one
+//! multiplication per entry.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -17,11 +18,11 @@ use super::state::{Mode, State};
 /// The tangent stiffness C of a contact in a state, N/m.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Tangent {
-    /// No stiffness: the force is zero.
+    /// The contact is open: no stiffness, since the force is zero.
     Open,
-    /// The diagonal of K, N/m.
+    /// The contact sticks: the diagonal of K, N/m.
     Sticking(SVector<f64, 3>),
-    /// Sliding on an edge of the cone.
+    /// The contact slides on an edge of the cone.
     Sliding {
         /// Change of force per normal stretch, `k_n (e_n + μ P)`, N/m.
         drag: SVector<f64, 3>,
@@ -33,7 +34,7 @@ pub(crate) enum Tangent {
 }
 
 impl Tangent {
-    /// C as a full matrix.
+    /// The tangent stiffness C as a full matrix.
     pub(crate) fn matrix(&self) -> SMatrix<f64, 3, 3> {
         match self {
             Self::Open => SMatrix::zeros(),
@@ -48,7 +49,7 @@ impl Tangent {
 }
 
 impl Tangent {
-    /// Change of force `C v` for a change v of the stretch.
+    /// Change of force `C v` for a change v of the stretch, N.
     #[inline]
     pub(crate) fn force(&self, stretch: &SVector<f64, 3>) -> SVector<f64, 3> {
         match self {

@@ -13,11 +13,11 @@ pub(crate) fn tangential(v: &SVector<f64, 3>) -> SVector<f64, 3> {
     t
 }
 
-/// The length of the tangential part, also if its square underflows, as for a contact that hardly presses.
+/// The length of the tangential part. It is correct even if its square underflows, as for a contact that hardly presses.
 #[inline(always)]
 pub(crate) fn tangential_norm(v: &SVector<f64, 3>) -> f64 {
     let square: f64 = v.iter().skip(1).map(|x| x * x).sum();
-    // Squares between this number and its reciprocal lose no digits to underflow or overflow.
+    // Squares between this number and its reciprocal lose no digits by underflow or overflow.
     let safe_square = 1e-280;
     if (safe_square..1.0 / safe_square).contains(&square) {
         square.sqrt()

@@ -1,25 +1,27 @@
-//! Limits below which a quantity of a contact counts as zero, for all users of the contact law. A size is the magnitude of the terms whose difference
-//! the quantity is.
+//! Limits below which a quantity of a contact counts as zero, in all solvers that use the contact law. The size of a quantity is the magnitude of the
+//! terms whose difference it is.
 
-/// A margin or gap below this fraction of its size is zero: that much is the rounding of forces and gaps from one linear solve. Symmetric grasps
-/// reach several edges at once, and these must count as one event.
+/// A friction margin or a gap below this fraction of the terms from which it is computed is zero. Forces and gaps from one linear solve have rounding
+/// errors of this order. Symmetric grasps reach several edges at once, and these must count as one event.
 pub(crate) const ZERO_SLACK: f64 = 5e-14;
 
-/// Largest allowance for the rounding of a condition, relative to its size. The allowance grows with the condition number of the linear system, up to
-/// this bound.
+/// Largest allowance for the rounding error of a condition, relative to the terms of the condition. The allowance grows with the condition number of
+/// the linear system, up to this bound.
 ///
-/// If smaller, true answers of ill-conditioned systems are refused. If larger, violated conditions pass as satisfied.
+/// With a smaller bound, true answers of ill-conditioned systems are refused. With a larger bound, violated conditions count as satisfied.
 pub(crate) const MOST_SLACK: f64 = 1e-10;
 
-/// A force below this fraction of its size is zero, so that the contact is at the apex of its cone. Looser than [`ZERO_SLACK`], since facets
-/// that meet near the apex cannot be told apart there.
+/// A force below this fraction of the terms from which it is computed is zero. The contact is then at the apex of its cone. The limit is looser than
+/// [`ZERO_SLACK`], since facets that meet near the apex cannot be distinguished there.
 pub(crate) const WEIGHTLESS: f64 = 1e-12;
 
-/// Added to every size, so that a quantity counts as zero before it is subnormal and has lost its relative precision.
+/// A force, N, or displacement, m, that is added to the terms with which quantities are compared. A quantity thus counts as zero before it becomes
+/// subnormal and loses its relative precision.
 pub(crate) const SMALLEST: f64 = 1e-250;
 
 /// Least width of a sector of friction directions that is still divided, rad. Fingers whose normals deviate from symmetry by 1e-8 may wedge the
-/// object, so that slip directions matter to that angle. In narrower sectors a contradiction is only rounding.
+/// object, so that slip directions matter down to this angle. In narrower sectors a contradiction is only rounding.
 ///
-/// If smaller, a search divides sectors whose contradiction is only rounding. If larger, grasps that wedge the object remain undecided.
+/// With a smaller width, the search also divides sectors in which the contradiction is only rounding. With a larger width, grasps that wedge the
+/// object remain undecided.
 pub(super) const NARROWEST_ARC: f64 = 1e-8;

@@ -1,7 +1,7 @@
 //! The angle by which a load can turn before a contact leaves its state.
 //!
-//! While all states last, a force is `F(φ) = F₀ + F_c cos φ + F_s sin φ`, and a gap and the margin at a facet have the same form. On the round
-//! cone `(μF_n)² - |F_t|²` is a trigonometric polynomial of degree two.
+//! As long as no contact changes its state, a contact force is `F(φ) = F₀ + F_c cos φ + F_s sin φ` at the angle φ of the load. Gaps, and margins at
+//! facets, have the same form. On the round cone `(μF_n)² - |F_t|²` is a trigonometric polynomial of degree two.
 
 use nalgebra::SVector;
 
@@ -14,18 +14,19 @@ use crate::numerics::tolerances::ROUNDED_SUM;
 use crate::numerics::{FirstZero, Harmonic, Trigonometric, Turning};
 use crate::prelude::*;
 
-/// A contact force, or a displacement of the body relative to the finger, as a function of the load's angle φ, which is zero now.
+/// A contact force, or a displacement of the body relative to the finger, as a function of the load's angle φ. The present angle of the load is φ =
+/// 0.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Wave {
     pub(crate) of: Harmonic<SVector<f64, 3>>,
-    /// Size that scales the rounding of its values.
+    /// Size that scales the rounding error of the values.
     pub(crate) size: f64,
-    /// Size that scales the rounding of its rates: that of the part that depends on φ.
+    /// Size that scales the rounding error of the rates: the size of the terms with cos φ and sin φ.
     pub(crate) turning_size: f64,
 }
 
 impl Wave {
-    /// A linear function of this wave, as a scalar function of φ.
+    /// A linear function `by` of the vector, as a scalar function of φ.
     fn component(&self, by: impl Fn(&SVector<f64, 3>) -> f64) -> Trigonometric {
         Trigonometric::linear(&self.of.map(by))
     }
@@ -41,8 +42,8 @@ pub(crate) enum TurningExit {
 }
 
 impl LocalLaw<'_> {
-    /// All exits from a state within the angle `most`, each at its first angle, from force and stretch as functions of the angle. Slides on the
-    /// round cone give none: they do not respond linearly to the load.
+    /// All exits from a state within the angle `most`, each at its first angle, from force and stretch as functions of the angle. A slide on the
+    /// round cone has no such exit, since its force does not respond linearly to the load.
     pub(crate) fn turning_exits(
         &self,
         state: &State,
@@ -72,8 +73,8 @@ impl LocalLaw<'_> {
         exits
     }
 
-    /// The angle at which a sliding contact stops. There the rate of a slip component that must not decrease becomes negative. Until then the contact
-    /// stays on its facets.
+    /// The angle at which a sliding contact stops. At this angle the rate of a slip component that must not decrease becomes negative. Up to this
+    /// angle the contact stays on its facets.
     fn stops(
         &self,
         state: &State,
@@ -119,7 +120,7 @@ impl LocalLaw<'_> {
             FirstZero::At(angle) => self.polished(wave, angle),
             FirstZero::Touches(angle) => return apex.or(Some(TurningExit::Touches(angle))),
         };
-        // At the apex both exits coincide.
+        // At the apex the exit from the round cone coincides with the zero of the normal force.
         if let Some(TurningExit::Leaves(through)) = apex
             && (through.step <= step || tangential(&wave.of.at(through.step)).norm() <= slack)
         {
@@ -140,13 +141,13 @@ impl LocalLaw<'_> {
         let rounding = ROUNDED_SUM * (self.cone().round_weight() * wave.size).powi(2);
         match Start::of(&difference, rounding, rounding) {
             Start::Above { roots } => difference.first_fall(most, rounding, roots),
-            // Near the apex the exit of the normal force is used instead.
+            // Near the apex the angle at which the normal force vanishes is used instead.
             Start::Falls | Start::Stays => None,
         }
     }
 
-    /// Refines an angle by Newton's method on the margin μF_n - |F_t|. Close to a double root its square has lost half the digits; the margin
-    /// itself has not.
+    /// Refines an angle by Newton's method on the margin μF_n - |F_t|. Close to a double root the squared form has lost half of the digits, but the
+    /// margin itself has not.
     fn polished(&self, wave: &Wave, angle: f64) -> f64 {
         let cone = self.cone();
         let mut step = angle;
@@ -155,7 +156,7 @@ impl LocalLaw<'_> {
             let (at, rate) = (wave.of.at(step), wave.of.rate_at(step));
             let slope = cone.facet_margin(&rate, &outward(&at));
             let better = step - cone.round_margin(&at) / slope;
-            // Largest correction of the angle, rad: well above the square root of the rounding of squares.
+            // Largest correction of the angle, rad. It is well above the error of the angle, the square root of the rounding error of squares.
             if slope < 0.0 && better > 0.0 && (better - angle).abs() <= 1e-3 {
                 step = better;
             }
@@ -170,14 +171,14 @@ fn outward(force: &SVector<f64, 3>) -> SVector<f64, 3> {
     friction / friction.norm().max(f64::MIN_POSITIVE)
 }
 
-/// The behaviour of a margin at φ = 0.
+/// The behaviour of a margin at the start of an arc, φ = 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Start {
-    /// Positive, at once or after this number of roots at φ = 0.
+    /// The margin is positive, at once or after this number of roots at φ = 0.
     Above { roots: usize },
-    /// Zero at φ = 0 and negative beyond.
+    /// The margin is zero at φ = 0 and negative beyond.
     Falls,
-    /// Zero at every angle.
+    /// The margin is zero at every angle.
     Stays,
 }
 
@@ -185,8 +186,8 @@ impl Start {
     /// Classifies a margin at the start of an arc. A value up to `slack` counts as zero, and so does a rate up to `rate_slack`.
     fn of(margin: &Trigonometric, slack: f64, rate_slack: f64) -> Self {
         let [value, slope, bend] = margin.at_the_beginning();
-        // The start of an arc is rounded, since it is where the previous arc ended. A margin that will grow may first decrease, but by no more
-        // than the slack.
+        // The start of an arc is rounded, since it is the computed end of the previous arc. A margin that will grow may first decrease, but by no
+        // more than the slack.
         let dips = bend > 0.0 && value - 0.5 * slope * slope / bend >= -slack;
         if value > slack || slope > rate_slack {
             Self::Above { roots: usize::from(value <= slack) }
@@ -202,7 +203,7 @@ impl Start {
     }
 }
 
-/// The exit at which a linear function of a wave becomes negative.
+/// The exit at which `component`, a linear function of the vector, becomes negative.
 fn linear_exit(
     wave: &Wave,
     component: impl Fn(&SVector<f64, 3>) -> f64,

@@ -46,7 +46,7 @@ impl Rotation {
         }
     }
 
-    /// Vector from a point with the displacement u = `moves` to the nearest point of the axis: `ω × u / |ω|²`.
+    /// Vector from a point to the nearest point of the axis of rotation: `ω × u / |ω|²`, if the displacement u of the point is `moves`.
     pub(crate) fn way_to_axis(&self, moves: &SVector<f64, 3>) -> SVector<f64, 3> {
         match self {
             Self::Plane(turn) => SVector::from([-moves[1] / turn, moves[0] / turn, 0.0]),
@@ -59,7 +59,7 @@ impl Rotation {
         }
     }
 
-    /// Component of a point's displacement `moves` along the axis, as a vector.
+    /// The component along the axis of rotation of a point's displacement `moves`, as a vector.
     pub(crate) fn along_axis(&self, moves: &SVector<f64, 3>) -> SVector<f64, 3> {
         let axis = self.axis();
         axis * axis.dot(moves)

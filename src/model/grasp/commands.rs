@@ -25,7 +25,7 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Commanded displacement of the finger's core along the **coordinate axes**, m, in place of [`Self::command`]. It is converted to the
+    /// Commanded displacement of the finger's core along the **coordinate axes**, m, in place of [`Self::command`]. The command is converted to the
     /// contact frame when the grasp is made, so normal and tangent may be set later.
     ///
     /// ```
@@ -44,7 +44,7 @@ impl<const C: usize> Contact<C> {
     }
 
     /// Squeeze as a force, N, from 0. The finger is commanded to the **position** at which it presses with this force on an object that does not
-    /// move. This replaces the normal component of the command by `clearance + force / k_n`; the tangential components stay. When the object
+    /// move. The squeeze replaces the normal component of the command by `clearance + force / k_n`; the tangential components stay. When the object
     /// moves, the force changes. Fingers with unequal forces therefore push the object until their forces balance.
     ///
     /// On a finger [with joints](crate::grasp::Finger) the joints are commanded too, by `K⁻¹Jᵀ` times the force, so that the finger exerts no
@@ -67,12 +67,12 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// A **constant** normal force, N, from 0, as of an air cylinder, a weight on a lever or a motor at constant current. Along the normal the
-    /// finger follows the object instead of holding a position. Along the tangents its springs act as usual. The points of a soft fingertip move
-    /// with one common slide, so that their springs share the force. It replaces [`Self::pressed_with`] and the normal component of the command.
+    /// A **constant** normal force, N, from 0, as of an air cylinder, a weight on a lever or a motor at constant current. Along the normal the finger
+    /// follows the object instead of holding a position. Along the tangents its springs act as usual. The points of a soft fingertip move with one
+    /// common slide, so that their springs share the force. The force replaces [`Self::pressed_with`] and the normal component of the command.
     ///
-    /// The grasp gets one more joint for it, named "slide of" the contact, after all other joints. Questions that refuse hands therefore refuse
-    /// such a grasp.
+    /// The grasp gets one more joint, along which the finger follows the object. It is named "slide of" the contact and comes after all other joints.
+    /// Questions that refuse hands therefore refuse such a grasp.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -119,8 +119,8 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Commanded displacement of the finger's core in the contact frame, m. Its components are NaN if the command is along the coordinate axes
-    /// and the contact has no valid frame; a grasp refuses such a contact.
+    /// Commanded displacement of the finger's core in the contact frame, m. Its components are NaN if the command is along the coordinate axes and
+    /// the contact has no valid frame; [`Grasp::new`](crate::ask::Grasp::new) refuses such a contact.
     #[must_use]
     pub fn commanded(&self) -> SVector<f64, C> {
         let mut command = match self.command_axes {
@@ -138,7 +138,7 @@ impl<const C: usize> Contact<C> {
         command
     }
 
-    /// The command along the coordinate axes, if it was given in these.
+    /// The command along the coordinate axes, if it was given by [`Self::command_world`].
     #[inline]
     pub(crate) fn commanded_in_world(&self) -> Option<&SVector<f64, C>> {
         (self.command_axes == Axes::World).then_some(&self.command)

@@ -16,21 +16,21 @@ use crate::words::LinkKind;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Hold {
-    /// Pushes, never pulls, and may open: `0 <= gap ⟂ F_n >= 0`.
+    /// The contact pushes, never pulls, and may open: `0 <= gap ⟂ F_n >= 0`.
     #[default]
     Unilateral,
-    /// The contact never opens: gap = 0. With zero or infinite friction the normal spring both pushes and pulls. Without friction this is a
-    /// guide along which the object slips freely; with infinite friction the object never slips. With friction in between, `|F_t| <= μ F_n`
-    /// holds as usual. If a pull would be needed, no equilibrium exists.
+    /// The contact never opens: gap = 0. With zero or infinite friction the normal spring both pushes and pulls. Without friction this is a guide
+    /// along which the object slips freely; with infinite friction the object never slips. With a finite positive friction coefficient,
+    /// `|F_t| <= μ F_n` holds as usual. No equilibrium exists under a load that needs a pull.
     KeptClosed,
-    /// Glued: normal and tangential springs push and pull without limit. Gap and slip are zero, and friction has no effect.
+    /// The surfaces are glued: normal and tangential springs push and pull without limit. Gap and slip are zero, and friction has no effect.
     Bonded,
 }
 
 /// A point contact with Coulomb friction between the object and an elastic finger.
 ///
-/// Built step by step; each method states its default. [`Grasp`](crate::ask::Grasp) validates its contacts when it is made. `C` is the number of
-/// axes: 2 in the plane, 3 in space.
+/// A contact is built step by step; the documentation of each method gives its default. [`Grasp`](crate::ask::Grasp) validates its contacts when it
+/// is made. `C` is the number of axes: 2 in the plane, 3 in space.
 ///
 /// The contact frame is (n, t) in the plane with `t = (n_y, -n_x)`, and (n, t₁, t₂) in space with `t₂ = n × t₁`. Components of stiffnesses,
 /// commands and forces refer to its axes, the normal first.
@@ -73,7 +73,8 @@ pub struct Contact<const C: usize> {
     pub(crate) command_axes: Axes,
     /// Pressing force that replaces the normal component of the command, N; converted to a command once the contact is part of a grasp.
     pub(crate) press: Option<f64>,
-    /// Normal force in the unloaded equilibrium, after all springs have yielded, N. The grasp computes the command for it when it is made.
+    /// Normal force in the equilibrium without load, after all springs have yielded, N. When the grasp is made, it computes the command that leads to
+    /// this force.
     pub(crate) at_rest: Option<f64>,
     /// Constant normal force, independent of the object's motion, N.
     pub(crate) force: Option<f64>,
@@ -83,9 +84,9 @@ pub struct Contact<const C: usize> {
     pub(crate) hold: Hold,
     /// Number of the point in its soft fingertip, from 0.
     pub(crate) point_of_pad: Option<usize>,
-    /// Name of the body into which the normal points, if the grasp has several bodies.
+    /// Name of the body into which the normal of the contact points, if the grasp has several bodies.
     pub(crate) on: Option<Arc<str>>,
-    /// Name of the body on the other side, if the grasp has several bodies.
+    /// Name of the body on the other side of the contact, if the grasp has several bodies.
     pub(crate) against: Option<Arc<str>>,
     /// Kind of the link to which this point belongs; `None` for an ordinary contact.
     pub(crate) link: Option<LinkKind>,
@@ -119,21 +120,22 @@ impl<const C: usize> Contact<C> {
         }
     }
 
-    /// Names the body into which the normal points, one of [several](super::Bodies). Forces and displacements of the contact refer to this body.
+    /// Names the body into which the normal of the contact points, one of [several](super::Bodies). Forces and displacements of the contact refer to
+    /// this body.
     pub fn on(mut self, body: impl Into<String>) -> Self {
         self.on = Some(body.into().into());
         self
     }
 
-    /// Names the body on the other side, one of [several](super::Bodies), in place of the ground or a finger. The body stiffness of the contact
-    /// belongs to the body that it is [on](Self::on), the finger stiffness to the body named here.
+    /// Names the body on the other side of the contact, one of [several](super::Bodies), in place of the ground or a finger. The body stiffness of
+    /// the contact belongs to the body named by [`on`](Self::on), the finger stiffness to the body named here.
     pub fn against(mut self, body: impl Into<String>) -> Self {
         self.against = Some(body.into().into());
         self
     }
 
-    /// A vacuum that pulls the object onto the contact, against the normal, with a constant force, N, from 0. The lip presses with this force
-    /// less the pull on the object. See [`SuctionCup`](super::SuctionCup), whose lip is a ring of points.
+    /// A vacuum that pulls the object onto the contact, against the normal, with a constant force, N, from 0. The lip presses with this force, less
+    /// the part of the load that pulls the object off. See [`SuctionCup`](super::SuctionCup), whose lip is a ring of points.
     pub fn suction(mut self, force: f64) -> Self {
         self.suction = force;
         self
@@ -145,8 +147,8 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Direction of the first tangent; its component along the normal is removed. In the plane it only selects the sign of t. The default is
-    /// `(n_y, -n_x)` in the plane. In space it is the projection of the coordinate axis that makes the largest angle with the normal.
+    /// Direction of the first tangent; its component along the normal is removed. In the plane the argument only selects the sign of t. The default
+    /// is `(n_y, -n_x)` in the plane. In space it is the projection of the coordinate axis that makes the largest angle with the normal.
     ///
     /// ```
     /// use grasp_lcp::nalgebra::Vector3;
@@ -165,23 +167,24 @@ impl<const C: usize> Contact<C> {
     }
 
     /// Coefficient of friction μ >= 0. With 0 (the default) the contact has no tangential spring, even if a tangential stiffness is given. With
-    /// `f64::INFINITY` it never slides while closed. A [bonded](Self::bonded) contact has its tangential springs for every μ.
+    /// `f64::INFINITY` the contact never slides while it is closed. A [bonded](Self::bonded) contact has its tangential springs for every μ.
     pub fn friction(mut self, mu: f64) -> Self {
         self.friction = mu;
         self
     }
 
     /// Coefficient of kinetic friction, from a millionth of the [static coefficient](Self::friction) up to all of it. When the contact begins to
-    /// slide, its friction drops to this value at constant load. Other contacts then take over the difference, or the object is lost. A contact
-    /// that has stopped sliding has static friction again.
+    /// slide, its friction drops to this value at constant load. Other contacts then carry the difference, or no equilibrium exists and the object is
+    /// lost. A contact that has stopped sliding has static friction again.
     ///
     /// Answers are **overdamped**: the object moves without overshoot to where forces balance again. An undamped object overshoots up to twice
     /// as far, and may be lost where the overdamped one is held. See the [guide](crate::guide::kinetic_friction).
     ///
     /// [`follow`](crate::ask::Grasp::follow), [`hold`](crate::ask::Grasp::hold), [`shake`](crate::ask::Grasp::shake) and needs to
-    /// [hold](crate::need::Need::to_hold) or to [rest](crate::need::Need::to_rest) take kinetic friction into account. The first slip does not
-    /// depend on it. [`solve`](crate::ask::Grasp::solve) refuses an equilibrium in which such a contact slides.
-    /// [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) refuses grasps with such a contact. All other questions concern contacts at rest.
+    /// [hold](crate::need::Need::to_hold) or to [rest](crate::need::Need::to_rest) take kinetic friction into account. The first slip does not depend
+    /// on kinetic friction. [`solve`](crate::ask::Grasp::solve) refuses an equilibrium in which such a contact slides.
+    /// [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) refuses grasps with such a contact. All other questions concern contacts that do not
+    /// slide.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -242,13 +245,13 @@ impl<const C: usize> Contact<C> {
         self.friction
     }
 
-    /// Coefficient of kinetic friction; the static one unless another [was given](Self::kinetic).
+    /// Coefficient of kinetic friction; equal to the static coefficient unless another [was given](Self::kinetic).
     #[must_use]
     pub fn kinetic_coefficient(&self) -> f64 {
         self.kinetic.unwrap_or(self.friction)
     }
 
-    /// Sets the coefficient of static friction and scales the kinetic one in proportion.
+    /// Sets the coefficient of static friction and scales that of kinetic friction in proportion.
     pub(crate) fn set_friction(&mut self, mu: f64) {
         let proportion = mu / self.friction;
         self.kinetic = self
@@ -263,7 +266,7 @@ impl<const C: usize> Contact<C> {
         if self.friction == 0.0 && self.hold != Hold::Bonded { 1 } else { self.space.axes() }
     }
 
-    /// Name of the contact in tables and pictures: the user's, or "contact" and `index`, its position in the list.
+    /// Name of the contact in tables and pictures: the name that the user gave, or "contact" and `index`, its position in the list.
     #[must_use]
     pub fn label_text(&self, index: usize) -> String {
         self.label(index).text()

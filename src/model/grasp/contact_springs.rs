@@ -6,8 +6,8 @@ use super::contact::Contact;
 use super::stiffness::Stiffness;
 
 impl<const C: usize> Contact<C> {
-    /// Springs of the object at this contact: normal and tangential stiffness, N/m, positive; `f64::INFINITY` for a rigid object (the default).
-    /// Replaces a series stiffness given before.
+    /// Springs of the object at this contact: normal and tangential stiffness, N/m, positive; `f64::INFINITY` for a rigid object (the default). These
+    /// springs replace a series stiffness given before.
     pub fn body_stiffness(self, normal: f64, tangential: f64) -> Self {
         self.body_stiffness_axes(normal_and_tangential(normal, tangential))
     }
@@ -19,8 +19,8 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Springs of the finger: normal and tangential stiffness, N/m, positive; `f64::INFINITY` for a rigid finger (the default). Replaces a series
-    /// stiffness given before.
+    /// Springs of the finger: normal and tangential stiffness, N/m, positive; `f64::INFINITY` for a rigid finger (the default). These springs replace
+    /// a series stiffness given before.
     pub fn finger_stiffness(self, normal: f64, tangential: f64) -> Self {
         self.finger_stiffness_axes(normal_and_tangential(normal, tangential))
     }
@@ -32,8 +32,8 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Series stiffness of body and finger, `1/k = 1/k_body + 1/k_finger`: normal and tangential, N/m, positive and finite. It replaces both
-    /// single stiffnesses. The displacements of the two surfaces are then unknown.
+    /// Series stiffness of body and finger, `1/k = 1/k_body + 1/k_finger`: normal and tangential, N/m, positive and finite. It replaces both single
+    /// stiffnesses. How the elastic displacement divides between the two surfaces is then unknown.
     pub fn series_stiffness(self, normal: f64, tangential: f64) -> Self {
         self.series_stiffness_axes(normal_and_tangential(normal, tangential))
     }

@@ -5,11 +5,11 @@ use nalgebra::SVector;
 use crate::numerics::{Vector, WHOLE};
 use crate::prelude::*;
 
-/// Coordinates of the object, then of joints and other bodies. Those of a single object need no allocation.
+/// Coordinates of the object, then those of joints and other bodies. The coordinates of a single object are stored without allocation.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Coordinates {
     count: usize,
-    /// The first coordinates; unused components are zero.
+    /// The first coordinates; unused components are zero. The other coordinates are in `more`.
     first: SVector<f64, WHOLE>,
     more: Vec<f64>,
 }
@@ -19,7 +19,7 @@ impl Coordinates {
         Self::of_in(coordinates, Vec::new())
     }
 
-    /// [`Self::of`], which stores the coordinates beyond the first ones in the memory of the list `more`.
+    /// [`Self::of`], in the memory of the list `more`, which receives the coordinates for which `first` has no room.
     pub(crate) fn of_in(coordinates: &Vector, mut more: Vec<f64>) -> Self {
         let all = coordinates.as_slice();
         let (in_place, others) = all.split_at(WHOLE.min(all.len()));
@@ -40,7 +40,7 @@ impl Coordinates {
         coordinates
     }
 
-    /// Moves the list of coordinates beyond the first ones out, so that its memory can be reused.
+    /// Moves the list `more` out, so that its memory can be reused.
     pub(crate) fn take_list(&mut self) -> Vec<f64> {
         core::mem::take(&mut self.more)
     }

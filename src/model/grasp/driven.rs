@@ -52,7 +52,7 @@ impl Engine {
         Ok(grasp)
     }
 
-    /// The constant torques that act on the joints in addition to the commands, N m or N.
+    /// The constant torques that act on the joints in addition to the drives, N m or N.
     pub(crate) fn held_torques(&self) -> Vec<f64> {
         self.linkage().map_or_else(Vec::new, |linkage| mapped(&linkage.joints, &|joint| joint.held_torque))
     }
@@ -161,8 +161,8 @@ impl Engine {
         self.linkage.as_ref().map_or(&[], |linkage| &linkage.commands)
     }
 
-    /// Offsets of all contacts and drives. The offset a_i of a contact is its command in the contact frame, less the clearance along the normal.
-    /// Offsets of a hand's drives follow.
+    /// Offsets of all contacts, then those of a hand's drives. The offset a_i of a contact is its command in the contact frame, less the clearance
+    /// along the normal.
     pub(crate) fn offsets(&self) -> Vec<SVector<f64, 3>> {
         let mut offsets = Vec::new();
         self.offsets_into(&mut offsets);
@@ -178,7 +178,7 @@ impl Engine {
         );
     }
 
-    /// Offsets of all contacts and drives for other commands than those of the grasp.
+    /// Offsets of all contacts and drives under other commands than those of the grasp.
     pub(crate) fn offsets_under(
         &self,
         commands: impl Iterator<Item = SVector<f64, 3>>,
@@ -195,7 +195,7 @@ impl Engine {
         }
     }
 
-    /// Change of the offsets for given changes of the commands; `None` stands for no change.
+    /// Change of the offsets for given changes of the commands; `None` means no change.
     pub(crate) fn offset_changes(
         &self,
         commands: Option<&[SVector<f64, 3>]>,

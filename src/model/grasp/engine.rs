@@ -15,26 +15,27 @@ use crate::numerics::Space;
 use crate::numerics::{Size, moved};
 use crate::prelude::*;
 
-/// A grasp with validated contacts. Its coordinates are the 3 or 6 of the object, then those of joints and other bodies.
+/// A grasp with validated contacts. Its coordinates are the 3 or 6 of the object, then those of joints and of other bodies.
 #[derive(Debug, Clone)]
 pub(crate) struct Engine {
-    /// Plane or space.
+    /// Whether the grasp is in the plane or in space.
     pub(super) space: Space,
     size: Size,
     pub(super) contacts: Vec<Contact<3>>,
     pub(super) sites: Vec<Site>,
-    /// The points in `contacts` grouped to contacts as users count them.
+    /// The contact points in `contacts`, grouped to contacts as users count them: all points of a soft fingertip are one contact.
     wholes: WholeContacts,
-    /// Centroid of the contact points, m. The engine refers moments and rotations to it, so that a distant origin of the caller costs no digits.
+    /// Centroid of the contact points, m. The engine refers moments and rotations to this point, so that a distant origin of the caller costs no
+    /// digits.
     pub(super) origin: SVector<f64, 3>,
-    /// Root mean square distance of the contact points from their centroid, m. The engine uses it as the unit of length of arms, so that
-    /// rotations and translations have comparable size for any unit of the caller.
+    /// Root mean square distance of the contact points from their centroid, m. The engine divides moment arms by this length, so that rotations and
+    /// translations have comparable size for any unit of the caller.
     pub(super) length: f64,
     /// The joints and drives behind the contacts, if any.
     pub(super) linkage: Option<Box<Linkage>>,
-    /// Total pull of the vacuums, which acts in addition to the caller's loads.
+    /// Total pull of all vacuums on the object, which acts in addition to the caller's loads.
     pub(super) vacuum: Option<Box<Vacuum>>,
-    /// Matrix factors of the elastic trial, in which all contacts stick; computed on first use.
+    /// Factors of the stiffness matrix of the elastic trial, a state in which all contacts stick; computed on first use.
     trial: Remembered,
 }
 
@@ -60,7 +61,8 @@ impl Engine {
         Ok(grasp)
     }
 
-    /// A copy of this grasp with other contact data at the same contact points. `stiffer` scales the springs of joints and tendons, by index.
+    /// A copy of this grasp with other contact data at the same contact points. The springs of the joint or tendon with index i are scaled by
+    /// `stiffer(i)`.
     pub(crate) fn with_data(
         &self,
         contacts: Vec<Contact<3>>,
@@ -85,7 +87,8 @@ impl Engine {
         grasp
     }
 
-    /// Whether anything presses without a load from the caller: a command, a constant force or torque, a vacuum, or a constant load on a body.
+    /// Whether contacts may carry forces without a load from the caller. Causes are a command, a constant force or torque, a vacuum, or a constant
+    /// load on a body.
     pub(crate) fn presses(&self) -> bool {
         let by_force =
             self.linkage().is_some_and(|linkage| linkage.held_forces.iter().any(|force| *force != 0.0));
@@ -104,7 +107,7 @@ impl Engine {
         self.linkage().map_or(&[], |linkage| &linkage.centres)
     }
 
-    /// A grasp by these contacts. Its origin is the centroid of the contacts for which `is_meant` is true.
+    /// A grasp with these contacts. Its origin is the centroid of the contacts for which `is_meant` is true.
     fn of(
         space: Space,
         size: Size,
@@ -122,7 +125,7 @@ impl Engine {
         let count = meant().count().max(1) as f64;
         let origin = meant().fold(SVector::zeros(), |sum, c| sum + c.point / count);
         let spread = meant().map(|c| (c.point - origin).norm_squared() / count).sum::<f64>().sqrt();
-        // A single point has no extent, so any unit of length serves.
+        // A single point has no extent, so any unit of length can be used.
         let length = if spread * LARGEST > 1.0 { spread } else { 1.0 };
         let mut sites = Vec::with_capacity(contacts.len());
         for (index, contact) in contacts.iter().enumerate() {
@@ -133,13 +136,13 @@ impl Engine {
         Ok(Self { space, size, contacts, sites, wholes, origin, length, linkage: None, vacuum, trial })
     }
 
-    /// Plane or space.
+    /// Whether the grasp is in the plane or in space.
     #[inline]
     pub(crate) fn space(&self) -> Space {
         self.space
     }
 
-    /// Number of coordinates.
+    /// Number of coordinates of the grasp.
     #[inline]
     pub(crate) fn size(&self) -> Size {
         self.size
@@ -193,7 +196,7 @@ impl Engine {
         if self.linkage.is_some() { Err(Error::NotForHands { question }) } else { Ok(()) }
     }
 
-    /// Returns an error for kinetic friction, in questions that would report sliding contacts with static friction.
+    /// Returns an error if a contact has kinetic friction, for questions whose answers would give sliding contacts their static friction.
     pub(crate) fn refuse_kinetic(&self, question: &'static str) -> Result<(), Error> {
         match self.weaker_once_they_slide().next() {
             Some(i) => Err(Error::KineticFriction { question, contact: self.contacts[i].label(i) }),
@@ -234,7 +237,7 @@ impl Engine {
         self.linkage.as_deref()
     }
 
-    /// Storage for the factors of the elastic trial.
+    /// Storage for the matrix factors of the elastic trial, in which all contacts stick.
     pub(crate) fn remembered_trial(&self) -> &Remembered {
         &self.trial
     }
@@ -244,7 +247,7 @@ impl Engine {
     }
 }
 
-/// Plane or space, for a grasp by these contacts.
+/// Whether a grasp with these contacts is in the plane or in space.
 pub(super) fn space_of(contacts: &[Contact<3>]) -> Space {
     contacts.first().map_or(Space::Spatial, |contact| contact.space)
 }

@@ -32,8 +32,8 @@ impl<const C: usize> Body<C> {
         Self { name: name.into().into(), mass: 0.0, centre: SVector::zeros(), load: Wrench::ZERO }
     }
 
-    /// Sets the mass, kg, and the centre of mass, m. [Gravity](super::Bodies::gravity) acts there, and so does the body's share of a load that
-    /// is [shared by mass](super::Bodies::shared_by_mass).
+    /// Sets the mass, kg, and the centre of mass, m. [Gravity](super::Bodies::gravity) acts at the centre of mass, and so does the body's share of a
+    /// load that is [shared by mass](super::Bodies::shared_by_mass).
     #[must_use]
     pub fn mass(mut self, mass: f64, centre: impl Into<[f64; C]>) -> Self {
         (self.mass, self.centre) = (mass, SVector::from(centre.into()));
@@ -84,7 +84,7 @@ impl BodyMotion<3> {
         self.twist.moves(&self.centre)
     }
 
-    /// Displacement of the contact points due to rotation about their centroid, m: the angle times `reach`.
+    /// Displacement of the contact points due to the rotation about their centroid, m: the angle of rotation times `reach`.
     pub(crate) fn turning_moves(&self) -> f64 {
         self.twist.parts().1.size() * self.reach
     }

@@ -68,19 +68,19 @@ impl<const C: usize> Bodies<C> {
         }
     }
 
-    /// Adds contacts with the ground, with fixed fingers, or between bodies; they have no joints.
+    /// Adds contacts with the ground, with fixed fingers, or between bodies. None of these contacts is moved by joints.
     pub fn contacts(mut self, contacts: impl IntoIterator<Item = Contact<C>>) -> Self {
         self.hand = contacts.into_iter().map(Finger::fixed).fold(self.hand, Hand::finger);
         self
     }
 
-    /// Adds hinges, slides, springs or cables between the bodies or to the ground. The contacts that model them follow all other contacts.
+    /// Adds hinges, slides, springs or cables between the bodies or to the ground. The contacts that model these links come after all other contacts.
     pub fn links(mut self, links: impl IntoIterator<Item = Link<C>>) -> Self {
         self.links.extend(links);
         self
     }
 
-    /// Sets the hand that holds the bodies. It replaces all contacts given before.
+    /// Sets the hand that holds the bodies. The hand replaces all contacts given before.
     pub fn held_by(mut self, hand: Hand<C>) -> Self {
         self.hand = hand;
         self
@@ -98,8 +98,9 @@ impl<const C: usize> Bodies<C> {
         self
     }
 
-    /// Shares the loads of questions among all bodies in proportion to their masses. The force acts at their centres of mass, and the remaining
-    /// moment is shared likewise. A load parallel to gravity thus scales all weights; a turning load turns them.
+    /// Shares the loads of questions among all bodies in proportion to their masses. Each share of the force acts at the centre of mass of its body.
+    /// The moment that remains is shared in the same proportion. A load parallel to gravity thus scales all weights, and a turning load turns all
+    /// weights.
     pub fn shared_by_mass(mut self) -> Self {
         self.loaded = Loaded::ByMass;
         self

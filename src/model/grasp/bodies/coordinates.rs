@@ -1,4 +1,4 @@
-//! Conversion of loads and motions of several bodies between the engine's coordinates and the user's.
+//! Conversion of loads and motions of several bodies between the engine's coordinates and those of the user.
 
 use alloc::sync::Arc;
 
@@ -18,7 +18,7 @@ impl Engine {
         self.linkage()?.bodies.as_deref()
     }
 
-    /// Sign, 1, -1 or 0, with which the force of a contact acts on the body that has the object's coordinates.
+    /// Sign, 1, -1 or 0, with which the force of a contact acts on the body that has the coordinates of the object.
     pub(crate) fn sign_on_object(&self, contact: usize) -> f64 {
         self.bodies().map_or(1.0, |bodies| bodies.sign(contact, bodies.object))
     }
@@ -40,8 +40,8 @@ impl Engine {
         inside
     }
 
-    /// Moments of a contact's `force` at `point` on each body, about the origin, in the engine's coordinates; entries of forces are zero. They
-    /// measure how rounding of the contact point affects rotations.
+    /// Moments about the origin of a contact's `force` at `point`, on each body, in the engine's coordinates; the components of forces are zero. The
+    /// moments measure how rounding of the contact point affects rotations.
     pub(crate) fn moments_of(
         &self,
         contact: usize,
@@ -71,8 +71,8 @@ impl Engine {
         moments
     }
 
-    /// A grasp of the same bodies whose loads all grow in proportion to the first force component of a question's load. Per newton of it each body
-    /// carries its constant load plus its share of `base`; no constant load remains. `None` for a single object.
+    /// A grasp of the same bodies in which all loads grow from zero. For each newton of the first force component of a question's load, each body
+    /// carries its constant load plus its share of `base`. No constant load remains. `None` for a single object.
     pub(crate) fn growing_from_nothing(&self, base: &Wrench<3>) -> Option<Self> {
         let bodies = self.bodies()?;
         let shared = bodies.shared(base);
@@ -101,12 +101,12 @@ impl Engine {
         self.bodies().map_or_else(|| Err(no_body(name)), |bodies| bodies.called(name))
     }
 
-    /// These bodies with one load applied to each of them by a load program, in addition to their constant loads.
+    /// A copy of this grasp with one load on each body from a load program, in addition to the constant loads.
     pub(crate) fn under_body_loads(&self, loads: Vec<Wrench<3>>) -> Self {
         self.bodies().map_or_else(|| self.clone(), |bodies| self.with_bodies(bodies.under(loads)))
     }
 
-    /// These bodies with the body loads of an answer applied, for further questions about that answer.
+    /// A copy of this grasp with the body loads of an answer, for further questions about this answer.
     pub(crate) fn with_body_loads(&self, loads: &[BodyLoad<3>]) -> Result<Self, Error> {
         let mut all = vec![Wrench::ZERO; self.bodies().map_or(0, |bodies| bodies.names.len())];
         for BodyLoad { body, load } in loads {
@@ -130,7 +130,7 @@ impl Engine {
             let twist = if body == bodies.object {
                 Twist::among(self.space, outside)
             } else {
-                // Components beyond the end of the vector are zero.
+                // Components beyond the end of the vector are zero, so the vector may be shorter.
                 let count = Size::of(self.space.of_the_object());
                 let own = Vector::from_fn(count, |k| outside[place.first + k]);
                 Twist::among(self.space, &self.space.moved_twist(&place.centre, &own))
@@ -164,7 +164,7 @@ impl Engine {
         lengths
     }
 
-    /// A copy of the coordinates in which only those of the body under a contact's normal are kept; all others are zero.
+    /// A copy of the coordinates in which only those of one body are kept, the body into which the contact's normal points; all others are zero.
     pub(crate) fn body_alone(&self, contact: usize, coordinates: &Vector) -> Vector {
         let Some(bodies) = self.bodies() else { return self.space.object_alone(coordinates) };
         let Some((on, _)) = bodies.sides.get(contact) else { return coordinates.clone() };

@@ -1,4 +1,4 @@
-//! Conversion of links between vectors of two components, which users of the plane give, and the engine's of three.
+//! Conversion of links between the vectors of two components that users of the plane give, and the vectors of three components in the engine.
 
 use super::link::{Link, LinkPlace};
 use crate::grasp::{face_of_enum, face_of_struct};

@@ -9,8 +9,8 @@ use crate::words::LinkKind;
 
 /// A link between two bodies, or between a body and the ground: a hinge, a slide, a rigid joint, a spring, a cable.
 ///
-/// A link is modelled by contacts that never open, a cable by one contact that only pulls. Questions and methods stay the same, and answers
-/// report the link as one part. It neither slips nor breaks, and is as compliant as its [stiffness](Self::stiffness).
+/// A link is modelled by contacts that never open, a cable by one contact that only pulls. Questions and methods stay the same, and answers contain
+/// the link as one part. A link neither slips nor breaks, and is as compliant as its [stiffness](Self::stiffness).
 ///
 /// | link | free motion | carries |
 /// |---|---|---|
@@ -50,7 +50,7 @@ pub struct Link<const C: usize> {
     pub(crate) against: Option<Arc<str>>,
     pub(crate) stiffness: Option<f64>,
     pub(crate) pretension: f64,
-    /// Pull of a cable or spring at rest after installation, N, in place of the pretension.
+    /// Pull of a cable or spring after all springs have yielded, without the load of a question, N; in place of the pretension.
     pub(crate) tension: Option<f64>,
     pub(crate) slack: f64,
 }
@@ -109,8 +109,8 @@ impl Link<2> {
 }
 
 impl Link<3> {
-    /// A hinge about an axis through this point, m. Its two bearings are `length` apart, m, with this point in the middle. They share the load,
-    /// and thus carry moments across the axis.
+    /// A hinge about an axis through this point, m. Its two bearings are `length` apart, m, with this point in the middle. The bearings share the
+    /// load, and thus carry moments across the axis.
     pub fn hinge(point: impl Into<[f64; 3]>, axis: impl Into<[f64; 3]>, length: f64) -> Self {
         let bearings = Some((SVector::from(axis.into()), length));
         Self::at(LinkPlace::Hinge { point: SVector::from(point.into()), bearings })
@@ -149,7 +149,7 @@ impl<const C: usize> Link<C> {
         Self::at(LinkPlace::Spring { from, to }).stiffness(stiffness)
     }
 
-    /// A cable or rope from a point of the first body to a point of the second, or of the ground, m. It only pulls, along the line between the
+    /// A cable or rope from a point of the first body to a point of the second, or of the ground, m. A cable only pulls, along the line between the
     /// two points. In this first-order model the line does not turn with the bodies.
     ///
     /// ```
@@ -191,15 +191,16 @@ impl<const C: usize> Link<C> {
         self
     }
 
-    /// Sets the pull of a cable or a spring before anything moves, N; a spring with a negative value pushes. At rest the pull is smaller, since
-    /// the bodies yield; see [`Self::tension`].
+    /// Sets the pull of a cable or a spring before anything moves, N; a spring with a negative value pushes. Once all springs have yielded, the pull
+    /// is smaller; see [`Self::tension`].
     pub fn pretension(mut self, force: f64) -> Self {
         (self.pretension, self.tension) = (force, None);
         self
     }
 
-    /// Sets the pull of an installed cable or spring, N, in place of a pretension. It is the pull at rest, under the constant loads on bodies
-    /// alone, after everything else has yielded. The grasp computes the pretension for it, or refuses the link if nothing resists such a pull.
+    /// Sets the pull of an installed cable or spring, N, in place of a pretension. The tension is the pull under the constant loads on bodies alone,
+    /// after all other springs have yielded. The grasp computes the pretension that leads to this tension, or refuses the link if nothing resists
+    /// such a pull.
     ///
     /// ```
     /// use grasp_lcp::planar::{Bodies, Body, Contact, Link, Wrench};
@@ -224,7 +225,7 @@ impl<const C: usize> Link<C> {
         self
     }
 
-    /// The user's name, or the kind with the number.
+    /// The name that the user gave, or else the kind of the link with its number.
     pub(crate) fn called(&self, number: usize) -> String {
         self.name.as_deref().map_or_else(|| format!("{} {number}", self.kind().name()), str::to_owned)
     }

@@ -1,8 +1,9 @@
 //! The contacts that model a link.
 //!
-//! A hinge is bonded at one point, in space at two. A slide is kept closed without friction, at bearings normal to its direction. A rigid joint
-//! is bonded at points around its centre. A spring is kept closed along its line, and a cable only pulls along it. For both, the normal points
-//! from the start of the line to its end: a positive normal force pulls the first body towards the end.
+//! A hinge is a bonded contact at one point, in space at two. A slide is frictionless contacts that are kept closed, at bearings normal to its
+//! direction. A rigid joint is bonded contacts around its centre. A spring is a contact that is kept closed along its line, and a cable a contact
+//! that only pulls along its line. For both, the normal points from the start of the line to its end: a positive normal force pulls the first body
+//! towards the end.
 
 use nalgebra::SVector;
 
@@ -47,7 +48,7 @@ impl Link<3> {
         })?;
         let points = self.points(space);
         let (count, all) = (points.len() as f64, self.stiffness.unwrap_or(Self::STIFF));
-        // Half of the bearings of a spatial slide act along each of the two directions normal to it.
+        // In space, half of the bearings of a slide act along each of the two directions normal to the slide.
         let is_slide = matches!(self.place, LinkPlace::Slide { .. });
         let share = if is_slide { (space.axes() - 1) as f64 / count } else { 1.0 / count };
         let is_one = points.len() == 1;
@@ -88,7 +89,8 @@ impl Link<3> {
                 let (half, across) = (0.5 * length, normals_to(space, &along));
                 let mut points = Vec::new();
                 for normal in &across {
-                    // Bearings lie at both ends. In space they also lie on both sides of the slide, so that it cannot turn about its direction.
+                    // Bearings lie at both ends. In space bearings also lie on both sides of the slide, so that the slide cannot turn about its
+                    // direction.
                     for arm in [&[along], &across[..]].concat() {
                         if arm != *normal {
                             for x in [-half, half] {

@@ -7,8 +7,8 @@
 //! v_i = a_i - G_iᵀ q_on + G_iᵀ q_against,        Σ_on G_i F_i - Σ_against G_i F_i + W_b = 0   for every body b
 //! ```
 //!
-//! The contact law stays the same. The body on which loads act has the coordinates of the object. The coordinates of all other bodies follow
-//! those of the joints, and enter the motion of a contact in the same way. Links between bodies are contacts that cannot open.
+//! The contact law stays the same. The body on which loads act has the coordinates of the object. The coordinates of all other bodies come after
+//! those of the joints. Both enter the motion of a contact in the same way. Links between bodies are contacts that cannot open.
 
 mod assembled;
 mod body;

@@ -19,7 +19,7 @@ use crate::words::printable;
 pub(crate) struct BodyPlace {
     /// Index of the body's first coordinate; zero for the body that has the object's coordinates.
     pub(crate) first: usize,
-    /// Centroid of the body's contact points, m; the body's rotation is taken about it.
+    /// Centroid of the body's contact points, m. The coordinates of rotation refer to this point.
     pub(crate) centre: SVector<f64, 3>,
     /// Root mean square distance of the body's contact points from the centroid, m.
     pub(crate) reach: f64,
@@ -32,21 +32,21 @@ pub(super) enum Sharing {
     OnObject,
     /// For each body the fraction of the load that it carries, and the point where its force acts, m.
     ByParts(Vec<(f64, SVector<f64, 3>)>),
-    /// Each body carries its entry of `loads`, times the ratio of the question's load to `one`.
+    /// Each body carries its entry of `loads`. If the question's load is a multiple of `one`, all entries are scaled by this multiple.
     Together { one: Wrench<3>, loads: Vec<Wrench<3>> },
 }
 
 /// Several bodies in the engine.
 #[derive(Debug, Clone)]
 pub(crate) struct PlacedBodies {
-    /// Plane or space.
+    /// Whether the bodies are in the plane or in space.
     space: Space,
     pub(crate) names: Vec<Arc<str>>,
     /// Index of the body that has the object's coordinates.
     pub(crate) object: usize,
     /// Constant load on each body, in addition to the load of a question.
     pub(crate) loads: Vec<Wrench<3>>,
-    /// The part of `loads` that the user gave as loads, without weights.
+    /// The part of `loads` that the user gave as loads of bodies; weights are not included.
     pub(crate) user_loads: Vec<Wrench<3>>,
     /// The part of `loads` that a load program has applied; usually empty.
     pub(super) program_loads: Vec<Wrench<3>>,
@@ -141,8 +141,8 @@ impl PlacedBodies {
         }
     }
 
-    /// Displacement of a contact's finger relative to its body, per unit of each coordinate of the bodies other than the object. Coordinates are
-    /// counted from the first one after the object's.
+    /// Displacement of a contact's finger relative to its body, per unit of each coordinate of the bodies other than the object. The coordinates are
+    /// counted from the first one after the object's coordinates.
     pub(crate) fn columns(&self, contact: usize, point: &SVector<f64, 3>) -> Columns {
         let object = self.space.of_the_object();
         let mut columns = Columns::new();
@@ -161,7 +161,7 @@ impl PlacedBodies {
         columns
     }
 
-    /// Loads on all bodies for the load of a question.
+    /// The loads on all bodies that follow from the load of a question.
     pub(crate) fn shared(&self, load: &Wrench<3>) -> Vec<Wrench<3>> {
         let list = match &self.sharing {
             Sharing::OnObject => {
@@ -205,18 +205,18 @@ impl PlacedBodies {
         })
     }
 
-    /// These bodies with the loads `program_loads` added to their constant loads.
+    /// These bodies with the loads `program_loads` added to their constant loads; one load for each body.
     pub(super) fn under(&self, program_loads: Vec<Wrench<3>>) -> Self {
         let loads = paired(&self.loads, &program_loads, &|(always, more)| *always + *more);
         Self { loads, program_loads, ..self.clone() }
     }
 
-    /// Whether the load of a question acts on more than one body.
+    /// Whether the load of a question may act on more than one body.
     pub(crate) fn is_shared(&self) -> bool {
         !matches!(self.sharing, Sharing::OnObject)
     }
 
-    /// These bodies without constant loads. Instead `loads` act on them, multiplied by a question's force along the first axis in N.
+    /// These bodies without constant loads. Instead each body carries its entry of `loads` times the first force component of the question's load, N.
     pub(super) fn growing_together(&self, loads: Vec<Wrench<3>>) -> Self {
         let none = vec![Wrench::ZERO; loads.len()];
         let sharing = Sharing::Together { one: Wrench::from_components(&[1.0]), loads };
