@@ -33,7 +33,7 @@ macro_rules! names {
         pub type Link = crate::grasp::Link<$axes>;
         /// The verdict on a load that is applied from rest; see [`crate::hold::Verdict`].
         pub type Verdict = crate::hold::Verdict<$axes>;
-        /// A question for the needed amount of a quantity, with its loads; see [`crate::need::Need`].
+        /// A question for the amount of squeeze, friction, load, arm or angle that is needed to hold its loads; see [`crate::need::Need`].
         pub type Need = crate::need::Need<$axes>;
         /// The answer to a question for an equilibrium; see [`crate::equilibrium::Outcome`].
         pub type Outcome = crate::equilibrium::Outcome<$axes>;

@@ -34,7 +34,7 @@ impl<const C: usize> Turning<C> {
         (0..C).fold(square, |sum, axis| sum.minus(&Trigonometric::square_of(&self.vector.map(|v| v[axis]))))
     }
 
-    /// An angle from 0 to `most` at which N - |v| has a local minimum that is negative by more than rounding; `None` without such an angle.
+    /// Nodes and weights of Gauss and Legendre's rule with eight points on (-1, 1): the four positive nodes.
     pub(crate) fn deepest(&self, most: f64) -> Option<f64> {
         let rounding = ROUNDED_SUM * self.size();
         if self.value(0.0) < -rounding {

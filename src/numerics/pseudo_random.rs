@@ -7,7 +7,7 @@ use crate::prelude::*;
 
 const WEYL_STEP: u64 = 0x9E37_79B9_7F4A_7C15;
 
-/// Entry i of a fixed generic vector, from 1/2 to below 3/2.
+/// Entry i of a fixed vector without special structure, from 1/2 to below 3/2.
 pub(crate) fn generic(i: usize) -> f64 {
     let bits = mixed((i as u64).wrapping_add(1).wrapping_mul(WEYL_STEP));
     0.5 + (bits >> 11) as f64 / (1_u64 << 53) as f64
@@ -20,12 +20,12 @@ fn mixed(mut z: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// Random numbers that depend only on three words, the place of the draw: SplitMix64 (Steele, Lea and Flood, Fast splittable pseudorandom number
-/// generators, 2014).
+/// Random numbers that depend only on the three words of the seed: SplitMix64 (Steele, Lea and Flood, Fast splittable pseudorandom number generators,
+/// 2014).
 pub(crate) struct Draw(u64);
 
 impl Draw {
-    /// The generator for a place. Each of its words changes all bits of the state.
+    /// The generator with the seed `place`. Each word of the seed changes all bits of the state.
     pub(crate) fn new(place: [u64; 3]) -> Self {
         let mut draw = Self(0);
         for word in place {

@@ -24,7 +24,7 @@ pub(crate) struct RayExit {
     pub(crate) stretch: f64,
 }
 
-/// The exit of the ray from the middle of a simplex to a target. `None` if rounding leaves no face.
+/// The exit of the ray from the middle of a simplex to a target. `None` if rounding corrupts all faces of the simplex.
 pub(crate) fn shoot(support: &SupportFunction<'_>, simplex: &[Vertex], target: &Vector) -> Option<RayExit> {
     let size = Size::of(simplex.len() - 1);
     let origin = middle(simplex);

@@ -277,8 +277,8 @@ impl<const C: usize> SoftFingertip<C> {
 
     /// The point contacts that replace `contact`.
     ///
-    /// Each point has the normal, tangents, friction, command, clearance and hold of `contact`. Its stiffness (of body and finger) and its
-    /// forces are the share w_i of the contact's. Its name is that of `contact` with a number from 0, "thumb 3".
+    /// Each point has the normal, tangents, friction, command, clearance and [`Hold`](crate::grasp::Hold) of `contact`. Its stiffness (of body and
+    /// finger) and its forces are the share w_i of the contact's. Its name is that of `contact` with a number from 0, "thumb 3".
     ///
     /// # Errors
     /// [`Error::Contact`] with index 0 if `contact` has a number that is out of range.
@@ -334,7 +334,7 @@ impl<const C: usize> SoftFingertip<C> {
 
 pub(super) fn usable(length: f64, what: &'static str) -> Result<f64, Error> {
     let usable = (1.0 / LARGEST..=LARGEST).contains(&length);
-    // The accepted range, as messages name it.
+    // The range of a length that error messages give as allowed.
     check(usable, what, length, "from 1e-50 to 1e50").map(|()| length)
 }
 

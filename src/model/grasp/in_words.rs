@@ -135,7 +135,7 @@ impl Words {
             |motion: &BodyMotion<3>| (printable(&motion.body).into_owned(), self.direction(&motion.twist));
         let texts: Vec<_> = moves.map(texts).list();
         let Some((_, first)) = texts.first() else { return "moving nothing but the hand".to_owned() };
-        // Up to three bodies with the same motion are named one by one.
+        // More than three bodies with the same motion share one description; up to three are described one by one.
         if texts.len() > 3 && texts.iter().all(|(_, way)| way == first) {
             let names: Vec<_> = mapped(&texts, &|(name, _)| name);
             return format!("{}, all {first}", listed(&names));

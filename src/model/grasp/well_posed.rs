@@ -65,7 +65,7 @@ impl<const C: usize> Contact<C> {
         Ok(frame)
     }
 
-    /// Checks all numbers except those of the frame.
+    /// Returns an error for the first number out of range, except in the normal and the tangent, which [`Self::frame`] validates.
     pub(crate) fn check(&self, index: usize) -> Result<(), Error> {
         let fault =
             |field, value, allowed| Err(Error::Contact { contact: self.label(index), field, value, allowed });

@@ -68,12 +68,12 @@ impl ContactPoints {
         self.label.text()
     }
 
-    /// Mean of a vector over its points.
+    /// Mean of a vector over the points of this contact.
     pub(crate) fn mean(&self, of: &dyn Fn(usize) -> SVector<f64, 3>) -> SVector<f64, 3> {
         self.range.clone().fold(SVector::zeros(), |sum, i| sum + of(i)) / self.range.len() as f64
     }
 
-    /// The contact in an answer about this number of its points.
+    /// This contact as it appears in an answer that applies to `points` of its points.
     pub(crate) fn with(&self, points: usize) -> WholeContact {
         let ContactLabel { index: contact, link, .. } = self.label;
         WholeContact { contact, label: self.text(), link, points, of: self.range.len() }

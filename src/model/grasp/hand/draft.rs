@@ -30,7 +30,7 @@ pub(in crate::model::grasp) struct Assembly {
     pub(super) drives: Vec<Drive>,
     pub(in crate::model::grasp) held_forces: Vector,
     pub(super) bones: Vec<[SVector<f64, 3>; 2]>,
-    /// For each contact the force of `pressed_with`, N: its magnitude, and its vector along the coordinate axes.
+    /// For each contact the pressing force of `Contact::pressed_with`, N: its magnitude, and its vector along the coordinate axes.
     pub(super) presses: Vec<(f64, SVector<f64, 3>)>,
 }
 
