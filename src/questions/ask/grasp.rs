@@ -276,7 +276,7 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// The verdict on a load without states, proofs and the data that only its sentence needs. The second value is the largest ratio of a motion to
-    /// its limit of small motions, up to the whole load or its loss.
+    /// its limit of small motions on the path as far as it was followed.
     pub(crate) fn hold_briefly(&self, load: &Ramp<C>) -> Result<(Verdict<C>, f64), Error> {
         let (verdict, more) = self.engine.hold_with(&inside(load), &self.settings, Extent::Brief)?;
         Ok((outside(verdict), more.farthest))

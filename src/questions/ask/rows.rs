@@ -28,8 +28,8 @@ pub(crate) fn answers_of_rows<T: Send>(
     map_in_order(&chunks, |chunk| answers(chunk.clone())).into_iter().flatten().list()
 }
 
-/// First slip, and rotation under the whole load, of each row. `None` where screening does not support the contacts of the row, or `is_meant` rejects
-/// it.
+/// First slip, and rotation under the whole load, of each row. `None` for a row whose contacts screening does not support, or for whose contacts and
+/// base load `is_meant` is false.
 pub(crate) fn while_sticking<const C: usize>(
     rows: Range<usize>,
     row: &RowOf<'_, C>,
@@ -46,8 +46,8 @@ pub(crate) fn while_sticking<const C: usize>(
     for (place, number) in rows.clone().enumerate() {
         contacts.clear();
         let [base, load] = row(number, &mut contacts);
-        // Rows are left to the whole grasp where screening has no answer. It does not know whether a grasp of bonded contacts alone lies loose, and
-        // computes no slips of contacts without friction.
+        // Screening has no answer for these rows, and the caller asks the whole grasp. Screening cannot find out whether a grasp of bonded contacts
+        // alone carries no force, and computes no slips of contacts without friction.
         let presses = contacts.iter().any(|contact| contact.hold == Hold::Unilateral);
         let sticks = |contact: &Contact<C>| contact.hold == Hold::Bonded || contact.springs() > 1;
         if !(presses && contacts.iter().all(sticks) && is_meant(&contacts, &base)) {

@@ -1,4 +1,4 @@
-//! The unknowns that slips determine, with their errors.
+//! Estimates of unknown data of a grasp (friction, squeeze, forces, stiffness) from observed slips, with their errors.
 
 use super::combination::FreeCombination;
 use super::unknown::UnknownKind;
@@ -7,7 +7,7 @@ use crate::prelude::*;
 use crate::serial::AsComputed;
 use crate::sweep::Uncertainty;
 
-/// The unknowns that observed slips of a grasp determine; [`Display`](std::fmt::Display) states them in a sentence.
+/// The unknown data of a grasp that observed slips determine; its [`Display`](std::fmt::Display) is a sentence.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -23,14 +23,14 @@ pub struct Identified {
     /// Number of groups of slips that may share errors; `None` if all slips are independent.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub groups: Option<usize>,
-    /// The estimated relative scatter of loads or angles. `None` if it was given, or if there are as many unknowns as slips.
+    /// Number of groups of slips that may share errors; `None` if all slips are independent.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub scatter: Option<f64>,
     /// Root mean square of the residuals over the given scatter; `None` if it was not given. If it is much more than one, the model is wrong, or
     /// the given scatter too small.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub misfit: Option<f64>,
-    /// Number of slips and of known sums, less the number of combinations that they determine.
+    /// Number of observations (slips and known sums) minus the number of independent combinations of unknowns that they determine.
     pub degrees_of_freedom: usize,
     /// Combinations of unknowns that the slips do not determine.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
@@ -47,7 +47,7 @@ pub struct Identified {
     pub weights: Vec<f64>,
     /// Number of slips whose derivatives are differences of exact answers instead of exact derivatives.
     pub by_differences: usize,
-    /// Steps of the search.
+    /// Number of steps of the search.
     pub iterations: usize,
 }
 
@@ -72,8 +72,8 @@ pub struct Estimate {
     /// The confidence interval of 95 %; `None` without a standard error.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub interval: Option<[f64; 2]>,
-    /// The degrees of freedom of Student's distribution in the interval; `None` if the distribution is normal, or if there is no interval. With
-    /// groups of slips they are those that the groups leave for this unknown; few of them make the interval wide.
+    /// The degrees of freedom of Student's distribution in the interval; `None` if the distribution is normal, or if there is no interval. If slips
+    /// share errors in groups, they count the groups rather than the slips; few degrees of freedom make the interval wide.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub degrees_of_freedom: Option<f64>,
 }
@@ -123,8 +123,9 @@ impl Identified {
         self.of(kind).filter_map(part).fold(0.0, f64::max)
     }
 
-    /// The standard errors as uncertainty of the grasp, for [`Grasp::reserve`](crate::ask::Grasp::reserve) and similar methods. For friction, squeeze
-    /// and stiffness it has the largest relative error of all such unknowns. Carried forces count as squeeze. The seed is that of the samples.
+    /// The standard errors as an [`Uncertainty`] of the grasp, for [`Grasp::reserve`](crate::ask::Grasp::reserve) and similar methods. The relative
+    /// errors of friction, squeeze and stiffness are the largest among all unknowns of that kind. Carried forces count as squeeze. `seed` is the seed
+    /// of the samples.
     #[must_use]
     pub fn uncertainty(&self, seed: u64) -> Uncertainty {
         let sigma = |kind| {

@@ -18,7 +18,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{IntoList, mapped, paired, summed, symmetric_eigen};
 use crate::prelude::*;
 
-/// The groups of slips, with what each contributes to the solution and to its error.
+/// The groups of slips, with the contribution of each group to the solution and to its error.
 pub(super) struct Grouped {
     groups: Vec<Group>,
     /// Information matrix of the known sums, which belong to no group.
@@ -35,9 +35,9 @@ struct Group {
     moves: DVector<f64>,
 }
 
-/// The error of an unknown.
+/// The error of the estimate of one unknown.
 pub(super) struct GroupedError {
-    /// Variance of its logarithm.
+    /// Variance of the logarithm of the unknown.
     pub(super) variance: f64,
     /// Degrees of freedom of that variance.
     pub(super) degrees: f64,
@@ -95,7 +95,8 @@ impl Grouped {
     }
 }
 
-/// (1 - Q)^(-1/2), with zero instead of infinity along directions that this group alone determines.
+/// The matrix (1 - Q)^(-1/2) for the information matrix Q of a group, with zero instead of infinity along directions that this group alone
+/// determines.
 fn inverse_root_of_rest(tells: &DMatrix<f64>) -> DMatrix<f64> {
     let (values, vectors) = symmetric_eigen(tells);
     let root = |part: &f64| {
@@ -110,7 +111,7 @@ fn inverse_root_of_rest(tells: &DMatrix<f64>) -> DMatrix<f64> {
 mod tests {
     use super::*;
 
-    /// The same rows in a basis of the unknowns with `Σ U'U = 1`: its columns are orthonormal.
+    /// The same rows in a basis of the unknowns in which their columns are orthonormal.
     fn in_directions(rows: &DMatrix<f64>) -> DMatrix<f64> {
         rows.clone().qr().q()
     }
@@ -132,8 +133,9 @@ mod tests {
         assert!((found.degrees - 3.0).abs() < 1e-12, "{}", found.degrees);
     }
 
-    /// A straight line through three uneven groups. The result is compared with the definition by matrices of the size of all slips:
-    /// `V = B X_g'A_g e e'A_g X_g B`, `A_g = (1 - H)_gg^(-1/2)`, with Satterthwaite's degrees of freedom from the whole of `(1 - H)`.
+    /// A straight line through three uneven groups. The result is compared with the definition by matrices of the size of all slips,
+    /// `V = B Σ X_g'A_g e_g e_g'A_g X_g B`. X_g are the rows of the design matrix for group g, e_g its residuals, B the covariance of the unknowns, H
+    /// the hat matrix and `A_g = (1 - H)_gg^(-1/2)`, with Satterthwaite's degrees of freedom from the whole of `(1 - H)`.
     #[test]
     fn a_line_by_its_definition() {
         let groups = [0, 0, 0, 1, 1, 2, 2, 2, 2];
