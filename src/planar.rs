@@ -1,4 +1,4 @@
-//! Grasps in the plane: 3 degrees of freedom, 2 axes a contact. Lengths in m, forces in N, moments from x to y in N m.
+//! Grasps in the plane: 3 degrees of freedom, 2 axes per contact. Lengths in m, forces in N, moments from x to y in N m.
 //!
 //! The contact frame is (n, t) with n into the object and `t = (n_y, -n_x)`. The planar friction cone has two edges and is exact: nothing is
 //! approximated by a polygon.

@@ -140,7 +140,7 @@ impl BandFactors {
         mapped(&self.pinned, &from)
     }
 
-    /// The stored column k, from `above` rows above the diagonal on.
+    /// The stored column k, starting `above` rows above the diagonal.
     fn column(&self, k: usize, above: usize) -> &[f64] {
         let reach = self.band.reach;
         let height = 3 * reach + 1;

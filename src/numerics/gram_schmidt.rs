@@ -142,7 +142,7 @@ fn subtract_from_later(d: usize, q: &mut [f64], k: usize, (parts, left): (&mut [
     }
 }
 
-/// Products of column k with the columns `over`; all other entries are set to zero.
+/// Dot products of column k with the columns `over`; all other entries of `products` are set to zero.
 #[inline(always)]
 fn add_products(d: usize, q: &[f64], k: usize, (products, over): (&mut [f64], Range<usize>)) {
     let products = &mut products[..d];

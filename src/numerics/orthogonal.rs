@@ -184,7 +184,7 @@ impl Orthogonal {
     }
 }
 
-/// Adds the rows, each times its factor.
+/// Adds the rows of `q`, each times its factor in `times`, to `sums`.
 #[inline(always)]
 fn add_rows(d: usize, q: &[f64], times: &[f64], sums: &mut [f64]) {
     let sums = &mut sums[..d];

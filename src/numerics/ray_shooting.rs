@@ -14,7 +14,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 pub(crate) struct RayExit {
     pub(crate) vertices: Vec<Vertex>,
-    /// Coefficients β, not negative.
+    /// Coefficients β of the vertices, whose weighted sum is the ray; none is negative.
     pub(crate) shares: Vector,
     /// Normal v: all points x of the set satisfy `v·(x - middle) <= reach`.
     pub(crate) normal: Vector,

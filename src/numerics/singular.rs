@@ -27,7 +27,7 @@ impl Singular {
         let columns = matrix.ncols();
         let mut turned = matrix.clone();
         let mut right = DMatrix::identity(columns, columns);
-        // Rotations converge quadratically within some ten sweeps; the limit ends those of matrices that are not finite.
+        // Rotations converge quadratically within some ten sweeps; the limit stops the sweeps for matrices with NaN or infinite entries.
         for _ in 0..60 {
             let mut all_orthogonal = true;
             for i in 1..columns {
@@ -74,7 +74,7 @@ impl Singular {
         solution
     }
 
-    /// The shortest x with `Mᵀ x = b` and the y with `x = M y`, of a matrix whose columns are independent.
+    /// The shortest x with `Mᵀ x = b`, and the y with `x = M y`, for the decomposed matrix M, whose columns must be independent.
     pub(crate) fn of_transpose(&self, b: &DVector<f64>) -> (DVector<f64>, DVector<f64>) {
         let mut y = self.right.tr_mul(b);
         let mut x = DVector::zeros(self.scaled_left.nrows());

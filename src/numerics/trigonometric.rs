@@ -82,9 +82,9 @@ impl Trigonometric {
         Self { constant: self.constant, first: [b, -a], second: [-a2, -b2] }
     }
 
-    /// The first angle in (0, `most`] at which f becomes negative, or touches zero; `most` is at most a full turn.
+    /// The first angle in (0, `most`] at which the polynomial becomes negative, or touches zero; `most` is at most a full turn.
     ///
-    /// A value is zero within `rounding`. The first `roots_here` roots at φ = 0 do not count: f is zero there and increases.
+    /// A value is zero within `rounding`. The first `roots_here` roots at φ = 0 do not count: the polynomial is zero there and increases.
     pub(crate) fn first_fall(&self, most: f64, rounding: f64, roots_here: usize) -> Option<FirstZero> {
         let most = most.min(TAU);
         let mut shifted = *self;

@@ -34,17 +34,17 @@ pub(crate) trait Face: Sized + Clone + 'static {
     /// Converts a planar value of the engine to two components per vector.
     fn narrow(inside: Self::Inside) -> Self;
 
-    /// Converts a value for the engine.
+    /// Converts this value to the engine's type.
     fn into_inside(self) -> Self::Inside {
         if const { Self::SAME } { same(self) } else { self.widen() }
     }
 
-    /// Converts a copy of the value for the engine.
+    /// Converts a copy of this value to the engine's type.
     fn to_inside(&self) -> Self::Inside {
         if const { Self::SAME } { same(self.clone()) } else { self.widen() }
     }
 
-    /// Converts a value of the engine for the caller; values for space are moved.
+    /// Converts a value of the engine's type to the caller's type; a value for space is only moved.
     fn from_inside(inside: Self::Inside) -> Self {
         if const { Self::SAME } { same(inside) } else { Self::narrow(inside) }
     }
@@ -57,7 +57,7 @@ fn same<A: 'static, B: 'static>(value: A) -> B {
     same.expect("both names are of one type")
 }
 
-/// The value in the engine's type; a value for space is borrowed.
+/// The value in the engine's type; a value for space is borrowed, not copied.
 pub(crate) fn inside<T: Face>(value: &T) -> Cow<'_, T::Inside> {
     if const { T::SAME } {
         Cow::Borrowed((value as &dyn Any).downcast_ref::<T::Inside>().expect("both names are of one type"))
@@ -66,7 +66,7 @@ pub(crate) fn inside<T: Face>(value: &T) -> Cow<'_, T::Inside> {
     }
 }
 
-/// The values in the engine's type.
+/// Copies of the values in the engine's type.
 pub(crate) fn all_inside<T: Face>(values: &[T]) -> Vec<T::Inside> {
     if const { T::SAME } {
         return same(values.to_vec());
@@ -78,7 +78,7 @@ pub(crate) fn all_inside<T: Face>(values: &[T]) -> Vec<T::Inside> {
     all
 }
 
-/// Converts a value of the engine for the caller; values for space are moved.
+/// Converts a value of the engine's type to the caller's type; a value for space is only moved.
 pub(crate) fn outside<T: Face>(inside: T::Inside) -> T {
     T::from_inside(inside)
 }

@@ -37,7 +37,7 @@ impl<const C: usize> Contact<C> {
     /// assert!((point - Vector2::new(0.1, 0.32)).norm() < 1e-16);
     /// ```
     pub fn transformed<R: AbstractRotation<f64, C>>(mut self, pose: &Isometry<f64, R, C>) -> Self {
-        // If the normal or the tangent gives no valid frame, the tangent stays absent here. `Grasp::new` then returns an error for this contact.
+        // If normal and tangent give no valid frame, the given tangent is rotated alone. `Grasp::new` then returns an error for this contact.
         let tangent = self.frame(0).map_or(self.tangent, |frame| Some(frame.column(1).into_owned()));
         self.tangent = tangent.map(|tangent| pose.rotation.transform_vector(&tangent));
         self.point = pose.rotation.transform_vector(&self.point) + pose.translation.vector;
@@ -107,8 +107,8 @@ macro_rules! in_other_frames {
         }
 
         impl Twist<$c> {
-            /// This motion with the translation of the object's point at `point` in place of the translation of the origin. It becomes
-            /// [`Self::displacement_at`] of that point, and the rotation stays. The result has `point` as its origin.
+            /// This motion with the translation of the object's point at `point` in place of the translation of the origin. The translation becomes
+            /// [`Self::displacement_at`] that point, and the rotation stays. The result has `point` as its origin.
             #[must_use]
             pub fn about(&self, point: impl Into<[f64; $c]>) -> Self {
                 let space = Space::of::<$c>();

@@ -100,7 +100,7 @@ impl Words {
         if !turns_visibly {
             return format!("{}, turns {}", moves(&mean), self.axis_text(&omega));
         }
-        // Distance of the points from the axis, m, which scales the rounding of the axis.
+        // Distance of the points from the axis, m, to which the rounding error of the axis's position is proportional.
         let arm = if spread > 0.0 { spread / omega.size() } else { 1.0 };
         let through = omega.way_to_axis(&along).map(|x| if x.abs() <= NEGLIGIBLE * arm { 0.0 } else { x });
         let turning = format!("turns {}{}", self.axis_text(&omega), self.point(&through));

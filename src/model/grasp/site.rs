@@ -20,11 +20,11 @@ pub(crate) struct Site {
     pub(crate) map: Map,
     /// Rounding error of the grasp map G_i for the given point and frame: the exact map minus G_i.
     pub(crate) map_rest: Map,
-    /// Norm of the grasp map G_i.
+    /// Norm of the grasp map.
     size: f64,
     /// Coordinates in which the grasp map G_i has nonzero entries.
     pub(crate) support: Support,
-    /// Contact frame, columns n, t….
+    /// Contact frame: its columns are the normal, the first tangent and, in space, the second tangent.
     pub(crate) frame: SMatrix<f64, 3, 3>,
     /// Plane or space.
     pub(crate) space: Space,

@@ -13,7 +13,7 @@ use crate::numerics::{mapped, picked};
 use crate::prelude::*;
 use crate::words::{LinkKind, printable};
 
-/// A contact in an answer; of a soft fingertip, possibly only some of its points.
+/// A contact in an answer. Of a soft fingertip, the answer may apply to only some of its points.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -56,9 +56,9 @@ impl fmt::Display for WholeContact {
 /// A contact of a grasp with its points: all points of a soft fingertip or of a link, or the one point of any other contact.
 #[derive(Debug)]
 pub(crate) struct ContactPoints {
-    /// Number and name of the contact, where a soft fingertip counts as one: as in a scene.
+    /// Number and name of the contact, where a soft fingertip counts as one contact.
     pub(crate) label: ContactLabel,
-    /// Indices of its points.
+    /// Indices of the points of the contact.
     pub(crate) range: Range<usize>,
 }
 
@@ -80,7 +80,7 @@ impl ContactPoints {
     }
 }
 
-/// The contacts of a grasp, each with its points; made once, where the grasp is checked.
+/// The contacts of a grasp, each with its points; made once, when the grasp is validated.
 #[derive(Debug, Clone)]
 pub(crate) struct WholeContacts(Arc<[ContactPoints]>);
 

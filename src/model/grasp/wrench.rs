@@ -86,7 +86,7 @@ macro_rules! vector_like {
                 Self(all)
             }
 
-            /// The engine's coordinates: these components first; those of joints and other bodies are zero.
+            /// This vector in the engine's coordinates: its components first, zeros for joints and other bodies.
             pub(crate) fn coordinates(&self, space: Space) -> Vector {
                 let mut coordinates = Vector::zeros();
                 for (k, &place) in space.components::<C>().iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Links and joints, as read from the file.
+//! Links and joints of a robot, as read from the URDF file.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -31,7 +31,7 @@ pub struct Pad {
 enum Outline {
     Rectangle([f64; 2]),
     Disc(f64),
-    /// Known only at the sampled points.
+    /// An outline that is known only at the sampled points.
     Sampled,
 }
 
@@ -66,7 +66,7 @@ pub(super) struct PadPoint {
     pub(super) offset: Vector3<f64>,
     /// Outward unit normal of the pad's surface at this point.
     pub(super) facing: Vector3<f64>,
-    /// Fraction of the area.
+    /// Fraction of the pad's area.
     pub(super) share: f64,
 }
 

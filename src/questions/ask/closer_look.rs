@@ -169,9 +169,9 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl<const C: usize> Refutation<C> {
-    /// Checks the proof for a grasp and a load. Rounding could hide only an equilibrium with very large stretches and forces. The answer is a lower
-    /// bound on their norm over all contacts (in √J), relative to that of the elastic trial state. `None` if the proof does not hold for this grasp and
-    /// this load, or if the bound is below 1e4.
+    /// Verifies the proof for a grasp and a load. Rounding could hide only an equilibrium with very large stretches and forces. The answer is a lower
+    /// bound on their norm over all contacts (in √J), relative to that of the elastic trial state. `None` if the proof does not hold for this grasp
+    /// and this load, or if the bound is below 1e4.
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.

@@ -11,8 +11,8 @@ use crate::load_path::Ramp;
 pub struct Energy<'g, const C: usize>(pub(super) &'g Grasp<C>);
 
 impl<const C: usize> Energy<'_, C> {
-    /// Range of the factor of a ramp in which the minimum of energy under friction constraints is an equilibrium; in space on the polygonal cone of
-    /// the settings.
+    /// Range of the factor of a ramp in which the minimum of energy under friction constraints is an equilibrium. In space the friction cone is the
+    /// polygonal cone of the settings.
     ///
     /// If every contact has friction and touches at factor 0, this is the [onset of sliding](Grasp::onset) on the polygon, found in another way.
     /// Frictionless contacts may open and close before.
@@ -64,9 +64,9 @@ impl<const C: usize> Energy<'_, C> {
     /// The minimum of energy under friction constraints and a load: a quadratic program. In space the friction cone is the polygonal cone of the
     /// settings.
     ///
-    /// It equals the minimum of the program in section 5.1 of the paper (see [`energy`](crate::energy)), with all displacements as variables, as long
-    /// as that program opens no contact with infinite friction. The springs of both sides are combined in series here, so that rigid sides and series
-    /// stiffness are allowed. Orthogonal factors keep the accuracy.
+    /// The paper (section 5.1, see [`energy`](crate::energy)) has all displacements as variables. Both minima are equal as long as that program opens
+    /// no contact with infinite friction. The springs of both sides are combined in series here, so that rigid sides and series stiffness are
+    /// allowed. Orthogonal factors keep the accuracy.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -116,8 +116,8 @@ impl<const C: usize> Grasp<C> {
         })
     }
 
-    /// This grasp with other [`Settings`]: for another cone, or with other limits on work. Contacts and factors are shared with this grasp, not
-    /// copied.
+    /// This grasp with other [`Settings`]: for another friction cone, or with other limits on computing effort. Contacts and matrix factors are
+    /// shared with this grasp, not copied.
     ///
     /// ```
     /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
@@ -294,7 +294,7 @@ impl<const C: usize> Grasp<C> {
         Statics(self)
     }
 
-    /// Derivatives of answers by the data.
+    /// Derivatives of answers with respect to the data of the grasp.
     #[must_use]
     pub fn sensitivity(&self) -> Sensitivity<'_, C> {
         Sensitivity(self)
@@ -344,7 +344,7 @@ impl<const C: usize> Grasp<C> {
         self.engine.joint_commands()
     }
 
-    /// Name of a part of the hand in pictures and messages; if it has none, its kind and number.
+    /// Name of a part of the hand in pictures and messages; its kind and number if the user gave no name.
     #[must_use]
     pub fn label_of(&self, part: HandPart) -> String {
         self.engine.label_of(part)

@@ -65,7 +65,7 @@ impl<const C: usize> Grasp<C> {
     }
 }
 
-/// The answers with vectors of `C` components.
+/// Converts the answers to vectors of `C` components.
 fn all_answers<T: Face>(answers: Vec<Result<T::Inside, Error>>) -> Vec<Result<T, Error>> {
     moved(answers, &|answer| answer.map(outside))
 }

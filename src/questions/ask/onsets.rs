@@ -61,7 +61,7 @@ impl<const C: usize> Grasp<C> {
         self.engine.state_at_onset(&inside(event), &self.settings).map(outside)
     }
 
-    /// The behaviour of the grasp just beyond an onset: see [`Beyond`].
+    /// The behaviour of the grasp just beyond an onset: see [`Beyond`]. `None` for the event of a grasp with another number of contacts.
     #[doc(alias = "gross slip")]
     #[must_use]
     pub fn beyond(&self, event: &OnsetEvent<C>) -> Option<Beyond<C>> {

@@ -1,4 +1,4 @@
-//! Rows of a batch: a grasp and its load each, and the first slips that screening computes for them.
+//! Rows of a batch, each a grasp with its load, and the first slips that screening computes for the rows.
 
 use crate::numerics::IntoList;
 use core::ops::Range;
@@ -10,7 +10,7 @@ use crate::screening::{PointBatch, Pull, PutOn, WhileSticking};
 use crate::search::Settings;
 use crate::sweep::map_in_order;
 
-/// One row of a batch: appends its contacts to an empty list, and returns the load at rest and the load that grows on top of it.
+/// One row of a batch: appends its contacts to an empty list, and returns the base load and the load that grows on top of it.
 pub type RowOf<'a, const C: usize> = dyn Fn(usize, &mut Vec<Contact<C>>) -> [Wrench<C>; 2] + Sync + 'a;
 
 /// Rows in one task of a thread, few enough for their data to stay in the cache of a core.

@@ -159,8 +159,8 @@ impl<const C: usize> Statics<'_, C> {
         })
     }
 
-    /// Splits the contact forces of an equilibrium of this grasp into equilibrating and interaction forces, as in section 5.2 of the paper on which
-    /// the crate is based (`paper-notes.md`).
+    /// Splits the contact forces of an equilibrium of this grasp into equilibrating and interaction forces. The paper on which the crate is based
+    /// (`paper-notes.md`) defines them in section 5.2.
     ///
     /// The equilibrating forces are the least-squares solution of `Σ G_i F_i = -W`. In it the difference of the forces of any two frictional contacts
     /// has no component along the line that joins them. Separated contacts carry neither force. For an equilibrium of another grasp the lists are as

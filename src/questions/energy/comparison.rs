@@ -39,7 +39,7 @@ pub struct Comparison<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Difference {
-    /// Largest difference of displacements of the object at a contact, m. Motions that are free in one of the two are not counted.
+    /// Largest difference of displacements of the object at a contact, m. Motions that are free in the equilibrium or in the minimum are not counted.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement: f64,
     /// Largest difference of contact forces, N.
@@ -82,16 +82,17 @@ impl Difference {
     }
 }
 
-/// How the answers of complementarity and of the quadratic program compare under one load.
+/// How the answers of the complementarity problem and of the quadratic program compare under one load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum ComparisonVerdict {
-    /// Both give the same equilibrium. This is also the verdict if the minimum is an equilibrium and complementarity found no equilibrium.
+    /// The complementarity problem and the quadratic program give the same equilibrium. This is also the verdict if the minimum is an equilibrium and
+    /// the complementarity problem gave no equilibrium.
     Agree,
-    /// The minimum is an equilibrium, and complementarity returned another one, by more than 1e-9 of forces or displacements. With friction there may
-    /// be several equilibria, and where a contact carries nothing the object may have several positions.
+    /// The minimum is an equilibrium, and the complementarity problem has another one; they differ by more than 1e-9 of forces or displacements. With
+    /// friction there may be several equilibria, and where a contact carries nothing the object may have several positions.
     TwoEquilibria,
     /// An equilibrium exists, but the minimum of the program is out of balance.
     OutOfEquilibrium {

@@ -15,7 +15,7 @@ use crate::numerics::{Map, Vector, unit};
 use crate::object::{Piece, Problem};
 use crate::prelude::*;
 
-/// A condition `normal·x_i >= 0` on the force of a contact.
+/// A condition `normal·x_i >= 0` on the force of a contact i, in energy coordinates x = K^{-1/2} F.
 #[derive(Debug, Clone)]
 pub(super) struct ForceCondition {
     pub(super) contact: usize,

@@ -122,7 +122,7 @@ pub struct MinimumContact<const C: usize> {
     /// Force on the object along the coordinate axes, N.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub force_world: SVector<f64, C>,
-    /// Displacement u_c of the body's core, coordinate axes, m.
+    /// Displacement u_c of the body's core at the contact, along the coordinate axes, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub body_core: SVector<f64, C>,
     /// Gap between the surfaces, m, never negative.

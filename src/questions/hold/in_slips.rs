@@ -1,5 +1,5 @@
-//! The fast way to a brief verdict: the unknowns of the load path are the slips of the sliding contacts ([`InSlips`]), and the path is not followed
-//! from contact state to contact state.
+//! The fast way to a brief verdict: the unknowns of the load path are the slips of the sliding contacts ([`InSlips`]). The path is not followed from
+//! contact state to contact state.
 
 use super::applied_load::OfThePath;
 use super::verdict::{FirstSlip, Holding, Verdict};

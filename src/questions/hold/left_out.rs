@@ -11,8 +11,8 @@ use crate::numerics::{dot, summed};
 
 impl Engine {
     /// The geometric stiffness as a fraction of the resistance to the motion q from rest to another equilibrium with the same commands:
-    /// `Σ [(F·r) |θ|² - (F·θ)(r·θ)] / (ΔW·q)`. F are the contact forces at rest, r their arms about the centroid of the contacts, θ the rotation in
-    /// q, and ΔW is the change of the load.
+    /// `Σ [(F·r) |θ|² - (F·θ)(r·θ)] / (ΔW·q)`. F are the contact forces at rest, and r their arms about the centroid of the contacts. θ is the
+    /// rotation in q, and ΔW the change of the load.
     ///
     /// It is negative where the forces lower the resistance. A load at rest counts as acting at the point of its line nearest to the centroid. `None`
     /// if the fraction is at most a tenth, for several bodies, and where the load does no positive work.

@@ -26,14 +26,15 @@ pub struct Verdict<const C: usize> {
     /// The conclusion: whether the whole load, factor 1, is held.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub holding: Holding<C>,
-    /// The first slip: the first contacts that stop sticking. `None` if none does as far as the load was followed.
+    /// The first slip: the first contacts that stop sticking. `None` if every contact sticks as far as the load was followed.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub first_slip: Option<FirstSlip>,
     /// The jumps up to the whole load after which the object is held: contacts begin to slide with lower
     /// [kinetic friction](crate::grasp::Contact::kinetic), gaps close after a free motion, or the object snaps over to another equilibrium.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub caught: Vec<Caught>,
-    /// Largest load factor reached with the load held and motions [small](crate::Settings::small_motions); 0 where the grasp does not hold at rest.
+    /// Largest load factor reached with the load held and motions [small](crate::Settings::small_motions); 0 where the grasp does not hold the base
+    /// load.
     ///
     /// The load is followed only up to [`Settings::most_load`](crate::Settings::most_load), so this factor is no upper bound of the load that is held.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
@@ -125,7 +126,7 @@ pub enum Holding<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct FirstSlip {
-    /// The load at the first slip, as a multiple of the load asked about; 0 where a contact slides at rest.
+    /// The load at the first slip, as a multiple of the load asked about; 0 where a contact slides under the base load.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub factor: f64,
     /// Contacts that begin to slide.
@@ -161,9 +162,9 @@ pub struct Lost<const C: usize> {
     /// Contacts that slide at the loss.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub slide: Vec<WholeContact>,
-    /// Whether the object is lost at the first slip: [kinetic friction](crate::grasp::Contact::kinetic) is lower, and nothing catches the object.
+    /// Whether all contacts that press slide: gross slip. At the end of small motions, whether [`Verdict::everything_slides`] is given.
     pub is_gross_slip: bool,
-    /// Whether the first slip is the loss: [kinetic friction](crate::grasp::Contact::kinetic) is lower, and nothing catches the object.
+    /// Whether the object is lost at the first slip: [kinetic friction](crate::grasp::Contact::kinetic) is lower, and nothing catches the object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub falls_at_once: bool,
     /// The multiple of the load that would be held with kinetic friction from the start. `None` unless it is below `factor` and kinetic friction is

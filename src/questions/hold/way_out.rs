@@ -26,7 +26,7 @@ const STANDS: f64 = 0.05;
 pub enum WayOut<const C: usize> {
     /// All contacts that touch open.
     LiftsOff {
-        /// Unit direction in which the centroid of these contacts moves.
+        /// Unit direction in which the centroid of the contacts moves.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },

@@ -37,7 +37,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                         write!(f, ", but {first} from {} of it on", words.number(first.factor))?;
                     }
                     _ if contacts.is_empty() => {}
-                    // A contact that closes and slides only later is no first slip, but it is named here.
+                    // A contact that closes and slides only later is no first slip, but the sentence names it here.
                     _ => write!(f, ", but {}", does(contacts, "slides", "slide"))?,
                 }
                 self.catches(f)?;
@@ -247,7 +247,7 @@ impl<const C: usize> Verdict<C> {
     }
 }
 
-/// A multiple of a load of this size and unit: "7.5 N", or "0.5 of it" for a load without a single size.
+/// A multiple of a load of this size and unit: "7.5 N", or "0.5 of it" for a load that no single number describes.
 pub(super) fn amount_of(size: Option<(f64, &str)>, factor: f64, words: Words) -> String {
     match size {
         Some((size, unit)) => format!("{} {unit}", words.number(size * factor)),

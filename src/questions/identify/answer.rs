@@ -15,7 +15,7 @@ use crate::sweep::Uncertainty;
 pub struct Identified {
     /// The unknowns, in the order of the question.
     pub estimates: Vec<Estimate>,
-    /// How the search ended.
+    /// How the search for the unknowns ended.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub ending: Ending,
     /// Number of slips from which the unknowns are estimated.
@@ -23,11 +23,11 @@ pub struct Identified {
     /// Number of groups of slips that may share errors; `None` if all slips are independent.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub groups: Option<usize>,
-    /// Number of groups of slips that may share errors; `None` if all slips are independent.
+    /// The estimated relative scatter of loads or angles. `None` if it was given, or if there are as many unknowns as slips.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub scatter: Option<f64>,
-    /// Root mean square of the residuals over the given scatter; `None` if it was not given. If it is much more than one, the model is wrong, or
-    /// the given scatter too small.
+    /// Root mean square of the residuals over the given scatter; `None` if the scatter was not given. If it is much more than one, the model is
+    /// wrong, or the given scatter too small.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub misfit: Option<f64>,
     /// Number of observations (slips and known sums) minus the number of independent combinations of unknowns that they determine.
@@ -36,7 +36,7 @@ pub struct Identified {
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free: Vec<FreeCombination>,
     /// If several assignments of slips to unknowns fit equally well, the estimates of each, the best first. Assignments differ in which contact slips
-    /// first. Empty if only one fits.
+    /// first. Empty if only one assignment fits.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub assignments: Vec<Vec<Estimate>>,
     /// Logarithm of the observed over the predicted load or angle, slip by slip; empty if the model does not predict some slip.
@@ -78,7 +78,7 @@ pub struct Estimate {
     pub degrees_of_freedom: Option<f64>,
 }
 
-/// How the search ended.
+/// How the search for the unknowns ended.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -88,7 +88,7 @@ pub struct Estimate {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Ending {
-    /// No point nearby fits the slips better.
+    /// No point nearby fits the slips better than the estimates.
     Converged,
     /// The limit of steps was reached before convergence, so the estimates are not final.
     NotConverged {
@@ -97,7 +97,7 @@ pub enum Ending {
     },
     /// The model does not predict a slip at the start of the search, or where the search had to stop.
     NotPredicted {
-        /// The slip, from 0.
+        /// The number of the slip, from 0.
         slip: usize,
         /// The reason why the model predicts no slip.
         says: String,

@@ -126,7 +126,7 @@ pub(super) fn assigned(model: &Model<'_>, first: Fitted) -> Result<Identified, E
     let (best, others) = fits.split_at(1);
     let mut as_good: Vec<&Fitted> = vec![&best[0]];
     as_good.extend(others.iter().filter(|other| !fits_better(model, &best[0], other)));
-    // A fit at which two contacts slip at once lies on the kink between two assignments. It is left out if others fit as well.
+    // A fit at which two contacts slip at once lies on the kink between two assignments. Such a fit is left out if others fit as well.
     let mut beside: Vec<&Fitted> = Vec::new();
     for fit in &as_good {
         let mut is_on_a_kink = false;
@@ -197,8 +197,8 @@ fn pairs(model: &Model<'_>, fit: &Fitted) -> Result<Vec<(usize, usize)>, Error> 
     Ok(pairs)
 }
 
-/// Whether the fit is on a kink between two equal unknowns. There a slip depends on both, by the mean of one-sided derivatives; beside the kink it
-/// depends on one of them.
+/// Whether the fit is on a kink between two equal unknowns. At the kink a slip depends on both unknowns, by the mean of one-sided derivatives; beside
+/// the kink it depends on one of them.
 fn is_on_the_kink(model: &Model<'_>, fit: &Fitted, i: usize, j: usize) -> Result<bool, Error> {
     let Some(linear) = &fit.linear else { return Ok(false) };
     let on_both = |row: usize| depends(&linear.jacobian, row, i) && depends(&linear.jacobian, row, j);
@@ -210,7 +210,7 @@ fn is_on_the_kink(model: &Model<'_>, fit: &Fitted, i: usize, j: usize) -> Result
     Ok(!model.linear(&beside)?.is_ok_and(|beside| same_assignment(linear, &beside)))
 }
 
-/// Whether a slip depends on an unknown.
+/// Whether the predicted slip in this row depends on an unknown.
 fn depends(jacobian: &DMatrix<f64>, row: usize, unknown: usize) -> bool {
     jacobian[(row, unknown)].abs() > INDISTINCT * jacobian.row(row).amax()
 }

@@ -25,7 +25,7 @@ pub struct FreeCombination {
 
 impl FreeCombination {
     /// Combinations with as few unknowns as possible. The columns of `free` span the directions, in the logarithms of the unknowns, along which no
-    /// predicted slip changes. `stays` says whether all predicted slips stay the same if each unknown is multiplied by its own factor.
+    /// predicted slip changes. `stays` returns whether all predicted slips stay the same if each unknown is multiplied by its own factor.
     pub(super) fn among(
         mut free: DMatrix<f64>,
         (names, values): (&[String], &[f64]),

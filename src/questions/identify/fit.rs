@@ -24,13 +24,13 @@ pub(super) struct Fitted {
 pub(super) enum FitEnd {
     Converged,
     Limit,
-    /// The model does not predict this slip, either at the start of the search or just beside the point where it stopped.
+    /// The model does not predict this slip, either at the start of the search or just beside the point where the search stopped.
     NoSlip(usize, NoSlip),
 }
 
 /// Relative standard deviations of the observations.
 pub(super) struct Scatter {
-    /// One number for each slip, then one for each known sum.
+    /// One standard deviation for each slip, then one for each known sum.
     pub(super) rows: Vec<f64>,
     /// The common standard deviation of all slips, if it is estimated.
     pub(super) estimated: Option<f64>,
@@ -41,7 +41,7 @@ impl Model<'_> {
         Huber(self.asked.outliers())
     }
 
-    /// Relative standard deviations of the observations. Those of slips are given, or one for all is estimated from the residuals.
+    /// Relative standard deviations of the observations. For slips, the given ones are used, or one for all slips is estimated from the residuals.
     pub(super) fn scatter(&self, residuals: &[f64], rank: usize) -> Scatter {
         let (slips, known) = (&self.asked.slips, &self.asked.known);
         let given: Option<Vec<f64>> = slips.iter().map(|slip| slip.scatter).collect();
@@ -186,7 +186,7 @@ pub(super) fn rank(linear: &Linear) -> usize {
     values.iter().filter(|value| **value > INDISTINCT * most).count()
 }
 
-/// The linearised least-squares problem at one point, by its singular values; it gives damped steps.
+/// The linearised least-squares problem at one point, decomposed into singular values, which gives damped steps.
 struct Steps {
     /// Singular values of the weighted derivatives, and their right singular vectors as columns.
     values: Vec<f64>,
@@ -225,7 +225,7 @@ impl Steps {
     }
 }
 
-/// Of the matrix of weighted derivatives, the singular values, the right singular vectors as columns, and the components of the weighted residuals
+/// The singular values of the matrix of weighted derivatives, its right singular vectors as columns, and the components of the weighted residuals
 /// along the left singular vectors. There are as many of each as unknowns.
 pub(super) fn singular(
     jacobian: &DMatrix<f64>,

@@ -27,11 +27,11 @@ pub(super) struct Grouped {
 
 /// One group of slips.
 struct Group {
-    /// The information matrix of the group, Q.
+    /// The information matrix Q of the group.
     tells: DMatrix<f64>,
     /// The matrix (1 - Q)^(-1/2), which corrects for the influence of the group's own residuals on the solution.
     made_up: DMatrix<f64>,
-    /// The contribution of the group to the solution, w.
+    /// The contribution w of the group to the solution.
     moves: DVector<f64>,
 }
 
@@ -39,13 +39,13 @@ struct Group {
 pub(super) struct GroupedError {
     /// Variance of the logarithm of the unknown.
     pub(super) variance: f64,
-    /// Degrees of freedom of that variance.
+    /// Degrees of freedom of the variance.
     pub(super) degrees: f64,
 }
 
 impl Grouped {
-    /// Computes the contribution of each group from the derivatives of slips and known sums (`rows`, in the basis of the formulas above) and their
-    /// residuals. Rows of slips come first, one for each entry of `groups`.
+    /// Computes the contribution of each group from the derivatives of slips and known sums (`rows`, in a basis of the unknowns in which all rows
+    /// together have orthonormal columns) and their residuals. Rows of slips come first, one for each entry of `groups`.
     pub(super) fn of(rows: &DMatrix<f64>, residuals: &[f64], groups: &[usize]) -> Self {
         let mut names = groups.to_vec();
         names.sort_unstable();
@@ -77,7 +77,7 @@ impl Grouped {
         let variance = sure + summed(&self.groups, &|group| group.moves.dot(unknown).powi(2));
         let made_up: Vec<_> = mapped(&self.groups, &|group| &group.made_up * unknown);
         let sums: Vec<_> = paired(&self.groups, &made_up, &|(group, a)| &group.tells * a);
-        // Covariances of the groups' contributions to the unknown if all rows were independent.
+        // Covariances of the groups' contributions to the unknown if all rows of derivatives were independent.
         let covariance = |g: usize, h: usize| {
             let own = if g == h { made_up[g].dot(&sums[g]) } else { 0.0 };
             own - sums[g].dot(&sums[h])
@@ -89,7 +89,8 @@ impl Grouped {
                 squares += covariance(g, h).powi(2);
             }
         }
-        // Directions that one group alone determines have no known error. If they have more than 1 % of the variance, the unknown has none either.
+        // Directions that one group alone determines have no known error. If they contribute more than 1 % of the variance, the unknown has no known
+        // error.
         let is_seen = expected >= (1.0 - 1e-2) * unknown.norm_squared();
         is_seen.then(|| GroupedError { variance, degrees: expected * expected / squares })
     }

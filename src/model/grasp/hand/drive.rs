@@ -9,7 +9,7 @@ use crate::numerics::Space;
 use crate::numerics::{Size, Vector};
 use crate::prelude::*;
 
-/// The part to which a drive belongs.
+/// The part of the hand to which a drive belongs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Owner {
     /// The joint with this index.
@@ -188,7 +188,7 @@ impl Drive {
 
     /// Displacement of the joint or tendon, or change of its command, for a displacement of the drive.
     pub(crate) fn displacement(&self, along: f64) -> f64 {
-        // The work, force times displacement, is the same in both units.
+        // The work, force times displacement, is the same for the drive as for its joint or tendon.
         along / self.unit
     }
 }
