@@ -21,7 +21,8 @@ pub(crate) struct Orthogonal {
     /// Q row by row; entries in columns from `rank` on are zero.
     q: Vec<f64>,
     r: Square,
-    /// The inverse diagonal of R11. Each division must wait for the previous one, and a multiplication takes a third of the time.
+    /// The reciprocals of the diagonal entries of R11. A multiplication takes a third of the time of a division, and each division would wait for the
+    /// previous one.
     over_diagonal: Vector,
     order: Indices,
     rank: usize,

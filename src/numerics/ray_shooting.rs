@@ -20,7 +20,7 @@ pub(crate) struct RayExit {
     pub(crate) normal: Vector,
     /// The bound in `v·(x - middle) <= reach`. It is at least one, and one up to rounding if the pivots have converged.
     pub(crate) reach: f64,
-    /// s: distance of the target divided by the distance at which the ray leaves the simplex.
+    /// The ratio s of the distance of the target to the distance at which the ray leaves the simplex.
     pub(crate) stretch: f64,
 }
 

@@ -1,5 +1,5 @@
-//! The parts of a grasp that exert forces on its own (bodies by their loads; contacts, joints and tendons by their commands), and copies of the grasp
-//! in which one part exerts more or less.
+//! Parts of a grasp whose forces can be scaled (bodies by their loads; contacts, joints and tendons by their commands), and copies of the grasp with
+//! one such force scaled.
 
 use super::engine::Engine;
 use super::hand::Linkage;

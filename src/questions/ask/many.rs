@@ -54,8 +54,8 @@ impl<const C: usize> Grasp<C> {
         all_answers(self.engine.onset_of_samples(&inside(&ramp.into()), uncertainty, samples, &self.settings))
     }
 
-    /// Sample `number` of the grasp within an uncertainty, joint springs of a hand included. It depends on the seed and the number alone, whatever
-    /// else is sampled. See [`Uncertainty`]; the load of a sample is in [`Uncertainty::load_factor`].
+    /// Sample `number` of a grasp with uncertain data, joint springs of a hand included. The sample depends on the seed and the number alone,
+    /// whatever else is sampled. See [`Uncertainty`]; the load of a sample is in [`Uncertainty::load_factor`].
     ///
     /// # Errors
     /// [`Error::Contact`] if an uncertainty is not a number, or so large that a datum leaves its range (1e50 at most). [`Error::NotForHands`] for

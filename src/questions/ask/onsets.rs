@@ -41,8 +41,8 @@ impl<const C: usize> Grasp<C> {
         self.engine.onset(&inside(&ramp.into()), &self.settings).map(outside)
     }
 
-    /// The equilibrium at an onset: everything sticks, and the contacts that are about to slide are on the edge of their cone. `None` for the event
-    /// of a grasp with another number of contacts.
+    /// The equilibrium at an onset: everything sticks, and the contacts that stop sticking are on the edge of their cone. `None` for the event of a
+    /// grasp with another number of contacts.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -12,8 +12,8 @@ use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::words::printable;
 
-/// Motion of one contact: pairs of a coordinate's index, counted after the object's coordinates, and of the contact's displacement per unit of it,
-/// along the coordinate axes.
+/// Motion of one contact: pairs of a coordinate's index, counted after the object's coordinates, and the displacement of the contact per unit of this
+/// coordinate, along the coordinate axes.
 pub(in crate::model::grasp) type Columns = Vec<(usize, SVector<f64, 3>)>;
 
 /// The parts of a grasp while it is assembled.
