@@ -1,4 +1,4 @@
-//! Grasps in the plane: 3 degrees of freedom, 2 axes a contact. Lengths in m, forces in N, moments from x to y in N m.
+//! Grasps in the plane: 3 degrees of freedom, 2 axes per contact. Lengths in m, forces in N, moments from x to y in N m.
 //!
 //! The contact frame is (n, t) with n into the object and `t = (n_y, -n_x)`. The planar friction cone has two edges and is exact: nothing is
 //! approximated by a polygon.
@@ -15,7 +15,7 @@ macro_rules! names {
         pub type SoftFingertip = crate::grasp::SoftFingertip<$axes>;
         /// A grasp; see [`crate::ask::Grasp`].
         pub type Grasp = crate::ask::Grasp<$axes>;
-        /// Many grasps with any number of contact points, prepared for screening; see [`crate::screening::PointBatch`].
+        /// Many grasps with any number of contact points, prepared for screening by their first slips; see [`crate::screening::PointBatch`].
         pub type PointBatch = crate::screening::PointBatch<$axes>;
         /// Force and moment; in the plane the moment is one number, from x to y; see [`crate::grasp::Wrench`].
         pub type Wrench = crate::grasp::Wrench<$axes>;
@@ -33,7 +33,7 @@ macro_rules! names {
         pub type Link = crate::grasp::Link<$axes>;
         /// The verdict on a load that is applied from rest; see [`crate::hold::Verdict`].
         pub type Verdict = crate::hold::Verdict<$axes>;
-        /// A question for the needed amount of a quantity, with its loads; see [`crate::need::Need`].
+        /// A question for the amount of squeeze, friction, load, arm or angle that is needed to hold its loads; see [`crate::need::Need`].
         pub type Need = crate::need::Need<$axes>;
         /// The answer to a question for an equilibrium; see [`crate::equilibrium::Outcome`].
         pub type Outcome = crate::equilibrium::Outcome<$axes>;
@@ -95,15 +95,15 @@ macro_rules! names {
         pub type PathEnd = crate::load_path::PathEnd<$axes>;
         /// A load program followed from event to event; see [`crate::load_path::LoadPath`].
         pub type LoadPath<'g> = crate::load_path::LoadPath<'g, $axes>;
-        /// A few contacts prepared for screening; see [`crate::screening::Fingers`].
+        /// A few contacts prepared for screening grasps by their first slips; see [`crate::screening::Fingers`].
         pub type Fingers<const N: usize> = crate::screening::Fingers<$axes, N>;
-        /// Many grasps prepared for screening; see [`crate::screening::Batch`].
+        /// Many grasps prepared for screening by their first slips; see [`crate::screening::Batch`].
         pub type Batch<const N: usize> = crate::screening::Batch<$axes, N>;
-        /// A load for screening; see [`crate::screening::Pull`].
+        /// A load for screening grasps by their first slips; see [`crate::screening::Pull`].
         pub type Pull = crate::screening::Pull<$axes>;
-        /// A load for screening that turns; see [`crate::screening::TurningPull`].
+        /// A turning load for screening grasps by their first slips; see [`crate::screening::TurningPull`].
         pub type TurningPull = crate::screening::TurningPull<$axes>;
-        /// Loads for screening that a grasp must hold; see [`crate::screening::LoadCases`].
+        /// Loads that a grasp must hold, for screening grasps by their first slips; see [`crate::screening::LoadCases`].
         pub type LoadCases = crate::screening::LoadCases<$axes>;
         /// A load program followed in load steps; see [`crate::load_path::SteppedPath`].
         pub type SteppedPath<'g> = crate::load_path::SteppedPath<'g, $axes>;

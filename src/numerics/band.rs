@@ -110,7 +110,7 @@ pub(crate) struct BandFactors {
     band: Band,
     /// For each row, the distance to the row below it that became its pivot row.
     pivots: Vec<usize>,
-    /// Columns without a pivot. If `A x = b` has a solution, the returned one has zeros there.
+    /// Columns without a pivot. If `A x = b` has a solution, [`Self::solve`] returns the one with zeros in these components.
     pinned: Vec<usize>,
 }
 
@@ -120,12 +120,12 @@ impl BandFactors {
         !self.pinned.is_empty()
     }
 
-    /// Vectors x with `A x = 0`, one per column without a pivot.
+    /// Vectors x with `A x = 0` for the factored matrix A, one per column without a pivot.
     pub(crate) fn null_vectors(&self) -> Vec<Vec<f64>> {
         self.each_pinned(Self::back_substitute)
     }
 
-    /// Vectors z with `Aᵀz = 0`, one per column without a pivot.
+    /// Vectors z with `Aᵀz = 0` for the factored matrix A, one per column without a pivot.
     pub(crate) fn left_null_vectors(&self) -> Vec<Vec<f64>> {
         self.each_pinned(Self::solve_transposed)
     }
@@ -140,20 +140,20 @@ impl BandFactors {
         mapped(&self.pinned, &from)
     }
 
-    /// The stored column k, from `above` rows above the diagonal on.
+    /// The stored column k, starting `above` rows above the diagonal.
     fn column(&self, k: usize, above: usize) -> &[f64] {
         let reach = self.band.reach;
         let height = 3 * reach + 1;
         &self.band.entries[k * height..(k + 1) * height][2 * reach - above..]
     }
 
-    /// Replaces b by the solution of `A x = b`.
+    /// Replaces the right-hand side in `x` by the solution of `A x = b`.
     pub(crate) fn solve(&self, x: &mut [f64]) {
         let (count, reach) = (self.band.count, self.band.reach);
         for (k, pivot) in self.pivots.iter().enumerate() {
             x.swap(k, k + pivot);
             let (known, below) = (x[k], reach.min(count - 1 - k));
-            // Zeros of the right-hand side change no later row. The load of one contact has many.
+            // A zero in the right-hand side changes no later row. The load of one contact has many zeros.
             if known != 0.0 {
                 let factors = &self.column(k, 0)[1..];
                 x[k + 1..=k + below].iter_mut().zip(factors).for_each(|(x, factor)| *x -= factor * known);
@@ -162,7 +162,7 @@ impl BandFactors {
         self.back_substitute(x);
     }
 
-    /// Replaces b by the solution of `U x = b`.
+    /// Replaces the right-hand side in `x` by the solution of `U x = b`.
     fn back_substitute(&self, x: &mut [f64]) {
         for k in (0..self.band.count).rev() {
             let above = (2 * self.band.reach).min(k);
@@ -173,7 +173,7 @@ impl BandFactors {
         }
     }
 
-    /// Replaces b by the solution of `Aᵀx = b`.
+    /// Replaces the right-hand side in `x` by the solution of `Aᵀx = b`.
     pub(crate) fn solve_transposed(&self, x: &mut [f64]) {
         let (count, reach) = (self.band.count, self.band.reach);
         for k in 0..count {

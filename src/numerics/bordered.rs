@@ -2,22 +2,24 @@
 //!
 //! ```text
 //! T y  + c₀ z₀ = …      balance
-//! gᵀy  + γ  z₀ = …      the pair outside the basis
+//! gᵀy  + γ  z₀ = …      the complementary pair without a basic variable
 //! ```
 //!
-//! T alone may become singular on a path, but the bordered matrix of an exact basis is regular.
+//! T is the stiffness of the object's balance for motions y, and c₀ the column of Lemke's covering variable z₀. The border row (gᵀ, γ) belongs to the
+//! complementary pair that has no variable in the basis. Steps along load paths solve the same system, with the load factor as z₀. T alone may become
+//! singular along a path of pivots, but the bordered matrix of an exact basis is regular.
 
 use super::coordinates::{Indices, Size, Square, Vector};
 use crate::numerics::Each;
 
-/// LU factors with partial pivoting of a bordered matrix with d + 1 rows.
+/// LU factors with partial pivoting of a bordered matrix: d rows of the balance matrix T, then the border row.
 #[derive(Debug, Clone)]
 pub(crate) struct Bordered {
-    /// The rows of T, stored as columns.
+    /// The rows of the balance matrix T, stored as columns, overwritten by its LU factors.
     rows: Square,
-    /// The entries of these rows in the last column.
+    /// The last column of the bordered matrix, without its corner.
     last: Vector,
-    /// The border row, below the rows of T.
+    /// The border row, below the rows of T, without its corner.
     border: Vector,
     corner: f64,
     /// The original index of each row after row exchanges; the border row has index d.
@@ -136,7 +138,7 @@ impl Bordered {
         solution
     }
 
-    /// Solves for several right-hand sides.
+    /// Solves the bordered system for several right-hand sides.
     pub(crate) fn solve_each<const R: usize>(&self, sides: [(&Vector, f64); R]) -> [(Vector, f64); R] {
         sides.map(|(balance, last)| self.solved(balance, last))
     }
@@ -172,9 +174,9 @@ impl Bordered {
     }
 }
 
-/// Solves a bordered system of `N` rows once, without storing factors, with the same bits as [`Bordered::solve`]. T is given column by column,
-/// then the border's column and row, and its corner. The right-hand side is zero except for `last` in the border. Also returns the smallest
-/// absolute pivot divided by the largest. `None` if the matrix is singular.
+/// Solves a bordered system of `N` rows once, without storing factors; the result equals that of [`Bordered::solve`] bit for bit. `stiffness` has the
+/// balance matrix T column by column; `column`, `border` and `corner` complete the bordered matrix. The right-hand side is zero except for `last` in
+/// the border row. Also returns the smallest absolute pivot divided by the largest. `None` if the matrix is singular.
 pub(crate) fn solved_once<const N: usize>(
     stiffness: &[f64],
     [column, border]: [&Vector; 2],

@@ -1,18 +1,19 @@
-//! The bordered system of many coordinates, if T is a band matrix.
+//! The bordered linear system of a step along a load path, for many coordinates. The tangent stiffness T is a band; the column c, the row gᵀ and the
+//! corner γ are its border.
 //!
 //! ```text
 //! T y  + c z = b          z = (β - gᵀT⁻¹b) / (γ - gᵀT⁻¹c)
 //! gᵀy  + γ z = β          y = T⁻¹b - T⁻¹c z
 //! ```
 //!
-//! If T is nearly singular this loses digits, which iterative refinement restores (W. Govaerts, Stable solvers and block elimination for
-//! bordered systems, SIAM J. Matrix Anal. Appl. 12, 1991). If T has no factors, the caller factorises the whole matrix.
+//! If T is nearly singular these formulas lose digits, which iterative refinement restores (W. Govaerts, Stable solvers and block elimination for
+//! bordered systems, SIAM J. Matrix Anal. Appl. 12, 1991). If T is singular, the caller factorises the whole bordered matrix.
 
 use super::band::{Band, BandFactors};
 use crate::numerics::dot;
 use crate::prelude::*;
 
-/// Factors of a bordered matrix, based on those of T.
+/// Factors of a bordered matrix [T c; gᵀ γ], based on those of its band T.
 #[derive(Debug, Clone)]
 pub(crate) struct BorderedBand {
     band: Band,
@@ -20,14 +21,15 @@ pub(crate) struct BorderedBand {
     cover: Vec<f64>,
     gradient: Vec<f64>,
     corner: f64,
-    /// The vector T⁻¹c.
+    /// The vector T⁻¹c, with the band T and the border's column c.
     covered: Vec<f64>,
-    /// The reciprocal of γ - gᵀT⁻¹c.
+    /// The reciprocal of γ - gᵀT⁻¹c, with the border's row gᵀ and corner γ.
     inverse: f64,
 }
 
 impl BorderedBand {
-    /// The factors. Rows and columns are in the order of the band. `None` if T or the whole matrix is singular.
+    /// Factorises the band T, and with it the bordered matrix. Rows and columns are in the order of the band. `None` if T or the bordered matrix is
+    /// singular.
     pub(crate) fn new(band: Band, cover: Vec<f64>, gradient: Vec<f64>, corner: f64) -> Option<Self> {
         let factors = band.clone().factors().filter(|factors| !factors.is_singular())?;
         let mut covered = cover.clone();
@@ -37,7 +39,8 @@ impl BorderedBand {
         Some(Self { band, factors, cover, gradient, corner, covered, inverse })
     }
 
-    /// Replaces b by the solution y, and returns z.
+    /// Solves the bordered system. Replaces the right-hand side in `balance` by the solution y; `last` is the right-hand side of the border row.
+    /// Returns the last unknown z.
     pub(crate) fn solve(&self, balance: &mut [f64], last: f64) -> f64 {
         let given = balance.to_vec();
         let mut z = self.solve_once(balance, last);

@@ -70,7 +70,7 @@ impl CompletePivoting {
         (self.back_substitute(&components), unreached)
     }
 
-    /// A basis of {x : A x = 0}.
+    /// A basis of the kernel {x : A x = 0} of the factored matrix A.
     pub(crate) fn kernel(&self) -> Vec<Vector> {
         (self.rank..self.cols)
             .map(|free| {
@@ -85,7 +85,7 @@ impl CompletePivoting {
             .list()
     }
 
-    /// A basis of {z : Aᵀ z = 0}.
+    /// A basis of the left kernel {z : Aᵀ z = 0} of the factored matrix A.
     pub(crate) fn left_kernel(&self) -> Vec<Vector> {
         // With P A Q = L U, `Aᵀ z = 0` requires that the first `rank` components of `(P z)ᵀ L` vanish. They are solved from the last row of L
         // upwards.
@@ -105,7 +105,7 @@ impl CompletePivoting {
             .list()
     }
 
-    /// Largest row sum of |A⁻¹|, at least 1: the factor by which an error of the right-hand side may grow.
+    /// Largest row sum of |A⁻¹| for the factored matrix A, at least 1: the factor by which an error of the right-hand side may grow.
     pub(crate) fn growth(&self) -> f64 {
         let mut sums = Vector::zeros();
         for e in 0..self.rank {

@@ -113,8 +113,8 @@ pub(crate) struct Stepped {
     pub(crate) error: f64,
 }
 
-/// One step of this length. Variables are counted from the start of the step, where their rate is `first`. `rate` computes f(y), or returns
-/// `None` where f is not defined; `size` measures an error of the variables.
+/// One step of this length. The variables are changes since the start of the step, where they are zero and their rate is `first`. `rate` computes
+/// f(y), or returns `None` where f is not defined; `size` measures an error of the variables.
 pub(crate) fn explicit_step(
     length: f64,
     first: &[f64],
@@ -143,7 +143,7 @@ pub(crate) fn explicit_step(
     error.is_finite().then_some(Stepped { change, error })
 }
 
-/// The weighted sum `h Σ c_s k_s`.
+/// Sets `y` to the weighted sum `h Σ c_s k_s` of the stages k_s, with the step length h and the coefficients c_s of `sum`.
 fn add_up(stages: &[f64], length: f64, sum: Sum, y: &mut [f64]) {
     let n = y.len();
     y.fill(0.0);

@@ -82,9 +82,9 @@ impl EventQueue {
         }
     }
 
-    /// Schedules an item if its waiting time `time` exceeds `than`, and returns whether it does. Both count from the present clock.
+    /// Schedules an item if its waiting time `time` exceeds `than`, and returns whether it does. Both times are measured from the present clock.
     pub(crate) fn schedule_if_later(&mut self, than: f64, number: u32, stamp: u32, time: f64) -> bool {
-        // The comparison is that of `next_within`: rounding cannot return this item for the time `than`.
+        // The times are compared as in `next_within`. Rounding thus cannot make `next_within(than)` return this item.
         let longer = self.clock + time > self.clock + than;
         if longer {
             self.wait(number, stamp, time);

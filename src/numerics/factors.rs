@@ -9,7 +9,7 @@ use super::partial_pivoting::PartialPivoting;
 #[derive(Debug, Clone)]
 pub(crate) enum Factors {
     Regular(PartialPivoting),
-    /// The matrix is singular or nearly so. Complete pivoting tells singular from merely soft.
+    /// The matrix is singular or nearly so. Complete pivoting separates directions of zero stiffness from directions that are merely soft.
     Singular(CompletePivoting),
 }
 

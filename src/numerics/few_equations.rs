@@ -2,10 +2,10 @@
 
 use super::tolerances::PARTIAL_PIVOT;
 
-/// Most unknowns of [`solved`].
+/// Largest number of unknowns of [`solved`].
 pub(crate) const MOST_UNKNOWNS: usize = 7;
 
-/// One equation: its coefficients, zeros, and its right-hand side in the last place.
+/// One equation: the coefficients of its unknowns, then zeros, and the right-hand side in the last place.
 pub(crate) type Equation = [f64; MOST_UNKNOWNS + 1];
 
 /// The solution of as many equations as unknowns; `None` if they are nearly singular or not finite.

@@ -142,7 +142,7 @@ fn subtract_from_later(d: usize, q: &mut [f64], k: usize, (parts, left): (&mut [
     }
 }
 
-/// Products of column k with the columns `over`; all other entries are set to zero.
+/// Dot products of column k with the columns `over`; all other entries of `products` are set to zero.
 #[inline(always)]
 fn add_products(d: usize, q: &[f64], k: usize, (products, over): (&mut [f64], Range<usize>)) {
     let products = &mut products[..d];
@@ -155,8 +155,8 @@ fn add_products(d: usize, q: &[f64], k: usize, (products, over): (&mut [f64], Ra
     }
 }
 
-/// The columns over which a loop runs that needs the columns `needed`. For a single object it runs over all columns, a length that the compiler
-/// knows; the other columns have zero coefficients.
+/// Range of columns for a loop that must cover the columns `needed`. For a single object the loop runs over all columns, a length that the compiler
+/// knows; the additional columns have zero coefficients.
 #[inline(always)]
 fn looped(d: usize, needed: Range<usize>) -> Range<usize> {
     if d <= WHOLE { 0..d } else { needed }

@@ -93,7 +93,7 @@ impl Polytope {
         polytope
     }
 
-    /// Adds the face through these points. A face too thin to have a plane is omitted: its neighbours meet there, up to rounding.
+    /// Adds the face through these points. A face too thin to have a plane is omitted: the neighbouring faces then meet up to rounding.
     fn add(&mut self, vertices: Corners) {
         let columns = Square::from_columns(self.size, |k| &self.points[vertices[k]] - &self.middle);
         let Some(solver) = PartialPivoting::new(&columns.transpose()) else { return };

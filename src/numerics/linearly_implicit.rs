@@ -4,8 +4,9 @@
 //! (1 - h_j J) Δ = h_j f(y),   h_j = h / j,   j = 1, 2, 3, …        T_jk = T_j,k-1 + (T_j,k-1 - T_j-1,k-1) / (j / (j-k+1) - 1)
 //! ```
 //!
-//! Each column of the scheme removes one power of h from the error, and the difference of the last two columns estimates the rest. A step damps
-//! every variable, however fast it decays. The caller solves systems with J, whose structure it knows.
+//! J is the Jacobian of f, and Δ the change in a substep. T_j is the result of j substeps of length h_j. Each further column k of the extrapolation
+//! scheme T_jk removes one power of h from the error. The difference of the last two columns estimates the remaining error. A step damps every
+//! variable, however fast it decays. The caller solves systems with J, whose structure it knows.
 //!
 //! Source: Hairer and Wanner, Solving Ordinary Differential Equations II, second edition, section IV.9.
 
@@ -13,8 +14,9 @@ use super::dormand_prince::Stepped;
 use crate::numerics::IntoList;
 use crate::prelude::*;
 
-/// One step of this length with an error below the tolerance. Variables are counted from the start of the step, where their rate is `first`. For
-/// a length h, `damped` returns a function that solves `(1 - hJ) Δ = x` in place, if the matrix is regular.
+/// One step of this length with an error below the tolerance. The variables are changes since the start of the step, where they are zero and their
+/// rate is `first`. For a length h, `damped` returns a function that solves `(1 - hJ) Δ = x` in place, with the Jacobian J of the rate. It returns
+/// `None` if this matrix is singular.
 pub(crate) fn implicit_step<F: Fn(&mut [f64])>(
     length: f64,
     first: &[f64],

@@ -24,7 +24,7 @@ pub(crate) struct NearestPoint<Tag> {
     q: Vec<f64>,
     /// The triangular factor; its column k starts at entry `size k`.
     r: Vec<f64>,
-    /// Components of Qᵀt, one per column of Q.
+    /// Components of Qᵀt, one per column of Q, with the target t.
     components: Vec<f64>,
 }
 
@@ -50,7 +50,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         Self { size, tags, shares, residual, q: Vec::new(), r: Vec::new(), components: Vec::new() }
     }
 
-    /// The residual `t - Σ s_k a_k`.
+    /// The residual: the target minus the closest point so far, `t - Σ s_k a_k`.
     pub(crate) fn residual(&self) -> &[f64] {
         &self.residual
     }

@@ -49,7 +49,7 @@ pub(crate) fn normal_tail(x: f64) -> f64 {
 ///
 /// (Drezner and Wesolowsky, On the computation of the bivariate normal integral, 1990).
 pub(crate) fn normal_tail_of_both([a, b]: [f64; 2], correlation: f64) -> f64 {
-    // Nodes and weights of Gauss and Legendre's rule with eight points on (-1, 1), half of them.
+    // Nodes and weights of Gauss and Legendre's rule with eight points on (-1, 1): the four positive nodes.
     let nodes = [
         (0.183_434_642_495_649_78, 0.362_683_783_378_362),
         (0.525_532_409_916_329, 0.313_706_645_877_887_4),
@@ -88,7 +88,7 @@ mod tests {
             assert!((normal_tail(x) / tail - 1.0).abs() < 1e-13, "{x}: {:e}", normal_tail(x));
             assert!((normal_tail(-x) - (1.0 - tail)).abs() < 1e-15);
         }
-        // Both expansions agree where they meet.
+        // The series and the continued fraction agree at x = 3.
         let [below, above] = [3.0 - 1e-9, 3.0].map(normal_tail);
         assert!(((below - above) / (1e-9 * normal_density(3.0)) - 1.0).abs() < 1e-4);
     }
@@ -105,7 +105,7 @@ mod tests {
     }
 
     /// Both variables are positive with the probability `1/4 + asin ρ / 2π`. With ρ = 1 both are the same variable, and the greater bound counts.
-    /// Otherwise the variables are independent given the first one, `∫ φ(x) Φ(-(b - ρx) / √(1 - ρ²)) dx` from a.
+    /// Otherwise the probability for the second variable is integrated over the first one, `∫ φ(x) Φ(-(b - ρx) / √(1 - ρ²)) dx` from a.
     #[test]
     fn two_tails_are_those_of_closed_forms() {
         let near = |value: f64, exact: f64| assert!((value / exact - 1.0).abs() < 3e-3, "{value} {exact}");

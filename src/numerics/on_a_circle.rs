@@ -28,7 +28,7 @@ impl<const C: usize> Turning<C> {
         numbers.parts().into_iter().chain(vectors.parts()).sum()
     }
 
-    /// N² - |v|² as a trigonometric polynomial.
+    /// The trigonometric polynomial N² - |v|² of the number N and the vector v.
     pub(crate) fn square(&self) -> Trigonometric {
         let square = Trigonometric::square_of(&self.number);
         (0..C).fold(square, |sum, axis| sum.minus(&Trigonometric::square_of(&self.vector.map(|v| v[axis]))))
@@ -50,7 +50,7 @@ impl<const C: usize> Turning<C> {
         })
     }
 
-    /// The local minimum that is reached downhill from an angle, between 0 and `most` unless `most` is a full turn.
+    /// The local minimum of N - |v| that is reached downhill from an angle, between 0 and `most` unless `most` is a full turn.
     fn least_near(&self, start: f64, most: f64) -> f64 {
         let within = |angle: f64| if most < TAU { angle.clamp(0.0, most) } else { angle };
         // First step of the search for the minimum, rad.

@@ -1,8 +1,8 @@
 //! Rank-revealing orthogonal factors of a tall matrix whose rows differ in size by orders of magnitude.
 //!
-//! The rows are those of K^{1/2}Gᵀ and similar matrices. With stiffness ratios of 1e14 their sizes differ by 1e7, and normal equations (G K
-//! Gᵀ)⁻¹ would lose the square of that. Gram–Schmidt with column pivoting, each column orthogonalised twice, keeps the columns of Q orthonormal
-//! to working precision for any such rows.
+//! The rows are those of K^{1/2}Gᵀ, with the stiffness K and the grasp map G, and of similar matrices. With stiffness ratios of 1e14 the sizes of
+//! rows differ by 1e7. The normal equations with the matrix G K Gᵀ would lose 14 digits. Gram–Schmidt with column pivoting, each column
+//! orthogonalised twice, keeps the columns of Q orthonormal to working precision for any such rows.
 
 use super::coordinates::{Indices, Size, Square, Vector};
 use core::ops::Range;
@@ -21,7 +21,8 @@ pub(crate) struct Orthogonal {
     /// Q row by row; entries in columns from `rank` on are zero.
     q: Vec<f64>,
     r: Square,
-    /// The inverse diagonal of R11. Each division must wait for the previous one, and a multiplication takes a third of the time.
+    /// The reciprocals of the diagonal entries of R11. A multiplication takes a third of the time of a division, and each division would wait for the
+    /// previous one.
     over_diagonal: Vector,
     order: Indices,
     rank: usize,
@@ -81,7 +82,7 @@ impl Orthogonal {
         &self.q[i * d..(i + 1) * d]
     }
 
-    /// The coordinates Qᵀx.
+    /// The coordinates Qᵀx of a vector x along the orthonormal columns of Q.
     pub(crate) fn coordinates(&self, x: &[f64]) -> Vector {
         let d = self.size().count();
         let part = |rows: Range<usize>| {
@@ -97,7 +98,7 @@ impl Orthogonal {
         in_halves(0..x.len(), &part, &|a, b| a + b)
     }
 
-    /// Moves x to the closest vector with `Aᵀx = -w`, for a w in the range of Aᵀ. Returns the y of the move `x - Q y`.
+    /// Moves x to the closest vector with `Aᵀx = -w`, for a w in the range of Aᵀ. The vector becomes `x - Q y`; y is returned.
     pub(crate) fn project(&self, x: &mut [f64], w: &Vector) -> Vector {
         let load = self.load_coordinates(w);
         let mut moved = Vector::zeros();
@@ -113,7 +114,7 @@ impl Orthogonal {
         moved
     }
 
-    /// Subtracts Q y from x.
+    /// Subtracts the combination Q y of the columns of Q from x.
     pub(crate) fn subtract(&self, x: &mut [f64], y: &Vector) {
         let (d, y) = (self.size().count(), y.as_slice());
         match (d, y.len()) {
@@ -132,7 +133,7 @@ impl Orthogonal {
         product(self.row(i), y)
     }
 
-    /// A solution v of `A v = Q c` with zeros in the dependent columns.
+    /// A solution v of `A v = Q c`, with zeros in the components of linearly dependent columns of A.
     pub(crate) fn preimage(&self, c: &Vector) -> Vector {
         let (mut y, mut v) = (Vector::all_zero(self.size()), Vector::all_zero(self.size()));
         let (d, r, over) = (self.size().count(), self.r.as_slice(), self.over_diagonal.as_slice());
@@ -145,8 +146,8 @@ impl Orthogonal {
         v
     }
 
-    /// The coordinates `y = Qᵀx`, which are the same for every x with `Aᵀx = w`, for a w in the range of Aᵀ. They solve the first r rows of
-    /// `R11ᵀ y = Πᵀw`.
+    /// The coordinates `y = Qᵀx` of the vectors x with `Aᵀx = w`, for a w in the range of Aᵀ. All such x have the same y, which solves the first r
+    /// rows of `R11ᵀ y = Πᵀw`.
     pub(crate) fn load_coordinates(&self, w: &Vector) -> Vector {
         let mut found = Vector::all_zero(self.size());
         let (d, r, over) = (self.size().count(), self.r.as_slice(), self.over_diagonal.as_slice());
@@ -184,7 +185,7 @@ impl Orthogonal {
     }
 }
 
-/// Adds the rows, each times its factor.
+/// Adds the rows of `q`, each times its factor in `times`, to `sums`.
 #[inline(always)]
 fn add_rows(d: usize, q: &[f64], times: &[f64], sums: &mut [f64]) {
     let sums = &mut sums[..d];

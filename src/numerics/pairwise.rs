@@ -5,7 +5,7 @@ use core::ops::Range;
 
 use super::cores;
 
-/// Both results, on two threads if there are enough terms.
+/// The results of `a` and `b`, on two threads if there are at least 4096 terms.
 fn both<R: Send>(count: usize, a: impl FnOnce() -> R + Send, b: impl FnOnce() -> R + Send) -> (R, R) {
     // With fewer terms, waking a second thread costs more than the summation.
     if count >= 4096 { cores::both(a, b) } else { (a(), b()) }

@@ -31,7 +31,7 @@ impl PositiveBand {
         self.entries[j * self.height + i - j] += x;
     }
 
-    /// Replaces the matrix by its factor L, `L Lᵀ`; `None` if it is not clearly positive definite.
+    /// Replaces the matrix A by its Cholesky factor L, with A = L Lᵀ; `None` if A is not clearly positive definite.
     pub(crate) fn factor(&mut self) -> Option<()> {
         let height = self.height;
         let least: Vec<f64> =
@@ -58,7 +58,7 @@ impl PositiveBand {
         Some(())
     }
 
-    /// Replaces b by the solution of `L Lᵀ x = b`.
+    /// Replaces the right-hand side in `x` by the solution of `L Lᵀ x = b`.
     pub(crate) fn solve(&self, x: &mut [f64]) {
         for (k, column) in self.entries.chunks_exact(self.height).enumerate() {
             x[k] /= column[0];

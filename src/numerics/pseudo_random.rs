@@ -7,7 +7,7 @@ use crate::prelude::*;
 
 const WEYL_STEP: u64 = 0x9E37_79B9_7F4A_7C15;
 
-/// Entry i of a fixed generic vector, from 1/2 to below 3/2.
+/// Entry i of a fixed vector without special structure, from 1/2 to below 3/2.
 pub(crate) fn generic(i: usize) -> f64 {
     let bits = mixed((i as u64).wrapping_add(1).wrapping_mul(WEYL_STEP));
     0.5 + (bits >> 11) as f64 / (1_u64 << 53) as f64
@@ -20,12 +20,12 @@ fn mixed(mut z: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// Random numbers that depend only on three words, the place of the draw: SplitMix64 (Steele, Lea and Flood, Fast splittable pseudorandom number
-/// generators, 2014).
+/// Random numbers that depend only on the three words of the seed: SplitMix64 (Steele, Lea and Flood, Fast splittable pseudorandom number generators,
+/// 2014).
 pub(crate) struct Draw(u64);
 
 impl Draw {
-    /// The generator for a place. Each of its words changes all bits of the state.
+    /// The generator with the seed `place`. Each word of the seed changes all bits of the state.
     pub(crate) fn new(place: [u64; 3]) -> Self {
         let mut draw = Self(0);
         for word in place {
@@ -66,7 +66,7 @@ mod tests {
         let count = 40_000_u64;
         let draws: Vec<f64> = (0..count).map(|i| Draw::new([3, i, i % 5]).normal()).collect();
         let moment = |k: i32| draws.iter().map(|z| z.powi(k)).sum::<f64>() / count as f64;
-        // Within five standard deviations of the sampling error.
+        // The allowed error of a moment: five standard deviations of the sampling error.
         let error = |variance: f64| 5.0 * (variance / count as f64).sqrt();
         assert!(moment(1).abs() < error(1.0), "{}", moment(1));
         assert!((moment(2) - 1.0).abs() < error(2.0), "{}", moment(2));

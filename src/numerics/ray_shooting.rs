@@ -14,17 +14,17 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 pub(crate) struct RayExit {
     pub(crate) vertices: Vec<Vertex>,
-    /// Coefficients β, not negative.
+    /// Coefficients β of the vertices, whose weighted sum is the ray; none is negative.
     pub(crate) shares: Vector,
     /// Normal v: all points x of the set satisfy `v·(x - middle) <= reach`.
     pub(crate) normal: Vector,
     /// The bound in `v·(x - middle) <= reach`. It is at least one, and one up to rounding if the pivots have converged.
     pub(crate) reach: f64,
-    /// s: distance of the target divided by the distance at which the ray leaves the simplex.
+    /// The ratio s of the distance of the target to the distance at which the ray leaves the simplex.
     pub(crate) stretch: f64,
 }
 
-/// The exit of the ray from the middle of a simplex to a target. `None` if rounding leaves no face.
+/// The exit of the ray from the middle of a simplex to a target. `None` if rounding corrupts all faces of the simplex.
 pub(crate) fn shoot(support: &SupportFunction<'_>, simplex: &[Vertex], target: &Vector) -> Option<RayExit> {
     let size = Size::of(simplex.len() - 1);
     let origin = middle(simplex);

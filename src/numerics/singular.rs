@@ -1,7 +1,7 @@
 //! Singular values, and eigenvalues of symmetric matrices, by Jacobi's rotations of columns.
 //!
-//! Columns are turned in pairs until they are orthogonal (Hestenes): then they are the left vectors times the singular values, and the product of the
-//! rotations has the right vectors. Small values keep their own digits. One function serves matrices of every shape.
+//! Columns are turned in pairs until they are orthogonal (Hestenes). The columns then are the left singular vectors times the singular values. The
+//! product of all rotations is the matrix of right singular vectors. Small values keep their own digits. One function serves matrices of every shape.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -27,7 +27,7 @@ impl Singular {
         let columns = matrix.ncols();
         let mut turned = matrix.clone();
         let mut right = DMatrix::identity(columns, columns);
-        // Rotations converge quadratically within some ten sweeps; the limit ends those of matrices that are not finite.
+        // Rotations converge quadratically within some ten sweeps; the limit stops the sweeps for matrices with NaN or infinite entries.
         for _ in 0..60 {
             let mut all_orthogonal = true;
             for i in 1..columns {
@@ -63,7 +63,7 @@ impl Singular {
         })
     }
 
-    /// The least-squares solution of least norm; singular values up to `least` count as zero.
+    /// The least-squares solution x of `M x = vector`, of least norm; singular values up to `least` count as zero.
     pub(crate) fn solve(&self, vector: &DVector<f64>, least: f64) -> DVector<f64> {
         let mut solution = DVector::zeros(self.values.len());
         for (k, part) in self.along(vector).into_iter().enumerate() {
@@ -74,7 +74,7 @@ impl Singular {
         solution
     }
 
-    /// The shortest x with `Mᵀ x = b` and the y with `x = M y`, of a matrix whose columns are independent.
+    /// The shortest x with `Mᵀ x = b`, and the y with `x = M y`, for the decomposed matrix M, whose columns must be independent.
     pub(crate) fn of_transpose(&self, b: &DVector<f64>) -> (DVector<f64>, DVector<f64>) {
         let mut y = self.right.tr_mul(b);
         let mut x = DVector::zeros(self.scaled_left.nrows());
@@ -86,7 +86,7 @@ impl Singular {
     }
 }
 
-/// The tangent of the angle by which two columns are turned to be orthogonal; `None` where they are.
+/// The tangent of the angle by which two columns are turned to become orthogonal; `None` if they are orthogonal already.
 fn rotation(columns: &DMatrix<f64>, i: usize, j: usize) -> Option<f64> {
     let (a, b) = (columns.column(i), columns.column(j));
     let (a2, b2, ab) = (a.norm_squared(), b.norm_squared(), a.dot(&b));

@@ -32,7 +32,7 @@ impl Space {
         }
     }
 
-    /// Number of coordinates of the object: translations, then rotations. Those of joints follow them.
+    /// Number of coordinates of the object: translations, then rotations. The coordinates of joints follow.
     pub(crate) const fn of_the_object(self) -> usize {
         self.axes() + self.planes().len()
     }

@@ -4,15 +4,15 @@
 
 /// The rounding of a few operations, relative to their terms: 4 ε.
 ///
-/// Three examples: a normal computed as (cos π/2, sin π/2) has a component of 6e-17; the residual of Newton's method stagnates at this level; a
-/// smaller projection only changes rounding. If smaller, such a component of a normal counts as an entry of a spring, and steps are made on
-/// noise. If larger, true entries of soft springs beside stiff ones are lost, and forces lose their last digit.
+/// Examples: a normal computed as (cos π/2, sin π/2) has a component of 6e-17 instead of zero; the residual of Newton's method stagnates at this
+/// level. If smaller, such a component counts as a true direction of a spring, and iterations continue on rounding errors. If larger, the small
+/// contributions of soft springs are dropped where stiff springs act too, and forces lose their last digit.
 pub(crate) const FEW_ROUNDINGS: f64 = 4.0 * f64::EPSILON;
 
 /// The rounding of a short sum, relative to its largest term: some sixteen operations, 16 ε.
 ///
-/// If smaller, exact ties are separated: a tie rule fails, or an angle at which two numbers only touch is treated as a crossing or missed. If larger,
-/// rows that block one after another count as ties, and numbers that cross slowly count as touching.
+/// If smaller, exact ties are separated: a tie rule fails, or an angle at which two functions only touch is treated as a crossing or missed. If
+/// larger, rows of a complementarity problem that block a pivot one after another count as ties, and functions that cross slowly count as touching.
 pub(crate) const ROUNDED_SUM: f64 = 16.0 * f64::EPSILON;
 
 /// The rounding of a quantity that results from linear solves, relative to the largest of its kind.
@@ -29,37 +29,38 @@ pub(crate) const NEGLIGIBLE: f64 = 1e-9;
 
 /// A step of fraction t is accepted if it reduces the error by at least this fraction of the decrease predicted by the linearisation.
 ///
-/// This is Armijo's rule. Near 1 full Newton steps are refused; at 0 useless steps are accepted, and a search may cycle.
+/// This is Armijo's rule. Near 1 full Newton steps are rejected; at 0 steps without progress are accepted, and a search may cycle.
 pub(crate) const SUFFICIENT_DECREASE: f64 = 0.1;
 
 /// A vector is linearly dependent on others if its component orthogonal to them is below this fraction of its length. A matrix of products of
 /// orthonormal vectors is then singular.
 ///
-/// Rounding leaves 1e-16 times a few operations; normals of real geometry are parallel up to 1e-12. If smaller, rounding becomes a direction with
-/// stiffness, and a free motion appears stiff. If larger, soft springs beside stiff ones are lost.
+/// Rounding leaves 1e-16 times a few operations; normals of real geometry are parallel up to 1e-12. If smaller, rounding errors count as stiffness
+/// along a free motion. If larger, the stiffness of soft springs is dropped where stiff springs act too.
 pub(crate) const LINEARLY_DEPENDENT: f64 = 1e-13;
 
-/// Pivot, relative to the largest entry, below which LU with partial pivoting is refused.
+/// Pivot, relative to the largest entry of the matrix, up to which LU with partial pivoting gives no factors.
 ///
-/// [`CompletePivoting`](super::CompletePivoting) or [`Orthogonal`](super::Orthogonal) must then tell singular from soft. Above this limit a
-/// solution has some six digits without refinement. If smaller, callers that do not refine get wrong digits; if larger, more matrices take the slower
-/// factors.
+/// [`CompletePivoting`](super::CompletePivoting) or [`Orthogonal`](super::Orthogonal) must then find out whether the matrix is singular or only soft
+/// in some direction. Above this limit a solution has some six digits without refinement. If smaller, callers that do not refine get wrong digits; if
+/// larger, more matrices need the slower factors.
 pub(super) const PARTIAL_PIVOT: f64 = 1e-10;
 
 /// Pivot of a band matrix, relative to its largest entry, that counts as zero.
 ///
-/// It is smaller than [`PARTIAL_PIVOT`], since solutions of band systems are refined. Exactly singular matrices leave some 1e-16. If larger, soft
-/// springs beside stiff ones count as absent.
+/// It is smaller than [`PARTIAL_PIVOT`], since solutions of band systems are refined. Exactly singular matrices leave some 1e-16. If larger, the
+/// stiffness of soft springs is dropped where stiff springs act too.
 pub(super) const BAND_PIVOT: f64 = 1e-11;
 
 /// Pivot, relative to the original diagonal entry, below which a matrix does not count as positive definite.
 ///
-/// If smaller, a semidefinite matrix gets factors that consist of rounding. If larger, matrices of condition 1e12 are refused.
+/// If smaller, a semidefinite matrix gets factors that consist of rounding. If larger, matrices of condition 1e12 get no factors.
 pub(super) const POSITIVE_PIVOT: f64 = 1e-12;
 
 /// A set counts as flat if it is thinner than this fraction of its size in some direction.
 ///
-/// If smaller, a flat set gets a volume that consists of rounding. If larger, thin sets count as flat, and wrenches inside them as out of reach.
+/// If smaller, a flat set gets a volume that consists of rounding. If larger, thin sets count as flat, and wrenches inside such a set count as
+/// outside.
 pub(super) const FLAT_SET: f64 = 1e-10;
 
 /// Largest decrease of a growing polytope's distance from the origin, relative to its size, that is accepted as rounding; more ends the search.
@@ -67,8 +68,8 @@ pub(super) const FLAT_SET: f64 = 1e-10;
 /// If smaller, sets of many points end with a loose bound. If larger, a polytope with a wrong face continues to grow.
 pub(super) const POLYTOPE_SHRINKS: f64 = 1e-7;
 
-/// Limit for rounding in ray shooting. Distances beyond a plane, or from the middle of a set, are compared with this fraction of the ray, pivots with
-/// this fraction of the largest.
+/// Limit for rounding in ray shooting. Distances beyond a plane, or from the middle of a set, count as zero up to this fraction of the ray. Pivots
+/// count as zero up to this fraction of the largest.
 ///
 /// If smaller, rounding makes a ray change planes until the pivot limit. If larger, the length of a ray has fewer correct digits.
 pub(super) const BEYOND_PLANE: f64 = 1e-13;

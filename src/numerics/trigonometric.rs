@@ -15,7 +15,7 @@ use crate::numerics::summed;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// The trigonometric polynomial f.
+/// A trigonometric polynomial `f(φ) = c + a₁ cos φ + b₁ sin φ + a₂ cos 2φ + b₂ sin 2φ`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Trigonometric {
     pub(crate) constant: f64,
@@ -25,12 +25,12 @@ pub(crate) struct Trigonometric {
     pub(crate) second: [f64; 2],
 }
 
-/// The first zero of f on an interval.
+/// The first zero of a trigonometric polynomial on an interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum FirstZero {
-    /// f changes from positive to negative at this angle, rad.
+    /// The polynomial changes from positive to negative at this angle, rad.
     At(f64),
-    /// f stays positive, but touches zero to within rounding at this angle, rad.
+    /// The polynomial stays positive, but touches zero to within rounding at this angle, rad.
     Touches(f64),
 }
 
@@ -76,15 +76,15 @@ impl Trigonometric {
         }
     }
 
-    /// The shifted polynomial f(φ + π/2).
+    /// The shifted polynomial f(φ + π/2), for this polynomial f.
     fn a_quarter_on(&self) -> Self {
         let ([a, b], [a2, b2]) = (self.first, self.second);
         Self { constant: self.constant, first: [b, -a], second: [-a2, -b2] }
     }
 
-    /// The first angle in (0, `most`] at which f becomes negative, or touches zero; `most` is at most a full turn.
+    /// The first angle in (0, `most`] at which the polynomial becomes negative, or touches zero; `most` is at most a full turn.
     ///
-    /// A value is zero within `rounding`. The first `roots_here` roots at φ = 0 do not count: f is zero there and increases.
+    /// A value is zero within `rounding`. The first `roots_here` roots at φ = 0 do not count: the polynomial is zero there and increases.
     pub(crate) fn first_fall(&self, most: f64, rounding: f64, roots_here: usize) -> Option<FirstZero> {
         let most = most.min(TAU);
         let mut shifted = *self;
@@ -113,8 +113,8 @@ impl Trigonometric {
         touched
     }
 
-    /// cot(φ/2) of the first angle in a full turn at which f becomes negative or touches zero. It is computed without trigonometric functions,
-    /// hence with the same bits on every processor. f must be positive at φ = 0.
+    /// cot(φ/2) of the first angle φ in a full turn at which the polynomial becomes negative or touches zero. It is computed without trigonometric
+    /// functions, hence with the same bits on every processor. The polynomial must be positive at φ = 0.
     pub(crate) fn first_cotangent(&self) -> Option<f64> {
         let mut shifted = *self;
         for quarter in 0_u8..4 {
@@ -133,7 +133,7 @@ impl Trigonometric {
         None
     }
 
-    /// Coefficients of the polynomial `(1 + t²)² f`, the constant first.
+    /// Coefficients of `(1 + t²)² f` as a polynomial in t = tan(φ/2), the constant first.
     fn of_the_half_angle(&self) -> [f64; 5] {
         let (c, [a, b], [a2, b2]) = (self.constant, self.first, self.second);
         [c + a + a2, 2.0 * b + 4.0 * b2, 2.0 * c - 6.0 * a2, 2.0 * b - 4.0 * b2, c - a + a2]
@@ -183,7 +183,7 @@ impl Roots {
     }
 }
 
-/// The roots of p' in (0, end) at which p' changes sign.
+/// The roots of the derivative p' in (0, end) at which p' changes sign.
 fn roots_of_derivative(p: &[f64; 5], end: f64, into: &mut Roots) {
     let derivative = [p[1], 2.0 * p[2], 3.0 * p[3], 4.0 * p[4], 0.0];
     if derivative[1..].iter().all(|p| *p == 0.0) {

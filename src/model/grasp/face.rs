@@ -20,31 +20,31 @@ use crate::numerics::{Harmonic, Space, by_axis};
 use crate::prelude::*;
 use crate::words::LinkKind;
 
-/// A value of a question or an answer that is converted for the engine.
+/// A type of the public interface, of questions or answers, that can be converted to the engine's type and back.
 pub(crate) trait Face: Sized + Clone + 'static {
-    /// The type of the value in the engine.
+    /// The corresponding type in the engine, with three components per vector.
     type Inside: Clone + 'static;
 
-    /// Whether both types are equal, as in space. Then neither [`Self::widen`] nor [`Self::narrow`] is compiled.
+    /// Whether `Self` and [`Self::Inside`] are the same type, as in space. Then neither [`Self::widen`] nor [`Self::narrow`] is compiled.
     const SAME: bool;
 
     /// Converts a value of the plane to three components per vector.
     fn widen(&self) -> Self::Inside;
 
-    /// Converts an engine value of the plane to two components per vector.
+    /// Converts a planar value of the engine to two components per vector.
     fn narrow(inside: Self::Inside) -> Self;
 
-    /// Converts a value for the engine.
+    /// Converts this value to the engine's type.
     fn into_inside(self) -> Self::Inside {
         if const { Self::SAME } { same(self) } else { self.widen() }
     }
 
-    /// Converts a copy of the value for the engine.
+    /// Converts a copy of this value to the engine's type.
     fn to_inside(&self) -> Self::Inside {
         if const { Self::SAME } { same(self.clone()) } else { self.widen() }
     }
 
-    /// Converts a value of the engine for the caller; values for space are moved.
+    /// Converts a value of the engine's type to the caller's type; a value for space is only moved.
     fn from_inside(inside: Self::Inside) -> Self {
         if const { Self::SAME } { same(inside) } else { Self::narrow(inside) }
     }
@@ -57,7 +57,7 @@ fn same<A: 'static, B: 'static>(value: A) -> B {
     same.expect("both names are of one type")
 }
 
-/// The value in the engine's type; a value for space is borrowed.
+/// The value in the engine's type; a value for space is borrowed, not copied.
 pub(crate) fn inside<T: Face>(value: &T) -> Cow<'_, T::Inside> {
     if const { T::SAME } {
         Cow::Borrowed((value as &dyn Any).downcast_ref::<T::Inside>().expect("both names are of one type"))
@@ -66,7 +66,7 @@ pub(crate) fn inside<T: Face>(value: &T) -> Cow<'_, T::Inside> {
     }
 }
 
-/// The values in the engine's type.
+/// Copies of the values in the engine's type.
 pub(crate) fn all_inside<T: Face>(values: &[T]) -> Vec<T::Inside> {
     if const { T::SAME } {
         return same(values.to_vec());
@@ -78,12 +78,12 @@ pub(crate) fn all_inside<T: Face>(values: &[T]) -> Vec<T::Inside> {
     all
 }
 
-/// Converts a value of the engine for the caller; values for space are moved.
+/// Converts a value of the engine's type to the caller's type; a value for space is only moved.
 pub(crate) fn outside<T: Face>(inside: T::Inside) -> T {
     T::from_inside(inside)
 }
 
-/// Implements [`Face`] for structures, field by field. A second type parameter is a type that is equal on both sides.
+/// Implements [`Face`] for structures, field by field. A second type parameter is a type that needs no conversion: its [`Face::Inside`] is itself.
 macro_rules! face_of_struct {
     ($($name:ident $(<$same:ident>)? { $($(#[$when:meta])? $field:ident),* $(,)? })*) => {$(
         impl<const C: usize $(, $same: crate::grasp::Face<Inside = $same>)?> crate::grasp::Face for $name<C $(, $same)?> {
@@ -129,7 +129,7 @@ macro_rules! face_of_enum {
 }
 pub(crate) use face_of_enum;
 
-/// Implements [`Face`] for types that are equal on both sides, since they contain no vectors.
+/// Implements [`Face`] for types without vectors, which are the same in the public interface and in the engine.
 macro_rules! same_on_both_sides {
     ($($name:ty),* $(,)?) => {$(
         impl crate::grasp::Face for $name {
@@ -283,7 +283,7 @@ impl<const C: usize> Face for SVector<f64, C> {
     }
 }
 
-/// The frame of a contact with two columns and rows in the plane, three in space.
+/// Converts a contact frame from the engine to `C` rows and columns: two in the plane, three in space.
 pub(crate) fn frame_outside<const C: usize>(inside: &SMatrix<f64, 3, 3>) -> SMatrix<f64, C, C> {
     SMatrix::from_fn(|a, b| inside[(a, b)])
 }
@@ -339,7 +339,8 @@ face_of_struct! {
     }
 }
 
-/// The plane has no second tangent. Its stiffness is a copy of the first one, so that it passes every check; no spring uses it.
+/// The plane has no second tangent. The engine's stiffness along it is a copy of the first tangential stiffness, so that it is in range; no spring
+/// uses it.
 impl<const C: usize> Face for Stiffness<C> {
     type Inside = Stiffness<3>;
     const SAME: bool = C == 3;

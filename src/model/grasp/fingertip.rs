@@ -172,8 +172,8 @@ impl SoftFingertip<3> {
         Ok(Self { radius, points: all })
     }
 
-    /// Torsional stiffness about the normal, N m/rad, while friction suffices: `Σ w_i (k_1 y_i² + k_2 x_i²)` with x along the first and y along
-    /// the second tangent. The sum equals `(k_1 + k_2)/2 ⟨r²⟩`.
+    /// Torsional stiffness about the normal, N m/rad, while friction suffices: `Σ w_i (k_1 y_i² + k_2 x_i²)`. Point i has the share w_i of the
+    /// tangential stiffnesses k_1, k_2 and the coordinates x_i along the first and y_i along the second tangent. The sum equals `(k_1 + k_2)/2 ⟨r²⟩`.
     #[must_use]
     pub fn torsional_stiffness(&self, contact: &Contact<3>) -> f64 {
         let k = contact.series_stiffness_of_axes();
@@ -181,8 +181,9 @@ impl SoftFingertip<3> {
     }
 
     /// Moment about the normal at which the first points slide, N m, under the normal force `normal_force` (N) and no other load:
-    /// `μ N k_θ / √((k_1 y_i)² + (k_2 x_i)²)` at the point that slides first. On a ring with equal tangential stiffnesses all points slide at
-    /// once, and the moment equals [`Self::torsional_limit`].
+    /// `μ N k_θ / √((k_1 y_i)² + (k_2 x_i)²)` at the point (x_i, y_i) that slides first, with the [torsional stiffness](Self::torsional_stiffness)
+    /// k_θ and the tangential stiffnesses k_1, k_2. On a ring with equal tangential stiffnesses all points slide at once, and the moment equals
+    /// [`Self::torsional_limit`].
     #[must_use]
     pub fn first_sliding(&self, contact: &Contact<3>, normal_force: f64) -> f64 {
         let k = contact.series_stiffness_of_axes();
@@ -190,8 +191,8 @@ impl SoftFingertip<3> {
         contact.friction_coefficient() * normal_force * (self.torsional_stiffness(contact) / fastest)
     }
 
-    /// Largest moment about the normal that friction can carry, N m, under the normal force `normal_force` (N) and no other load: `μ N ⟨r⟩`,
-    /// independent of the springs.
+    /// Largest moment about the normal that friction can carry, N m, under the normal force `normal_force` (N) and no other load: `μ N ⟨r⟩` with the
+    /// mean distance ⟨r⟩ of the points from the centre, independent of the springs.
     #[must_use]
     pub fn torsional_limit(&self, contact: &Contact<3>, normal_force: f64) -> f64 {
         contact.friction_coefficient() * normal_force * self.mean(SVector::norm)
@@ -277,8 +278,8 @@ impl<const C: usize> SoftFingertip<C> {
 
     /// The point contacts that replace `contact`.
     ///
-    /// Each point has the normal, tangents, friction, command, clearance and hold of `contact`. Its stiffness (of body and finger) and its
-    /// forces are the share w_i of the contact's. Its name is that of `contact` with a number from 0, "thumb 3".
+    /// Each point has the normal, tangents, friction, command, clearance and [`Hold`](crate::grasp::Hold) of `contact`. Its stiffness (of body and
+    /// finger) and its forces are the share w_i of the contact's. Its name is that of `contact` with a number from 0, "thumb 3".
     ///
     /// # Errors
     /// [`Error::Contact`] with index 0 if `contact` has a number that is out of range.
@@ -322,7 +323,7 @@ impl<const C: usize> SoftFingertip<C> {
         self.mean(|at| at[axis] * at[axis])
     }
 
-    /// Mean ⟨f⟩, `Σ w_i f(ρ_i)`.
+    /// Mean of a function of the position over all points, weighted by their shares of the stiffness.
     fn mean(&self, f: impl Fn(&SVector<f64, C>) -> f64) -> f64 {
         self.points.iter().map(|place| place.share * f(&place.offset)).sum()
     }
@@ -334,7 +335,7 @@ impl<const C: usize> SoftFingertip<C> {
 
 pub(super) fn usable(length: f64, what: &'static str) -> Result<f64, Error> {
     let usable = (1.0 / LARGEST..=LARGEST).contains(&length);
-    // The accepted range, as messages name it.
+    // The range of a length that error messages give as allowed.
     check(usable, what, length, "from 1e-50 to 1e50").map(|()| length)
 }
 

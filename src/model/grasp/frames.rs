@@ -37,7 +37,7 @@ impl<const C: usize> Contact<C> {
     /// assert!((point - Vector2::new(0.1, 0.32)).norm() < 1e-16);
     /// ```
     pub fn transformed<R: AbstractRotation<f64, C>>(mut self, pose: &Isometry<f64, R, C>) -> Self {
-        // A contact without a frame is refused later, when its grasp is made.
+        // If normal and tangent give no valid frame, the given tangent is rotated alone. `Grasp::new` then returns an error for this contact.
         let tangent = self.frame(0).map_or(self.tangent, |frame| Some(frame.column(1).into_owned()));
         self.tangent = tangent.map(|tangent| pose.rotation.transform_vector(&tangent));
         self.point = pose.rotation.transform_vector(&self.point) + pose.translation.vector;
@@ -48,10 +48,10 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// This contact with its normal tilted towards its tangents by these angles, rad; the frame rotates with it. The axis of rotation is
-    /// orthogonal to the normal and to the tilt, and the angle is the norm of the tilt. The first component is ignored.
+    /// This contact with its normal tilted towards its tangents by the angles `tilt`, rad; the frame rotates with it. The axis of rotation is
+    /// orthogonal to the normal and to `tilt`, and the angle of rotation is the norm of `tilt`. The first component of `tilt` is ignored.
     pub(crate) fn tilted(mut self, tilt: &SVector<f64, C>) -> Self {
-        // A contact without a frame is refused later, when its grasp is made.
+        // Without a valid frame the contact stays unchanged here. `Grasp::new` then returns an error for this contact.
         let Ok(frame) = self.frame(0) else { return self };
         let mut towards = *tilt;
         towards[0] = 0.0;
@@ -107,7 +107,7 @@ macro_rules! in_other_frames {
         }
 
         impl Twist<$c> {
-            /// This motion with the translation of the object's point at `point` instead of that at the origin: the translation becomes
+            /// This motion with the translation of the object's point at `point` in place of the translation of the origin. The translation becomes
             /// [`Self::displacement_at`] that point, and the rotation stays. The result has `point` as its origin.
             #[must_use]
             pub fn about(&self, point: impl Into<[f64; $c]>) -> Self {

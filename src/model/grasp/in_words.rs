@@ -100,7 +100,7 @@ impl Words {
         if !turns_visibly {
             return format!("{}, turns {}", moves(&mean), self.axis_text(&omega));
         }
-        // Distance of the points from the axis, m, which scales the rounding of the axis.
+        // Distance of the points from the axis, m, to which the rounding error of the axis's position is proportional.
         let arm = if spread > 0.0 { spread / omega.size() } else { 1.0 };
         let through = omega.way_to_axis(&along).map(|x| if x.abs() <= NEGLIGIBLE * arm { 0.0 } else { x });
         let turning = format!("turns {}{}", self.axis_text(&omega), self.point(&through));
@@ -135,7 +135,7 @@ impl Words {
             |motion: &BodyMotion<3>| (printable(&motion.body).into_owned(), self.direction(&motion.twist));
         let texts: Vec<_> = moves.map(texts).list();
         let Some((_, first)) = texts.first() else { return "moving nothing but the hand".to_owned() };
-        // Up to three bodies with the same motion are named one by one.
+        // More than three bodies with the same motion share one description; up to three are described one by one.
         if texts.len() > 3 && texts.iter().all(|(_, way)| way == first) {
             let names: Vec<_> = mapped(&texts, &|(name, _)| name);
             return format!("{}, all {first}", listed(&names));

@@ -1,5 +1,5 @@
-//! The engine's coordinates, called inside coordinates. Moments and rotations refer to the centroid of the contact points, and arms are measured
-//! in their root mean square distance from it.
+//! The engine's coordinates, called inside coordinates. Moments and rotations refer to the centroid of the contact points, and arms are measured in
+//! units of their root mean square distance from the centroid.
 //!
 //! Wrenches and twists of questions are converted to these coordinates, and answers are converted back. Neither a distant origin nor the user's
 //! unit of length thus costs digits.
@@ -16,13 +16,14 @@ use crate::error::Error;
 use crate::numerics::DoubleDouble;
 
 impl Engine {
-    /// Checks a wrench and converts it to the engine's coordinates: moved to the centroid, in the engine's unit of length.
+    /// Converts a wrench to the engine's coordinates: moments about the centroid, in the engine's unit of length. Returns an error for components
+    /// that are not finite or too large; `what` names the wrench in the message.
     pub(crate) fn inside(&self, wrench: &Wrench<3>, what: &'static str) -> Result<Vector, Error> {
         wrench.check_in(self.space, what)?;
         Ok(self.inside_unchecked(wrench))
     }
 
-    /// Converts a wrench to the engine's coordinates without a check.
+    /// [`Self::inside`] for a wrench whose components are known to be in range.
     pub(crate) fn inside_unchecked(&self, wrench: &Wrench<3>) -> Vector {
         match self.bodies() {
             Some(bodies) if bodies.is_shared() => self.combine_wrenches(bodies, &bodies.shared(wrench)),
@@ -30,12 +31,12 @@ impl Engine {
         }
     }
 
-    /// A wrench on the body whose coordinates are the object's, in the engine's coordinates.
+    /// Converts a wrench that acts on the object alone, or on the body whose motion takes the object's coordinates, to the engine's coordinates.
     pub(crate) fn on_object(&self, wrench: &Wrench<3>) -> Vector {
         self.per_length(self.space.moved_wrench(&-self.origin, &wrench.coordinates(self.space)))
     }
 
-    /// Rounding error of a wrench in the engine's coordinates: exact minus rounded moments. It is zero if several bodies share the load.
+    /// Rounding error of a wrench in the engine's coordinates: exact minus rounded moments. Not computed, and zero, if several bodies share the load.
     pub(crate) fn inside_rest(&self, wrench: &Wrench<3>) -> Vector {
         let (w, inside) = (wrench.coordinates(self.space), self.inside_unchecked(wrench));
         let axes = self.space.axes();

@@ -16,7 +16,7 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::numerics::{DoubleDouble, Map, Size, Space, Vector, by_axis};
 
-/// Makes other numbers of axes an error at compile time.
+/// Stops the compilation unless the number of axes `C` is 2 or 3.
 pub(crate) const fn assert_plane_or_space<const C: usize>() {
     assert!(
         C == 2 || C == 3,
@@ -91,7 +91,7 @@ impl Space {
         part
     }
 
-    /// The grasp map of one contact: its columns are the wrenches of unit forces along the axes of the contact frame.
+    /// The grasp map of one contact: its columns are the wrenches of unit forces at the end of `arm` along the axes of the contact frame.
     pub(crate) fn grasp_map(self, size: Size, arm: &SVector<f64, 3>, frame: &SMatrix<f64, 3, 3>) -> Map {
         let mut map = Map::zeros(size);
         for a in 0..self.axes() {
@@ -100,7 +100,8 @@ impl Space {
         map
     }
 
-    /// The grasp map about `origin` with arms in units of `length`, rounded, and the difference of the exact map from it for this point and frame.
+    /// The grasp map about `origin` with arms in units of `length`, rounded; and its rounding error, the exact map for `point` and `frame` minus the
+    /// rounded one.
     pub(super) fn grasp_map_in_twice(
         self,
         size: Size,

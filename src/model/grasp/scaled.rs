@@ -1,4 +1,5 @@
-//! The parts of a grasp that press, and copies of the grasp in which one part presses more or less.
+//! Parts of a grasp whose forces can be scaled (bodies by their loads; contacts, joints and tendons by their commands), and copies of the grasp with
+//! one such force scaled.
 
 use super::engine::Engine;
 use super::hand::Linkage;
@@ -9,12 +10,12 @@ use crate::numerics::{IntoList, mapped};
 use crate::prelude::*;
 use crate::words::{listed, printable};
 
-/// A part that presses: a body through its load, or a contact, a cable or a joint through its command.
+/// A part whose force on the grasp can be scaled: a body by its load, or a contact, a cable or a joint by its command.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct PressOfPart {
     pub(crate) name: String,
     pub(crate) is_body: bool,
-    /// Magnitude of its force or moment, with the unit; `None` if no single number describes it.
+    /// Magnitude of the force or moment that the part exerts, with the unit; `None` if no single number describes it.
     pub(crate) size: Option<(f64, &'static str)>,
 }
 
@@ -66,7 +67,7 @@ impl Engine {
     /// torque or tension of a joint or a tendon.
     ///
     /// # Errors
-    /// [`Error::Part`] if no part has this name, or the part does not press; [`Error::Argument`] if the factor is out of range.
+    /// [`Error::Part`] if no part has this name, or its load or command is zero; [`Error::Argument`] if the factor is out of range.
     pub(crate) fn scaled(&self, name: &str, factor: f64) -> Result<(PressOfPart, Self), Error> {
         if !is_moderate(factor) {
             return Err(Error::Argument { what: "factor of a force", value: factor, allowed: MODERATE });

@@ -16,15 +16,15 @@ use crate::numerics::Space;
 /// Data of one contact or drive, in the engine's coordinates.
 #[derive(Debug, Clone)]
 pub(crate) struct Site {
-    /// Grasp map G_i.
+    /// Grasp map G_i of this contact or drive.
     pub(crate) map: Map,
-    /// Rounding error of G_i for the given point and frame: the exact map minus G_i.
+    /// Rounding error of the grasp map G_i for the given point and frame: the exact map minus G_i.
     pub(crate) map_rest: Map,
-    /// Norm of the grasp map G_i.
+    /// Norm of the grasp map.
     size: f64,
-    /// Coordinates in which G_i is not zero.
+    /// Coordinates in which the grasp map G_i has nonzero entries.
     pub(crate) support: Support,
-    /// Contact frame, columns n, t….
+    /// Contact frame: its columns are the normal, the first tangent and, in space, the second tangent.
     pub(crate) frame: SMatrix<f64, 3, 3>,
     /// Plane or space.
     pub(crate) space: Space,
@@ -70,7 +70,7 @@ impl Site {
         })
     }
 
-    /// A copy of this contact or drive with another map, which is taken as exact.
+    /// A copy of this contact or drive with another grasp map, whose rounding error counts as zero.
     pub(crate) fn with_map(&self, mut map: Map) -> Self {
         let mut map_rest = Map::zeros(map.size());
         let (size, support) = (map.norm(), Support::of(self.space, &mut map, &mut map_rest));
@@ -134,13 +134,13 @@ impl Site {
         self.support = Support::of(space, &mut self.map, &mut self.map_rest);
     }
 
-    /// Entries of a column of G_i within a range of coordinates, and the rounding errors of these entries.
+    /// Entries of a column of the grasp map within a range of coordinates, and the rounding errors of these entries.
     #[inline(always)]
     pub(crate) fn column_in_twice(&self, axis: usize, range: Range<usize>) -> (&[f64], &[f64]) {
         (self.map.column_within(axis, range.clone()), self.map_rest.column_within(axis, range))
     }
 
-    /// A column of G_i and its rounding errors, if the grasp has only the coordinates of one object.
+    /// A column of the grasp map and its rounding errors; `None` if the grasp has coordinates beside those of one object.
     #[inline]
     pub(crate) fn whole_column_in_twice(&self, axis: usize) -> Option<[&[f64; WHOLE]; 2]> {
         Some([self.map.whole_column(axis)?, self.map_rest.whole_column(axis)?])
@@ -152,7 +152,7 @@ impl Site {
         self.map.size()
     }
 
-    /// The contact law at rest, with the whole friction cone.
+    /// The contact law before any limit is reached: the whole friction cone, or a bond.
     pub(crate) fn whole_law(&self) -> Law {
         match self.hold {
             Hold::Unilateral => Law::Cone { gap: true },
@@ -161,13 +161,14 @@ impl Site {
         }
     }
 
-    /// Stretch of the springs, `a - G_iᵀq`.
+    /// Stretch of the springs, `a - Gᵀq`, with the offset a (command less clearance), the grasp map G and the twist q.
     #[inline(always)]
     pub(crate) fn stretch(&self, offset: &SVector<f64, 3>, twist: &Vector) -> SVector<f64, 3> {
         offset - self.map.tr_mul(twist)
     }
 
-    /// Size that scales the rounding of displacements at the contact. Translation and rotation may cancel there; their rounding errors do not.
+    /// Upper bound of the terms of a displacement at the contact, to which its rounding error is proportional. Translation and rotation may cancel at
+    /// the contact; their rounding errors do not.
     #[inline(always)]
     pub(crate) fn span(&self, offset: &SVector<f64, 3>, twist: &Vector) -> f64 {
         self.span_moved(offset, twist.norm())

@@ -66,7 +66,7 @@ impl<const C: usize> Stiffness<C> {
 }
 
 impl<const C: usize> Default for Stiffness<C> {
-    /// Rigid on both sides. A grasp refuses this, since forces between rigid bodies are not determined.
+    /// Rigid body and rigid finger. `Grasp::new` returns an error for this default, since forces between rigid bodies are not determined.
     fn default() -> Self {
         let rigid = SVector::repeat(f64::INFINITY);
         Self::BodyAndFinger { body: rigid, finger: rigid }

@@ -1,4 +1,4 @@
-//! The coordinates in which the map of a contact or drive has nonzero entries.
+//! The coordinates in which the grasp map of a contact or drive has nonzero entries.
 
 use crate::numerics::Map;
 use core::ops::Range;
@@ -6,15 +6,15 @@ use core::ops::Range;
 use crate::numerics::Space;
 use crate::prelude::*;
 
-/// Coordinates in which a map has entries, as two ranges. The ranges are those of the object, if any, and of some neighbouring joints, or those
-/// of two other bodies. A contact depends on the joints of one finger, a drive on its own joint.
+/// Coordinates in which a grasp map has nonzero entries, as two ranges. The ranges are those of the object, if any, and of some neighbouring joints,
+/// or those of two other bodies. A contact depends on the joints of one finger, a drive on its own joint.
 #[derive(Debug, Clone)]
 pub(crate) struct Support {
     ranges: [Range<usize>; 2],
 }
 
 impl Support {
-    /// Common support of two maps, which then store only the rows of these ranges.
+    /// Common support of a grasp map and its rounding error, which then store only the rows of these ranges.
     pub(super) fn of(space: Space, map: &mut Map, rest: &mut Map) -> Self {
         let count = map.size().count();
         let object = space.of_the_object().min(count);

@@ -6,14 +6,14 @@
 /// If smaller, rounding makes a semidefinite matrix indefinite; if larger, an indefinite one is accepted.
 pub(super) const NEGATIVE_REMAINDER: f64 = 1e-10;
 
-/// Displacement due to rotation, divided by the mean displacement of the points, up to which a sentence begins with the translation. Above it
-/// the sentence begins with the rotation. Also the least speed of a body, relative to the fastest, at which it is named.
+/// Displacement due to rotation, divided by the mean displacement of the points, up to which the sentence for a motion begins with the translation.
+/// Above it the sentence begins with the rotation. Also the least speed of a body, relative to the fastest, at which the sentence names it.
 ///
-/// If smaller, sentences report motions that are hardly visible; if larger, they omit bodies that move.
+/// If smaller, sentences describe motions that are hardly visible; if larger, they omit bodies that move.
 pub(super) const SEEN_MOTION: f64 = 0.05;
 
-/// Magnitudes that count as rounding: of the vector to an axis, in m, if only the motion is known, and of load components, relative to the
-/// largest.
+/// Magnitude up to which a component counts as rounding. For a load it is relative to the largest component. For a point on an axis of rotation it is
+/// in m; this applies if the points of the object are unknown.
 ///
 /// If smaller, sentences show rounding errors; if larger, they omit small components.
 pub(super) const LITTLE_ROUNDING: f64 = 1e-13;

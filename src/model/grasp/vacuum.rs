@@ -71,7 +71,7 @@ impl Engine {
         cups.first().map(|cup| self.wholes()[cup.contact].label.clone())
     }
 
-    /// Indices of all contact points that belong to these parts.
+    /// Indices of all contact points that belong to these contacts.
     pub(crate) fn points_of(&self, parts: &[WholeContact]) -> Vec<usize> {
         parts.iter().flat_map(|part| self.wholes()[part.contact].range.clone()).collect()
     }

@@ -24,9 +24,8 @@ impl<const C: usize> Contact<C> {
             t[1] = -n[0];
             if let Some(hint) = &self.tangent {
                 let side = hint.dot(&t);
-                // A given tangent whose component across the normal is below this fraction of its length counts as parallel to the normal.
-                // Rounding turns a tangent by some 1e-16, and must not choose the sign of t. A much larger bound would refuse tangents with a
-                // clear direction.
+                // A given tangent whose component across the normal is below this fraction of its length counts as parallel to the normal. Rounding
+                // turns a tangent by some 1e-16, and must not choose the sign of t. A much larger bound would reject tangents with a clear direction.
                 if !side.is_finite() || side.abs() <= SOLVED_ROUNDING * hint.norm() {
                     return Err(fault(
                         Field::Tangent,
@@ -65,7 +64,7 @@ impl<const C: usize> Contact<C> {
         Ok(frame)
     }
 
-    /// Checks all numbers except those of the frame.
+    /// Returns an error for the first number out of range, except in the normal and the tangent, which [`Self::frame`] validates.
     pub(crate) fn check(&self, index: usize) -> Result<(), Error> {
         let fault =
             |field, value, allowed| Err(Error::Contact { contact: self.label(index), field, value, allowed });

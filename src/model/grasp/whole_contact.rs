@@ -13,7 +13,7 @@ use crate::numerics::{mapped, picked};
 use crate::prelude::*;
 use crate::words::{LinkKind, printable};
 
-/// A contact in an answer; of a soft fingertip, possibly only some of its points.
+/// A contact in an answer. Of a soft fingertip, the answer may apply to only some of its points.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -56,9 +56,9 @@ impl fmt::Display for WholeContact {
 /// A contact of a grasp with its points: all points of a soft fingertip or of a link, or the one point of any other contact.
 #[derive(Debug)]
 pub(crate) struct ContactPoints {
-    /// Number and name of the contact, where a soft fingertip counts as one: as in a scene.
+    /// Number and name of the contact, where a soft fingertip counts as one contact.
     pub(crate) label: ContactLabel,
-    /// Indices of its points.
+    /// Indices of the points of the contact.
     pub(crate) range: Range<usize>,
 }
 
@@ -68,19 +68,19 @@ impl ContactPoints {
         self.label.text()
     }
 
-    /// Mean of a vector over its points.
+    /// Mean of a vector over the points of this contact.
     pub(crate) fn mean(&self, of: &dyn Fn(usize) -> SVector<f64, 3>) -> SVector<f64, 3> {
         self.range.clone().fold(SVector::zeros(), |sum, i| sum + of(i)) / self.range.len() as f64
     }
 
-    /// The contact in an answer about this number of its points.
+    /// This contact as it appears in an answer that applies to `points` of its points.
     pub(crate) fn with(&self, points: usize) -> WholeContact {
         let ContactLabel { index: contact, link, .. } = self.label;
         WholeContact { contact, label: self.text(), link, points, of: self.range.len() }
     }
 }
 
-/// The contacts of a grasp, each with its points; made once, where the grasp is checked.
+/// The contacts of a grasp, each with its points; made once, when the grasp is validated.
 #[derive(Debug, Clone)]
 pub(crate) struct WholeContacts(Arc<[ContactPoints]>);
 

@@ -34,9 +34,9 @@ pub struct Wrench<const C: usize>(SVector<f64, 6>);
 
 /// A small motion of the object: translation of the origin of the coordinates, then rotation. It has 3 components in the plane and 6 in space.
 ///
-/// To first order the point r of the body moves by `translation + rotation × r`, equation 4.1 of the paper without its quadratic term; see
-/// [`Twist::displacement_at`]. Translations are in m, rotations in rad. Rotations turn from x to y in the plane and follow the right-hand rule
-/// in space.
+/// To first order the point r of the body moves by `translation + rotation × r`, equation 4.1 of the paper on which the crate is based
+/// (`paper-notes.md`), without its quadratic term; see [`Twist::displacement_at`]. Translations are in m, rotations in rad. Rotations turn from x to
+/// y in the plane and follow the right-hand rule in space.
 ///
 /// ```
 /// use grasp_lcp::nalgebra::{Isometry3, Vector3};
@@ -86,7 +86,7 @@ macro_rules! vector_like {
                 Self(all)
             }
 
-            /// The engine's coordinates: these components first; those of joints and other bodies are zero.
+            /// This vector in the engine's coordinates: its components first, zeros for joints and other bodies.
             pub(crate) fn coordinates(&self, space: Space) -> Vector {
                 let mut coordinates = Vector::zeros();
                 for (k, &place) in space.components::<C>().iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Links and joints, as read from the file.
+//! Links and joints of a robot, as read from the URDF file.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -193,7 +193,7 @@ fn shapes_of(link: &urdf_rs::Link) -> Vec<Shape> {
     link.collision.iter().map(|each| Shape::new(&each.origin, &each.geometry)).collect()
 }
 
-/// Converts a pose of the file.
+/// Converts a pose of the URDF file to an isometry.
 pub(super) fn pose_in(pose: &Pose) -> Isometry3<f64> {
     let [roll, pitch, yaw] = *pose.rpy;
     let turned = UnitQuaternion::from_euler_angles(roll, pitch, yaw);

@@ -6,7 +6,7 @@ use super::described::Robot;
 use crate::error::Error;
 use crate::grasp::{Contact, Finger, Hand, Joint, JointKind};
 
-/// A finger of the grasp: the joints that have coordinates, and the indices of its contacts.
+/// A finger of the grasp: its independent joints, and the indices of its contacts.
 pub(crate) struct JointGroup {
     joints: Vec<usize>,
     pub(crate) contacts: Vec<usize>,
@@ -106,7 +106,7 @@ impl Robot {
         (fixed, fingers)
     }
 
-    /// The independent joint that a joint follows, and the factor between both displacements; for an independent joint itself and 1.
+    /// The independent joint that a joint follows, and the factor between both displacements. For an independent joint that joint itself, and 1.
     fn coordinate(&self, joint: usize) -> (usize, f64) {
         self.joints[joint].mimics.map_or((joint, 1.0), |mimics| (mimics.joint, mimics.factor))
     }

@@ -62,7 +62,8 @@ impl Robot {
         self
     }
 
-    /// A joint that has its own coordinate, in order to set one of its numbers.
+    /// The independent joint with this name, for a setter. Returns an error for a joint that is unknown, fixed or mimics another, and for a `value`
+    /// that is not finite; `what` names the value in the message.
     fn independent_joint(&mut self, name: &str, value: f64, what: &str) -> Result<&mut RobotJoint, Error> {
         let index = self.index(name)?;
         let joint = &self.joints[index];

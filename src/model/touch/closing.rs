@@ -39,8 +39,8 @@ impl Touch {
     /// clearance given for the contact is added in front of the point that touches first.
     ///
     /// # Errors
-    /// [`Error::Misses`] if no point of the pad meets the part, or if some start inside it. [`Error::Contact`] with index 0 for data out of
-    /// range, and for a constant force on a part that is not flat and normal to the closing direction.
+    /// [`Error::Misses`] if no point of the pad meets the part, or if some points start inside the part. [`Error::Contact`] with index 0 for data out
+    /// of range, and for a constant force on a part that is not flat and normal to the closing direction.
     pub fn on(&self, part: &Part) -> Result<Touched, Error> {
         self.on_as(0, part)
     }
@@ -73,7 +73,7 @@ impl Touch {
                 let allowed = "left out where a pad meets the part at several depths or at an angle: say with what it is pressed";
                 return Err(Error::Contact { contact: contact.label(index), field, value, allowed });
             }
-            // If part of the pad misses, the points that touch carry the whole force.
+            // If part of the pad misses the part, the points that touch carry the whole force.
             let of_force = meeting.point.share / (1.0 - missing);
             points.push(Contact {
                 name: contact.name.as_ref().map(|name| format!("{name} {i}").into()),
@@ -110,7 +110,7 @@ impl Touch {
         Ok(Touched { contacts: points, missing: if missing <= FLUSH { 0.0 } else { missing }, steepest })
     }
 
-    /// The points of the pad that meet the part, with their hits.
+    /// The points of the pad that meet the part, with the hits of their rays.
     fn meetings(&self, index: usize, hits: Vec<Option<Hit>>) -> Result<Vec<Meeting<'_>>, Error> {
         let misses = |fault: &'static str| Err(Error::Misses { contact: self.contact.label(index), fault });
         let mut meetings = Vec::new();

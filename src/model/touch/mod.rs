@@ -14,18 +14,18 @@
 //! ```
 //!
 //! Tangential springs of `E/3t` per unit area, as of rubber, start at the position where the point first touches. With
-//! [`Contact::pressed_with`](crate::grasp::Contact::pressed_with) the advance s is chosen so that the forces along c have this sum, if the part
-//! does not move.
+//! [`Contact::pressed_with`](crate::grasp::Contact::pressed_with) the advance s is chosen so that the forces along c sum to the given force, if the
+//! part does not move.
 //!
 //! A rubber layer between plates much wider than its thickness is stiffer than E/t, since it cannot bulge. In this case give the stiffness of
 //! the whole pad, [`Contact::series_stiffness`](crate::grasp::Contact::series_stiffness), which is divided among the points by area.
 //!
 //! # How many points
 //!
-//! On a flat face the sums over the points equal those of the uniform pad (see [`SoftFingertip`](crate::grasp::SoftFingertip)), even for one
-//! strip. A flat pad of length L on a cylinder of radius R, pressed in by δ, touches over the half width `√(2Rδ)` with the force
-//! `4/3 K L δ √(2Rδ)`. With six points across the whole contact width the force is accurate to 2 %, with 26 to 0.1 %; the report `from_mesh`
-//! prints these errors. A mesh of n sides deviates from its cylinder by `R (1 - cos(π/n))`, which should be small compared with δ.
+//! On a flat face the sums over the points equal those of the uniform pad (see [`SoftFingertip`](crate::grasp::SoftFingertip)), even for one strip. A
+//! flat pad of length L on a cylinder of radius R, pressed in by δ, touches over the half width `√(2Rδ)` with the force `4/3 K L δ √(2Rδ)`. With six
+//! points across the whole contact width the force is accurate to 2 %, with 26 to 0.1 %; the program `from_mesh` in `examples/reports` prints these
+//! errors. A mesh of n sides deviates from its cylinder by `R (1 - cos(π/n))`, which should be small compared with δ.
 //!
 //! ```
 //! use grasp_lcp::spatial::{Contact, Grasp, Wrench};

@@ -31,7 +31,7 @@ pub struct Pad {
 enum Outline {
     Rectangle([f64; 2]),
     Disc(f64),
-    /// Known only at the sampled points.
+    /// An outline that is known only at the sampled points.
     Sampled,
 }
 
@@ -66,7 +66,7 @@ pub(super) struct PadPoint {
     pub(super) offset: Vector3<f64>,
     /// Outward unit normal of the pad's surface at this point.
     pub(super) facing: Vector3<f64>,
-    /// Fraction of the area.
+    /// Fraction of the pad's area.
     pub(super) share: f64,
 }
 
@@ -119,13 +119,14 @@ impl Pad {
         Ok(Self::of_profile(&SoftFingertip::rectangle(sides, strips)?, Outline::Rectangle(sides), profile))
     }
 
-    /// A jaw with this surface, in the frame in which the contact is given. It consists of the foremost points along the contact's normal.
-    /// `sides` limits it to a rectangle about the contact's point with sides along the tangents, m. Points are placed as for a rectangle; those
-    /// that miss the surface, or lie where it turns away, are omitted. The position of the contact's point along the normal is ignored.
+    /// A jaw with this surface, in the frame in which the contact is given. It consists of the foremost points along the contact's normal. `sides`
+    /// limits it to a rectangle about the contact's point with sides along the tangents, m. Points are placed as for a rectangle. Points that miss
+    /// the surface are omitted, and points where its normal is nearly across the closing direction. The position of the contact's point along the
+    /// normal is ignored.
     ///
     /// # Errors
-    /// [`Error::Fingertip`] as for a rectangle, [`Error::Misses`] if the surface has no point within the rectangle, and [`Error::Contact`] with
-    /// index 0 as for a contact.
+    /// [`Error::Fingertip`] as for a rectangle, [`Error::Misses`] if the surface has no point within the rectangle, and [`Error::Contact`] with index
+    /// 0 for a contact whose normal or tangent gives no frame.
     pub fn of_surface(
         surface: &Part,
         contact: &Contact<3>,
@@ -141,7 +142,7 @@ impl Pad {
         }
         let sides = sides.unwrap_or([1, 2].map(|axis| high[axis] - low[axis]));
         let flat = Self::rectangle(sides, strips)?;
-        // Rays start in front of the surface, and run against the closing direction.
+        // Rays start in front of the surface, and run against the closing direction of the pad.
         let front = contact.point + closing * (high[0] + surface.size - closing.dot(&contact.point));
         let of_rays = Matrix3::from_columns(&[-closing, one, -other]);
         let hits = surface.met_by(&flat, &of_rays, &front).hits;
@@ -171,7 +172,7 @@ impl Pad {
         Ok((Self { points, outline, profile, area, layer: None }, contact))
     }
 
-    /// The centre of the pad; `None` if the height there is not known.
+    /// The position of the pad's centre; `None` for a sampled surface, whose height at the centre is not known.
     pub(super) fn middle(&self) -> Option<Vector3<f64>> {
         (self.outline != Outline::Sampled).then(Vector3::zeros)
     }

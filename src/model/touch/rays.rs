@@ -26,9 +26,9 @@ pub(super) struct Hit {
 
 /// The points where a pad meets the part.
 pub(super) struct Met {
-    /// The hit of each point of the pad; `None` if it misses.
+    /// The hit of the ray from each point of the pad; `None` for a ray that misses the part.
     pub(super) hits: Vec<Option<Hit>>,
-    /// Least travel of the pad until any of it touches, m: at one of its points, at its centre, or at a vertex of the mesh.
+    /// Least travel of the pad until one of its points, its centre, or a vertex of the mesh is touched, m.
     pub(super) foremost: f64,
 }
 

@@ -32,8 +32,7 @@ impl Touched {
         self.missing
     }
 
-    /// Largest angle between the surfaces of pad and part over the points that press, rad. Without a squeeze it is that of the points that touch
-    /// first.
+    /// Largest angle between the surfaces of pad and part over the points that press, rad. Without a squeeze only the points that touch first count.
     #[must_use]
     pub fn steepest(&self) -> f64 {
         self.steepest
@@ -49,7 +48,7 @@ impl Touched {
     }
 }
 
-/// Advance of the pad, m, at which the forces of its points along the closing direction sum to `force`, if the part does not move.
+/// Advance s of the pad, m, at which the forces of its points along the closing direction sum to `force`, if the part does not move.
 ///
 /// A point with the gap g and the angle θ presses with `k_n cos θ (s - g)` once it touches. Along the tangent it pulls with the smaller of
 /// `k_t sin θ (s - g)` and μ times its normal force. Both are proportional to s - g, so the sum is piecewise linear in s.

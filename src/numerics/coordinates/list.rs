@@ -41,7 +41,7 @@ impl List {
         }
     }
 
-    /// The first N numbers, including zeros beyond the end of the list; `None` for a longer list, or if N exceeds the numbers in place.
+    /// The first N numbers, including zeros beyond the end of the list; `None` for a list on the heap, or if N exceeds [`IN_PLACE`].
     #[inline]
     pub(super) fn fixed<const N: usize>(&self) -> Option<&[f64; N]> {
         match self {

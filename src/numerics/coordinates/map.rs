@@ -113,7 +113,7 @@ impl Map {
         }
     }
 
-    /// The product `G K`, column by column, added in nalgebra's order.
+    /// The product of this map and a matrix K, `by`; added column by column in nalgebra's order.
     #[inline]
     pub(crate) fn times(&self, by: &SMatrix<f64, 3, 3>) -> Self {
         let mut product = Self::zeros(self.size);
@@ -126,20 +126,20 @@ impl Map {
         product
     }
 
-    /// The product `Gᵀv`.
+    /// The product `Gᵀv` of this map G, transposed, and a vector.
     #[inline]
     pub(crate) fn tr_mul(&self, v: &Vector) -> SVector<f64, 3> {
         self.entries.tr_mul(self.size, &v.0)
     }
 
-    /// Adds the product `G f` to a vector.
+    /// Adds the product `G f` of this map G and a force to a vector.
     #[inline]
     pub(crate) fn push(&self, f: &SVector<f64, 3>, to: &mut Vector) {
         to.grow(self.size);
         self.entries.add_mapped(f, &mut to.0);
     }
 
-    /// The norm `|G f|`.
+    /// The norm `|G f|` of the product of this map G and a force.
     #[inline]
     pub(crate) fn pushed_norm(&self, f: &SVector<f64, 3>) -> f64 {
         self.entries.mapped_square(self.size, f).sqrt()

@@ -1,7 +1,7 @@
-//! Entries of the wrench map of a contact, from its force to the coordinates of the grasp: all rows for a single object, otherwise the nonzero rows.
+//! Entries of the grasp map of a contact, from its force to the coordinates of the grasp: all rows for a single object, otherwise the nonzero rows.
 //!
-//! With several bodies a contact acts on two of them, so its map has entries in few rows. Sums over these rows have the same bits as sums over
-//! all rows, since adding zeros changes nothing.
+//! With several bodies a contact acts on two of them, so its map has entries in few rows. Sums over these rows equal sums over all rows bit for bit,
+//! since adding zeros changes nothing.
 
 use crate::numerics::IntoList;
 use core::ops::Range;
@@ -75,7 +75,7 @@ impl MapEntries {
         }
     }
 
-    /// Index of a stored row from its position among them.
+    /// Index of the row that is stored at this position in the list of stored rows.
     #[inline]
     pub(super) fn row(&self, place: usize) -> usize {
         match self {
@@ -108,7 +108,7 @@ impl MapEntries {
         }
     }
 
-    /// Adds `G f` to a list that has all coordinates.
+    /// Adds the product `G f` of this matrix G and a force to a list that has all coordinates.
     #[inline]
     pub(super) fn add_mapped(&self, f: &SVector<f64, 3>, to: &mut List) {
         match self {
@@ -126,7 +126,7 @@ impl MapEntries {
         }
     }
 
-    /// The squared norm `|G f|²`.
+    /// The squared norm `|G f|²` of the product of this matrix G and a force.
     #[inline]
     pub(super) fn mapped_square(&self, size: Size, f: &SVector<f64, 3>) -> f64 {
         match self {
@@ -145,7 +145,7 @@ impl MapEntries {
         }
     }
 
-    /// The product `Gᵀv`; numbers beyond the end of the list are zero.
+    /// The product `Gᵀv` of this matrix G, transposed, and the vector `list`; numbers beyond the end of the list are zero.
     #[inline]
     pub(super) fn tr_mul(&self, size: Size, list: &List) -> SVector<f64, 3> {
         let mut product = SVector::zeros();
@@ -181,7 +181,7 @@ impl MapEntries {
         }
     }
 
-    /// The product `G f` for a single object.
+    /// The product `G f` of this matrix G and a force, for a single object.
     #[inline]
     fn mapped(&self, f: &SVector<f64, 3>) -> [f64; WHOLE] {
         let mut sum = [0.0; WHOLE];
@@ -214,7 +214,7 @@ impl FewRows {
         self.rows.iter().copied().zip(self.entries[a * count..(a + 1) * count].iter().copied())
     }
 
-    /// The entry of `G f` in the stored row at this position.
+    /// The component of the product of this matrix and `f` in the stored row at this position.
     #[inline]
     fn mapped(&self, place: usize, f: &[f64]) -> f64 {
         let mut sum = 0.0;

@@ -57,12 +57,12 @@ impl SumLanes {
     }
 }
 
-/// Adds the product of a matrix, given column by column, and a vector.
+/// Adds the product of a matrix, given column by column, and the vector `times` to `to`.
 #[inline]
 pub(super) fn add_combined(columns: &[f64], times: &[f64], to: &mut [f64]) {
     let rows = to.len().max(1);
     for (column, times) in columns.chunks_exact(rows).zip(times) {
-        // Many factors are zero.
+        // Many components of the vector are zero.
         if *times != 0.0 {
             for (sum, entry) in to.iter_mut().zip(column) {
                 *sum += entry * times;

@@ -51,7 +51,7 @@ impl ScaledMap {
         }
     }
 
-    /// The product `Sᵀf`.
+    /// The product `Sᵀf` of this matrix S, transposed, and a force.
     #[inline]
     pub(crate) fn tr_mul(&self, f: &SVector<f64, 3>) -> Vector {
         let columns = self.columns();

@@ -148,7 +148,7 @@ impl Square {
 }
 
 impl Square {
-    /// Adds `w SᵀH S`; `hold` is H, and `None` stands for the identity.
+    /// Adds `w SᵀH S` with the matrix S, `map`, and the weight w. `hold` is the 3 × 3 matrix H; with `None` H is the identity.
     pub(crate) fn add_congruent(&mut self, map: &ScaledMap, hold: Option<&SMatrix<f64, 3, 3>>, weight: f64) {
         let columns = map.columns();
         for (to, column) in self.as_mut_slice().chunks_exact_mut(columns.len().max(1)).zip(columns) {
@@ -168,7 +168,7 @@ impl Square {
     }
 }
 
-/// Adds the products of N columns with a vector of contact axes.
+/// Adds to each entry of `to` the dot product of a column with `weighted`, a vector over the axes of a contact.
 #[inline]
 fn add_transposed_product<const N: usize>(columns: &[[f64; 3]], weighted: &SVector<f64, 3>, to: &mut [f64]) {
     let (Some(columns), Some(to)) = (columns.first_chunk::<N>(), to.first_chunk_mut::<N>()) else { return };

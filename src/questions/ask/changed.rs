@@ -12,7 +12,7 @@ use crate::grasp::{Contact, Engine, Face, PressOfPart, Wrench, all_inside, insid
 use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
-    /// A grasp of this changed engine, with the settings of `self`.
+    /// The grasp of a changed engine, with the settings of `self`.
     pub(super) fn changed(&self, engine: Result<Engine, Error>) -> Result<Self, Error> {
         Ok(Self::of(engine?).with(&self.settings))
     }
@@ -22,7 +22,8 @@ impl<const C: usize> Grasp<C> {
         let loads = &equilibrium.body_loads;
         let changed =
             (!loads.is_empty()).then(|| self.changed(self.engine.with_body_loads(&all_inside(loads))));
-        // Only an unknown body makes this fail. The equilibrium is then one of another grasp, and this grasp is returned as it is.
+        // The loads fail only for a body that this grasp does not have. The equilibrium then belongs to another grasp, and a copy of this grasp is
+        // returned.
         changed.and_then(Result::ok).unwrap_or_else(|| self.clone())
     }
 
@@ -153,7 +154,7 @@ impl<const C: usize> Grasp<C> {
         self.not_installed_with_friction(&friction)?.installed_again()
     }
 
-    /// [`Self::with_friction`], before links have their tension again.
+    /// [`Self::with_friction`] without the last step, which adjusts the commands of links to their given tensions.
     pub(crate) fn not_installed_with_friction(
         &self,
         friction: &dyn Fn(usize, f64) -> f64,
@@ -166,20 +167,20 @@ impl<const C: usize> Grasp<C> {
         self.changed(self.engine.with_data(contacts.into_inside(), &|_| 1.0))
     }
 
-    /// The part with this name (a body, contact, cable or joint) and the force with which it presses; and this grasp with that force multiplied by
-    /// `factor`, before links have their tension again.
+    /// The part with this name (a body, contact, cable or joint) with the magnitude of its force, and this grasp with that force multiplied by
+    /// `factor`. The commands of links are not yet adjusted to their given tensions.
     pub(crate) fn scaled(&self, part: &str, factor: f64) -> Result<(PressOfPart, Self), Error> {
         let (pressing, engine) = self.engine.scaled(part, factor)?;
         Ok((pressing, self.changed(Ok(engine))?))
     }
 
-    /// [`Self::squeezed`], before links have their tension again.
+    /// [`Self::squeezed`] without the last step, which adjusts the commands of links to their given tensions.
     pub(crate) fn not_installed_squeezed(&self, factor: f64) -> Result<Self, Error> {
         self.changed(self.engine.squeezed(factor))
     }
 
     /// This grasp with its squeeze multiplied by `factor`: commands of contacts, joints and tendons, constant torques of joints and tensions of
-    /// tendons, forces that hold contacts, vacuums, and the tensions with which [links](crate::grasp::Link::tension) pull at rest.
+    /// tendons, forces that hold contacts, vacuums, and the tensions that [links](crate::grasp::Link::tension) have without load.
     ///
     /// # Errors
     /// [`Error::Argument`] unless the factor is finite and at most 1e50. [`Error::Link`] if the grasp cannot hold such a tension of a link.

@@ -1,4 +1,5 @@
-//! All equilibria under a load, their accuracy, the forms behind them, and proofs that none exists.
+//! All equilibria under a load, their accuracy, the linear complementarity problems of which they are solutions, and proofs that no equilibrium
+//! exists.
 
 use super::grasp::Grasp;
 use crate::contact::PolygonCone;
@@ -55,12 +56,12 @@ impl<const C: usize> Grasp<C> {
         self.of_equilibrium(equilibrium).engine.accuracy(&inside(equilibrium))
     }
 
-    /// Whether each contact's state can be told from its neighbouring states in working precision.
+    /// For each contact, whether its state can be distinguished from neighbouring states in working precision.
     ///
-    /// A state has conditions on gap, normal force, friction in reserve and slip. Each condition is a difference of two terms. It must exceed 1e-12 of
-    /// these terms, and ten times the estimated error from [`Self::accuracy`]. Where the answer is `false`, the last digits of the data decide between,
-    /// say, sticking and just sliding. Forces and displacements hardly depend on that decision. `None` for an equilibrium with another number of
-    /// contacts.
+    /// A state has conditions on gap, normal force, friction margin and slip. Each condition is a difference of two terms. It must exceed 1e-12 of
+    /// these terms, and ten times the estimated error from [`Self::accuracy`]. Where the answer is `false`, the last digits of the data decide
+    /// between, say, sticking and just sliding. Forces and displacements hardly depend on that decision. `None` for an equilibrium with another
+    /// number of contacts.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -108,9 +109,9 @@ impl<const C: usize> Grasp<C> {
         self.engine.refutation(&inside(&load.into()), &self.settings).map(outside)
     }
 
-    /// The [kinematic form](crate::forms) under a load. Its unknowns are gaps and slips, added to the elastic trial state in which everything sticks.
-    /// `None` if no contact can open or slide, if the load does work on a motion that no contact resists, or if a number overflows. If
-    /// `lcp.vector() >= 0`, everything sticks and z = 0 is the answer. In the plane `cone` is ignored.
+    /// The [kinematic form](crate::forms) of the complementarity problem under a load. Its unknowns are gaps and slips, added to the elastic trial
+    /// state in which everything sticks. `None` if no contact can open or slide, if the load does work on a motion that no contact resists, or if a
+    /// number overflows. If `lcp.vector() >= 0`, everything sticks and z = 0 is the answer. In the plane `cone` is ignored.
     ///
     /// ```
     /// use grasp_lcp::forms::Row;
@@ -139,9 +140,9 @@ impl<const C: usize> Grasp<C> {
         self.engine.kinematic_form(&inside(&load.into()), cone)
     }
 
-    /// The [force form](crate::forms) under a load. Its unknowns are the contact forces, and the twist as a difference of two non-negative parts
-    /// ([`Row::Balance`](crate::forms::Row::Balance)). Directions that act both ways (bonded, kept closed, infinite friction) enter the balance rows as
-    /// stiffness, without rows of their own. `None` if a number overflows. In the plane `cone` is ignored.
+    /// The [force form](crate::forms) of the complementarity problem under a load. Its unknowns are the contact forces, and the twist as a difference
+    /// of two non-negative parts ([`Row::Balance`](crate::forms::Row::Balance)). Directions that act both ways (bonded, kept closed, infinite
+    /// friction) enter the balance rows as stiffness, without rows of their own. `None` if a number overflows. In the plane `cone` is ignored.
     ///
     /// ```
     /// use grasp_lcp::forms::Row;
@@ -168,9 +169,9 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl<const C: usize> Refutation<C> {
-    /// Checks the proof for a grasp and a load. Rounding could hide only an equilibrium with very large stretches and forces. The answer is a lower
-    /// bound on their norm over all contacts (in √J), relative to that of the elastic trial state. `None` if the proof does not hold for this grasp and
-    /// this load, or if the bound is below 1e4.
+    /// Verifies the proof for a grasp and a load. Rounding could hide only an equilibrium with very large stretches and forces. The answer is a lower
+    /// bound on their norm over all contacts (in √J), relative to that of the elastic trial state. `None` if the proof does not hold for this grasp
+    /// and this load, or if the bound is below 1e4.
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.

@@ -1,4 +1,4 @@
-//! The paper's quadratic program.
+//! The quadratic program of minimum energy, compared with the complementarity problem.
 
 use super::grasp::Grasp;
 use crate::energy::{Agreement, Comparison, MinimumOutcome};
@@ -6,12 +6,13 @@ use crate::error::Error;
 use crate::grasp::{Wrench, inside, outside};
 use crate::load_path::Ramp;
 
-/// The paper's quadratic program beside complementarity, made by [`Grasp::energy`]; see [`energy`](crate::energy).
+/// The quadratic program of minimum energy, compared with the complementarity problem; made by [`Grasp::energy`], see [`energy`](crate::energy).
 #[derive(Debug, Clone, Copy)]
 pub struct Energy<'g, const C: usize>(pub(super) &'g Grasp<C>);
 
 impl<const C: usize> Energy<'_, C> {
-    /// Range of the factor of a ramp in which the minimum of the paper's program is an equilibrium; in space on the polygonal cone of the settings.
+    /// Range of the factor of a ramp in which the minimum of energy under friction constraints is an equilibrium. In space the friction cone is the
+    /// polygonal cone of the settings.
     ///
     /// If every contact has friction and touches at factor 0, this is the [onset of sliding](Grasp::onset) on the polygon, found in another way.
     /// Frictionless contacts may open and close before.
@@ -35,7 +36,8 @@ impl<const C: usize> Energy<'_, C> {
         self.0.engine.agreement_with_minimum_energy(&inside(&ramp.into()), &self.0.settings).map(outside)
     }
 
-    /// Compares complementarity with the paper's quadratic program; in space on the polygonal cone of the settings.
+    /// Compares the equilibrium of the complementarity problem with the minimum of energy under friction constraints; in space on the polygonal cone
+    /// of the settings.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -59,11 +61,12 @@ impl<const C: usize> Energy<'_, C> {
         self.0.engine.compare_with_minimum_energy(&inside(&load.into()), &self.0.settings).map(outside)
     }
 
-    /// The minimum of the paper's quadratic program under a load; in space on the polygonal cone of the settings.
+    /// The minimum of energy under friction constraints and a load: a quadratic program. In space the friction cone is the polygonal cone of the
+    /// settings.
     ///
-    /// It equals that of the program as printed (section 5.1), with all displacements as variables, as long as that opens no contact with infinite
-    /// friction. The springs of both sides are combined in series here, so that rigid sides and series stiffness are allowed. Orthogonal factors keep
-    /// the accuracy.
+    /// The paper (section 5.1, see [`energy`](crate::energy)) has all displacements as variables. Both minima are equal as long as that program opens
+    /// no contact with infinite friction. The springs of both sides are combined in series here, so that rigid sides and series stiffness are
+    /// allowed. Orthogonal factors keep the accuracy.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

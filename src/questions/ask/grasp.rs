@@ -25,22 +25,22 @@ use crate::prelude::*;
 ///
 /// | question | method |
 /// |---|---|
-/// | does it hold a load, and how much more of it | [`hold`](Self::hold) |
+/// | does the grasp hold a load, and how much more of it | [`hold`](Self::hold) |
 /// | motion of the object and contact forces under a load, or the proof that no equilibrium exists | [`solve`](Self::solve) |
 /// | the load at first slip | [`onset`](Self::onset) |
-/// | the angle at which it slides while a weight is tilted | [`onset_of_turn`](Self::onset_of_turn) |
+/// | the angle at which the object slides while its weight is tilted | [`onset_of_turn`](Self::onset_of_turn) |
 /// | the behaviour just beyond an onset | [`beyond`](Self::beyond), [`state_at_onset`](Self::state_at_onset) |
 /// | every event of a load program, with slip memory | [`follow`](Self::follow); of thousands of contacts, in steps, [`follow_in_steps`](Self::follow_in_steps) |
-/// | how much squeeze, friction, load, arm or angle it takes | [`need`](Self::need); for squeeze in closed form [`least_squeeze`](Self::least_squeeze) |
+/// | squeeze, friction, load, arm or angle needed to hold | [`need`](Self::need); for squeeze in closed form [`least_squeeze`](Self::least_squeeze) |
 /// | where the fingers should be, and how hard they should press | [`improve`](Self::improve) |
 /// | friction, squeeze and loads that explain the slips that were seen | [`identify`](Self::identify) |
 /// | the direction in which the least force slides | [`weakest_direction`](Self::weakest_direction) |
 /// | how an answer changes with the data | [`sensitivity`](crate::ask::Sensitivity::of) |
 /// | the load with a reserve where data are not known exactly | [`reserve`](Self::reserve), [`least_onset_within`](Self::least_onset_within) |
-/// | whether any contact forces could hold it | [`statics`](Self::statics) |
+/// | whether any contact forces could hold the object | [`statics`](Self::statics) |
 /// | all equilibria under a load, the error of one | [`equilibria`](Self::equilibria), [`accuracy`](Self::accuracy), [`distinct`](Self::distinct) |
 /// | many loads, each on a grasp of its own; many questions on all cores | [`hold_batch`](Self::hold_batch), [`need_batch`](Self::need_batch); [`sweep`](crate::sweep) |
-/// | the paper's quadratic program | [`energy`](Self::energy) |
+/// | the quadratic program of minimum energy | [`energy`](Self::energy) |
 /// | any of these for another cone, or with other limits on work | [`with`](Self::with) settings |
 ///
 /// Questions take a load, a [`Ramp`] or a [`Turn`](crate::load_path::Turn) by value or by reference. A load in the place of a ramp grows from zero.
@@ -48,11 +48,11 @@ use crate::prelude::*;
 pub struct Grasp<const C: usize> {
     pub(crate) engine: Arc<Engine>,
     pub(super) settings: Settings,
-    /// The grasp's data with `C` components, for callers; they are converted at the first request.
+    /// The grasp's data as callers read them, with vectors of `C` components; converted at the first request.
     door: Once<Arc<Door<C>>>,
 }
 
-/// The data of a grasp that callers read, with vectors of `C` components.
+/// The data of a grasp that callers may read, with vectors of `C` components.
 #[derive(Debug)]
 struct Door<const C: usize> {
     contacts: Vec<Contact<C>>,
@@ -61,7 +61,7 @@ struct Door<const C: usize> {
     joint_centres: Vec<Option<SVector<f64, C>>>,
 }
 
-/// The engine answers in three components. Inside it a grasp of the plane, too, is a `Grasp<3>`.
+/// The engine computes with three components. A grasp of the plane is therefore a `Grasp<3>` inside the engine, too.
 impl<const C: usize> Face for Grasp<C> {
     type Inside = Grasp<3>;
     const SAME: bool = C == 3;
@@ -76,7 +76,7 @@ impl<const C: usize> Face for Grasp<C> {
 }
 
 impl<const C: usize> Grasp<C> {
-    /// Checks the contacts and computes their frames.
+    /// The grasp of an object by these contacts.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp};
@@ -103,7 +103,7 @@ impl<const C: usize> Grasp<C> {
         Self { engine: Arc::new(engine), settings: Settings::default(), door: Once::new() }
     }
 
-    /// The data that callers read, converted at the first request.
+    /// The grasp's data for callers, with vectors of `C` components; converted at the first request.
     fn door(&self) -> &Door<C> {
         self.door.get_or_init(|| {
             let engine = &*self.engine;
@@ -116,8 +116,8 @@ impl<const C: usize> Grasp<C> {
         })
     }
 
-    /// This grasp with other [`Settings`]: for another cone, or with other limits on work. Contacts and factors are shared with this grasp, not
-    /// copied.
+    /// This grasp with other [`Settings`]: for another friction cone, or with other limits on computing effort. Contacts and matrix factors are
+    /// shared with this grasp, not copied.
     ///
     /// ```
     /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
@@ -168,8 +168,8 @@ impl<const C: usize> Grasp<C> {
     /// while some contacts slide, or is lost at a fraction of the load, and by which motion. It also has first slip and gross slip as multiples of the
     /// load, up to [`Settings::most_load`].
     ///
-    /// A load is a [`Wrench`], applied from zero, or a [`Ramp`] with a base load and changes of commands. The load is followed as by [`Self::follow`],
-    /// without a search for other equilibria, so the verdict is undecided only where the path is. If the load is lost,
+    /// A load is a [`Wrench`], applied from zero, or a [`Ramp`] with a base load and changes of commands. The load is followed as by
+    /// [`Self::follow`], without a search for other equilibria, so the verdict is undecided only where the path is undecided. If the load is lost,
     /// [`Lost::nothing_near`](crate::hold::Lost::nothing_near) proves that no equilibrium near the loss holds it.
     ///
     /// ```
@@ -225,7 +225,7 @@ impl<const C: usize> Grasp<C> {
         self.engine.solve(&inside(&load.into()), &self.settings).map(outside)
     }
 
-    /// Refuses a question if there are joints or several bodies.
+    /// Returns an error that names `question` if the grasp has joints or several bodies.
     pub(crate) fn refuse_hands(&self, question: &'static str) -> Result<(), Error> {
         self.engine.refuse_hands(question)
     }
@@ -235,17 +235,17 @@ impl<const C: usize> Grasp<C> {
         self.engine.space()
     }
 
-    /// Whether a command, a held force, a vacuum or a constant load presses at rest.
+    /// Whether some force acts before the load of a question: from a command, a constant force, a vacuum or a constant load.
     pub(crate) fn presses(&self) -> bool {
         self.engine.presses()
     }
 
-    /// Whether a command, a held force or a vacuum presses. All of them are scaled by [`Self::squeezed`].
+    /// Whether a command, a constant contact force or a vacuum presses. [`Self::squeezed`] scales all of them.
     pub(crate) fn is_squeezed(&self) -> bool {
         self.engine.is_squeezed()
     }
 
-    /// Whether this contact presses by its own command, held force or vacuum, in a grasp where no joint or tendon presses.
+    /// Whether this contact presses by its own command, constant force or vacuum, in a grasp where no joint or tendon presses.
     pub(crate) fn is_set_by_itself(&self, point: usize) -> bool {
         self.engine.is_commanded(point) && !self.engine.is_driven()
     }
@@ -265,7 +265,7 @@ impl<const C: usize> Grasp<C> {
         self.engine.loaded_bodies()
     }
 
-    /// A verdict with more of its path.
+    /// The verdict on a load, to the extent that the caller chooses, with further facts about its load path.
     pub(crate) fn hold_to_an_extent(
         &self,
         load: &Ramp<C>,
@@ -275,15 +275,15 @@ impl<const C: usize> Grasp<C> {
         Ok((outside(verdict), more))
     }
 
-    /// The verdict on a load without states, proofs and the data that only its sentence needs. The number is the largest ratio of a motion to its
-    /// limit of small motions, up to the whole load or its loss.
+    /// The verdict on a load without states, proofs and the data that only its sentence needs. The second value is the largest ratio of a motion to
+    /// its limit of small motions on the path as far as it was followed.
     pub(crate) fn hold_briefly(&self, load: &Ramp<C>) -> Result<(Verdict<C>, f64), Error> {
         let (verdict, more) = self.engine.hold_with(&inside(load), &self.settings, Extent::Brief)?;
         Ok((outside(verdict), more.farthest))
     }
 
-    /// The least margin of sticking at rest, over the largest force, computed as if every contact stuck. `None` without forces, or where nothing
-    /// resists the load.
+    /// The least margin of sticking under the base load, divided by the largest force, as if every contact stuck. `None` if all forces are zero, or
+    /// if no contact resists the load.
     pub(crate) fn sticking_margin(&self, base: &Wrench<C>) -> Option<f64> {
         self.engine.sticking_margin(&inside(base), &self.settings)
     }
@@ -294,13 +294,13 @@ impl<const C: usize> Grasp<C> {
         Statics(self)
     }
 
-    /// Derivatives of answers by the data.
+    /// Derivatives of answers with respect to the data of the grasp.
     #[must_use]
     pub fn sensitivity(&self) -> Sensitivity<'_, C> {
         Sensitivity(self)
     }
 
-    /// The paper's quadratic program beside complementarity, and stability.
+    /// The quadratic program of minimum energy, compared with the complementarity problem.
     #[must_use]
     pub fn energy(&self) -> Energy<'_, C> {
         Energy(self)
@@ -344,7 +344,7 @@ impl<const C: usize> Grasp<C> {
         self.engine.joint_commands()
     }
 
-    /// Name of a part of the hand in pictures and messages; if it has none, its kind and number.
+    /// Name of a part of the hand in pictures and messages; its kind and number if the user gave no name.
     #[must_use]
     pub fn label_of(&self, part: HandPart) -> String {
         self.engine.label_of(part)

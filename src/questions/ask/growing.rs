@@ -28,7 +28,7 @@ impl<const C: usize> Grasp<C> {
     }
 }
 
-/// Refuses loads of bodies that cannot grow together with the load of the question.
+/// Returns an error for loads of bodies that cannot grow together with the load of the question.
 pub(crate) fn check_growing<const C: usize>(
     question: &'static str,
     base: Wrench<C>,

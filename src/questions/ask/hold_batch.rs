@@ -1,7 +1,7 @@
-//! Verdicts on many grasps, on all cores.
+//! Verdicts on many grasps, on all cores. A row of the batch is one grasp with its load.
 //!
-//! In most rows of a batch everything sticks, and [`screening`](crate::screening) shows that: the first slip lies beyond the whole load, and the
-//! rotation stays within the limit of small motions. For all other rows a path of the load is computed.
+//! In most rows every contact sticks, and [`screening`](crate::screening) shows it: the first slip lies beyond the whole load, and the rotation stays
+//! within the limit of small motions. For all other rows a load path is computed.
 
 use core::ops::Range;
 
@@ -17,7 +17,8 @@ use crate::search::Settings;
 use crate::sweep::caught;
 
 impl<const C: usize> Grasp<C> {
-    /// The verdicts on many loads, each on a grasp of its own, on all cores. They are those of [`Self::hold`], without sentences, lists and states.
+    /// The verdicts on many loads, each on a grasp of its own, on all cores; a row is one grasp with its load. The verdicts equal those of
+    /// [`Self::hold`], without sentences, lists of contacts and equilibria.
     ///
     /// With [`Settings::most_load`] at 1 no load beyond the whole load is followed. A row of two to 64 points in which everything sticks then takes a
     /// few microseconds; [`screening`](crate::screening) says which contacts it supports. The factor of the first slip comes from screening and equals

@@ -1,4 +1,4 @@
-//! Links with a given tension at rest: Newton's method finds the commands under which each of them carries its tension.
+//! Links with a given tension at rest: Newton's method finds the commands under which each link carries its tension without load.
 
 use alloc::sync::Arc;
 
@@ -12,12 +12,13 @@ use crate::numerics::{IntoList, mapped};
 use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
-    /// The grasp of an engine. If links have a given tension, commands are set such that they have this tension at rest.
+    /// The grasp of an engine. If links have a given tension, their commands are set such that they have this tension without load.
     pub(super) fn installed_by(engine: Engine) -> Result<Self, Error> {
         Grasp::<3>::of(engine).installed().map(outside)
     }
 
-    /// This grasp with commands under which each link with a given tension pulls with it at rest: after a change of what acts on it.
+    /// This grasp with new commands of its links, so that each link with a given tension has that tension without load. Called after a change of the
+    /// grasp.
     pub(crate) fn installed_again(self) -> Result<Self, Error> {
         if self.engine.contacts().iter().all(|contact| contact.at_rest.is_none()) {
             return Ok(self);
@@ -28,9 +29,9 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl Grasp<3> {
-    /// This grasp with commands of links such that each link with a given tension has that tension at rest.
+    /// This grasp with commands of its links such that each link with a given tension has that tension without load.
     fn installed(self) -> Result<Self, Error> {
-        // A squeeze of zero leaves no tension, and no command.
+        // With a squeeze of zero the tension is zero, and the link keeps a command of zero.
         let wanted = |contact: &crate::grasp::Contact<3>| contact.at_rest.filter(|tension| *tension > 0.0);
         let pressed: Vec<(usize, f64)> =
             self.contacts().iter().enumerate().filter_map(|(i, contact)| Some((i, wanted(contact)?))).list();
@@ -68,18 +69,19 @@ impl Grasp<3> {
             }
             missing = self.missing(&commands, &pressed)?;
         }
-        // A link whose tension is still off by more than this is refused: the rest of the grasp cannot hold against it.
+        // The method fails if the tension of a link is off by more than this: the other contacts cannot hold against the link.
         match missing.iter().zip(&pressed).find(|(missing, (_, force))| missing.abs() > NEGLIGIBLE * force) {
             Some((_, (i, force))) => Err(self.not_held(*i, *force)),
             None => self.with_commands(commands),
         }
     }
 
-    /// For each link its given tension less that which it has under these commands and without load, N.
+    /// For each link with a given tension, this tension minus its tension under these commands and without load, N.
     fn missing(&self, commands: &[[f64; 3]], pressed: &[(usize, f64)]) -> Result<DVector<f64>, Error> {
         let outcome = self.with_commands(commands.iter().copied())?.solve(Wrench::ZERO)?;
         let state = outcome.equilibrium().ok_or_else(|| self.not_held(pressed[0].0, pressed[0].1))?;
-        // In a slack link the gap times the stiffness counts as missing tension, too. So the missing tension depends on the command even there.
+        // In a slack link the gap times the stiffness counts as missing tension, too. The missing tension thus depends on the command even if the
+        // link is slack.
         let slack = |i: usize| state.contacts[i].gap.max(0.0) * self.contacts()[i].stiffness.series()[0];
         let each = pressed.iter().map(|(i, force)| force - state.contacts[*i].normal_force() + slack(*i));
         Ok(DVector::from_iterator(pressed.len(), each))

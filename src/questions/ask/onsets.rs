@@ -7,9 +7,9 @@ use crate::grasp::{inside, outside};
 use crate::load_path::{Beyond, Onset, OnsetEvent, Ramp, Turn, TurnOnset};
 
 impl<const C: usize> Grasp<C> {
-    /// The factor at which the first contact stops sticking as a load grows from zero, or along a [`Ramp`]. The answer names the contacts that leave,
-    /// and how. It is exact in the plane, and in space on the round cone. It needs neither steps nor bisection: a linear equation for each facet in the
-    /// plane, a quadratic one for each contact on the round cone.
+    /// The factor at which the first contact stops sticking as a load grows from zero, or along a [`Ramp`]. The answer names the contacts that stop
+    /// sticking, and whether they slide or open. It is exact in the plane, and in space on the round cone. It needs neither steps nor bisection: a
+    /// linear equation for each facet in the plane, a quadratic one for each contact on the round cone.
     ///
     /// The equilibrium at the onset and the behaviour beyond it need one more call: [`Self::state_at_onset`], [`Self::beyond`].
     ///
@@ -41,8 +41,8 @@ impl<const C: usize> Grasp<C> {
         self.engine.onset(&inside(&ramp.into()), &self.settings).map(outside)
     }
 
-    /// The equilibrium at an onset: everything sticks, and the leaving contacts are on the edge of their cone. `None` for the event of a grasp with
-    /// another number of contacts.
+    /// The equilibrium at an onset: everything sticks, and the contacts that stop sticking are on the edge of their cone. `None` for the event of a
+    /// grasp with another number of contacts.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -61,7 +61,7 @@ impl<const C: usize> Grasp<C> {
         self.engine.state_at_onset(&inside(event), &self.settings).map(outside)
     }
 
-    /// The behaviour of the grasp just beyond an onset: see [`Beyond`].
+    /// The behaviour of the grasp just beyond an onset: see [`Beyond`]. `None` for the event of a grasp with another number of contacts.
     #[doc(alias = "gross slip")]
     #[must_use]
     pub fn beyond(&self, event: &OnsetEvent<C>) -> Option<Beyond<C>> {
@@ -69,7 +69,7 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// The angle at which the first contact stops sticking while a load turns: exact in the plane, and in space on the round cone. It needs no steps:
-    /// each margin is a trigonometric polynomial, whose roots are isolated between its turning points, so that none is missed.
+    /// each margin is a trigonometric polynomial, whose roots are isolated between its extrema, so that no root is missed.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Onset, Turn};

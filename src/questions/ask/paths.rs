@@ -53,9 +53,10 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// Follows a load program in steps from the equilibrium under `start`, for any number of contacts on the round cone, such as a patch under shear
-    /// and torsion. `error` is the estimated error that one leg may add to the forces, relative to the largest force, such as 1e-5. A step costs a few
-    /// passes over all contacts, by several threads with the same bits; its length is proportional to the square root of `error`. Suction cups keep
-    /// their vacuum even where their lips open. A path in steps ends where nothing resists the object any more. See [`SteppedPath`].
+    /// and torsion. `error` is the estimated error that one leg may add to the forces, relative to the largest force, such as 1e-5. A step costs a
+    /// few passes over all contacts, with the same result for any number of threads. The length of a step is proportional to the square root of
+    /// `error`. Suction cups keep their vacuum even where their lips open. A path in steps ends where nothing resists the object any more. See
+    /// [`SteppedPath`].
     ///
     /// If no step continues the path, it is [lost](crate::load_path::PathEnd::Lost) where the speed of the object, or the rates of contacts on the edge
     /// of their cones, give the motion of the loss. Otherwise it is [undecided](crate::load_path::PathEnd::Undecided).

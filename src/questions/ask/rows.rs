@@ -1,4 +1,4 @@
-//! Rows of a batch: a grasp and its load each, and the first slips that screening computes for them.
+//! Rows of a batch, each a grasp with its load, and the first slips that screening computes for the rows.
 
 use crate::numerics::IntoList;
 use core::ops::Range;
@@ -10,7 +10,7 @@ use crate::screening::{PointBatch, Pull, PutOn, WhileSticking};
 use crate::search::Settings;
 use crate::sweep::map_in_order;
 
-/// One row of a batch: appends its contacts to an empty list, and returns the load at rest and the load that grows on top of it.
+/// One row of a batch: appends its contacts to an empty list, and returns the base load and the load that grows on top of it.
 pub type RowOf<'a, const C: usize> = dyn Fn(usize, &mut Vec<Contact<C>>) -> [Wrench<C>; 2] + Sync + 'a;
 
 /// Rows in one task of a thread, few enough for their data to stay in the cache of a core.
@@ -28,8 +28,8 @@ pub(crate) fn answers_of_rows<T: Send>(
     map_in_order(&chunks, |chunk| answers(chunk.clone())).into_iter().flatten().list()
 }
 
-/// First slip, and rotation under the whole load, of each row. `None` where screening does not support the contacts of the row, or `is_meant` rejects
-/// it.
+/// First slip, and rotation under the whole load, of each row. `None` for a row whose contacts screening does not support, or for whose contacts and
+/// base load `is_meant` is false.
 pub(crate) fn while_sticking<const C: usize>(
     rows: Range<usize>,
     row: &RowOf<'_, C>,
@@ -46,8 +46,8 @@ pub(crate) fn while_sticking<const C: usize>(
     for (place, number) in rows.clone().enumerate() {
         contacts.clear();
         let [base, load] = row(number, &mut contacts);
-        // Rows are left to the whole grasp where screening has no answer. It does not know whether a grasp of bonded contacts alone lies loose, and
-        // computes no slips of contacts without friction.
+        // Screening has no answer for these rows, and the caller asks the whole grasp. Screening cannot find out whether a grasp of bonded contacts
+        // alone carries no force, and computes no slips of contacts without friction.
         let presses = contacts.iter().any(|contact| contact.hold == Hold::Unilateral);
         let sticks = |contact: &Contact<C>| contact.hold == Hold::Bonded || contact.springs() > 1;
         if !(presses && contacts.iter().all(sticks) && is_meant(&contacts, &base)) {

@@ -1,19 +1,19 @@
-//! Derivatives of answers by the data.
+//! Derivatives of answers with respect to the data of the grasp.
 
 use super::grasp::Grasp;
 use crate::equilibrium::Equilibrium;
 use crate::grasp::{inside, outside};
 use crate::load_path::{Derivative, OnsetEvent, OnsetMargins, Parameter, Response};
 
-/// Derivatives of a grasp's answers by its data, made by [`Grasp::sensitivity`].
+/// Derivatives of a grasp's answers with respect to its data, made by [`Grasp::sensitivity`].
 #[derive(Debug, Clone, Copy)]
 pub struct Sensitivity<'g, const C: usize>(pub(super) &'g Grasp<C>);
 
 impl<'g, const C: usize> Sensitivity<'g, C> {
     /// The margins of sticking that vanish at an onset. They give the derivatives of the onset's load factor by every parameter.
     ///
-    /// `None` if a contact closed before the onset, since the onset then depends on that history, or if a contact closes there and slides at once.
-    /// Also `None` if the event has another number of contacts.
+    /// `None` if a contact closed before the onset, since the onset then depends on that history, or if a contact closes at the onset and slides at
+    /// once. Also `None` if the event has another number of contacts.
     ///
     /// ```
     /// use grasp_lcp::load_path::Parameter;

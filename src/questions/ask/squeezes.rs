@@ -7,11 +7,11 @@ use crate::load_path::Ramp;
 use crate::squeeze::{Bounds, LeastOnset, LeastSqueeze, Loads, WeakestDirection};
 
 impl<const C: usize> Grasp<C> {
-    /// The least common factor of all finger commands with which every contact touches and sticks under each of a set of loads; in space on the round
-    /// cone.
+    /// The least factor on all finger commands with which every contact touches and sticks under each of a set of loads. In space the cone is round.
     ///
     /// Every condition of sticking is linear in the factor or concave, so the sufficient factors form an interval. The search begins at a lower
-    /// bound. A condition that is broken there gives a larger lower bound, and so on until the bound itself suffices. Clearances do not change.
+    /// bound. A condition that is violated at this bound gives a larger lower bound. This is repeated until the bound itself suffices. Clearances do
+    /// not change.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, LeastSqueeze, Loads, Turn, Wrench};
@@ -75,8 +75,8 @@ impl<const C: usize> Grasp<C> {
     /// The direction in which the least force through a point (m) makes a contact stop sticking, in addition to a base load; in space on the round
     /// cone.
     ///
-    /// For each facet of a friction cone the worst direction has a closed form. A force x gives contact forces `F⁰ + A x`. The condition `a·F >= 0`
-    /// of the facet is first broken by the x along `-Aᵀa` of size `a·F⁰ / |Aᵀa|`.
+    /// For each facet of a friction cone the worst direction has a closed form. With the contact forces F⁰ under the base load, a force x gives
+    /// contact forces `F⁰ + A x`. The condition `a·F >= 0` of the facet is first broken by the x along `-Aᵀa` of size `a·F⁰ / |Aᵀa|`.
     ///
     /// The round cone has a facet at every angle. The least force is where a trigonometric polynomial falls below zero, see
     /// [`squeeze`](crate::squeeze). It is thus the least over all directions up to rounding, whatever the number of minima.

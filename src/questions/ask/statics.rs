@@ -159,8 +159,8 @@ impl<const C: usize> Statics<'_, C> {
         })
     }
 
-    /// Splits the contact forces of an equilibrium of this grasp into equilibrating and interaction forces (section
-    /// 5.2 of the paper).
+    /// Splits the contact forces of an equilibrium of this grasp into equilibrating and interaction forces. The paper on which the crate is based
+    /// (`paper-notes.md`) defines them in section 5.2.
     ///
     /// The equilibrating forces are the least-squares solution of `Σ G_i F_i = -W`. In it the difference of the forces of any two frictional contacts
     /// has no component along the line that joins them. Separated contacts carry neither force. For an equilibrium of another grasp the lists are as
@@ -186,9 +186,9 @@ impl<const C: usize> Statics<'_, C> {
     }
 
     /// The shakedown factor: the largest multiple of these loads, added to a base load in any order, under which some constant slips could keep
-    /// everything from sliding. Beyond it the grasp never comes to rest as long as no contact opens; [`Grasp::shake`] decides whether it does below. In
-    /// space a polygon around the round cone is used, with as many facets as [`Settings::cone`](crate::Settings::cone). `None` if no slips keep the
-    /// grasp at rest under the base load, or if nothing resists a load.
+    /// everything from sliding. Beyond it the grasp never comes to rest as long as no contact opens; [`Grasp::shake`] decides whether the grasp comes
+    /// to rest below the factor. In space a polygon around the round cone is used, with as many facets as [`Settings::cone`](crate::Settings::cone).
+    /// `None` if no slips keep the grasp at rest under the base load, or if nothing resists a load.
     ///
     /// Of the static questions only this one depends on springs and commands: slips push contacts against each other.
     ///

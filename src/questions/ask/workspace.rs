@@ -9,10 +9,10 @@ use crate::numerics::Memory;
 
 /// Memory for one onset after another, for loops that must not wait for an allocator: [`Grasp::onset`] with the same answers.
 ///
-/// From the second question on no memory is allocated if the grasp has no more contacts than before, and one contact stops sticking before all others.
-/// The analysis in rates allocates memory: where several contacts reach the edges of their cones together, a gap closes on the way, or the base does
-/// not clearly stick. Memory is also allocated for the factors of a grasp at its first question, and for those of more than 256 contacts at every
-/// question.
+/// From the second question on no memory is allocated if the grasp has no more contacts than before, and one contact stops sticking before all
+/// others. Memory is allocated where contact states must be found from the rates of forces. This is so where several contacts reach the edges of
+/// their cones together, a gap closes on the way, or some contact does not clearly stick under the base load. Memory is also allocated for the
+/// factors of a grasp at its first question, and for those of more than 256 contacts at every question.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, OnsetWorkspace, Ramp, Wrench};

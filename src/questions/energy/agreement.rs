@@ -18,8 +18,9 @@ use crate::prelude::*;
 /// The load factors for which the minimum of energy is an equilibrium.
 ///
 /// Load and commands are affine in the factor τ. So is the vector of the [program's](super::MinimumEnergy) complementarity problem, while its matrix
-/// is constant. Lemke's method with τ as the parameter passes from one set of open gaps to the next. It ends once a friction row enters the basis:
-/// from there on the row's multiplier pushes the object, and Coulomb's law is violated. The paper predicts sliding in this way.
+/// is constant. Lemke's method with τ as the parameter passes from one set of open gaps to the next. It ends once the multiplier of a friction
+/// constraint enters the basis: from there on this multiplier pushes the object, and Coulomb's law is violated. The paper (see
+/// [`energy`](crate::energy)) predicts sliding in this way.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum Agreement<const C: usize> {
@@ -77,7 +78,7 @@ impl Engine {
     }
 }
 
-/// The paper's program along a ramp: at load factor 0, and its change with the factor.
+/// The quadratic program along a ramp: at load factor 0, and its change with the factor.
 struct Line<'g> {
     program: EnergyProgram<'g>,
     change: Vec<SVector<f64, 3>>,
@@ -112,13 +113,13 @@ impl Line<'_> {
         matches!(path.end(), Some(lcp::PathEnd::Unbounded(_))).then_some(Agreement::Always)
     }
 
-    /// The answer for the friction row that begins to bind. Its load factor is computed anew from the springs that are active below it; `seen` is
-    /// that of the pivoting path.
+    /// The answer if the multiplier of friction constraint `row` enters the basis. Its load factor is computed anew from the springs that are active
+    /// below this factor. `seen` is the load factor from the pivots.
     fn ends(&self, faces: &Faces, row: usize, seen: f64) -> Option<Agreement<3>> {
         let [forces, rates] = self.forces(&self.program.springs(faces))?;
         let friction = &self.program.friction;
         let (value, rate) = (friction[row].value(&forces), friction[row].value(&rates));
-        // If the row does not approach its bound, the load factor of the pivoting path is taken.
+        // If the constraint does not approach its bound, the load factor from the pivots is taken.
         let factor = if rate < 0.0 { (value / -rate).max(0.0) } else { seen };
         let most = |list: &[SVector<f64, 3>]| largest(list, &SVector::norm);
         let size = most(&forces) + factor * most(&rates);

@@ -1,4 +1,4 @@
-//! Coulomb's law compared with the paper's minimum of energy, under one load.
+//! The equilibrium under Coulomb's law compared with the minimum of energy under friction constraints, for one load.
 
 #[cfg(feature = "serde")]
 use super::minimum::Inside;
@@ -15,8 +15,8 @@ use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// The equilibrium under Coulomb's law, and beside it the minimum of the paper's quadratic program ([`MinimumEnergy`]). In space both use the same
-/// polygonal cone.
+/// The equilibrium under Coulomb's law, and beside it the minimum of energy under friction constraints ([`MinimumEnergy`]). In space both use the
+/// same polygonal cone.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -24,7 +24,7 @@ use crate::serial::AsComputed;
 pub struct Comparison<const C: usize> {
     /// Answer of the complementarity problem: the equilibrium, or a proof that there is none.
     pub equilibrium: Outcome<C>,
-    /// Answer of the quadratic program: its minimum with the binding friction constraints, and how far it is out of balance.
+    /// Answer of the quadratic program: its minimum with the binding friction constraints and the imbalance of forces.
     pub minimum: MinimumOutcome<C>,
     /// The difference between equilibrium and minimum, if both exist.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
@@ -39,7 +39,7 @@ pub struct Comparison<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Difference {
-    /// Largest difference of displacements of the object at a contact, m. Motions that are free in one of the two are not counted.
+    /// Largest difference of displacements of the object at a contact, m. Motions that are free in the equilibrium or in the minimum are not counted.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement: f64,
     /// Largest difference of contact forces, N.
@@ -71,7 +71,8 @@ impl<const C: usize> Comparison<C> {
 }
 
 impl Difference {
-    /// The largest of the three, each relative to its size; a difference of zero counts as 0 whatever the size.
+    /// The largest of the three relative differences, each difference divided by the size of its quantity. A difference of zero counts as 0 whatever
+    /// the size.
     #[must_use]
     pub fn relative(&self) -> f64 {
         let part = |difference: f64, size: f64| if difference == 0.0 { 0.0 } else { difference / size };
@@ -81,20 +82,21 @@ impl Difference {
     }
 }
 
-/// How the answers of complementarity and of the quadratic program compare under one load.
+/// How the answers of the complementarity problem and of the quadratic program compare under one load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum ComparisonVerdict {
-    /// Both give the same equilibrium. This is also the verdict if the minimum is an equilibrium and complementarity found no equilibrium.
+    /// The complementarity problem and the quadratic program give the same equilibrium. This is also the verdict if the minimum is an equilibrium and
+    /// the complementarity problem gave no equilibrium.
     Agree,
-    /// The minimum is an equilibrium, and complementarity returned another one, by more than 1e-9 of forces or displacements. With friction there may
-    /// be several equilibria, and where a contact carries nothing the object may have several positions.
+    /// The minimum is an equilibrium, and the complementarity problem has another one; they differ by more than 1e-9 of forces or displacements. With
+    /// friction there may be several equilibria, and where a contact carries nothing the object may have several positions.
     TwoEquilibria,
     /// An equilibrium exists, but the minimum of the program is out of balance.
     OutOfEquilibrium {
-        /// `|Σ F + W|`, N.
+        /// The size of the sum of contact forces and load, `|Σ F + W|`, N.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         force: f64,
         /// The size of the sum of all moments about the origin, `|Σ r × F + M|`, N m.
@@ -103,7 +105,7 @@ pub enum ComparisonVerdict {
     },
     /// No equilibrium exists, but the program returned a minimum, which is out of balance.
     NoEquilibrium {
-        /// `|Σ F + W|` of these numbers, N.
+        /// The size of the sum of contact forces and load at this minimum, `|Σ F + W|`, N.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         force: f64,
         /// The size of the sum of all moments about the origin, `|Σ r × F + M|`, N m.
@@ -112,7 +114,7 @@ pub enum ComparisonVerdict {
     },
     /// The minimum is out of balance; it is not known whether an equilibrium exists.
     Unknown {
-        /// `|Σ F + W|` of the minimum, N.
+        /// The size of the sum of contact forces and load at this minimum, `|Σ F + W|`, N.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         force: f64,
         /// The size of the sum of all moments about the origin, `|Σ r × F + M|`, N m.
@@ -139,7 +141,7 @@ impl<const C: usize> MinimumEnergy<C> {
         self.balanced
     }
 
-    /// `|Σ F + W|`, N, and the same for moments about the origin, N m.
+    /// The sizes of the sum of contact forces and load, `|Σ F + W|`, N, and of the sum of all moments about the origin, N m.
     #[must_use]
     pub fn out_of_balance(&self) -> (f64, f64) {
         let (mut force, mut moment) = (0.0_f64, 0.0_f64);
@@ -192,7 +194,7 @@ impl Engine {
             force_size: 0.0,
             energy_size: equilibrium.stored_energy,
         };
-        // Free motions are taken out of the difference. In the engine's coordinates they are orthonormal.
+        // Free motions are removed from the difference of the twists. In the engine's coordinates they are orthonormal.
         let mut apart: Vector = equilibrium.local.twist.to() - minimum.inside.twist.to();
         for _ in 0..2 {
             for v in equilibrium.local.free_motions.iter().chain(&minimum.inside.free_motions) {

@@ -1,8 +1,8 @@
-//! Conditions on contact forces (gaps, facets of friction cones) as rows in energy coordinates, with their values if everything sticks.
+//! Conditions on contact forces (gaps, facets of friction cones) in energy coordinates, with their values if everything sticks.
 //!
-//! In `x = K^{-1/2} F` every row is scaled to unit length, so that ratios of stiffnesses cancel. Let `K^{1/2}Gᵀ = Q R`, and let Π = QQᵀ be the
-//! projector on the motions of the object. Both laws of this module need only the products `n·Π n'` and `n·(1 - Π) n'` of two rows n, n', and the
-//! values `n·x⁰` if everything sticks.
+//! Energy coordinates are `x = K^{-1/2} F`, with the contact forces F and the stiffness K. In them every condition `n·x >= 0` has a normal n of unit
+//! length, so that ratios of stiffnesses cancel. Let G be the grasp map, `K^{1/2}Gᵀ = Q R`, and Π = QQᵀ the projector on the motions of the object.
+//! The optimality conditions need only the products `n·Π n'` and `n·(1 - Π) n'` of two normals n, n', and the values `n·x⁰` if everything sticks.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -15,21 +15,21 @@ use crate::numerics::{Map, Vector, unit};
 use crate::object::{Piece, Problem};
 use crate::prelude::*;
 
-/// A condition `normal·x_i >= 0` on the force of a contact.
+/// A condition `normal·x_i >= 0` on the force of a contact i, in energy coordinates x = K^{-1/2} F.
 #[derive(Debug, Clone)]
 pub(super) struct ForceCondition {
     pub(super) contact: usize,
-    /// The facet of the friction cone; `None` for the normal force.
+    /// The facet of the friction cone that the condition bounds; `None` for the condition on the normal force.
     pub(super) facet: Option<usize>,
-    /// The row of the same condition in terms of the force in N: `law·F_i` is `μ F_n - h·F_t`, or F_n.
+    /// The same condition for the force in N: `law·F_i` is the friction margin `μ F_n - h·F_t` at a facet h, or the normal force F_n.
     law: SVector<f64, 3>,
-    /// Unit vector along `K^{1/2} law`.
+    /// Unit vector along `K^{1/2} law`, with the contact's stiffness K.
     pub(super) normal: SVector<f64, 3>,
-    /// `|K^{1/2} law|`.
+    /// Norm of `K^{1/2} law`, by which the condition was divided.
     pub(super) length: f64,
     /// Scale of the rounding error of [`Self::value`] if the largest force is 1.
     pub(super) weight: f64,
-    /// Qᵀ times the normal: the component of the row along motions of the object.
+    /// Qᵀ times the normal, with the orthogonal factor Q of the springs: the component of the normal along motions of the object.
     pub(super) rows_of_factor: Vector,
 }
 
@@ -47,27 +47,28 @@ impl ForceCondition {
         Self { contact, facet, law, normal, length, weight, rows_of_factor: rows_of_factor * normal }
     }
 
-    /// The value of the row, N: `μ F_n - h·F_t`, or F_n.
+    /// The left side of the condition, N: the friction margin `μ F_n - h·F_t` at the facet h, or the normal force F_n.
     pub(super) fn value(&self, forces: &[SVector<f64, 3>]) -> f64 {
         self.law.dot(&forces[self.contact])
     }
 
-    /// Whether the row is satisfied up to rounding, with forces up to `largest`.
+    /// Whether the condition is satisfied up to rounding, if the largest force is `largest`.
     pub(super) fn holds(&self, forces: &[SVector<f64, 3>], largest: f64) -> bool {
         self.value(forces) >= -SOLVED_ROUNDING * largest * self.weight
     }
 
-    /// Whether the margin of the row is zero within rounding, with forces up to `largest`.
+    /// Whether the left side of the condition is zero or negative up to rounding, if the largest force is `largest`.
     pub(super) fn binds(&self, forces: &[SVector<f64, 3>], largest: f64) -> bool {
         self.value(forces) <= SOLVED_ROUNDING * largest * self.weight
     }
 
-    /// `n·Π n'`: the coupling of two rows through motions of the object.
+    /// The product `n·Π n'` of the normals of two conditions, with the projector Π on motions of the object: their coupling through these motions.
     pub(super) fn through_the_object(&self, other: &Self) -> f64 {
         self.rows_of_factor.dot(&other.rows_of_factor)
     }
 
-    /// `n·(1 - Π) n'`: the coupling of two rows through forces that balance one another.
+    /// The product `n·(1 - Π) n'` of the normals of two conditions, with the projector Π on motions of the object: their coupling through forces that
+    /// balance one another.
     pub(super) fn past_the_object(&self, other: &Self) -> f64 {
         let own = if self.contact == other.contact { self.normal.dot(&other.normal) } else { 0.0 };
         own - self.rows_of_factor.dot(&other.rows_of_factor)
@@ -104,7 +105,7 @@ pub(super) fn rows(
     rows
 }
 
-/// For each condition its value `n·x` in the scaled forces x.
+/// The value `n·x` of each condition with the normal n in the scaled forces x.
 pub(super) fn values<'r>(
     rows: impl IntoIterator<Item = &'r ForceCondition>,
     forces: &[SVector<f64, 3>],

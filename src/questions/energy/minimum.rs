@@ -1,8 +1,8 @@
-//! The minimum of the paper's program, computed such that large ratios of stiffnesses do not cost digits.
+//! The minimum of energy under friction constraints, computed such that large ratios of stiffnesses do not cost digits.
 //!
 //! The program is solved through its optimality conditions (`optimality`). Lemke's method finds the open gaps and the binding friction constraints.
 //! The remaining springs then determine the minimum. The multipliers of the constraints are forces on the **object** that no contact exerts: the
-//! minimum is an equilibrium exactly if their sum is zero.
+//! minimum is an equilibrium exactly if the sum of these forces is zero.
 
 use nalgebra::{Matrix, SVector};
 
@@ -17,7 +17,7 @@ use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// How the search for the minimum of the paper's program ends.
+/// How the search for the minimum of energy under friction constraints ends.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -55,17 +55,18 @@ impl<const C: usize> MinimumOutcome<C> {
     }
 }
 
-/// The minimum of potential energy under the friction constraints, with all contacts that have friction sticking: the result of the paper's program.
-/// **It is an equilibrium only if [`Self::imbalance`] is zero.**
+/// The minimum of potential energy under the friction constraints, with all contacts that have friction sticking: the result of the quadratic
+/// program. **It is an equilibrium only if [`Self::imbalance`] is zero.**
 ///
 /// ```text
 /// minimise  Σ ½ F_iᵀK_i⁻¹F_i - W·q,      F_i = K_i (a_i - G_iᵀq + e_n g_i)      over q and g
 /// subject to  g_i >= 0,   μ F_n - h·F_t >= 0 for every facet h of the cone
 /// ```
 ///
-/// The multiplier λ of a friction constraint acts on the object like a force that no contact exerts, `Σ G_i F_i + W = Σ λ G_i K_i (μ e_n - h)`. A
-/// contact with infinite friction has the constraint F_n >= 0 instead of a gap: with a gap it would carry F_t across it, as in
-/// the program that the paper prints.
+/// K_i, a_i and G_i are the stiffness, the offset (command less clearance) and the grasp map of contact i; e_n is its normal axis, and g_i its gap. W
+/// is the load, q the twist. The multiplier λ of a friction constraint acts on the object like a force that no contact exerts,
+/// `Σ G_i F_i + W = Σ λ G_i K_i (μ e_n - h)`. A contact with infinite friction has the constraint F_n >= 0 instead of a gap: with a gap it would
+/// carry F_t across the gap, as in the program that the paper prints (see [`energy`](crate::energy)).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -80,20 +81,20 @@ pub struct MinimumEnergy<const C: usize> {
     /// Friction constraints that bind, with their multipliers.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub binding: Vec<Binding>,
-    /// `Σ G_i F_i + W` about the origin, N and N m: the opposite of the wrench missing for equilibrium. It is computed from the multipliers, so that
-    /// it is exactly zero if all of them are zero.
+    /// The resultant of contact forces and load about the origin, `Σ G_i F_i + W`, N and N m: the opposite of the wrench missing for equilibrium. It
+    /// is computed from the multipliers, so that it is exactly zero if all multipliers are zero.
     pub imbalance: Wrench<C>,
     /// Energy stored in the springs, `Σ ½ F²/k`, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub stored_energy: f64,
-    /// The minimum of the energy: stored energy less `W·q`, J.
+    /// The minimum of the potential energy: stored energy less the work `W·q` of the load on the twist, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub potential_energy: f64,
     /// Motions that stretch no active spring: the twist is determined up to them. They are orthogonal to each other and have unit size, in which a
     /// rotation is measured in radians times the root mean square distance of the contacts from their centroid.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
-    /// Pivots of Lemke's method.
+    /// Number of pivots of Lemke's method.
     pub pivots: usize,
     /// Whether no multiplier pushes the object, up to rounding; see [`Self::is_equilibrium`].
     #[cfg_attr(feature = "serde", serde(rename = "is_equilibrium"))]
@@ -121,7 +122,7 @@ pub struct MinimumContact<const C: usize> {
     /// Force on the object along the coordinate axes, N.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub force_world: SVector<f64, C>,
-    /// Displacement u_c of the body's core, coordinate axes, m.
+    /// Displacement u_c of the body's core at the contact, along the coordinate axes, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub body_core: SVector<f64, C>,
     /// Gap between the surfaces, m, never negative.
@@ -141,7 +142,8 @@ pub struct Binding {
     /// [`PolygonCone`](crate::PolygonCone); `None` for F_n = 0 at infinite friction.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub facet: Option<usize>,
-    /// Multiplier λ >= 0, m: energy per unit of `μ F_n - h·F_t`. Zero if the force only touches the edge.
+    /// Multiplier λ >= 0 of the constraint on the friction margin `μ F_n - h·F_t` at the facet h, m: energy per unit of the margin. Zero if the force
+    /// only touches the edge.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub multiplier: f64,
 }
@@ -165,8 +167,8 @@ impl Engine {
             }
             Err(Unbalanced { motion: None }) => return Ok(MinimumOutcome::Unsolved),
         };
-        // If everything sticking satisfies all constraints up to rounding, no pivot is needed. This also avoids ties, which are common in symmetric
-        // grasps.
+        // If the state in which everything sticks satisfies all constraints up to rounding, no pivot is needed. This also avoids ties, which are
+        // common in symmetric grasps.
         let sticking = Faces { open: vec![false; self.sites().len()], binding: Vec::new() };
         let mut pivots = 0;
         let mut point = Some(program.sticking(&stuck)).filter(|point| program.holds(point, &sticking));

@@ -1,15 +1,17 @@
-//! The paper's principle of minimum potential energy, compared with complementarity.
+//! A quadratic program of minimum potential energy under friction constraints, compared with the complementarity problem of Coulomb's law.
 //!
-//! While no contact slides the springs are conservative, and the equilibrium is a minimum of the potential energy. The paper poses this minimum as a
-//! quadratic program with the friction cones as constraints. [`Energy::minimum`](crate::ask::Energy::minimum) solves it as the linear complementarity
-//! problem of its optimality conditions, on orthogonal factors.
+//! While no contact slides the springs are conservative, and the equilibrium is a minimum of the potential energy. The paper on which the crate is
+//! based ("Position Control for Multifingered Robot Hand", see `paper-notes.md`) poses this minimum as a quadratic program with the friction cones as
+//! constraints. [`Energy::minimum`](crate::ask::Energy::minimum) solves it as the linear complementarity problem of its optimality conditions, on
+//! orthogonal factors.
 //!
 //! As long as no friction constraint binds, the minimum is the equilibrium. Once a constraint binds, its multiplier acts on the object like an
 //! external force: the program still returns numbers, but they are not in equilibrium. [`Comparison`] classifies one load, [`Agreement`] gives the
 //! load factor up to which the minimum is an equilibrium.
 //!
-//! Coulomb's law and the program differ in one factor. Let x = K^{-1/2} F be the forces in energy coordinates, x⁰ those if everything sticks, and Π
-//! the projector on the motions of the object. N are the rows of the cones, S the rows of the slips alone:
+//! Coulomb's law and the program differ in one factor. Let x = K^{-1/2} F be the contact forces in energy coordinates, with the stiffness K. Let x⁰
+//! be these forces if everything sticks, and Π the projector on the motions of the object. A row of N x >= 0 is the condition of one cone facet, and
+//! S has the tangential part of these rows. z are slips, or multipliers:
 //!
 //! ```text
 //! Coulomb             x = x⁰ + (1 - Π) Sᵀz       0 <= z ⟂ N x >= 0      surfaces slip
@@ -20,8 +22,8 @@
 //! |---|---|
 //! | `energy_rows` | gaps and friction cones in energy coordinates |
 //! | `optimality` | the optimality conditions in energy coordinates, and their solution |
-//! | `minimum`, `agreement` | the minimum under a load, and the range of a ramp in which it is an equilibrium |
-//! | `comparison`, `words` | both side by side, and the first line of a comparison |
+//! | `minimum`, `agreement` | the minimum under a load, and the range of a ramp in which the minimum is an equilibrium |
+//! | `comparison`, `words` | minimum and equilibrium side by side, and the first line of a comparison |
 
 mod agreement;
 mod comparison;

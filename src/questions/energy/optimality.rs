@@ -1,14 +1,16 @@
-//! The optimality conditions of the paper's program on orthogonal factors, and their solution.
+//! The optimality conditions of the minimum-energy program on orthogonal factors, and their solution.
 //!
-//! Let everything stick: x⁰ = K^{1/2}(a - Gᵀq⁰) with equilibrium, K^{1/2}Gᵀ = QR. In these coordinates, with Π = QQᵀ, the scaled gaps ĝ = √k_n g
-//! (columns E) and the friction rows N x >= 0 (unit length), the program is
+//! K is the stiffness, a the offsets of the contacts, G the grasp map, A = K^{1/2}Gᵀ = QR and Π = QQᵀ. The equilibrium in which everything sticks has
+//! the twist q⁰ and, in energy coordinates, the forces x⁰ = K^{1/2}(a - Gᵀq⁰). With the scaled gaps ĝ = √k_n g, which act along the columns of E, and
+//! the friction constraints N x >= 0 (rows of unit length), the program is
 //!
 //! ```text
 //! minimise ½|p|² - pᵀQᵀE ĝ + ½|ĝ|² + x⁰ᵀE ĝ      x = x⁰ - Q p + E ĝ,   p = R (q - q⁰)
 //! subject to ĝ >= 0, N x >= 0
 //! ```
 //!
-//! and its optimality conditions, p eliminated, are a linear complementarity problem with a positive semidefinite matrix:
+//! Its optimality conditions, after p is eliminated, are a linear complementarity problem with the multipliers λ of the friction constraints, and
+//! with a positive semidefinite matrix:
 //!
 //! ```text
 //! 0 <= ĝ  ⟂  Eᵀx⁰ + Eᵀ(1 - Π)E ĝ - Eᵀ(1 - Π)Nᵀλ >= 0
@@ -19,8 +21,8 @@
 //! Multipliers enter the forces through Π: they push the **object** like an external force. They contribute `Aᵀx + W = AᵀNᵀλ` to the balance of
 //! forces; the minimum is an equilibrium exactly if this is zero. Slips of Coulomb's law enter through 1 - Π and preserve the balance.
 //!
-//! Lemke's method finds the open gaps and the binding rows. The answer is then computed from the remaining springs, so that it does not depend on the
-//! rounding of the pivots. Every condition is checked.
+//! Lemke's method finds the open gaps and the binding friction constraints. The answer is then computed from the remaining springs, so that it does
+//! not depend on the rounding of the pivots. Every condition is checked.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -32,7 +34,8 @@ use crate::numerics::{IntoList, Singular, Vector, mapped, numbered};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
-/// The program in energy coordinates: the conditions of gaps that may open, those of friction that may bind, and the springs while everything sticks.
+/// The program in energy coordinates: conditions on the normal forces of gaps that may open, friction constraints that may bind, and the springs
+/// while everything sticks.
 pub(super) struct EnergyProgram<'g> {
     pub(super) problem: Problem<'g>,
     pub(super) stuck: Piece,
@@ -40,7 +43,7 @@ pub(super) struct EnergyProgram<'g> {
     pub(super) friction: Vec<ForceCondition>,
 }
 
-/// The constraints that are active at a point of the program: open gaps and binding friction rows.
+/// The constraints that are active at a point of the program: open gaps and binding friction constraints.
 #[derive(Debug, Clone)]
 pub(super) struct Faces {
     pub(super) open: Vec<bool>,
@@ -53,7 +56,7 @@ pub(super) struct ProgramPoint {
     pub(super) forces: Vec<SVector<f64, 3>>,
     pub(super) twist: Vector,
     pub(super) gaps: Vec<f64>,
-    /// Multipliers of all friction rows, each row scaled to unit length.
+    /// Multipliers of all friction constraints, each constraint scaled to a normal of unit length.
     pub(super) multipliers: Vec<f64>,
     pub(super) free: Vec<Vector>,
 }
@@ -94,7 +97,7 @@ impl<'g> EnergyProgram<'g> {
         })
     }
 
-    /// The open gaps and binding rows that Lemke's method finds, the number of pivots, and the twist at its solution.
+    /// The open gaps and binding friction constraints that Lemke's method finds, the number of pivots, and the twist at its solution.
     pub(super) fn faces(
         &self,
         stuck: &PieceState,
@@ -142,8 +145,8 @@ impl<'g> EnergyProgram<'g> {
         }
     }
 
-    /// The candidate with these open gaps and binding rows; `None` if the binding rows are linearly dependent, or no such forces balance the load. If
-    /// the twist of least norm makes a gap negative, the free part of the twist `near` is added.
+    /// The candidate with these open gaps and binding friction constraints. `None` if the binding constraints are linearly dependent, or no such
+    /// forces balance the load. If the twist of least norm makes a gap negative, the free part of the twist `near` is added.
     pub(super) fn on_faces(&self, faces: &Faces, stuck: &PieceState, near: &Vector) -> Option<ProgramPoint> {
         let problem = &self.problem;
         let opened = faces.open.contains(&true).then(|| self.springs(faces));
@@ -174,11 +177,11 @@ impl<'g> EnergyProgram<'g> {
         finite.then_some(ProgramPoint { forces, twist, gaps, multipliers, free })
     }
 
-    /// Makes the binding rows hold as equalities, starting from forces x' that balance without them. Returns the change of the motion, in the
-    /// coordinates of the active springs.
+    /// Makes the binding friction constraints hold as equalities, N x = 0. `forces` are those that balance the load without these constraints, x' in
+    /// energy coordinates. Returns the change of the motion, in the coordinates of the active springs.
     ///
-    /// The normal springs of open gaps are removed. There x_n is free, and the binding rows alone determine it, `x_n = (Nᵀλ)_n`. With
-    /// `M = [N Q, N_n of the open gaps]` for the binding rows,
+    /// The normal springs of open gaps are removed. The normal component x_n of such a contact is free, and the multipliers λ alone determine it,
+    /// `x_n = (Nᵀλ)_n`. With the orthogonal factor Q of the active springs and `M = [N Q, N_n of the open gaps]`,
     ///
     /// ```text
     /// N x' + M Mᵀλ = 0,     x = x' + Q (first part of Mᵀλ)
@@ -216,7 +219,7 @@ impl<'g> EnergyProgram<'g> {
             return None;
         }
         let mut travelled = Vector::zeros();
-        // A second pass removes the rounding errors that the first leaves in the rows.
+        // A second pass removes the rounding errors that the first pass leaves in the binding constraints.
         for _ in 0..2 {
             let (change, lambda) = parts.of_transpose(&-values(rows.iter().copied(), forces));
             let moved = Vector::from_fn(size, |k| change[k]);
@@ -249,15 +252,16 @@ impl<'g> EnergyProgram<'g> {
     pub(super) fn holds(&self, point: &ProgramPoint, faces: &Faces) -> bool {
         let problem = &self.problem;
         let most = problem.largest_force(&point.forces, &point.twist);
-        // Multipliers belong to rows of unit length, so they have the unit of x = K^{-1/2} F. Their rounding is judged by the largest of both.
+        // The multipliers belong to constraints scaled to unit length, so they have the unit of the energy coordinates x = K^{-1/2} F. Their rounding
+        // is relative to the largest component of x or largest multiplier.
         let x = |i: usize| {
             let springs = &problem.sites[i].springs;
             springs.deflection(&point.forces[i]).component_mul(&springs.root()).amax()
         };
         let x_size = (0..problem.len()).map(x).fold(0.0, f64::max);
         let largest = point.multipliers.iter().fold(x_size, |most, l| most.max(l.abs()));
-        // The multiplier of the condition that a gap is not negative, `√k_n (x - Nᵀλ)_n`: the normal force, less what the friction multipliers exert
-        // along the normal.
+        // The multiplier of the condition that a gap is not negative: the normal force less the normal component of the friction multipliers' forces,
+        // in energy coordinates `√k_n (x - Nᵀλ)_n`.
         let held = self.held_from_outside(&point.multipliers);
         let gap_holds = |row: &ForceCondition| {
             let i = row.contact;

@@ -1,4 +1,4 @@
-//! The first line of a comparison with the paper's program.
+//! The first line of a comparison of the equilibrium with the minimum of energy.
 
 use core::fmt;
 
@@ -76,7 +76,7 @@ fn slides<const C: usize>(state: &Equilibrium<C>) -> String {
     }
 }
 
-/// A force and, unless it is zero beside it, a moment.
+/// A force with its unit, and a moment unless the moment is zero. A force of zero is omitted beside a moment.
 fn wrench(words: Words, force: f64, moment: f64) -> String {
     let (force_text, moment_text) = (words.number(force), words.number(moment));
     match (force == 0.0, moment == 0.0) {

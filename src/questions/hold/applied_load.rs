@@ -1,4 +1,4 @@
-//! The verdict by following a load from rest: up to the whole load, then up to `Settings::most_load` or its loss.
+//! The verdict on a load: the load path is followed from rest to the whole load, then to `Settings::most_load` or to the loss of the load.
 
 use core::mem::{Discriminant, discriminant};
 
@@ -26,13 +26,13 @@ use crate::prelude::*;
 /// How much of the load path a verdict follows and records.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Extent {
-    /// All fields of the [`Verdict`], up to `Settings::most_load` or the loss.
+    /// All fields of the [`Verdict`]; the path is followed to `Settings::most_load` or the loss.
     Whole,
-    /// As `Whole`, but a path that leaves small motions is followed to the whole load, to measure the largest ratio of a motion to its limit.
+    /// Like `Whole`, but a path that leaves small motions is followed to the whole load, to measure the largest ratio of a motion to its limit.
     Measured,
-    /// As `Measured`, without proofs, the data that only sentences need, and a reason where nothing rests.
+    /// Like `Measured`, but without proofs, without the data that only sentences need, and without the reason if the base load has no equilibrium.
     Decided,
-    /// Without states, proofs and the data that only sentences need: for [`super::ShortVerdict`].
+    /// Without equilibria, proofs and the data that only sentences need: for [`super::ShortVerdict`].
     Brief,
 }
 
@@ -40,18 +40,18 @@ pub(crate) enum Extent {
 #[derive(Debug, Default)]
 pub(crate) struct OfThePath {
     /// The largest ratio of a motion to its limit in [small motions](crate::Settings::small_motions) while the load is put on. For [`Extent::Brief`]
-    /// it counts the path only up to the loss.
+    /// it covers the path as far as it was followed, which may be beyond the whole load.
     pub(crate) farthest: f64,
-    /// The contacts at rest. `None` where nothing rests, and of a brief verdict.
+    /// The contacts under the base load. `None` if the base load has no equilibrium, and for [`Extent::Brief`].
     pub(crate) at_rest: Option<Vec<RestingContact>>,
 }
 
-/// A contact at rest.
+/// A contact in the equilibrium under the base load.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct RestingContact {
-    /// Whether it sticks, slides or is open.
+    /// Whether the contact sticks, slides or is open.
     pub(crate) kind: Discriminant<ContactState<3>>,
-    /// Quantities that are positive in this state; it ends where one of them falls to zero.
+    /// Quantities that are positive in this state; the state ends where one of them falls to zero.
     pub(crate) margins: [f64; 2],
 }
 
@@ -74,7 +74,7 @@ impl Engine {
         Ok(self.hold_with(ramp, settings, Extent::Whole)?.0)
     }
 
-    /// As [`Self::hold`], to a chosen extent, and with facts about the load path.
+    /// Like [`Self::hold`], to a chosen extent, and with facts about the load path.
     pub(crate) fn hold_with(
         &self,
         ramp: &Ramp<3>,
@@ -95,7 +95,7 @@ impl Engine {
         settings: &Settings,
         extent: Extent,
     ) -> Result<(Verdict<3>, OfThePath), Error> {
-        // Onset and path share the state at rest, which with many bodies takes most of the time.
+        // Onset and path share the equilibrium under the base load, which with many bodies takes most of the time.
         let (onset, rest) = self.onset_from_rest(ramp, settings)?;
         let mut path = self.follow_from_rest((&ramp.base, rest), &[Leg::along(ramp)], settings)?;
         let events = path.run_while_small();
@@ -191,14 +191,14 @@ impl Engine {
     ) -> Holding<3> {
         let inaccurate = Holding::Undecided { doubt: Doubt::Inaccurate };
         let or_at_rest = |otherwise: Holding<3>| {
-            // The path of the load at rest from zero takes up to a thousand times as long as that of the load.
+            // Following the base load as it grows from zero takes up to a thousand times as long as following the load.
             if extent == Extent::Decided {
                 return otherwise;
             }
             self.lost_at_rest(base, settings).map_or(otherwise, |at_rest| Holding::LostAtRest { at_rest })
         };
         match path.end() {
-            // Contacts slide at rest, their friction falls to the kinetic value, and nothing catches the object.
+            // Contacts slide under the base load, their friction falls to the kinetic value, and nothing catches the object.
             Some(PathEnd::Lost(_)) if path.state().is_none() => or_at_rest(Holding::Lost),
             Some(PathEnd::Lost(_)) => Holding::Lost,
             Some(PathEnd::NoStart(start)) => match &**start {
@@ -211,7 +211,7 @@ impl Engine {
         }
     }
 
-    /// The loss of the load at rest as it grows from zero together with the commands; `None` where that path has no loss.
+    /// The loss of the base load as it grows from zero together with the commands; `None` if the path of this load has no loss.
     fn lost_at_rest(&self, base: &Wrench<3>, settings: &Settings) -> Option<Box<Lost<3>>> {
         let growing = self.growing_from_nothing(base);
         let direction = if growing.is_some() { Wrench::from_components(&[1.0]) } else { *base };
@@ -223,12 +223,12 @@ impl Engine {
         path.run();
         let loss = path.end().and_then(PathEnd::loss)?;
         let lost = grasp.lost(path.place().1, loss, path.state());
-        // The state at the loss carries a part of the load at rest, not the load of the question, so it is left out.
+        // The equilibrium at this loss carries a part of the base load, not the load of the question, so it is left out.
         Some(Box::new(Lost { state: None, ..lost }))
     }
 
-    /// The conclusion where the whole load is held. A contact has slid if it slides now, slipped in a jump, or began to slide at an event. Slips in the
-    /// state do not show that, since a contact that was open has one, too.
+    /// The conclusion where the whole load is held. A contact has slid if it slides now, slipped in a jump, or began to slide at an event. The slips
+    /// of the equilibrium do not show that, since a contact that was open has a slip, too.
     fn holding(
         &self,
         state: &Equilibrium<3>,
@@ -242,7 +242,8 @@ impl Engine {
                 || slips.contains(&i)
                 || events.iter().any(|event| begins_to_slide(event, i))
         };
-        // Without vacuum, zero contact forces mean that the object lies loose. With one, they may vanish while the vacuum still holds the object.
+        // Without vacuum, zero contact forces mean that the object lies loose. With a vacuum, contact forces may vanish while the vacuum holds the
+        // object.
         if self.vacuum().is_none() && state.contacts.iter().all(|contact| contact.force.norm() == 0.0) {
             return Holding::Loose;
         }
@@ -317,7 +318,7 @@ impl Engine {
         let polygon = Polygon::shared(self.space(), &settings.cone);
         let problem = self.problem(polygon, settings.is_round(self.space()), offsets, &Load::from(&load));
         let at = state.local.twist.to();
-        // Any virtual motion may give the proof. The motion of the loss usually does; the direction of the load is tried, too.
+        // Any virtual motion may give the proof. The motion of the loss usually gives it; the direction of the load is tried, too.
         let virtually = [loss.virtual_motion().map(Coordinates::to), Some(load)];
         let radii = virtually.into_iter().flatten().filter_map(|v| nothing_near(&problem, &at, &v));
         let radius = radii.max_by(f64::total_cmp)?;

@@ -1,5 +1,5 @@
-//! Jumps along the load path. Contacts begin to slide with lower kinetic friction, the object jumps, and other contacts catch it; or it snaps over from
-//! the end of a path to another equilibrium.
+//! Jumps along the load path. Contacts begin to slide with lower kinetic friction, the object jumps, and other contacts catch it; or the object snaps
+//! over from the end of a path to another equilibrium.
 
 use core::fmt;
 
@@ -36,7 +36,7 @@ pub struct Caught {
     pub energy_lost: f64,
 }
 
-/// A contact that slips in a jump, and its distance.
+/// A contact that slips in a jump, and the length of its slip.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -58,15 +58,15 @@ pub struct SlippedBy {
 pub struct MovesTo {
     /// The contacts that close.
     pub contacts: Vec<WholeContact>,
-    /// The name of the body.
+    /// The name of the body that moves.
     pub body: String,
-    /// Displacement of the centroid of its contact points, m.
+    /// Displacement of the centroid of the body's contact points, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub distance: f64,
     /// Rotation, rad.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub angle: f64,
-    /// Displacement of its contact points by the rotation, m: the angle times their root mean square distance from the centroid.
+    /// Displacement of the body's contact points by the rotation, m: the angle times their root mean square distance from the centroid.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub turning: f64,
     /// Whether contacts slide during the motion.
@@ -98,7 +98,7 @@ impl fmt::Display for MovesTo {
 }
 
 impl Engine {
-    /// The multiple of the load that is held with kinetic friction from the start; `None` if that path does not end in a loss.
+    /// The multiple of the load that is held with kinetic friction from the start; `None` if the path with kinetic friction does not end in a loss.
     pub(super) fn carried_while_it_slides(&self, ramp: &Ramp<3>, settings: &Settings) -> Option<f64> {
         let sliding = self.with_friction_of_sliding().ok()?;
         let mut path = sliding.follow(&ramp.base, &[Leg::along(ramp)], settings).ok()?;

@@ -1,5 +1,5 @@
-//! The fast way to a brief verdict: the load path is computed in the slips of the sliding contacts ([`InSlips`]), not from contact state to contact
-//! state.
+//! The fast way to a brief verdict: the unknowns of the load path are the slips of the sliding contacts ([`InSlips`]). The path is not followed from
+//! contact state to contact state.
 
 use super::applied_load::OfThePath;
 use super::verdict::{FirstSlip, Holding, Verdict};
@@ -10,8 +10,8 @@ use crate::prelude::*;
 use crate::search::Settings;
 
 impl Engine {
-    /// The brief verdict, if a path in the slips of contacts gives it: no contact opens, no slip ends, and at least one contact slides. Otherwise
-    /// `None`, and the caller follows the full load path.
+    /// The brief verdict from a path with the slips of contacts as unknowns, if no contact opens, no slip ends, and at least one contact slides.
+    /// Otherwise `None`, and the caller follows the full load path.
     pub(super) fn held_in_slips(
         &self,
         ramp: &Ramp<3>,

@@ -1,16 +1,18 @@
-//! The geometric stiffness, which small motions leave out: as the object turns, the arms of the forces at rest turn with it.
+//! The geometric stiffness, which the theory of small motions neglects: as the object turns, the arms of the forces under the base load turn with it.
 //!
-//! The energy of springs that already carry F has a second derivative in two parts, the elastic one and `-Σ F_i · ∂²u_i/∂q²`. For a rotation θ the
-//! second part is `Σ (F·r) |θ|² - (F·θ)(r·θ)`, in the plane `Σ F·r θ²`. Fingers that press against each
-//! other make it negative. It is compared with `W·q`, the work of the load on the motion, which is `q·Kq` for the secant stiffness K that resists.
+//! Let contact i carry the force F_i and move by u_i with the motion q of the object. The energy of the springs has a second derivative in two parts,
+//! the elastic one and `-Σ F_i · ∂²u_i/∂q²`. For a rotation θ and arms r_i of the contacts the second part is `Σ (F·r) |θ|² - (F·θ)(r·θ)`, in the
+//! plane `Σ F·r θ²`. Fingers that press against each other make it negative. It is compared with the work `W·q` of the load on the motion, which
+//! equals `q·Kq` with the secant stiffness K of the grasp.
 
 use crate::equilibrium::Equilibrium;
 use crate::grasp::Engine;
 use crate::numerics::{dot, summed};
 
 impl Engine {
-    /// The geometric stiffness as a fraction of the resistance to the motion q from rest to another state with the same commands:
-    /// `Σ [(F·r) |θ|² - (F·θ)(r·θ)] / (ΔW·q)`, with forces F at rest, arms r about the centroid of the contacts and the rotation θ of q.
+    /// The geometric stiffness as a fraction of the resistance to the motion q from rest to another equilibrium with the same commands:
+    /// `Σ [(F·r) |θ|² - (F·θ)(r·θ)] / (ΔW·q)`. F are the contact forces at rest, and r their arms about the centroid of the contacts. θ is the
+    /// rotation in q, and ΔW the change of the load.
     ///
     /// It is negative where the forces lower the resistance. A load at rest counts as acting at the point of its line nearest to the centroid. `None`
     /// if the fraction is at most a tenth, for several bodies, and where the load does no positive work.
@@ -36,7 +38,7 @@ impl Engine {
                 |v: &nalgebra::SVector<f64, 3>| v.iter().zip(rotation).map(|(a, b)| a * b).sum::<f64>();
             left_out -= along(&force) * along(&arm);
         }
-        // Fractions up to a tenth are not reported. A smaller threshold would add a caution to ordinary verdicts; a larger one would hide a loss of
+        // Fractions up to a tenth are not returned. A smaller threshold would add a caution to ordinary verdicts; a larger one would hide a loss of
         // stability until it is near.
         (kept > 0.0).then(|| left_out / kept).filter(|part| part.abs() > 0.1)
     }

@@ -1,6 +1,6 @@
 //! Does it hold? The load grows from rest along one path, and the verdict is one sentence.
 //!
-//! The word "hold" stands for three questions, each with its own method:
+//! The word "hold" may mean three questions, each with its own method:
 //!
 //! | question | method |
 //! |---|---|
@@ -8,14 +8,14 @@
 //! | Is there an equilibrium under the load, however it is reached? | [`Grasp::solve`](crate::ask::Grasp::solve) |
 //! | Could any contact forces carry the load? | [`Grasp::statics`](crate::ask::Grasp::statics) |
 //!
-//! The first is the usual one. It follows one load path ([`Grasp::follow`](crate::ask::Grasp::follow)) without a search for other equilibria, and is
-//! undecided only where the path is. If equilibrium is lost before the whole load is applied, the [`Verdict`] names the motion of the object
-//! ([`WayOut`]). It also gives a neighbourhood of the loss without any equilibrium ([`NothingNear`]): a proof that holds whatever contacts have slipped
-//! before.
+//! The first question is the usual one. [`Grasp::hold`](crate::ask::Grasp::hold) follows one load path ([`Grasp::follow`](crate::ask::Grasp::follow))
+//! without a search for other equilibria. Its verdict is undecided only where the path is undecided. If equilibrium is lost before the whole load is
+//! applied, the [`Verdict`] names the motion of the object ([`WayOut`]). It also gives a neighbourhood of the loss without any equilibrium
+//! ([`NothingNear`]): a proof that holds whatever contacts have slipped before.
 //!
-//! The proof takes any virtual motion v with contact displacements `u_i = G_iᵀv`; balance gives `W·v = -Σ F_i·u_i`. The work of a contact against v
-//! is at most that of its normal force and the friction it allows. The normal force is known at every motion q of the object, so that an equilibrium
-//! needs
+//! The proof takes any virtual motion v with contact displacements `u_i = G_iᵀv`, where G_i is the grasp map of contact i. The balance of the load W
+//! and the contact forces F_i gives `W·v = -Σ F_i·u_i`. The work of a contact against v is at most that of its normal force and the friction it
+//! allows. The normal force is known at every motion q of the object, so that an equilibrium needs
 //!
 //! ```text
 //! h(q) = Σ (μ |u_t,i| - u_n,i)₊ k_n,i (a_n,i - n·G_iᵀq)₊  >=  W·v

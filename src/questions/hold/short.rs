@@ -1,4 +1,4 @@
-//! A verdict as one row of a table of many verdicts: numbers and words, without lists and states.
+//! A verdict as one row of a table of many verdicts: numbers and words, without lists and equilibria.
 
 use core::fmt;
 
@@ -47,9 +47,9 @@ pub enum How {
     Loose,
     /// Equilibrium is lost before the whole load is applied; see [`Holding::Lost`].
     Lost,
-    /// The load at rest has no equilibrium, by a proof; see [`Holding::NoRest`].
+    /// The base load has no equilibrium, by a proof; see [`Holding::NoRest`].
     NoRest,
-    /// The grasp loses the load at rest as this load grows from zero; see [`Holding::LostAtRest`].
+    /// The grasp loses the base load as this load grows from zero; see [`Holding::LostAtRest`].
     LostAtRest,
     /// The path could not be followed; see [`Holding::Undecided`].
     Undecided,
@@ -67,7 +67,7 @@ pub enum LossVerb {
     LiftsOff,
     /// The object moves and hardly turns, or everything slides until motions are no longer small.
     SlipsOut,
-    /// The object turns about contacts that stay, and others open.
+    /// The object turns about contacts that stay in place, and other contacts open.
     TipsOver,
     /// The object turns about contacts, a point or an axis.
     TurnsOut,
@@ -123,7 +123,7 @@ impl<const C: usize> From<&Verdict<C>> for ShortVerdict {
 }
 
 impl<const C: usize> Lost<C> {
-    /// The verb for this loss; `words` has the space.
+    /// The verb for this loss; `words` has the space, plane or three-dimensional.
     pub(crate) fn verb(&self, words: Words) -> LossVerb {
         match &self.way_out {
             _ if self.too_far.is_some() => {

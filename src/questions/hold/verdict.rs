@@ -19,28 +19,29 @@ use crate::prelude::*;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Verdict<const C: usize> {
-    /// The load at rest, N and N m.
+    /// The base load, N and N m: it acts before `load` grows.
     pub base: Wrench<C>,
     /// The load that grows from 0 on top of `base`, N and N m.
     pub load: Wrench<C>,
     /// The conclusion: whether the whole load, factor 1, is held.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub holding: Holding<C>,
-    /// The first slip: the first contacts that stop sticking. `None` if none does as far as the load was followed.
+    /// The first slip: the first contacts that stop sticking. `None` if every contact sticks as far as the load was followed.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub first_slip: Option<FirstSlip>,
     /// The jumps up to the whole load after which the object is held: contacts begin to slide with lower
     /// [kinetic friction](crate::grasp::Contact::kinetic), gaps close after a free motion, or the object snaps over to another equilibrium.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub caught: Vec<Caught>,
-    /// Largest load factor reached with the load held and motions [small](crate::Settings::small_motions); 0 where the grasp does not hold at rest.
+    /// Largest load factor reached with the load held and motions [small](crate::Settings::small_motions); 0 where the grasp does not hold the base
+    /// load.
     ///
     /// The load is followed only up to [`Settings::most_load`](crate::Settings::most_load), so this factor is no upper bound of the load that is held.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub held_to: f64,
-    /// Factor from which on every contact with friction and a normal force slides, without interruption, up to factor 1. If a contact sticks at factor
-    /// 1, or the path ends before it, the range is up to the end of the path instead. Beyond this factor friction is exhausted, and normal forces must
-    /// carry what is added. `None` where a contact sticks at both.
+    /// Factor from which on every contact with friction and a normal force slides, without interruption, up to factor 1. If a contact sticks at
+    /// factor 1, or the path ends before it, the range is up to the end of the path instead. Beyond this factor friction is exhausted, and normal
+    /// forces must carry any further load. `None` if a contact sticks at factor 1 and at the end of the path.
     #[cfg_attr(
         feature = "serde",
         serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
@@ -48,9 +49,9 @@ pub struct Verdict<const C: usize> {
     pub everything_slides: Option<f64>,
     /// Geometric stiffness, which small motions neglect, relative to the resistance to the motion from rest to the whole load, or to the loss.
     ///
-    /// With forces F at rest, arms r and the rotation θ it is `Σ [(F·r) |θ|² - (F·θ)(r·θ)]` divided by the work `ΔW·q` of the load. Below 0 the squeeze
-    /// lowers the resistance as its arms turn with the object; at -1 or less no resistance is left. `None` if its size is at most a tenth, for several
-    /// bodies, and where commands change.
+    /// With the contact forces F under the base load, their arms r and the rotation θ it is `Σ [(F·r) |θ|² - (F·θ)(r·θ)]` divided by the work `ΔW·q`
+    /// of the load. Below 0 the squeeze lowers the resistance as its arms turn with the object; at -1 or less no resistance is left. `None` if its
+    /// size is at most a tenth, for several bodies, and where commands change.
     #[cfg_attr(
         feature = "serde",
         serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
@@ -83,7 +84,7 @@ impl<const C: usize> Verdict<C> {
     }
 }
 
-/// The conclusion on a load. It counts as held only while motions are [small](crate::Settings::small_motions).
+/// The conclusion on a load. The load counts as held only while motions are [small](crate::Settings::small_motions).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -93,7 +94,7 @@ impl<const C: usize> Verdict<C> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Holding<const C: usize> {
-    /// The load is held, and every contact sticks up to it.
+    /// The load is held, and every contact sticks up to the whole load.
     Sticks,
     /// The load is held, but contacts slide under it, or have slid, opened or given way before.
     Slides {
@@ -104,17 +105,17 @@ pub enum Holding<const C: usize> {
     Loose,
     /// Equilibrium is lost before the whole load is applied, or motions cease to be small.
     Lost,
-    /// The grasp has no equilibrium even under the load at rest. The variant carries the proof.
+    /// The grasp has no equilibrium even under the base load. The variant carries the proof.
     NoRest(NoEquilibrium<C>),
-    /// The grasp loses the load at rest as this load grows from zero together with the commands. A load path shows this loss; it is no proof as in
+    /// The grasp loses the base load as this load grows from zero together with the commands. A load path shows this loss; it is no proof as in
     /// [`Self::NoRest`].
     LostAtRest {
-        /// The loss; its factor is a multiple of the load at rest.
+        /// The loss; its factor is a multiple of the base load.
         at_rest: Box<Lost<C>>,
     },
     /// The path could not be followed up to the whole load.
     Undecided {
-        /// The reason.
+        /// The reason why the path could not be followed.
         doubt: Doubt,
     },
 }
@@ -125,7 +126,7 @@ pub enum Holding<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct FirstSlip {
-    /// The load at the first slip, as a multiple of the load asked about; 0 where a contact slides at rest.
+    /// The load at the first slip, as a multiple of the load asked about; 0 where a contact slides under the base load.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub factor: f64,
     /// Contacts that begin to slide.
@@ -163,7 +164,7 @@ pub struct Lost<const C: usize> {
     pub slide: Vec<WholeContact>,
     /// Whether all contacts that press slide: gross slip. At the end of small motions, whether [`Verdict::everything_slides`] is given.
     pub is_gross_slip: bool,
-    /// Whether the first slip is the loss: [kinetic friction](crate::grasp::Contact::kinetic) is lower, and nothing catches the object.
+    /// Whether the object is lost at the first slip: [kinetic friction](crate::grasp::Contact::kinetic) is lower, and nothing catches the object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub falls_at_once: bool,
     /// The multiple of the load that would be held with kinetic friction from the start. `None` unless it is below `factor` and kinetic friction is
@@ -179,7 +180,7 @@ pub struct Lost<const C: usize> {
     /// The unit motion with which the object leaves; `None` where it is not determined.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub motion: Option<Motion<C>>,
-    /// The last equilibrium, at the loss; `None` where it could not be computed, and for a loss at rest.
+    /// The last equilibrium, at the loss; `None` where it could not be computed, and for a loss of the base load.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub state: Option<Box<Equilibrium<C>>>,
     /// Proof that no equilibrium under the whole load exists near the loss. `None` where the whole load is held, or no proof was found.

@@ -26,7 +26,7 @@ const STANDS: f64 = 0.05;
 pub enum WayOut<const C: usize> {
     /// All contacts that touch open.
     LiftsOff {
-        /// Unit direction in which the centroid of these contacts moves.
+        /// Unit direction in which the centroid of the contacts moves.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
@@ -36,16 +36,16 @@ pub enum WayOut<const C: usize> {
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
-    /// The object turns about contacts that stay, and others open.
+    /// The object turns about contacts that stay in place, and other contacts open.
     TipsOver {
-        /// The contacts that stay.
+        /// The contacts that stay in place.
         about: Vec<WholeContact>,
         /// The contacts that open.
         opens: Vec<WholeContact>,
     },
-    /// The object turns about contacts that stay, and others slide.
+    /// The object turns about contacts that stay in place, and other contacts slide.
     TurnsAbout {
-        /// The contacts that stay; in space two of them define the axis.
+        /// The contacts that stay in place; in space two of them define the axis.
         about: Vec<WholeContact>,
     },
     /// The object turns about a point, in space about an axis through it.
@@ -101,7 +101,7 @@ fn slides_out(along: &SVector<f64, 3>, spin: f64) -> Option<WayOut<3>> {
         .then(|| direction().map_or(WayOut::NotKnown, |direction| WayOut::SlidesOut { direction }))
 }
 
-/// The everyday name of the motion with which the object leaves. `touches` says which contacts still touch; they decide between the names.
+/// The everyday name of the motion with which the object leaves. `touches` is true for contacts that still touch; they decide between the names.
 pub(super) fn way_out(
     engine: &Engine,
     motion: Option<&Motion<3>>,
@@ -121,7 +121,8 @@ pub(super) fn way_out(
         other.speed() <= STANDS * fastest
     };
     if motion.bodies.iter().filter(|body| moves(body)).all(as_the_first) {
-        // The moving bodies move as one, so contacts between two of them do not matter. Only contacts with bodies that stay decide on the name.
+        // The moving bodies move as one, so contacts between two of them do not matter. Only contacts with bodies that do not move decide on the
+        // name.
         let is_one_of_them = |body: usize| moves(&motion.bodies[body]);
         let sign = |i: usize| {
             let (on, against) = (is_one_of_them(sides[i].0), sides[i].1.is_some_and(is_one_of_them));

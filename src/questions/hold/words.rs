@@ -13,7 +13,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 use crate::words::{LinkKind, MOST_NAMES, Words, listed, open, opens, printable};
 
-/// Appended to a sentence that reports a motion beyond the limits of small motions.
+/// Appended to a sentence about a motion beyond the limits of small motions.
 const NO_LONGER_SMALL: &str = "; beyond this, results for small motions no longer apply";
 
 impl<const C: usize> fmt::Display for Verdict<C> {
@@ -37,7 +37,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                         write!(f, ", but {first} from {} of it on", words.number(first.factor))?;
                     }
                     _ if contacts.is_empty() => {}
-                    // A contact that closes and slides only later is no first slip, but it is named here.
+                    // A contact that closes and slides only later is no first slip, but the sentence names it here.
                     _ => write!(f, ", but {}", does(contacts, "slides", "slide"))?,
                 }
                 self.catches(f)?;
@@ -124,7 +124,7 @@ impl<const C: usize> Verdict<C> {
         write!(f, ": {lost:.digits$}")
     }
 
-    /// The sentence of a load that ends small motions: it reports gross slip if that comes before, otherwise the motion that is too large.
+    /// The sentence of a load that ends small motions. It names gross slip if that comes before, otherwise the motion that is too large.
     fn write_small_motion_limit(
         &self,
         lost: &Lost<C>,
@@ -161,7 +161,7 @@ impl<const C: usize> Verdict<C> {
         }
     }
 
-    /// Whether this load factor is beyond the first slip, and the path goes on beyond it.
+    /// Whether this load factor is beyond the first slip, and the path continues beyond this factor.
     fn continues_beyond(&self, factor: f64) -> bool {
         self.held_to > factor * (1.0 + NEGLIGIBLE)
             && self.first_slip.as_ref().is_none_or(|first| factor > first.factor * (1.0 + NEGLIGIBLE))
@@ -247,7 +247,7 @@ impl<const C: usize> Verdict<C> {
     }
 }
 
-/// A multiple of a load of this size and unit: "7.5 N", or "0.5 of it" for a load without a single size.
+/// A multiple of a load of this size and unit: "7.5 N", or "0.5 of it" for a load that no single number describes.
 pub(super) fn amount_of(size: Option<(f64, &str)>, factor: f64, words: Words) -> String {
     match size {
         Some((size, unit)) => format!("{} {unit}", words.number(size * factor)),
@@ -256,7 +256,7 @@ pub(super) fn amount_of(size: Option<(f64, &str)>, factor: f64, words: Words) ->
 }
 
 impl FirstSlip {
-    /// The parts that leave, with a verb unless they slide: "left", "thumb opens".
+    /// The contacts, joints and tendons that stop sticking or give way, with a verb unless they slide: "left", "thumb opens".
     fn leaving_parts(&self) -> String {
         let mut names = mapped(&self.slide, &|part| part.text().into_owned());
         names.extend(mapped(&self.open, &|part| format!("{} {}", part.text(), opens(part.link))));
@@ -289,7 +289,7 @@ impl fmt::Display for FirstSlip {
 }
 
 impl<const C: usize> Lost<C> {
-    /// The event that ends the verdict: "it is lost", "it turns by more than 5.7°".
+    /// The event up to which the verdict counts the load: "it is lost", "it turns by more than 5.7°".
     fn until(&self) -> Cow<'static, str> {
         match &self.too_far {
             Some(far) if !self.is_gross_slip => far.to_string().into(),

@@ -1,4 +1,4 @@
-//! The unknowns that slips determine, with their errors.
+//! Estimates of unknown data of a grasp (friction, squeeze, forces, stiffness) from observed slips, with their errors.
 
 use super::combination::FreeCombination;
 use super::unknown::UnknownKind;
@@ -7,7 +7,7 @@ use crate::prelude::*;
 use crate::serial::AsComputed;
 use crate::sweep::Uncertainty;
 
-/// The unknowns that observed slips of a grasp determine; [`Display`](std::fmt::Display) states them in a sentence.
+/// The unknown data of a grasp that observed slips determine; its [`Display`](std::fmt::Display) is a sentence.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -15,7 +15,7 @@ use crate::sweep::Uncertainty;
 pub struct Identified {
     /// The unknowns, in the order of the question.
     pub estimates: Vec<Estimate>,
-    /// How the search ended.
+    /// How the search for the unknowns ended.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub ending: Ending,
     /// Number of slips from which the unknowns are estimated.
@@ -26,17 +26,17 @@ pub struct Identified {
     /// The estimated relative scatter of loads or angles. `None` if it was given, or if there are as many unknowns as slips.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub scatter: Option<f64>,
-    /// Root mean square of the residuals over the given scatter; `None` if it was not given. If it is much more than one, the model is wrong, or
-    /// the given scatter too small.
+    /// Root mean square of the residuals over the given scatter; `None` if the scatter was not given. If it is much more than one, the model is
+    /// wrong, or the given scatter too small.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub misfit: Option<f64>,
-    /// Number of slips and of known sums, less the number of combinations that they determine.
+    /// Number of observations (slips and known sums) minus the number of independent combinations of unknowns that they determine.
     pub degrees_of_freedom: usize,
     /// Combinations of unknowns that the slips do not determine.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free: Vec<FreeCombination>,
     /// If several assignments of slips to unknowns fit equally well, the estimates of each, the best first. Assignments differ in which contact slips
-    /// first. Empty if only one fits.
+    /// first. Empty if only one assignment fits.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub assignments: Vec<Vec<Estimate>>,
     /// Logarithm of the observed over the predicted load or angle, slip by slip; empty if the model does not predict some slip.
@@ -47,7 +47,7 @@ pub struct Identified {
     pub weights: Vec<f64>,
     /// Number of slips whose derivatives are differences of exact answers instead of exact derivatives.
     pub by_differences: usize,
-    /// Steps of the search.
+    /// Number of steps of the search.
     pub iterations: usize,
 }
 
@@ -72,13 +72,13 @@ pub struct Estimate {
     /// The confidence interval of 95 %; `None` without a standard error.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub interval: Option<[f64; 2]>,
-    /// The degrees of freedom of Student's distribution in the interval; `None` if the distribution is normal, or if there is no interval. With
-    /// groups of slips they are those that the groups leave for this unknown; few of them make the interval wide.
+    /// The degrees of freedom of Student's distribution in the interval; `None` if the distribution is normal, or if there is no interval. If slips
+    /// share errors in groups, they count the groups rather than the slips; few degrees of freedom make the interval wide.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub degrees_of_freedom: Option<f64>,
 }
 
-/// How the search ended.
+/// How the search for the unknowns ended.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -88,7 +88,7 @@ pub struct Estimate {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Ending {
-    /// No point nearby fits the slips better.
+    /// No point nearby fits the slips better than the estimates.
     Converged,
     /// The limit of steps was reached before convergence, so the estimates are not final.
     NotConverged {
@@ -97,7 +97,7 @@ pub enum Ending {
     },
     /// The model does not predict a slip at the start of the search, or where the search had to stop.
     NotPredicted {
-        /// The slip, from 0.
+        /// The number of the slip, from 0.
         slip: usize,
         /// The reason why the model predicts no slip.
         says: String,
@@ -123,8 +123,9 @@ impl Identified {
         self.of(kind).filter_map(part).fold(0.0, f64::max)
     }
 
-    /// The standard errors as uncertainty of the grasp, for [`Grasp::reserve`](crate::ask::Grasp::reserve) and similar methods. For friction, squeeze
-    /// and stiffness it has the largest relative error of all such unknowns. Carried forces count as squeeze. The seed is that of the samples.
+    /// The standard errors as an [`Uncertainty`] of the grasp, for [`Grasp::reserve`](crate::ask::Grasp::reserve) and similar methods. The relative
+    /// errors of friction, squeeze and stiffness are the largest among all unknowns of that kind. Carried forces count as squeeze. `seed` is the seed
+    /// of the samples.
     #[must_use]
     pub fn uncertainty(&self, seed: u64) -> Uncertainty {
         let sigma = |kind| {

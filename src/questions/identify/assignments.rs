@@ -1,4 +1,4 @@
-//! Searches for fits in which other contacts slip first.
+//! Searches for further fits of the unknowns to the observed slips, in which other contacts slip first.
 //!
 //! Where several contacts may slip first, the predicted load of a slip has a kink in the unknowns: on each side it depends on the data of one contact
 //! alone. A search from one side usually ends there. An assignment says on which unknowns each slip depends. To find others, two unknowns exchange
@@ -23,12 +23,13 @@ const MOST_PAIRS: usize = 10;
 const MOST_HALVINGS: u8 = 5;
 /// Between two points at which slips depend on different unknowns, at most this many bisections look for a third assignment.
 const MOST_BISECTIONS: usize = 4;
-/// Limits of the work: fits that are compared, and points at which all slips are predicted to look for other assignments.
+/// Limits of the work: the number of fits that are compared, and the number of points at which all slips are predicted in order to find other
+/// assignments.
 const MOST_FITS: usize = 12;
 const MOST_LOOKS: usize = 240;
 
-/// At equal friction, say, two contacts slip at once and predictions have a kink, without derivatives. To look beside it, one logarithm is changed by
-/// this step.
+/// At equal friction, for example, two contacts slip at once. The predictions then have a kink and no derivatives. To evaluate them beside the kink,
+/// the logarithm of one unknown is changed by this step.
 const BESIDE_A_KINK: f64 = 1e-3;
 
 /// The search for other assignments. Each fit that is found is a starting point for further exchanges.
@@ -39,8 +40,8 @@ struct Assignments<'a> {
 }
 
 impl Assignments<'_> {
-    /// The predictions of all slips at these logarithms of the unknowns. `None` where the model does not predict some slip, or at a limit of the
-    /// work.
+    /// The predictions of all slips at these logarithms of the unknowns. `None` if the model does not predict some slip, or a limit of the work is
+    /// reached.
     fn evaluate(&mut self, logs: &[f64]) -> Result<Option<Linear>, Error> {
         if self.looks == MOST_LOOKS || self.fits.len() == MOST_FITS {
             return Ok(None);
@@ -53,7 +54,7 @@ impl Assignments<'_> {
         self.fits.iter().any(|fit| fit.linear.as_ref().is_some_and(|known| same_assignment(known, linear)))
     }
 
-    /// Starts a fit at this point if its assignment is new. Returns whether it is.
+    /// Starts a fit at this point if its assignment is new. Returns whether the assignment is new.
     fn fit(&mut self, begin: Vec<f64>, linear: Linear) -> Result<bool, Error> {
         if self.is_known(&linear) {
             return Ok(false);
@@ -125,7 +126,7 @@ pub(super) fn assigned(model: &Model<'_>, first: Fitted) -> Result<Identified, E
     let (best, others) = fits.split_at(1);
     let mut as_good: Vec<&Fitted> = vec![&best[0]];
     as_good.extend(others.iter().filter(|other| !fits_better(model, &best[0], other)));
-    // A fit at which two contacts slip at once lies on the kink between two assignments. It is left out if others fit as well.
+    // A fit at which two contacts slip at once lies on the kink between two assignments. Such a fit is left out if others fit as well.
     let mut beside: Vec<&Fitted> = Vec::new();
     for fit in &as_good {
         let mut is_on_a_kink = false;
@@ -175,8 +176,9 @@ fn pairs_of(model: &Model<'_>) -> Vec<(usize, usize)> {
     pairs
 }
 
-/// Pairs of unknowns whose exchange may lead to another assignment. Of such a pair some slip depends on one unknown alone, and none on both, since
-/// that would tell them apart (unless the slips leave some unknown undetermined). Or the fit ended on the kink between the two.
+/// Pairs of unknowns whose exchange may lead to another assignment. For such a pair, some slip depends on one unknown alone. No slip depends on both,
+/// since such a slip would distinguish the two unknowns (unless the slips leave some unknown undetermined). Or the fit ended on the kink between the
+/// two.
 fn pairs(model: &Model<'_>, fit: &Fitted) -> Result<Vec<(usize, usize)>, Error> {
     let mut pairs = Vec::new();
     let Some(linear) = fit.linear.as_ref().filter(|_| matches!(fit.end, FitEnd::Converged)) else {
@@ -195,8 +197,8 @@ fn pairs(model: &Model<'_>, fit: &Fitted) -> Result<Vec<(usize, usize)>, Error> 
     Ok(pairs)
 }
 
-/// Whether the fit is on a kink between two equal unknowns. There a slip depends on both, by the mean of one-sided derivatives; beside the kink it
-/// depends on one of them.
+/// Whether the fit is on a kink between two equal unknowns. At the kink a slip depends on both unknowns, by the mean of one-sided derivatives; beside
+/// the kink it depends on one of them.
 fn is_on_the_kink(model: &Model<'_>, fit: &Fitted, i: usize, j: usize) -> Result<bool, Error> {
     let Some(linear) = &fit.linear else { return Ok(false) };
     let on_both = |row: usize| depends(&linear.jacobian, row, i) && depends(&linear.jacobian, row, j);
@@ -208,12 +210,12 @@ fn is_on_the_kink(model: &Model<'_>, fit: &Fitted, i: usize, j: usize) -> Result
     Ok(!model.linear(&beside)?.is_ok_and(|beside| same_assignment(linear, &beside)))
 }
 
-/// Whether a slip depends on an unknown.
+/// Whether the predicted slip in this row depends on an unknown.
 fn depends(jacobian: &DMatrix<f64>, row: usize, unknown: usize) -> bool {
     jacobian[(row, unknown)].abs() > INDISTINCT * jacobian.row(row).amax()
 }
 
-/// Whether each slip depends on the same unknowns in both.
+/// Whether each slip depends on the same unknowns at both points.
 fn same_assignment(one: &Linear, other: &Linear) -> bool {
     (0..one.jacobian.nrows()).all(|row| depends_alike(one, other, row))
 }
@@ -222,8 +224,8 @@ fn depends_alike(one: &Linear, other: &Linear, row: usize) -> bool {
     (0..one.jacobian.ncols()).all(|j| depends(&one.jacobian, row, j) == depends(&other.jacobian, row, j))
 }
 
-/// Whether, between both points, at least two slips with different derivatives come to depend on other unknowns. Each may change at its own point in
-/// between.
+/// Whether, between two points, at least two slips with different derivatives come to depend on other unknowns. Each of these slips may change at its
+/// own point in between.
 fn changes_in_steps(one: &Linear, other: &Linear) -> bool {
     let mut rows = (0..one.jacobian.nrows()).filter(|row| !depends_alike(one, other, *row));
     let Some(first) = rows.next() else { return false };
@@ -232,7 +234,7 @@ fn changes_in_steps(one: &Linear, other: &Linear) -> bool {
     rows.any(|row| is_of_another_kind(one, row) || is_of_another_kind(other, row))
 }
 
-/// Whether a fit has a smaller loss than another by more than the scatter of slips explains, at 95 %.
+/// Whether a fit has a smaller loss than another fit by more than the scatter of slips explains, at 95 %.
 fn fits_better(model: &Model<'_>, one: &Fitted, other: &Fitted) -> bool {
     let (Some(here), Some(there)) = (&one.linear, &other.linear) else { return one.linear.is_some() };
     let degrees = here.residuals.len().saturating_sub(model.asked.unknowns.len()).max(1);
@@ -242,7 +244,7 @@ fn fits_better(model: &Model<'_>, one: &Fitted, other: &Fitted) -> bool {
     !is_exact && gain > 0.5 * two_sided(0.95, degrees).powi(2)
 }
 
-/// The answer, with the estimates of other fits that are as good. An unknown on which they disagree counts as not fixed.
+/// The answer, with the estimates of other fits that are as good. An unknown on which the fits disagree counts as not fixed.
 fn united(mut answer: Identified, others: &[Identified]) -> Identified {
     if others.is_empty() {
         return answer;

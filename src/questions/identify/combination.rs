@@ -8,8 +8,8 @@ use nalgebra::DMatrix;
 use crate::prelude::*;
 use crate::words::listed;
 
-/// Unknowns that may change together without changing any predicted slip. To first order they do if each is multiplied by a common factor to the
-/// power that [`powers`](Self::powers) has for it.
+/// Unknowns that may change together without changing any predicted slip. To first order this is so if each unknown is multiplied by a common factor
+/// to its power in [`powers`](Self::powers).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -25,7 +25,7 @@ pub struct FreeCombination {
 
 impl FreeCombination {
     /// Combinations with as few unknowns as possible. The columns of `free` span the directions, in the logarithms of the unknowns, along which no
-    /// predicted slip changes. `stays` says whether all predicted slips stay the same if each unknown is multiplied by its own factor.
+    /// predicted slip changes. `stays` returns whether all predicted slips stay the same if each unknown is multiplied by its own factor.
     pub(super) fn among(
         mut free: DMatrix<f64>,
         (names, values): (&[String], &[f64]),
@@ -56,8 +56,8 @@ impl FreeCombination {
                 (x.abs() > NO_COMPONENT * largest).then(|| (names[j].clone(), x / largest))
             };
             let (unknowns, powers): (Vec<_>, Vec<_>) = direction.iter().enumerate().filter_map(part).unzip();
-            // Unknowns are changed along the combination by up to 0.3 in their logarithms. That is enough to tell whether slips determine their
-            // product or their sum.
+            // Unknowns are changed along the combination by up to 0.3 in their logarithms. Such a change is large enough to distinguish a constant
+            // product from a constant sum.
             let along = direction.iter().map(|x| 0.3 * x / largest);
             let [powered, added]: [Vec<f64>; 2] =
                 [along.clone().map(f64::exp).list(), along.map(|x| 1.0 + x).list()];
@@ -78,12 +78,12 @@ impl FreeCombination {
     }
 }
 
-/// What the slips determine of unknowns that they do not determine one by one.
+/// The function of several unknowns that the slips determine, although they do not determine the unknowns one by one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Law {
-    /// Their product or ratio, for changes of any size.
+    /// The product or ratio of the unknowns, for changes of any size.
     Powers,
-    /// Their sum.
+    /// The sum of the unknowns.
     Sum,
     /// Some other function, known only by its first derivatives.
     Nearby,

@@ -1,4 +1,4 @@
-//! Conversion of the question between the engine's three components and the `C` components of callers.
+//! Conversion of the identification question between the engine's three components and the `C` components of callers.
 
 use super::question::{Identify, KnownSum, Others};
 use super::slip::{Slip, SlipKind};

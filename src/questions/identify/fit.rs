@@ -10,7 +10,7 @@ use crate::error::Error;
 use crate::numerics::{IntoList, Singular, mapped, matrix_of, vector_of};
 use crate::prelude::*;
 
-/// The end of a search for the unknowns with the least loss.
+/// The result of a search for the unknowns with the least loss.
 pub(super) struct Fitted {
     pub(super) logs: Vec<f64>,
     pub(super) linear: Option<Linear>,
@@ -24,13 +24,13 @@ pub(super) struct Fitted {
 pub(super) enum FitEnd {
     Converged,
     Limit,
-    /// The model does not predict this slip, either at the start of the search or just beside the point where it stopped.
+    /// The model does not predict this slip, either at the start of the search or just beside the point where the search stopped.
     NoSlip(usize, NoSlip),
 }
 
 /// Relative standard deviations of the observations.
 pub(super) struct Scatter {
-    /// One number for each slip, then one for each known sum.
+    /// One standard deviation for each slip, then one for each known sum.
     pub(super) rows: Vec<f64>,
     /// The common standard deviation of all slips, if it is estimated.
     pub(super) estimated: Option<f64>,
@@ -41,7 +41,7 @@ impl Model<'_> {
         Huber(self.asked.outliers())
     }
 
-    /// Relative standard deviations of the observations. Those of slips are given, or one for all is estimated from the residuals.
+    /// Relative standard deviations of the observations. For slips, the given ones are used, or one for all slips is estimated from the residuals.
     pub(super) fn scatter(&self, residuals: &[f64], rank: usize) -> Scatter {
         let (slips, known) = (&self.asked.slips, &self.asked.known);
         let given: Option<Vec<f64>> = slips.iter().map(|slip| slip.scatter).collect();
@@ -71,9 +71,9 @@ impl Model<'_> {
 /// Logarithms of the unknowns, and the model's prediction of all slips with these unknowns. The error is the first slip that is not predicted.
 type Begun = (Vec<f64>, Result<Linear, (usize, NoSlip)>);
 
-/// The first point at which the model predicts all slips: the given values, or these with all friction multiplied by a common factor. The factor is
-/// halved if the object holds too well and doubled if it holds too little. Once both have occurred, its logarithm is bisected. If no friction is
-/// unknown, squeezes and carried loads are multiplied instead.
+/// The first point at which the model predicts all slips: the given values of the unknowns, or these values with all friction multiplied by a common
+/// factor. The factor is halved if the object holds however far the load goes, and doubled if the object is lost before the load grows. Once both
+/// have occurred, its logarithm is bisected. If no friction is unknown, squeezes and carried loads are multiplied instead.
 fn begun(model: &Model<'_>) -> Result<Begun, Error> {
     let unknowns = &model.asked.unknowns;
     let begin: Vec<f64> = mapped(unknowns, &|unknown| unknown.begins_at(model.layouts).ln());
@@ -86,7 +86,7 @@ fn begun(model: &Model<'_>) -> Result<Begun, Error> {
         UnknownKind::Stiffness => false,
     };
     let (mut too_little, mut too_much, mut by) = (None, None, 0.0);
-    // Twelve further trials reach factors down to 1/4096 if the object holds too well at all of them, or up to 4096 if too little.
+    // Twelve further trials reach factors down to 1/4096 if the object always holds too well, or up to 4096 if it always holds too little.
     for _ in 0..12 {
         match why {
             NoSlip::HoldsTooWell(_) => too_much = Some(by),
@@ -109,7 +109,7 @@ fn begun(model: &Model<'_>) -> Result<Begun, Error> {
     Ok((begin, first))
 }
 
-/// The logarithms with the least loss, by a search from the given values.
+/// The logarithms of the unknowns with the least loss, a robust sum of squared residuals, by a search from the given values.
 pub(super) fn fitted(model: &Model<'_>) -> Result<Fitted, Error> {
     let (begin, linear) = begun(model)?;
     match linear {
@@ -125,7 +125,7 @@ impl Fitted {
     }
 }
 
-/// The logarithms with the least loss, by a search from logarithms at which all slips are predicted.
+/// The logarithms of the unknowns with the least loss, by a search from logarithms at which the model predicts all slips.
 pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, mut linear: Linear) -> Result<Fitted, Error> {
     let mut fit = Fitted::from(begin, FitEnd::Limit);
     // Levenberg's damping, relative to the largest singular value squared.
@@ -159,7 +159,8 @@ pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, mut linear: Linear
                 Ok(linear) if model.loss(&linear.residuals, &fit.scatter) < loss => {
                     break Some((stepped, linear));
                 }
-                // Damping grows, so trial steps become shorter. Only the last and shortest tells whether predictions end right here.
+                // Damping grows, so trial steps become shorter. Only the last and shortest one shows whether the region with predictions ends at this
+                // point.
                 Ok(_) => unseen = None,
                 Err(none) => unseen = Some(none),
             }
@@ -173,19 +174,19 @@ pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, mut linear: Linear
         (fit.logs, linear) = (stepped, better);
         damping = (damping * 0.1).max(f64::EPSILON);
     }
-    // Errors are reported only if the model predicts all slips at the end.
+    // Derivatives, and with them errors, are kept only if the model predicts all slips at the end.
     fit.linear = Some(linear).filter(|_| !matches!(fit.end, FitEnd::NoSlip(..)));
     Ok(fit)
 }
 
-/// Number of combinations of unknowns that the slips determine.
+/// Number of independent combinations of unknowns that the slips determine.
 pub(super) fn rank(linear: &Linear) -> usize {
     let (values, ..) = singular(&linear.jacobian, &linear.residuals, &vec![1.0; linear.residuals.len()]);
     let most = values.iter().copied().fold(0.0, f64::max);
     values.iter().filter(|value| **value > INDISTINCT * most).count()
 }
 
-/// The linearised least-squares problem at one point, by its singular values; it gives damped steps.
+/// The linearised least-squares problem at one point, decomposed into singular values, which gives damped steps.
 struct Steps {
     /// Singular values of the weighted derivatives, and their right singular vectors as columns.
     values: Vec<f64>,
@@ -214,7 +215,7 @@ impl Steps {
         step
     }
 
-    /// How much the linearised problem promises that a step decreases the loss.
+    /// The decrease of the loss by a step, as predicted by the linearised problem.
     fn promise(&self, step: &DVector<f64>) -> f64 {
         let part = |(k, value): (usize, &f64)| {
             let component = value * self.directions.column(k).dot(&step.column(0));
@@ -224,7 +225,7 @@ impl Steps {
     }
 }
 
-/// Of the matrix of weighted derivatives, the singular values, the right singular vectors as columns, and the components of the weighted residuals
+/// The singular values of the matrix of weighted derivatives, its right singular vectors as columns, and the components of the weighted residuals
 /// along the left singular vectors. There are as many of each as unknowns.
 pub(super) fn singular(
     jacobian: &DMatrix<f64>,

@@ -18,7 +18,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{IntoList, mapped, paired, summed, symmetric_eigen};
 use crate::prelude::*;
 
-/// The groups of slips, with what each contributes to the solution and to its error.
+/// The groups of slips, with the contribution of each group to the solution and to its error.
 pub(super) struct Grouped {
     groups: Vec<Group>,
     /// Information matrix of the known sums, which belong to no group.
@@ -27,25 +27,25 @@ pub(super) struct Grouped {
 
 /// One group of slips.
 struct Group {
-    /// The information matrix of the group, Q.
+    /// The information matrix Q of the group.
     tells: DMatrix<f64>,
     /// The matrix (1 - Q)^(-1/2), which corrects for the influence of the group's own residuals on the solution.
     made_up: DMatrix<f64>,
-    /// The contribution of the group to the solution, w.
+    /// The contribution w of the group to the solution.
     moves: DVector<f64>,
 }
 
-/// The error of an unknown.
+/// The error of the estimate of one unknown.
 pub(super) struct GroupedError {
-    /// Variance of its logarithm.
+    /// Variance of the logarithm of the unknown.
     pub(super) variance: f64,
-    /// Degrees of freedom of that variance.
+    /// Degrees of freedom of the variance.
     pub(super) degrees: f64,
 }
 
 impl Grouped {
-    /// Computes the contribution of each group from the derivatives of slips and known sums (`rows`, in the basis of the formulas above) and their
-    /// residuals. Rows of slips come first, one for each entry of `groups`.
+    /// Computes the contribution of each group from the derivatives of slips and known sums (`rows`, in a basis of the unknowns in which all rows
+    /// together have orthonormal columns) and their residuals. Rows of slips come first, one for each entry of `groups`.
     pub(super) fn of(rows: &DMatrix<f64>, residuals: &[f64], groups: &[usize]) -> Self {
         let mut names = groups.to_vec();
         names.sort_unstable();
@@ -77,7 +77,7 @@ impl Grouped {
         let variance = sure + summed(&self.groups, &|group| group.moves.dot(unknown).powi(2));
         let made_up: Vec<_> = mapped(&self.groups, &|group| &group.made_up * unknown);
         let sums: Vec<_> = paired(&self.groups, &made_up, &|(group, a)| &group.tells * a);
-        // Covariances of the groups' contributions to the unknown if all rows were independent.
+        // Covariances of the groups' contributions to the unknown if all rows of derivatives were independent.
         let covariance = |g: usize, h: usize| {
             let own = if g == h { made_up[g].dot(&sums[g]) } else { 0.0 };
             own - sums[g].dot(&sums[h])
@@ -89,13 +89,15 @@ impl Grouped {
                 squares += covariance(g, h).powi(2);
             }
         }
-        // Directions that one group alone determines have no known error. If they have more than 1 % of the variance, the unknown has none either.
+        // Directions that one group alone determines have no known error. If they contribute more than 1 % of the variance, the unknown has no known
+        // error.
         let is_seen = expected >= (1.0 - 1e-2) * unknown.norm_squared();
         is_seen.then(|| GroupedError { variance, degrees: expected * expected / squares })
     }
 }
 
-/// (1 - Q)^(-1/2), with zero instead of infinity along directions that this group alone determines.
+/// The matrix (1 - Q)^(-1/2) for the information matrix Q of a group, with zero instead of infinity along directions that this group alone
+/// determines.
 fn inverse_root_of_rest(tells: &DMatrix<f64>) -> DMatrix<f64> {
     let (values, vectors) = symmetric_eigen(tells);
     let root = |part: &f64| {
@@ -110,7 +112,7 @@ fn inverse_root_of_rest(tells: &DMatrix<f64>) -> DMatrix<f64> {
 mod tests {
     use super::*;
 
-    /// The same rows in a basis of the unknowns with `Σ U'U = 1`: its columns are orthonormal.
+    /// The same rows in a basis of the unknowns in which their columns are orthonormal.
     fn in_directions(rows: &DMatrix<f64>) -> DMatrix<f64> {
         rows.clone().qr().q()
     }
@@ -132,8 +134,9 @@ mod tests {
         assert!((found.degrees - 3.0).abs() < 1e-12, "{}", found.degrees);
     }
 
-    /// A straight line through three uneven groups. The result is compared with the definition by matrices of the size of all slips:
-    /// `V = B X_g'A_g e e'A_g X_g B`, `A_g = (1 - H)_gg^(-1/2)`, with Satterthwaite's degrees of freedom from the whole of `(1 - H)`.
+    /// A straight line through three uneven groups. The result is compared with the definition by matrices of the size of all slips,
+    /// `V = B Σ X_g'A_g e_g e_g'A_g X_g B`. X_g are the rows of the design matrix for group g, e_g its residuals, B the covariance of the unknowns, H
+    /// the hat matrix and `A_g = (1 - H)_gg^(-1/2)`, with Satterthwaite's degrees of freedom from the whole of `(1 - H)`.
     #[test]
     fn a_line_by_its_definition() {
         let groups = [0, 0, 0, 1, 1, 2, 2, 2, 2];

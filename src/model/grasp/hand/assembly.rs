@@ -75,7 +75,7 @@ impl Hand<3> {
 }
 
 impl Assembly {
-    /// Chooses the reference length of each joint displacement, a power of two near the largest displacement of a contact per unit of the joint.
+    /// Chooses a reference length for each joint displacement: a power of two near the largest displacement of a contact per unit of that joint.
     /// Scaling by a power of two causes no rounding.
     fn measure(&mut self) -> Result<(), Error> {
         for k in 0..self.used {
@@ -255,7 +255,7 @@ impl Assembly {
         }
     }
 
-    /// Makes the engine of the grasp from the collected parts.
+    /// Makes the grasp, as an [`Engine`], from the contacts, joints and drives that were collected.
     fn grasp(
         self,
         tendons: Vec<Named>,

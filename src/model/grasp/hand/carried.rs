@@ -41,7 +41,8 @@ impl Assembly {
                 ContactMover::Link(link) => self.on_link(*link, finger, (&contact, index), first)?,
             };
             columns.extend(self.on_slide(finger, (&contact, index), &frame)?);
-            // The part V of the compliance matrix, which couples the contacts, gets coordinates that belong to no joint.
+            // The compliance matrix is C = D + V Vᵀ with a diagonal D. Each column of V, which couples the contacts, gets a coordinate that belongs
+            // to no joint.
             for (k, column) in own.iter().enumerate() {
                 let along = of_axes(axes, |a| column[axes * place + a]);
                 columns.push((self.used + k, frame * along));
@@ -88,7 +89,8 @@ impl Assembly {
         Ok(columns)
     }
 
-    /// Adds to the commands of contacts with a shared compliance the displacement by which that compliance yields to the forces of `pressed_with`.
+    /// Adds to the commands of contacts with a shared compliance the displacement of that compliance under the pressing forces of
+    /// `Contact::pressed_with`.
     fn press_on_compliance(&mut self, finger: &Finger<3>, own: &[DVector<f64>]) {
         let (axes, first) = (self.space.axes(), self.contacts.len() - finger.contacts.len());
         for column in own {
@@ -104,7 +106,8 @@ impl Assembly {
         }
     }
 
-    /// Joint commands with which the contacts press with the forces of `pressed_with`: `K⁻¹ Σ Jᵀ F`.
+    /// Joint commands under which the contacts press with the forces F of `Contact::pressed_with`: `K⁻¹ Σ Jᵀ F`, with the joint stiffness K and the
+    /// Jacobians J of the contacts.
     pub(super) fn pressed(&self, fingers: &[Finger<3>]) -> Result<Vec<f64>, Error> {
         let mut torques = vec![0.0; self.joints.len()];
         for (motions, (_, force)) in self.motions.iter().zip(&self.presses) {
@@ -138,7 +141,7 @@ impl Assembly {
     }
 }
 
-/// Columns of a contact's motion from a Jacobian that the user gave.
+/// Displacements of a contact per unit of each joint of its finger, from a Jacobian that the user gave.
 fn given(
     matrix: &DMatrix<f64>,
     (finger, first): (&Finger<3>, usize),

@@ -16,7 +16,7 @@ use super::positive::{NotPositive, checked, least_eigenvalue, squares};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::prelude::*;
 
-/// Returns the diagonal of D, m/N, and the columns of V.
+/// Splits a compliance matrix as `D + V Vᵀ`, and returns the diagonal of D, m/N, and the columns of V. `size` is the required number of rows.
 pub(super) fn split(
     compliance: &DMatrix<f64>,
     size: usize,
@@ -29,7 +29,7 @@ pub(super) fn split(
     let root = whole.map(f64::sqrt);
     let scaled = matrix_of(size, size, &|i, j| compliance[(i, j)] / (root[i] * root[j]));
     let least = least_eigenvalue(&scaled);
-    // A least eigenvalue below this limit, after scaling to unit diagonal, is zero up to rounding. The contacts would then be rigid along some
+    // A least eigenvalue up to this limit, after scaling to unit diagonal, is zero up to rounding. The contacts would then be rigid along some
     // direction.
     if least <= SOLVED_ROUNDING {
         return Err(NotPositive::Eigenvalue(least_eigenvalue(compliance)));

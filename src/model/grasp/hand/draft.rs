@@ -12,8 +12,8 @@ use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::words::printable;
 
-/// Motion of one contact: pairs of a coordinate's index, counted after the object's coordinates, and of the contact's displacement per unit of it,
-/// along the coordinate axes.
+/// Motion of one contact: pairs of a coordinate's index, counted after the object's coordinates, and the displacement of the contact per unit of this
+/// coordinate, along the coordinate axes.
 pub(in crate::model::grasp) type Columns = Vec<(usize, SVector<f64, 3>)>;
 
 /// The parts of a grasp while it is assembled.
@@ -30,7 +30,7 @@ pub(in crate::model::grasp) struct Assembly {
     pub(super) drives: Vec<Drive>,
     pub(in crate::model::grasp) held_forces: Vector,
     pub(super) bones: Vec<[SVector<f64, 3>; 2]>,
-    /// For each contact the force of `pressed_with`, N: its magnitude, and its vector along the coordinate axes.
+    /// For each contact the pressing force of `Contact::pressed_with`, N: its magnitude, and its vector along the coordinate axes.
     pub(super) presses: Vec<(f64, SVector<f64, 3>)>,
 }
 

@@ -9,7 +9,7 @@ use crate::numerics::Space;
 use crate::numerics::{Size, Vector};
 use crate::prelude::*;
 
-/// The part to which a drive belongs.
+/// The part of the hand to which a drive belongs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Owner {
     /// The joint with this index.
@@ -49,7 +49,7 @@ pub(crate) struct Drive {
     pub(super) unit: f64,
     /// Index of each command that stretches the drive, and stretch per unit of the command.
     pub(super) commands: Vec<(usize, f64)>,
-    /// Stretch if all commands are zero.
+    /// Stretch of the drive's spring if all commands are zero.
     pub(super) rest: f64,
 }
 
@@ -88,7 +88,7 @@ impl Drive {
         if !slips {
             return site;
         }
-        // The square has its corners on the tangents, where |F_t| = μ F_n: the drive slips exactly at its bound.
+        // The friction cone is replaced by a square with corners on the tangents, where |F_t| = μ F_n. The drive thus slips exactly at its bound.
         let square = || alloc::sync::Arc::new(Polygon::new(space, &PolygonCone::square()));
         (site.friction, site.polygon) = (Coulomb::new(1.0), (space == Space::Spatial).then(square));
         site
@@ -104,7 +104,7 @@ impl Drive {
         stretch
     }
 
-    /// Change of the drive's stretch for a change of the commands.
+    /// Change of the stretch of the drive's spring for a change of the commands.
     pub(super) fn change(&self, commands: &[f64]) -> SVector<f64, 3> {
         let mut stretch = SVector::zeros();
         stretch[self.axis()] = self.commands.iter().map(|&(k, weight)| weight * commands[k]).sum();
@@ -135,7 +135,8 @@ impl Drive {
     /// Derivative of the drive's force with respect to the stiffness of its joint or tendon, N m/rad or N/m, at constant stretch.
     pub(crate) fn by_stiffness(&self, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         let mut more = SVector::zeros();
-        // The spring of either half carries its bound when the drive is unloaded, so the elastic force is the difference from it.
+        // In an unloaded drive, the spring of the upper half carries the upper bound and that of the lower half the lower bound. The elastic force is
+        // the difference of `force` from this bound.
         let elastic = match self.role {
             Role::EndsAbove => force[0] - self.bound,
             Role::EndsBelow => force[0] - self.rest * self.stiffness,
@@ -187,7 +188,7 @@ impl Drive {
 
     /// Displacement of the joint or tendon, or change of its command, for a displacement of the drive.
     pub(crate) fn displacement(&self, along: f64) -> f64 {
-        // The work, force times displacement, is the same in both units.
+        // The work, force times displacement, is the same for the drive as for its joint or tendon.
         along / self.unit
     }
 }

@@ -12,7 +12,7 @@ use crate::prelude::*;
 pub(super) enum ContactMover {
     /// The contact is on the link behind this number of joints, and only these joints of the finger move it.
     Link(usize),
-    /// This Jacobian, along the coordinate axes, gives the motion.
+    /// This Jacobian, along the coordinate axes, gives the motion of the contact.
     World(DMatrix<f64>),
 }
 
@@ -106,7 +106,7 @@ impl<const C: usize> Finger<C> {
         self.contact_on(all, contact)
     }
 
-    /// Adds a contact on another link. The first `joints` of the joints move it; 0 stands for the palm.
+    /// Adds a contact on another link. The first `joints` of the joints move it; With 0 the contact is on the palm.
     pub fn contact_on(mut self, joints: usize, contact: Contact<C>) -> Self {
         self.contacts.push(Carried { contact, by: ContactMover::Link(joints) });
         self

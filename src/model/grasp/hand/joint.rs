@@ -14,7 +14,7 @@ pub(crate) enum JointMotion<const C: usize> {
     Revolute { point: SVector<f64, C>, axis: SVector<f64, C> },
     /// A translation along a direction.
     Prismatic { direction: SVector<f64, C> },
-    /// Known only through the Jacobians of the contacts.
+    /// A motion that is known only through the Jacobians of the contacts.
     Given,
 }
 
@@ -28,7 +28,7 @@ pub enum JointKind {
     Turns,
     /// Translation: m and N.
     Slides,
-    /// Known only through the Jacobians of the contacts, in their units.
+    /// A motion known only through the Jacobians of the contacts, in the units of these Jacobians.
     #[default]
     Given,
 }
@@ -135,8 +135,8 @@ impl<const C: usize> Joint<C> {
         self
     }
 
-    /// Sets a constant torque on the joint along φ, N m (for a prismatic joint a force, N). Examples are a finger under force control and the
-    /// weight of a link.
+    /// Sets a constant torque on the joint, positive along its displacement φ, N m (for a prismatic joint a force, N). Examples are a finger under
+    /// force control and the weight of a link.
     pub fn torque(mut self, torque: f64) -> Self {
         self.torque = torque;
         self

@@ -52,7 +52,7 @@ pub(crate) struct Named {
 }
 
 impl Named {
-    /// Multiplies the constant torque or tension by `factor`, and adds the change to the generalised forces.
+    /// Multiplies the constant torque or tension by `factor`, and adjusts the generalised forces `held_forces` to it.
     fn hold(&mut self, factor: f64, held_forces: &mut Vector) {
         *held_forces += &self.along * ((factor - 1.0) * self.held_torque);
         self.held_torque *= factor;
@@ -137,8 +137,8 @@ impl Linkage {
         }
     }
 
-    /// Multiplies the command and the constant torque or tension of the joint or tendon with this name by `factor`. Returns whether there is one that
-    /// presses.
+    /// Multiplies the command and the constant torque or tension of the joint or tendon with this name by `factor`. Returns whether such a joint or
+    /// tendon exists and has a nonzero command, torque or tension.
     pub(crate) fn scale_named(&mut self, name: &str, factor: f64) -> bool {
         let mut presses = false;
         for (part, command) in self.joints.iter_mut().chain(&mut self.tendons).zip(&mut self.commands) {

@@ -16,7 +16,7 @@
 //! | τ | torque of the drives on a joint, positive along φ | N m, N |
 //! | τ_ext | external torque on the joints, appended to the wrench of a load | N m, N |
 //!
-//! The contact law stays the same: a drive is one more spring of a single axis, whose map has entries only for joints.
+//! The contact law stays the same: a drive is one more spring of a single axis, whose grasp map has entries only for joints.
 
 mod assembly;
 mod carried;
