@@ -36,8 +36,8 @@ impl Huber {
         residuals.map(|u| self.pull(u).powi(2)).sum()
     }
 
-    /// The standard deviation of residuals with this number of degrees of freedom, by Huber's second proposal. Without a linear part it is that of
-    /// least squares.
+    /// The standard deviation of residuals with this number of degrees of freedom, by Huber's second proposal. Where the loss is quadratic for all
+    /// residuals, it is the standard deviation of least squares.
     pub(super) fn scale(self, residuals: &[f64], degrees: usize) -> f64 {
         let all = summed(residuals, &|r| r * r);
         let expected = degrees.max(1) as f64 * self.mean_square();

@@ -12,7 +12,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
 /// A curve in the plane or a surface in space that a contact may move along; the normal of the contact follows it. The normal that the contact is
-/// given with points into the object. The surface is checked when a question is asked.
+/// given with points into the object. [`Grasp::improve`](crate::ask::Grasp::improve) refuses an invalid surface.
 ///
 /// ```
 /// use grasp_lcp::improve::Surface;
@@ -176,7 +176,7 @@ impl<const C: usize> Surface<C> {
 }
 
 impl Shape {
-    /// Implements [`Surface::nearest`] in the engine, with three components.
+    /// [`Surface::nearest`] for the engine, whose vectors have three components, in the plane, too.
     fn nearest_to(&self, point: SVector<f64, 3>, normal: SVector<f64, 3>) -> Result<[[f64; 3]; 2], Error> {
         let refused = |what, value, allowed| Err(Error::Argument { what, value, allowed });
         if let Err(NoSurface { field, value, allowed }) = self.is_one() {
