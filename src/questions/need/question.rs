@@ -1,4 +1,4 @@
-//! The question for an amount: the sought quantity, the loads and the demand.
+//! A [`Need`]: the sought quantity, the loads and the demand.
 
 use alloc::collections::BTreeMap;
 
@@ -22,7 +22,7 @@ pub enum Demand {
     /// The object is held; contacts may slide. The answer adds the amount with which nothing slides.
     #[default]
     Held,
-    /// No contact slides or opens, and no drive gives way, while the load is put on.
+    /// No contact slides or opens, and no drive exceeds its limit, while the load is applied.
     Sticks,
     /// The object comes to rest while the loads are put on and taken off in turn, again and again; see [`Grasp::shake`](crate::ask::Grasp::shake).
     Rests,
@@ -37,7 +37,7 @@ impl Demand {
     }
 }
 
-/// A sought quantity with its loads, demand and safety. [`Grasp::need`](crate::ask::Grasp::need) checks the question.
+/// A sought quantity with its loads, demand and safety. [`Grasp::need`](crate::ask::Grasp::need) refuses invalid values.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -94,10 +94,10 @@ pub struct Need<const C: usize> {
     /// For the safe amount: relative reduction of the squeeze, from 0 to less than 1. The default is 0.05, or 0 if `safety` is given.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) squeeze_less: Option<f64>,
-    /// Number of amounts tried around the bound.
+    /// Number of amounts tried around the least or greatest sufficient amount.
     #[cfg_attr(feature = "serde", serde(skip, default = "default_scan"))]
     pub(super) scan: usize,
-    /// Number of digits in the sentences about insufficient amounts.
+    /// Format of numbers in the sentences about insufficient amounts.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) words: Words,
 }
@@ -344,14 +344,15 @@ impl<const C: usize> Need<C> {
         self
     }
 
-    /// This need with another number of digits in the sentences about insufficient amounts (default 6).
+    /// This need with another number format in the sentences about insufficient amounts (default: 6 digits).
     #[must_use]
     pub fn told_in(mut self, words: Words) -> Self {
         self.words = words;
         self
     }
 
-    /// This need with another number of amounts tried around the bound (default 6), which find further changes of verdict. With 0 there is no scan.
+    /// This need with another number of amounts tried around the bound (default 6), to find further changes between sufficient and insufficient. With
+    /// 0 there is no scan.
     #[must_use]
     pub fn with_scan(mut self, amounts: usize) -> Self {
         self.scan = amounts;
