@@ -26,7 +26,7 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         Self { centre: [zero; C], reach: zero, line: None, factors: LaneFactors::none() }
     }
 
-    /// Fills this value: the centroid and the factors for the grasps of a block.
+    /// Computes the centroid and the factorised stiffness matrix for the grasps of a block.
     #[inline(always)]
     pub(super) fn ready(&mut self, block: &Block<'_, C, X>) {
         let contacts = count(block.contacts);
@@ -69,7 +69,7 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         }
     }
 
-    /// Positive if some motion of the object stretches no spring.
+    /// For each lane, a positive number if some motion of the object stretches no spring.
     #[inline(always)]
     pub(super) fn free(&self) -> X {
         self.factors.free

@@ -17,7 +17,7 @@ pub(super) const OPENS_ONLY: f64 = -1.0;
 pub(super) const STAYS: f64 = 0.0;
 
 impl<X: Packed> StickingCone<X> {
-    /// The cone for a stored coefficient of friction, or for one of the two codes in its place.
+    /// The friction cone for a stored coefficient of friction, or for one of the two codes stored in its place.
     #[inline(always)]
     pub(super) fn of(friction: X) -> Self {
         let (zero, one) = (X::all(0.0), X::all(1.0));

@@ -8,12 +8,12 @@ use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 pub(super) struct LaneFactors<const R: usize, X: Packed> {
     /// L below the diagonal, and D⁻¹ on it. Where a pivot d vanishes up to rounding, zero stands for 1/d.
     pub(super) entries: [[X; R]; R],
-    /// Positive if some pivot vanishes up to rounding.
+    /// Positive if some pivot of the factorisation vanishes up to rounding.
     pub(super) free: X,
 }
 
 impl<const R: usize, X: Packed> LaneFactors<R, X> {
-    /// All zero.
+    /// Factors with all entries zero.
     pub(super) fn none() -> Self {
         Self { entries: [[X::all(0.0); R]; R], free: X::all(0.0) }
     }

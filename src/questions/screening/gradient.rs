@@ -26,7 +26,7 @@ use super::screened::Screened;
 use super::springs::Cause;
 use crate::numerics::Vectors;
 
-/// Asks for the derivatives of the load factor at which this pull makes a contact leave its cone.
+/// The question for the derivatives of the load factor at which this pull makes a contact leave its cone.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GradientOf<const C: usize> {
     pub(super) pull: Pull<C>,

@@ -88,7 +88,8 @@ pub(super) struct Pair<X: Packed> {
     v: [X; 2],
     one_over_give: X,
     one_over_square: X,
-    /// By how much the line is stretched for s = 1, `Σ p_i·C_i p_i⊥`, and how much of that the commands take up, `Σ p_i·a_i`; both in m times |p|.
+    /// The stretch of the line through both contacts for s = 1, `Σ p_i·C_i p_i⊥`, and the part of it that the commands take up, `Σ p_i·a_i`; both in
+    /// m times |p|.
     sheared: X,
     commanded: X,
     sizes: Sizes<X>,

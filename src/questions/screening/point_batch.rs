@@ -49,7 +49,7 @@ pub struct PointBatch<const C: usize> {
 }
 
 impl<const C: usize> PointBatch<C> {
-    /// An empty batch of grasps with this many points, with room for `grasps` of them.
+    /// An empty batch for grasps with this many points each, with memory for `grasps` grasps.
     #[must_use]
     pub fn with_capacity(points: usize, grasps: usize) -> Self {
         let blocks = grasps.div_ceil(LANES);
@@ -70,9 +70,9 @@ impl<const C: usize> PointBatch<C> {
         self.len == 0
     }
 
-    /// Appends a grasp, whose answers have the index at which it was appended. `false`, and nothing is appended, for contacts that are malformed, that
-    /// screening does not support (see [`Fingers::new`](super::Fingers::new)), or that are not as many as those before: [`Grasp`](crate::ask::Grasp)
-    /// answers them, or names the fault.
+    /// Appends a grasp. Its index in the batch is also that of its answers. Returns `false`, and appends nothing, if contacts are malformed or not
+    /// supported by screening (see [`Fingers::new`](super::Fingers::new)), or if their number differs from that of earlier grasps. For such contacts
+    /// use [`Grasp`](crate::ask::Grasp), which also names the fault.
     pub fn push(&mut self, contacts: &[Contact<C>]) -> bool {
         if contacts.len() != self.contacts || !(2..=MOST_POINTS).contains(&contacts.len()) {
             return false;

@@ -47,7 +47,8 @@ pub(super) struct Triangle<const C: usize, X: Packed> {
     /// The products `n_i·e_j` and, in the next field, `n_i·e_k` of the normal of contact i with the edges that end and begin there.
     ends: [X; N],
     begins: [X; N],
-    /// How the tangential compliances stretch the edges: `pushed` under equal unit forces along an edge, `turned` under forces `P_i = e_i`.
+    /// Contributions of the tangential compliances to the stretch of the edges: `pushed` under equal unit forces along an edge, `turned` under forces
+    /// `P_i = e_i`.
     pushed: [X; N],
     turned: [X; N],
     pub(super) factors: LaneFactors<N, X>,
@@ -173,7 +174,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         self.forces(block, &lambda, None, X::all(ON_THE_EDGE) * size, forces);
     }
 
-    /// By how much the edges are stretched if each contact moves by its entry of `way` along its normal.
+    /// The stretch of each edge if every contact moves along its normal, contact i by `way[i]`.
     #[inline(always)]
     fn along_normals(&self, way: &[X]) -> [X; N] {
         let mut given = [X::all(0.0); N];
@@ -184,7 +185,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         given
     }
 
-    /// Stores the forces of all contacts: those along the edges, plus the forces `borne`, which balance the load.
+    /// Stores the forces of all contacts: the sum of the forces along the edges and the forces `borne`, which balance the load.
     #[inline(always)]
     fn forces(
         &self,
