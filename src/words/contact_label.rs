@@ -27,7 +27,7 @@ pub struct ContactLabel {
 }
 
 impl ContactLabel {
-    /// Name in tables and pictures: the user's, safe to print, or "contact" and its number; then the point of a soft fingertip.
+    /// Name in tables and pictures: the name that the user gave, safe to print, or "contact" and its number; then the point of a soft fingertip.
     #[must_use]
     pub fn text(&self) -> String {
         let name = self.name.as_deref().map(|name| printable(name).into_owned());

@@ -119,7 +119,7 @@ impl Words {
         format!("({})", mapped(components, &clean).join(", "))
     }
 
-    /// The number, or zero if it is rounding beside `largest`.
+    /// The number, or zero if it is so small beside `largest` that it is due to rounding.
     #[must_use]
     pub fn beside(self, x: f64, largest: f64) -> f64 {
         // Components below this fraction of the largest are taken for rounding errors. With more than six digits the limit is stricter.

@@ -88,8 +88,8 @@ pub(super) struct Pair<X: Packed> {
     v: [X; 2],
     one_over_give: X,
     one_over_square: X,
-    /// The stretch of the line through both contacts for s = 1, `Σ p_i·C_i p_i⊥`, and the part of it that the commands take up, `Σ p_i·a_i`; both in
-    /// m times |p|.
+    /// The stretch of the line through both contacts for s = 1, `Σ p_i·C_i p_i⊥`. In the next field the part that the commands take up, `Σ p_i·a_i`.
+    /// Both are in m times |p|.
     sheared: X,
     commanded: X,
     sizes: Sizes<X>,

@@ -53,8 +53,8 @@ impl<const C: usize> ScreenedGradients<C> {
     }
 
     /// All numbers, row by row, [`Self::width`] in each row. A row for n contacts begins with 4 numbers: verdict or load factor, leaving contacts,
-    /// contact and kink. The derivatives follow in this order: by n points, n normals, n commands, n pairs of stiffnesses, n coefficients of
-    /// friction, and the components of the base load. [`ScreenedGradient`] returns each of them.
+    /// contact and kink. The derivatives follow: by n points, n normals, n commands, n pairs of stiffnesses, n coefficients of friction, and the
+    /// components of the base load. [`ScreenedGradient`] returns each of them.
     #[must_use]
     pub fn numbers(&self) -> &[f64] {
         &self.numbers

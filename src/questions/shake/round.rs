@@ -1,4 +1,4 @@
-//! Detection of periods of several cycles: if friction falls as contacts begin to slide, a slip in one cycle may be absent in the next.
+//! Detection of periods that last several cycles. If friction falls as contacts begin to slide, a slip in one cycle may be absent in the next.
 //!
 //! Each state is compared with one earlier state, which is replaced after 1, 2, 4, ... cycles (R. P. Brent, *An improved Monte Carlo factorization
 //! algorithm*, 1980). Thus every period is found, with a single state in store.

@@ -1,4 +1,4 @@
-//! Work spread over the cores, answers in the order of the questions.
+//! Parallel work on a list of items, with results in the order of the items.
 
 use crate::numerics::in_order;
 use crate::prelude::*;
