@@ -1,4 +1,5 @@
-//! Text forms of fields that are numbers, rows of numbers or lists of rows: `#[serde(with = "AsGiven::<T>")]` in questions, `AsComputed` in answers.
+//! Text forms of fields that are numbers, rows (one number per axis) or lists of rows: `#[serde(with = "AsGiven::<T>")]` in questions, `AsComputed`
+//! in answers.
 
 use std::marker::PhantomData;
 

@@ -1,15 +1,17 @@
 //! The motion of the object at gross slip, and the derivatives of the load there.
 //!
-//! If the last motion m opens no contact, normal forces stay constant while the object leaves, and friction opposes sliding. The loss under the load
-//! `W₀ + λ W` is then a root of
+//! If the last motion m opens no contact, normal forces stay constant while the object leaves, and friction opposes sliding. The load factor λ at the
+//! loss is then a root of
 //!
 //! ```text
 //! W₀ + λ W + Σ (nᵢ − μᵢ Tᵢ vᵢ/|vᵢ|) Nᵢ + Σ Tⱼ fⱼ = 0,   vᵢ = Tᵢᵀ m,   nᵢᵀ m = 0,   Tⱼᵀ m = 0
 //! ```
 //!
-//! over contacts i that press and contacts j that stick, whose velocity vⱼ is zero. The unknowns are λ, the direction of m, the forces fⱼ, and the
-//! displacement y that has changed the normal springs: dNᵢ = −kᵢ nᵢᵀ dy. The number of equations is the same. Newton's method starts from the end of
-//! the load path, and the root has exact derivatives. They do not depend on the path, and hence not on tangential springs and commands.
+//! with the constant load W₀ and the growing load W. The first sum is over contacts i that press, with normal n, tangents T, friction coefficient μ,
+//! normal force N and normal stiffness k. The second sum is over contacts j that stick, whose velocity is zero. The unknowns are λ, the direction of
+//! m, the tangential forces fⱼ, and the displacement y that has changed the normal forces: dNᵢ = −kᵢ nᵢᵀ dy. There are as many equations as unknowns.
+//! Newton's method starts from the end of the load path. The root and its exact derivatives do not depend on the path, and hence not on tangential
+//! springs and commands.
 
 use nalgebra::{DMatrix, DVector, SVector};
 

@@ -193,7 +193,7 @@ impl Model<'_> {
         Ok(Ok(all))
     }
 
-    /// Predictions of these slips, in parallel; slips that were observed several times are predicted once.
+    /// Predictions of the slips with the indices `those`, in parallel; slips that were observed several times are predicted once.
     fn slips(
         &self,
         those: &[usize],
@@ -305,7 +305,7 @@ impl SlipToPredict<'_> {
         Some(all)
     }
 
-    /// Whether only commands of contacts make the squeeze, not forces, joints or a vacuum. Exact derivatives are known for commands alone.
+    /// Whether the squeeze is due to commands of contacts alone, not to forces, joints or a vacuum. Exact derivatives are known only in this case.
     pub(super) fn is_pressed_by_commands(&self) -> bool {
         let grasp = self.grasp;
         grasp.joint_commands().is_empty()

@@ -1,4 +1,4 @@
-//! The unknowns, and the observed slips.
+//! The question of identification: the unknowns, the observed slips, and further data.
 
 use crate::numerics::IntoList;
 use nalgebra::SVector;
@@ -90,7 +90,7 @@ pub(super) struct KnownSum {
 }
 
 impl<const C: usize> Identify<C> {
-    /// A question for these unknowns from these slips.
+    /// The question for estimates of these unknowns from these slips.
     pub fn new(
         unknowns: impl IntoIterator<Item = Unknown>,
         slips: impl IntoIterator<Item = Slip<C>>,
@@ -106,7 +106,8 @@ impl<const C: usize> Identify<C> {
         }
     }
 
-    /// Points of the contacts in another layout in which slips were observed, m, one for each contact. The grasp that is asked is layout 0.
+    /// Points of the contacts in another layout in which slips were observed, m, one for each contact. The grasp for which the question is asked is
+    /// layout 0.
     #[must_use]
     pub fn with_points(mut self, points: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         self.layouts.push(points.into_iter().map(|point| SVector::from(point.into())).list());
@@ -128,8 +129,8 @@ impl<const C: usize> Identify<C> {
         self
     }
 
-    /// The number of standard deviations beyond which slips count less (default 2). The loss is Huber's: quadratic up to there, and linear beyond.
-    /// Infinity gives least squares.
+    /// The number of standard deviations beyond which slips count less (default 2). The loss is Huber's: quadratic up to this number, and linear
+    /// beyond. Infinity gives least squares.
     #[doc(alias = "Huber")]
     #[must_use]
     pub fn with_outliers_beyond(mut self, deviations: f64) -> Self {
@@ -200,7 +201,7 @@ impl Identify<3> {
         self.iterations.unwrap_or(100)
     }
 
-    /// The grasps of all layouts: the grasp that is asked, the same with its contacts at other points, then the grasps of [`Self::and_layouts`].
+    /// The grasps of all layouts: the given grasp, the same with its contacts at other points, then the grasps of [`Self::and_layouts`].
     fn layouts(&self, grasp: &Grasp<3>) -> Result<Vec<Grasp<3>>, Error> {
         let mut all = vec![grasp.clone()];
         for points in &self.layouts {

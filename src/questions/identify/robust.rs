@@ -68,8 +68,8 @@ mod tests {
     use super::*;
     use crate::numerics::Draw;
 
-    /// For normally distributed numbers the scale is their standard deviation at every transition, and the mean square is that of the numbers clipped
-    /// at the transition.
+    /// For normally distributed numbers the scale is their standard deviation, wherever the loss becomes linear. The mean square is that of the
+    /// numbers clamped where the loss becomes linear.
     #[test]
     fn the_scale_is_that_of_a_normal_distribution() {
         let drawn: Vec<f64> = (0..20_000).map(|k| 3.0 * Draw::new([1, 2, k]).normal()).collect();

@@ -1,6 +1,6 @@
-//! Limits below which a fit to observed slips takes a value for zero.
+//! Limits below which a fit to observed slips counts a value as zero.
 //!
-//! All of them are dimensionless: they apply to logarithms of unknowns, or to fractions of the largest value of a kind.
+//! All of them are dimensionless: they apply to logarithms of unknowns, or to fractions of the largest value of the same kind.
 
 /// Forces, velocities, singular values and components of a direction below this fraction of the largest count as zero.
 ///

@@ -70,8 +70,8 @@ impl Unknown {
         Self::of(UnknownKind::Friction)
     }
 
-    /// The normal force that a contact carries at rest, N: the share of its support in a weight. The contact presses with this force, and an equal
-    /// force presses the object onto the contact, so that the object rests where it is. The weight must not be given again as a base load.
+    /// The normal force that a contact carries at rest, N: the part of a weight that this support carries. The contact presses with this force, and
+    /// an equal force presses the object onto the contact, so that the object rests where it is. The weight must not be given again as a base load.
     #[must_use]
     pub fn carried() -> Self {
         Self::of(UnknownKind::Carried)

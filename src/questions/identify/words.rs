@@ -1,4 +1,4 @@
-//! The unknowns and their errors in a sentence.
+//! The answer to [`Identify`](super::Identify) in a sentence: the unknowns and their errors.
 
 use core::fmt;
 

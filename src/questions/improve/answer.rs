@@ -14,7 +14,7 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Improved<const C: usize> {
-    /// The meaning of `before` and `after`.
+    /// The maximised quantity, whose values are `before` and `after`.
     #[cfg_attr(feature = "serde", serde(default))]
     pub goal: ImproveGoal,
     /// Value of the given grasp: the least load factor of first slip, or the least reserve, N. `None` where a contact slides at rest, no equilibrium
@@ -71,7 +71,7 @@ pub struct Placed<const C: usize> {
     /// Straight distance from the place given, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub moved: f64,
-    /// Force that the command presses with, N, if it may change.
+    /// Normal force with which the command presses, N; `None` unless the search may change it.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub pressed_with: Option<f64>,
     /// Normal force at rest, N.

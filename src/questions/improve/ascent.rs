@@ -47,7 +47,7 @@ pub(super) struct LastStep {
     pub(super) rooms: Vec<usize>,
 }
 
-/// What all ascents of a search share: its variables, its loads and the given grasp.
+/// The data that all ascents of a search share: its variables, its loads and the given grasp.
 pub(super) struct Climb<'q> {
     pub(super) choice: &'q Choice<'q>,
     pub(super) loaded: &'q Loaded,

@@ -30,7 +30,7 @@ pub(super) struct StickingForces {
 }
 
 impl StickingForces {
-    /// The forces of a placing: at rest, and by each of `loads` alone. `None` where nothing resists one of them.
+    /// The forces of a placing: at rest, and by each of `loads` alone. `None` where nothing resists one of these loads.
     pub(super) fn of(
         choice: &Choice<'_>,
         placing: &Placing,

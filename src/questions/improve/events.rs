@@ -43,7 +43,7 @@ pub(super) struct Constraint {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum ConstraintKind {
-    /// A condition of sticking, which the contact meets at rest.
+    /// A condition of sticking at rest.
     Sticks,
     /// The greatest allowed normal force of the contact, at rest.
     Force,
@@ -119,7 +119,7 @@ impl Pressed<'_> {
         events
     }
 
-    /// The events of this contact under one load, which changes its force by `rate`.
+    /// The events of this contact (sticking conditions that may be broken) under one load, which changes the contact force by `rate`.
     fn under(&self, load: usize, rate: SVector<f64, 3>) -> Vec<SlipEvent> {
         let force = self.force;
         let line = Line { force, rate, force_size: force.norm(), rate_size: rate.norm() };
@@ -131,8 +131,8 @@ impl Pressed<'_> {
         self.events(Some(load), rows, &|row| row.dot(&rate), &|row, d| row.dot(&d[LOADS + load][self.number]))
     }
 
-    /// The events of this contact under a force of given size and any direction. `influence` has the contact forces due to this force along each
-    /// axis.
+    /// The events of this contact (sticking conditions that may be broken) under a force of given size and any direction. `influence` has the contact
+    /// forces due to this force along each axis.
     fn under_any_force(&self, influence: &[SVector<f64, 3>]) -> Vec<SlipEvent> {
         let gradient = |row: &SVector<f64, 3>, by: &dyn Fn(usize) -> SVector<f64, 3>| {
             vector_of(influence.len(), &|k| row.dot(&by(k)))

@@ -9,11 +9,11 @@
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum ImproveGoal {
-    /// The first slip: the load factor at which a contact slides or opens. For loads that may become larger than expected.
+    /// The first slip: the load factor at which a contact slides or opens. This goal suits loads that may become larger than expected.
     #[default]
     FirstSlip,
     /// Friction in reserve while each load acts in full, N: the least [margin](crate::equilibrium::ContactAnswer::margin) of all contacts. For a
-    /// contact with zero or infinite friction it is the normal force. For loads that are known, with disturbances that are not.
+    /// contact with zero or infinite friction it is the normal force. This goal suits known loads with unknown disturbances.
     Reserve,
 }
 

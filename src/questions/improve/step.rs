@@ -33,7 +33,7 @@ pub(super) struct TrialStep {
     pub(super) d: DVector<f64>,
     /// Increase of the least event value that the linearised events predict, less the curvature term; relative as `factors` are.
     pub(super) gain: f64,
-    /// Multipliers of the events; they add up to one.
+    /// Multipliers of the events (sticking conditions under loads); they add up to one.
     pub(super) events: Vec<f64>,
     pub(super) bounds: Vec<f64>,
     /// Multipliers of the limits of each variable, below and above.
@@ -45,7 +45,7 @@ pub(super) struct TrialStep {
 /// The solution of the quadratic program.
 struct Solved {
     d: DVector<f64>,
-    /// Multipliers of all events.
+    /// Multipliers of all events (sticking conditions under loads).
     events: Vec<f64>,
     /// Multipliers of the linear constraints.
     bounds: Vec<f64>,
@@ -82,7 +82,7 @@ impl StepProgram {
         Some(TrialStep { d, gain, events, bounds, ends, residual })
     }
 
-    /// The values of all events after the step d, to first order.
+    /// The values of all events (sticking conditions under loads) after the step d, to first order.
     fn after<'s>(&'s self, d: &'s DVector<f64>) -> impl Iterator<Item = f64> + 's {
         self.factors.iter().zip(&self.gradients).map(|(factor, g)| factor + g.dot(d))
     }

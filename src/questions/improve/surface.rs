@@ -76,7 +76,7 @@ impl Surface<2> {
         Self(Shape::Arc { centre: in_space(centre), radius, from: 0.0, over: None })
     }
 
-    /// Part of a circle, from an angle (counted from x to y) over another one, rad.
+    /// Part of a circle. It begins at the angle `from`, counted from x to y, and extends over the angle `over`, rad.
     #[must_use]
     pub fn arc(centre: impl Into<[f64; 2]>, radius: f64, from: f64, over: f64) -> Self {
         Self(Shape::Arc { centre: in_space(centre), radius, from, over: Some(over) })

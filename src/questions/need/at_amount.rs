@@ -65,7 +65,7 @@ impl Need<3> {
                 let turn = loading.so_many(turn);
                 let mut path = grasp.follow(turn.load_at(0.0), &[Leg::turn(&turn)])?;
                 path.run();
-                // A sought angle is the end of the turn.
+                // If an angle is sought, the turn ends at this angle.
                 if matches!(posed.sought, Sought::Angle { .. }) {
                     return Ok(path.state().map(|state| (grasp.with(given.settings()), state)));
                 }

@@ -248,8 +248,8 @@ impl Asked {
 const ANY_MOTION: f64 = 1e40;
 /// The largest limit of small motions allowed.
 const MOST_LIMIT: f64 = 1e50;
-/// The squeeze that is tried exceeds the computed one by this fraction. It is more than the error of steps along arcs (1e-9 by default), but too
-/// little to matter for motions.
+/// The squeeze that is tried exceeds the computed one by this fraction. It is more than the step error of load paths on which directions of slip turn
+/// (1e-9 by default), but too little to matter for motions.
 const BEYOND_STEPS: f64 = 1e-7;
 
 /// The multiple of the load at the loss, and whether the object is lost only because motions are no longer small. `None` if the grasp does not hold

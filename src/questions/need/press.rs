@@ -40,7 +40,7 @@ pub(super) fn pressure_of_cup(points: &[Contact<3>]) -> Option<f64> {
 }
 
 impl Press {
-    /// "16.7 N"; of a suction cup "13.3 kPa (16.7 N)".
+    /// The force of the contact as text: "16.7 N"; of a suction cup "13.3 kPa (16.7 N)".
     fn in_words(&self, words: Words) -> String {
         let newtons = words.number(self.force);
         match self.pressure {

@@ -24,9 +24,10 @@ pub enum Demand {
     Held,
     /// No contact slides or opens, and no drive exceeds its limit, while the load is applied.
     Sticks,
-    /// The object comes to rest while the loads are put on and taken off in turn, again and again; see [`Grasp::shake`](crate::ask::Grasp::shake).
+    /// The object comes to rest while the loads are applied and removed in turn, again and again; see [`Grasp::shake`](crate::ask::Grasp::shake).
     Rests,
-    /// The object does not walk while the loads are put on and taken off in turn; contacts may slide to and fro for ever.
+    /// The object does not walk, that is, move on by the same amount in every cycle, while the loads are applied and removed in turn. Contacts may
+    /// slide to and fro for ever.
     Stays,
 }
 
@@ -224,8 +225,8 @@ impl<const C: usize> Need<C> {
         Self::of(Quantity::Angle, Loads::Turn(turn))
     }
 
-    /// This need on top of a load at rest (N, N m), for instance the weight of the object where a push is sought. Neither amounts nor factors of
-    /// safety scale it; only the amount of [`Self::load_at_rest`] does.
+    /// This need with a load at rest (N, N m), which acts before the other loads and stays; for instance the weight of the object where a push is
+    /// sought. Neither amounts nor factors of safety scale it; only the amount of [`Self::load_at_rest`] does.
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -272,10 +273,10 @@ impl<const C: usize> Need<C> {
         self
     }
 
-    /// This need with the demand that the object comes to [rest](Demand::Rests) while the loads are put on and taken off in turn, again and again.
+    /// This need with the demand that the object comes to [rest](Demand::Rests) while the loads are applied and removed in turn, again and again.
     ///
-    /// A load that turns goes to the end of its turn and back, or round and round in full turns. Forces of any direction come in no order and are
-    /// refused.
+    /// A load that turns goes to the end of its turn and back, or round and round in full turns. A force of any direction defines no order of loads
+    /// and is refused.
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -359,7 +360,7 @@ impl<const C: usize> Need<C> {
         self
     }
 
-    /// The load that is given as a single one, or beside a force of any direction.
+    /// The single load, or the constant load beside a force of any direction.
     #[must_use]
     pub fn given_load(&self) -> Option<Wrench<C>> {
         self.load

@@ -66,8 +66,8 @@ impl Range {
     ) -> Result<(), Error> {
         let (low, high) = (self.low.unwrap_or(least), self.high.unwrap_or(most));
         let (mut at, end) = if up { (low, high) } else { (high, low) };
-        // On round cones each cut shortens the distance to the true end by a constant factor. With fewer cuts the end would be less tight, though
-        // still proved.
+        // On round cones each step of this loop shortens the distance to the true end by a constant factor. With fewer steps the end would be less
+        // tight, though still proved.
         for _ in 0..60 {
             let here = loading(at)?;
             let load = here.to_balance()[which];

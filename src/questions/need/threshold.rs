@@ -97,7 +97,7 @@ impl Threshold {
             ((sides[1].at - sides[0].at).abs(), fall)
         };
         let mut at_first = first(&sides, which);
-        // Halving a ratio of 4 down to [`EXACT`] takes 40 steps; those past 120 only follow rounding.
+        // Halving a ratio of 4 down to [`EXACT`] takes 40 steps; after the 120th step only rounding would change the bracket.
         for step in 0..120 {
             let (from, to) = (self.does, self.does_not.0);
             let width = (to - from).abs();

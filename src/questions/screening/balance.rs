@@ -87,7 +87,7 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         }
     }
 
-    /// The same load with its moment about the centroid; `load` has it about the origin.
+    /// The load with its moment about the centroid of the contacts; in `load` the moment is about the origin.
     #[inline(always)]
     pub(super) fn carried(&self, load: &[X; 6]) -> [X; 6] {
         let mut force = [X::all(0.0); C];
@@ -142,7 +142,8 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
     }
 }
 
-/// Adds `G K Gᵀ` of a contact to the matrix t, of which only entries on and below the diagonal are stored.
+/// Adds the contribution `G K Gᵀ` of a contact with the stiffness K to the stiffness matrix t of the object. Only entries on and below the diagonal
+/// are stored.
 #[inline(always)]
 fn add<const C: usize, X: Packed>(t: &mut [[X; 6]; 6], finger: &LaneFinger<C, X>) {
     let arm = &finger.arm;

@@ -118,7 +118,8 @@ fn let_go<const C: usize, X: Packed>(
         if time == most_times || improvable.is_all(0.0) {
             break;
         }
-        // Grasps that are accurate already get a zero residual. So their answers do not depend on the grasps in neighbouring lanes.
+        // For grasps whose forces are accurate enough already, the residual is set to zero. So their answers do not depend on the grasps in
+        // neighbouring lanes.
         for entry in &mut left {
             *entry = improvable.above(zero, *entry, zero);
         }

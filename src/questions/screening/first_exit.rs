@@ -15,7 +15,7 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 struct Exit<X: Packed> {
     /// The load factor at which the contact force leaves its cone: infinite if it never does, [`UNCLEAR`] if rounding decides.
     factor: X,
-    /// The margin at load factor zero.
+    /// The margin of the contact at load factor zero.
     margin: X,
     /// Bound of the rounding error of `margin`.
     rounding: X,

@@ -1,8 +1,9 @@
 //! Derivatives of the load factor at first slip by all data of a grasp.
 //!
-//! The factor is where the margin m of the leaving contact vanishes, so that `dτ = -dm / m'`. Let g = ∂m/∂F of that contact. The springs are solved
-//! once more, with g as the command of its finger and nothing else. All derivatives follow from the forces P and the motion (v, ω̄) of the object in
-//! that solution. With the forces F and the motion (u, ω) at the onset, at each contact,
+//! The load factor τ is where the margin m of the leaving contact vanishes, so that `dτ = -dm / m'`, with m' the derivative of m by τ. Let g = ∂m/∂F
+//! be its derivative by the force of that contact. The springs are solved once more, with g as the command of its finger and nothing else. All
+//! derivatives follow from the forces P and the motion (v, ω̄) of the object in that solution. With the forces F and the motion (u, ω) at the onset,
+//! at each contact,
 //!
 //! ```text
 //! ∂m/∂a = P                          command                 ∂m/∂p = ω̄ × F + ω × P        point

@@ -111,11 +111,11 @@ impl<X: Packed> Margin<X> {
 
 /// The intersection of the intervals of factors on the commands that all contacts and loads so far allow.
 pub(super) struct LeastFactor<X: Packed> {
-    /// The largest lower end of all intervals: as computed, then its lower and upper error bound.
+    /// The largest lower end of the intervals of factors of all contacts and loads: as computed, then its lower and upper error bound.
     first: X,
     first_sure: X,
     first_most: X,
-    /// The lower and upper error bound of the least upper end of all intervals.
+    /// The lower and upper error bound of the least upper end of the intervals of factors of all contacts and loads.
     last_sure: X,
     last_most: X,
     /// Positive if rounding decides whether some margin is negative, so that the answer is unclear.

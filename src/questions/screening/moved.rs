@@ -89,7 +89,7 @@ impl<const C: usize, X: Packed> ObjectMotion<C, X> {
     }
 }
 
-/// The displacement `a - C F` of the object at a contact, along the coordinate axes.
+/// The displacement `a - C F` of the object at a contact with the command a, the compliance C and the force F, along the coordinate axes.
 #[inline(always)]
 fn off_the_spring<const C: usize, X: Packed>(
     block: &Block<'_, C, X>,

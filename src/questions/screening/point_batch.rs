@@ -97,7 +97,8 @@ impl<const C: usize> PointBatch<C> {
         self.parts(pulls, self.len, answers).for_each(Kernels::get().pull.many);
     }
 
-    /// The onset of each grasp under its own growing load, on one thread. `pulls` has one load for each grasp; without as many there are no answers.
+    /// The onset of each grasp under its own growing load, on one thread. `pulls` has one load for each grasp; if their number differs, the result is
+    /// empty.
     #[must_use]
     pub fn own_onsets(&self, pulls: Vec<Pull<C>>) -> Vec<Screened> {
         let mut onsets = Vec::with_capacity(pulls.len());
@@ -129,7 +130,7 @@ impl<const C: usize> PointBatch<C> {
         self.len += 1;
     }
 
-    /// Divides the batch into parts of at most `blocks` blocks, each with the places for its answers.
+    /// Divides the batch into parts of at most `blocks` blocks, each with the memory for its answers.
     pub(super) fn parts<'a, Q: ScreeningQuestion<C>>(
         &'a self,
         questions: &'a [Q],

@@ -5,7 +5,7 @@ use core::fmt;
 use super::first_slip::{GIVES_WAY, UNCLEAR};
 use super::least_factor::NO_FACTOR;
 
-/// The least squeeze of one grasp under a list of loads, or the reason why screening does not know it.
+/// The least squeeze of one grasp under a list of loads, or the reason why screening cannot determine it.
 #[derive(Clone, Copy, PartialEq)]
 pub struct ScreenedSqueeze {
     /// The least factor on the commands, or for the other verdicts one of the codes in `least_factor` and `first_slip`.
@@ -34,7 +34,7 @@ pub enum SqueezeVerdict {
 }
 
 impl ScreenedSqueeze {
-    /// The value in memory before a kernel has written an answer.
+    /// The initial value in memory, before a kernel writes the answer.
     pub(super) const UNKNOWN: Self = Self { code: UNCLEAR, binding: 0.0 };
 
     /// How the screening ended.

@@ -1,15 +1,15 @@
 //! Three contacts in space: forces along the edges of their triangle, in compliances.
 //!
 //! Edges run around the triangle, `e_0 = p_2 - p_1` and so on: edge i lies opposite to contact i, edge j = i + 1 ends at contact i, and edge k = i +
-//! 2 begins there. All of them are normal to `m = e_1 × e_2`. Balance of forces and moments (M of the load about the centroid) leaves three unknowns
-//! λ, forces that stretch the edges:
+//! 2 begins there. All of them are normal to `m = e_1 × e_2`. Balance with a load (force W_f, moment M about the centroid) leaves three unknowns λ,
+//! forces that stretch the edges:
 //!
 //! ```text
 //! F_i = P_i + λ_j e_j - λ_k e_k,   P_i = -W_f / 3 - (e_i·M) m / |m|² + (m·M) e_i / 2 |m|²
 //! ```
 //!
-//! The lengths of the edges on the object stay constant, which fixes λ. With the compliances `C_i = c_t I + (c_n - c_t) n nᵀ`, for each edge from its
-//! tail to its head:
+//! The lengths of the edges on the object stay constant, which fixes λ for the commands a. With the compliances `C_i = c_t I + (c_n - c_t) n nᵀ`, for
+//! each edge from its tail to its head:
 //!
 //! ```text
 //! e·[(a - C F)_head - (a - C F)_tail] = 0,   A λ = Nᵀ (a - C P),   A = Nᵀ C N,   (N λ)_i = λ_j e_j - λ_k e_k

@@ -74,7 +74,7 @@ impl<X: Packed> MarginZero<X> {
     }
 }
 
-/// The numbers n and t of one contact as functions of the angle, and a bound of the rounding of its margin.
+/// The scaled normal force n and friction force t of one contact as functions of the angle, and a bound of the rounding of its margin.
 struct Waves<const C: usize, X: Packed> {
     n: Harmonic<X>,
     t: Harmonic<[X; C]>,

@@ -62,7 +62,7 @@ pub(super) fn verdicts<A: Copy, X: Packed>(
     X::each(|lane| answer(SlipCode { code: code.lane(lane), leaving: leaving.lane(lane) }))
 }
 
-/// `yes` if the forces balance the load, else `no`.
+/// Returns `yes` if the forces balance the load, else `no`.
 #[inline(always)]
 pub(super) fn balanced<X: Packed>(unbalanced: X, yes: X, no: X) -> X {
     X::all(SOLVED_ROUNDING).above(unbalanced, yes, no)

@@ -8,7 +8,7 @@ use super::cycle::Cycle;
 /// The cycles since the reference state, the earlier state with which the end of each new cycle is compared.
 #[derive(Debug)]
 pub(super) struct Round {
-    /// These cycles joined to one; `many` is their number.
+    /// All cycles since the reference state, joined to one; `many` is their number.
     all: Option<Cycle>,
     many: usize,
     /// Once there are this many cycles, the latest state becomes the reference state.

@@ -48,7 +48,7 @@ pub struct Shakedown<const C: usize> {
     pub around_the_round_cone: bool,
 }
 
-/// A contact that would slide.
+/// A contact that would slide if the loads grew beyond [`Shakedown::factor`].
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -62,8 +62,8 @@ pub struct BindingContact {
 }
 
 impl<const C: usize> Shakedown<C> {
-    /// Whether the grasp comes to rest under this multiple of the loads, in any order. `false` is a proof as long as no contact opens. `None`: the
-    /// order decides, which [`Grasp::shake`](crate::ask::Grasp::shake) follows.
+    /// Whether the grasp comes to rest under this multiple of the loads, in any order. `false` is proved as long as no contact opens. `None` if it
+    /// depends on the order of the loads, which [`Grasp::shake`](crate::ask::Grasp::shake) follows.
     #[must_use]
     pub fn rests(&self, times: f64) -> Option<bool> {
         if times > self.factor {

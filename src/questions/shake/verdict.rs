@@ -87,9 +87,9 @@ pub enum Repeats<const C: usize> {
     },
     /// The object is lost.
     Lost {
-        /// The cycle of the loss, from 1.
+        /// The cycle in which the object is lost, from 1.
         cycle: usize,
-        /// The leg of the loss, from 0.
+        /// The leg of the cycle in which the object is lost, from 0.
         leg: usize,
         /// The load at the loss.
         load: Wrench<C>,

@@ -1,5 +1,5 @@
 //! The interaction of errors of several data in their effect on a force. It is the change of the force if all data are in error at once, less the sum
-//! of its changes if they are in error one by one.
+//! of its changes by one datum each.
 
 use nalgebra::{SMatrix, SVector};
 

@@ -42,11 +42,11 @@ pub(super) struct JointEffect {
     pub(super) force: SVector<f64, 3>,
     /// Second derivative of the interaction along the direction of z: twice the interaction divided by |z|².
     pub(super) bend: SVector<f64, 3>,
-    /// For each two components of the force, the sum over all pairs of data of the product of their second derivatives.
+    /// For each two components of the force, the sum over all pairs of data of the product of the second derivatives of these components.
     pub(super) squares: SMatrix<f64, 3, 3>,
 }
 
-/// The force on a contact under one load: for the known data, and its change by each uncertain datum.
+/// The force on a contact under one load: for the data as given, and its change by each uncertain datum.
 pub(super) struct UncertainForce<'a> {
     pub(super) force: SVector<f64, 3>,
     pub(super) changes: &'a [Effect],

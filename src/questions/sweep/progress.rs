@@ -10,9 +10,9 @@ use crate::prelude::*;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Progress {
-    /// Number of questions answered so far.
+    /// Number of items with a result so far.
     pub answered: usize,
-    /// Number of questions in all.
+    /// Number of all items.
     pub of: usize,
 }
 

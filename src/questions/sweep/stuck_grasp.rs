@@ -1,4 +1,4 @@
-//! A grasp in which all contacts stick under a base load, and the probability that one of them fails before a further load on top of it is applied.
+//! A grasp in which all contacts stick under a base load, and the probability that one of them fails before a further load is applied in full.
 //!
 //! While all stick, forces are linear in the load, and margins are concave functions of it. So if all contacts stick at both ends of the way from the
 //! base load to the whole load, they stick in between. [`failure`](super::failure) gives the probability that a contact fails at an end;
@@ -23,7 +23,7 @@ const ROUNDS: usize = 2;
 /// For each contact or drive and each of its facets, the interaction of the errors of all data in their effect on the force.
 type JointEffects = Vec<Vec<JointEffect>>;
 
-/// A load on top of the base load: `factor` times `direction`, whose unit causes the forces `rate`.
+/// A load in addition to the base load: `factor` times `direction`. One unit of `direction` causes the forces `rate`.
 #[derive(Clone, Copy)]
 struct Further<'a> {
     direction: &'a Wrench<3>,
@@ -178,7 +178,7 @@ impl StuckGrasp {
         events
     }
 
-    /// The force of a contact and its changes by the data, under the base load and, if given, a further load on top of it.
+    /// The force of a contact and its changes by the data, under the base load and, if given, a further load.
     fn spread<'m>(
         &self,
         i: usize,

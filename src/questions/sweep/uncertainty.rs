@@ -1,5 +1,4 @@
-//! Grasps with uncertain data, and samples of these data, the same for the same
-//! seed.
+//! Grasps with uncertain data, and random samples of these data, which depend only on a seed.
 
 use super::caught::each_answered;
 use super::off::{ContactErrors, factor};
