@@ -119,7 +119,7 @@ pub enum Amount {
     /// The least or greatest sufficient amount is known: `does` is sufficient, and the neighbouring amount `does_not` is insufficient.
     #[non_exhaustive]
     Bound {
-        /// The sufficient amount at the bound; the grasp was computed with it.
+        /// The sufficient amount at the bound, for which a verdict was computed.
         does: f64,
         /// The insufficient amount next to `does`. Either the grasp was computed with it, or a proof excludes it. As a rule the two amounts differ by
         /// a fraction of at most 1e-12; in [`Needed::sticks`] and [`Needed::safe`] of at most 1e-8. In space the fraction is up to 1e-6 where the
@@ -201,7 +201,7 @@ pub enum Amount {
 }
 
 impl Amount {
-    /// The sufficient amount at the bound; `None` where there is no bound.
+    /// The least or greatest sufficient amount; `None` if it is not known, or if there is none.
     #[must_use]
     pub fn bound(&self) -> Option<f64> {
         if let Self::Bound { does, .. } = self { Some(*does) } else { None }
@@ -229,9 +229,9 @@ pub struct TriedAmounts {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct FarEnd {
-    /// The last sufficient amount; the grasp was computed with it.
+    /// The last sufficient amount, for which a verdict was computed.
     pub does: f64,
-    /// The insufficient amount next to `does`; the grasp was computed with it.
+    /// The insufficient amount next to `does`, for which a verdict was computed.
     pub does_not: f64,
     /// The verdict on the grasp with `does_not` in a sentence, or the reason why the verdict is undecided.
     pub otherwise: String,

@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::numerics::{increasing, mapped, moved};
 use crate::prelude::*;
 
-/// The result of a scan of amounts on both sides of a bound.
+/// The result of a scan of amounts on both sides of a bound of the sufficient amounts.
 #[derive(Debug)]
 pub(super) struct Around {
     /// Number of changes between sufficient and insufficient among these amounts, the bound included.
@@ -24,8 +24,8 @@ impl SearchPlan {
     /// `count` amounts beyond `from`, upwards or downwards, as far as contact forces can balance the loads. With `coarse` there is one more amount,
     /// 16 times as large or small as `from`.
     fn scanned(&self, from: f64, up: bool, count: usize, coarse: bool) -> Vec<f64> {
-        // The k-th of n amounts has the ratio 4^((k/n)³) to `from`, so that amounts lie close together near the bound. With a larger ratio than 4
-        // they would lie farther apart.
+        // The k-th of n amounts has the ratio 4^((k/n)³) to `from`, so that amounts lie close together near the bound of the sufficient amounts. With
+        // a larger ratio than 4 they would lie farther apart.
         let fine = (1..=count).map(|k| 4.0_f64.powf((k as f64 / count as f64).powi(3)));
         // A drive may reach its limit only at a far larger squeeze or force, which a ratio of 4 would miss.
         let coarse = (coarse && count > 0).then_some(16.0);
@@ -45,8 +45,8 @@ impl SearchPlan {
 }
 
 impl Around {
-    /// Tries `scan` new amounts on both sides of a bound, as far as contact forces can balance the loads; `known` amounts are included in the scan.
-    /// With `far` there is one more amount, 16 times as large, or as small, as the bound.
+    /// Tries `scan` new amounts on both sides of a bound of the sufficient amounts, as far as contact forces can balance the loads; `known` amounts
+    /// are included in the scan. With `far` there is one more amount, 16 times as large, or as small, as the bound.
     pub(super) fn of(
         bound: &Threshold,
         scan: usize,

@@ -36,7 +36,7 @@ pub enum ShortAmount {
 }
 
 impl ShortAmount {
-    /// The sufficient amount at the bound; `None` where there is no bound.
+    /// The least or greatest sufficient amount; `None` if it is not known, or if there is none.
     #[must_use]
     pub fn bound(self) -> Option<f64> {
         if let Self::Bound(does) = self { Some(does) } else { None }
@@ -246,7 +246,7 @@ impl Asked {
 
 /// The limits of small motions are multiplied by this factor, so that no motion reaches them.
 const ANY_MOTION: f64 = 1e40;
-/// The largest limit of small motions allowed.
+/// The largest allowed value of the limits of small motions.
 const MOST_LIMIT: f64 = 1e50;
 /// The squeeze that is tried exceeds the computed one by this fraction. It is more than the step error of load paths on which directions of slip turn
 /// (1e-9 by default), but too little to matter for motions.

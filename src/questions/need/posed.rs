@@ -55,7 +55,7 @@ pub(super) struct Posed {
     pub(super) demand: Demand,
     /// For the safe amount: the reductions of friction and squeeze and the factor on loads.
     pub(super) safety: Safety,
-    /// Number of amounts that are tried around the bound.
+    /// Number of amounts that are tried around the bound of the sufficient amounts.
     pub(super) scan: usize,
     /// Units and digits of numbers in the sentences about insufficient amounts.
     pub(super) words: Words,

@@ -45,12 +45,14 @@ pub(super) enum Searched {
     Nothing(Vec<(f64, Trial)>),
 }
 
-/// The estimate of the bound from the part c of the load that is carried with an amount x. At the bound c is 1.
+/// The estimate of the bound of the sufficient amounts from the part c of the load that is carried with an amount x. At the bound c is 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Guess {
-    /// The bound is about `x c`, because the load itself is the sought quantity.
+    /// The bound of the sufficient amounts is about `x c`, with the tried amount x and the carried part c of the load, because the load itself is the
+    /// sought quantity.
     Times,
-    /// The bound is about `x / c`, as if the carried part were proportional to the amount.
+    /// The bound of the sufficient amounts is about `x / c`, with the tried amount x and the carried part c of the load, as if c were proportional to
+    /// x.
     Divided,
     /// No estimate.
     Nothing,
@@ -262,7 +264,8 @@ fn edge_from(
     let mut does_not =
         nearest.reduce(|one, other| if is_beyond(one.0, other.0) { other } else { one }).cloned();
     let mut unknown = None;
-    // The carried part of the load gives estimates of the bound from both sides. The proved end of the range is a further estimate.
+    // The carried part of the load gives estimates of the bound of the sufficient amounts from both sides. The proved end of the range is a further
+    // estimate.
     let beyond = |at: f64, trial: &Trial, part: f64| {
         let guess = plan.guessed(at, trial).filter(|guess| is_beyond(*guess, does) || *guess == does);
         guess.map(|guess| if up { guess * (1.0 + part) } else { guess * (1.0 - part) })
@@ -297,7 +300,7 @@ fn edge_from(
             now @ Trial::DoesNot { .. } => does_not = Some((amount, now)),
             Trial::Unknown(_) => {}
         }
-        // The amount just inside the proved end does not suffice, so the bound is elsewhere.
+        // The amount just inside the proved end of the range does not suffice, so the bound of the sufficient amounts is elsewhere.
         if at == inside && does != amount {
             break;
         }

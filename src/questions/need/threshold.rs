@@ -11,7 +11,7 @@ use crate::prelude::*;
 /// with the steps, since rounding or a jump of the carried part of the load can keep the two amounts apart.
 pub(super) type Enough = &'static [(usize, f64)];
 
-/// A bracket of the bound: an amount that suffices, and a neighbouring one that does not, with the trial of the latter.
+/// A bracket of the bound of the sufficient amounts: an amount that suffices, and a neighbouring one that does not, with the trial of the latter.
 #[derive(Debug, Clone)]
 pub(super) struct Threshold {
     pub(super) does: f64,
@@ -115,7 +115,7 @@ impl Threshold {
                 at_first = first(&sides, which);
             }
             // As the bracket shrinks to 1/16 of its width, the difference of a smooth measure between its ends falls to 1/16, too. If more than a
-            // quarter is left, the measure jumps at the bound.
+            // quarter is left, the measure jumps at the bound of the sufficient amounts.
             let jumps = |sides: &[Side; 2], which: usize| {
                 let now = signs_differ(sides, which).map(|[over, under]| over - under);
                 let falls = now.zip(at_first.1).is_some_and(|(now, first)| now > 0.25 * first);
@@ -126,8 +126,8 @@ impl Threshold {
                 (which, halves) = (1, false);
                 at_first = first(&sides, which);
             }
-            // Where the measures jump, no secant finds the bound. In space, moreover, load paths are less accurate than rounding about the side of
-            // the jump on which an amount lies. So a wider bracket is enough.
+            // Where the measures jump, no secant finds the bound of the sufficient amounts. In space, moreover, load paths are less accurate than
+            // rounding about the side of the jump on which an amount lies. So a wider bracket is enough.
             if !tries.is_planar && (halves || signs_differ(&sides, which).is_none()) && is_within(AT_A_JUMP) {
                 break;
             }
@@ -142,8 +142,8 @@ impl Threshold {
                 (over - under >= ROUNDING).then(|| root.unwrap_or_else(secant))
             });
             let mut root = root.filter(|_| !(halves || step >= 3 && is_slow && kept.is_none()));
-            // The carried part jumps where no equilibrium at rest exists beyond the bound. The bound is then where a contact at rest changes its
-            // state.
+            // The carried part jumps where no equilibrium at rest exists beyond the bound of the sufficient amounts. The bound is then where a
+            // contact at rest changes its state.
             let stalls = step >= 3 && is_slow && step % 2 == 1;
             if root.is_none() && !stalls {
                 let is_near = |at: f64, end: f64| (at - end).abs() <= NEAR_A_PREDICTION * end.abs();
@@ -213,8 +213,8 @@ impl Side {
         (self.at, self.measures) = (at, measures);
     }
 
-    /// The amount at which a measure would vanish, extrapolated from the last two amounts at this end. On the other side of the bound the measure may
-    /// have another slope.
+    /// The amount at which a measure would vanish, extrapolated from the last two amounts at this end. On the other side of the bound of the
+    /// sufficient amounts the measure may have another slope.
     fn root(&self, which: usize) -> Option<f64> {
         let (before, measures) = self.before?;
         let (now, then) = (self.measures[which]?, measures[which]?);
@@ -237,7 +237,8 @@ fn signs_differ(sides: &[Side; 2], which: usize) -> Option<[f64; 2]> {
 /// bound than necessary.
 const APART_WHERE_HARD: [f64; 3] = [1e-5, 1e-3, 1e-1];
 
-/// Relative distances from the bound for full trials in the plane, and in space if quick trials are decided beside the bound.
+/// Relative distances from the bound of the sufficient amounts for full trials in the plane, and in space if quick trials are decided beside the
+/// bound.
 const HARDLY_APART: [f64; 6] = [0.0, 1e-9, 1e-7, 1e-5, 1e-3, 1e-1];
 
 /// Differences of a measure between two amounts below this are due to rounding.

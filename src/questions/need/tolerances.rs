@@ -6,8 +6,9 @@ use super::threshold::Enough;
 
 /// Two amounts at this relative distance differ by rounding alone.
 ///
-/// An estimate of the bound is moved across the bound by this distance, so that trials on both sides leave a bracket within [`EXACT`]. An end of the
-/// range is final once it moves by less. If smaller, rounding decides on which side the trial is. From 5e-13 on, the bracket needs more trials.
+/// An estimate of the bound of the sufficient amounts is moved across the bound by this distance, so that trials on both sides leave a bracket within
+/// [`EXACT`]. An end of the range is final once it moves by less. If smaller, rounding decides on which side the trial is. From 5e-13 on, the bracket
+/// needs more trials.
 pub(super) const LAST_DIGITS: f64 = 1e-13;
 
 /// The search for the least coefficient of friction ends at an interval of this relative width.
@@ -18,7 +19,7 @@ pub(super) const SAME_COEFFICIENT: f64 = 1e-10;
 /// Distances from a proved end of the range, relative to it, at which amounts inside and outside are tried.
 ///
 /// If the end is exact, the first distance gives a bracket within [`EXACT`]. The other distances exceed the error of the proved end. Without them
-/// both trials beside an inaccurate end would lie on the same side of the bound.
+/// both trials beside an inaccurate end would lie on the same side of the bound of the sufficient amounts.
 pub(super) const NEAR_AN_END: [f64; 3] = [4e-13, 1e-8, 1e-5];
 
 /// Ratio of successive amounts in a short search, and in the first steps from a sufficient amount to an insufficient one.
@@ -45,7 +46,8 @@ pub(super) const APART_IN_A_SCAN: f64 = 1e-2;
 /// If narrower, further steps depend on rounding only. If wider, the width shows in the answer.
 pub(super) const EXACT: Enough = &[(0, 1e-12), (64, 5e-10)];
 
-/// In space, a bracket of this relative width is enough where the carried part jumps at the bound.
+/// In space, a bracket of the bound of the sufficient amounts is narrow enough at this relative width, where the carried part of the load jumps at
+/// the bound.
 ///
 /// If smaller, halvings take most of the time of an answer. If larger, the bracket shows in the answer.
 pub(super) const AT_A_JUMP: f64 = 1e-6;
@@ -72,7 +74,7 @@ pub(super) const MOST_LOADS: f64 = (1u32 << 20) as f64;
 /// With fewer, quick trials leave amounts undecided that would be decided as fast. With more, trials of insufficient amounts take longer.
 pub(super) const FEW_STATES: usize = 256;
 
-/// Relative distance from an end of a bracket up to which a predicted bound may lie outside the bracket.
+/// Relative distance from an end of the bracket up to which a predicted bound of the sufficient amounts may lie outside the bracket.
 ///
 /// If smaller, rounding drops a prediction that is right. If larger, one that is wrong costs more trials.
 pub(super) const NEAR_A_PREDICTION: f64 = 1e-9;

@@ -1,4 +1,4 @@
-//! The trial of one amount: whether the grasp meets the demand with it, and the distance to the bound.
+//! The trial of one amount: whether the grasp meets the demand with it, and the distance to the bound of the sufficient amounts.
 
 use super::question::Demand;
 use crate::hold::RestingContact;
@@ -23,7 +23,8 @@ pub(super) enum Trial {
         says: String,
         /// The fraction of the load that is carried with the amount; below 0 where the load at rest is not carried in full.
         carried: f64,
-        /// The second margin, as in `Does`. At a bound where the carried part jumps, this margin may still fall below 0 continuously.
+        /// The second margin, as in `Does`. At a bound of the sufficient amounts where the carried part jumps, this margin may still fall below 0
+        /// continuously.
         other: f64,
         /// Whether the object is held, but moves farther than small motions.
         is_too_far: bool,
@@ -71,8 +72,8 @@ impl Trial {
         }
     }
 
-    /// Two measures of the distance from the bound: the carried part less 1, and the second margin. Each measure vanishes at the bound, unless it
-    /// jumps there. `None` if a measure is not known.
+    /// Two measures of the distance from the bound of the sufficient amounts: the carried part less 1, and the second margin. Each measure vanishes
+    /// at the bound, unless it jumps there. `None` if a measure is not known.
     pub(super) fn measures(&self) -> [Option<f64>; 2] {
         match self {
             Self::Does { carried, other } | Self::DoesNot { carried, other, .. } => {

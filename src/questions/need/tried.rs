@@ -20,7 +20,7 @@ use crate::prelude::*;
 /// The extent of a search for sufficient amounts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Look {
-    /// A search in both directions, then a scan around the bound.
+    /// A search in both directions, then a scan around the bound of the sufficient amounts.
     Around,
     /// A search in both directions. For the data as given, the sufficient amounts may have a far end: a last sufficient amount and its insufficient
     /// neighbour. If these are given here, the search includes this far end.

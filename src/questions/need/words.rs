@@ -130,7 +130,7 @@ impl Needed {
         Ok(())
     }
 
-    /// Writes that no amount suffices, with the proof or the range of amounts tried, and the amount that carries most.
+    /// Writes that no amount suffices, with the proof or the range of amounts tried, and the amount with which most of the load is carried.
     fn none(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, what) = (Words::of(f), self.quantity);
         let Amount::None { from, to, best, tried, is_proved, at_rest, .. } = &self.amount else {

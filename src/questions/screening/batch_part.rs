@@ -17,7 +17,7 @@ type WideForces<const C: usize> = Forces<C, Lanes, [Force<C, Lanes>; MOST_POINTS
 /// Grasps of a batch for one thread, the questions about these grasps, and the memory for the answers.
 pub(super) struct BatchPart<'a, const C: usize, Q: ScreeningQuestion<C>> {
     pub(super) contacts: usize,
-    /// Bit i is set if contact point i is the last one of its finger; a pad has several.
+    /// Bit i is set if contact point i is the last one of its finger; a soft fingertip has several points.
     pub(super) ends: u64,
     /// Index in the batch of the first grasp of this part.
     pub(super) first: usize,

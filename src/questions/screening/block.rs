@@ -17,7 +17,7 @@ pub(super) fn count(contacts: usize) -> usize {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Block<'a, const C: usize, X: Packed> {
     pub(super) contacts: usize,
-    /// Bit i is set if contact point i is the last one of its finger; a pad has several.
+    /// Bit i is set if contact point i is the last one of its finger; a soft fingertip has several points.
     pub(super) ends: u64,
     pub(super) numbers: &'a [X],
     /// Commands along the normals of all contacts, then their clearances. In `numbers` there is only the difference; questions that scale the
@@ -119,7 +119,7 @@ impl<'a, const C: usize, X: Packed> Block<'a, C, X> {
         Sizes { commands: sizes[0], moment: sizes[1], force: sizes[2] }
     }
 
-    /// Commands along the normals, and clearances.
+    /// Commands along the normals, and clearances, one row each.
     #[inline(always)]
     pub(super) fn parted(&self) -> [&'a [X]; 2] {
         let (commanded, clearance) = self.parted[..2 * self.contacts].split_at(self.contacts);

@@ -223,7 +223,8 @@ impl<X: Packed> LeastFactor<X> {
         }
     }
 
-    /// For each grasp the least factor, or a code if there is none; and the contact and load that determine the factor, encoded as in `binding`.
+    /// For each grasp the least sufficient factor on the commands, or a code if there is none; and the contact and load that determine the factor,
+    /// encoded as in `binding`.
     #[inline(always)]
     pub(super) fn least(&self) -> (X, X) {
         let (zero, unclear) = (X::all(0.0), X::all(UNCLEAR));

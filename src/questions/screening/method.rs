@@ -15,9 +15,9 @@ use super::triangle::{self, N, Triangle, others};
 /// The method by which the contact forces of a grasp are found.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Method {
-    /// From compliances, by forces along the edges between contacts.
+    /// Contact forces from compliances, by forces along the edges between contacts.
     Edges,
-    /// From stiffnesses, by the motion of the object.
+    /// Contact forces from stiffnesses, by the motion of the object.
     Motions,
 }
 

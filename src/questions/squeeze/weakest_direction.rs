@@ -24,7 +24,7 @@ pub enum WeakestDirection<const C: usize> {
     Force {
         /// Size of the force, N, exact up to rounding.
         size: f64,
-        /// Unit direction, coordinate axes.
+        /// Unit vector along the force, in coordinate axes.
         direction: [f64; C],
         /// The base load together with the least force.
         load: Wrench<C>,
