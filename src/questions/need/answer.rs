@@ -135,7 +135,8 @@ pub enum Amount {
         /// An amount between `does` and `does_not` for which the verdict is undecided; `None` if all verdicts were decided.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         unknown: Option<f64>,
-        /// Number of changes between sufficient and insufficient among the amounts tried around the bound, the bound included: 1 as a rule.
+        /// Number of changes between sufficient and insufficient among the amounts tried around the bound. The bound itself counts, so that the
+        /// number is 1 as a rule.
         changes: usize,
         /// Far end of the interval of sufficient amounts that begins at `does`; for instance, a still larger squeeze pushes the object out. `None` if
         /// all amounts tried beyond `does` suffice.

@@ -45,7 +45,7 @@ impl SearchPlan {
 }
 
 impl Around {
-    /// Tries `scan` new amounts on both sides of a bound of the sufficient amounts, as far as contact forces can balance the loads; `known` amounts
+    /// Tries `scan` new amounts on both sides of a bound of the sufficient amounts, as far as contact forces can balance the loads. `known` amounts
     /// are included in the scan. With `far` there is one more amount, 16 times as large, or as small, as the bound.
     pub(super) fn of(
         bound: &Threshold,

@@ -244,7 +244,7 @@ fn at_proved_end(to: f64, plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<
     Ok(refuted.then_some(Threshold { does: to, does_not: (beyond, trial), unknown: None }))
 }
 
-/// Among the amounts tried beyond the bound `does`, on its sufficient side: the last one that suffices, and the first one that does not.
+/// Among the amounts tried beyond the bound `does`, where amounts are easier: the last one that suffices, and the first one that does not.
 fn beyond_which_none_does(does: f64, is_least: bool, known: &[(f64, Trial)]) -> Option<[f64; 2]> {
     let ample = |at: f64| if is_least { at / does } else { does / at };
     let mut beyond: Vec<_> = known.iter().filter(|(at, _)| ample(*at) > 1.0).collect();

@@ -48,11 +48,11 @@ pub(super) enum Searched {
 /// The estimate of the bound of the sufficient amounts from the part c of the load that is carried with an amount x. At the bound c is 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Guess {
-    /// The bound of the sufficient amounts is about `x c`, with the tried amount x and the carried part c of the load, because the load itself is the
-    /// sought quantity.
+    /// The bound of the sufficient amounts is about `x c`, because the load itself is the sought quantity. Here x is the tried amount and c the
+    /// carried part of the load.
     Times,
-    /// The bound of the sufficient amounts is about `x / c`, with the tried amount x and the carried part c of the load, as if c were proportional to
-    /// x.
+    /// The bound of the sufficient amounts is about `x / c`, as if c were proportional to x. Here x is the tried amount and c the carried part of the
+    /// load.
     Divided,
     /// No estimate.
     Nothing,

@@ -16,7 +16,7 @@ pub(super) type Enough = &'static [(usize, f64)];
 pub(super) struct Threshold {
     pub(super) does: f64,
     pub(super) does_not: (f64, Trial),
-    /// An amount between the two whose trial is undecided, and the reason.
+    /// An amount between `does` and the amount of `does_not` whose trial is undecided, and the reason.
     pub(super) unknown: Option<(f64, String)>,
 }
 

@@ -6,7 +6,7 @@ use super::threshold::Enough;
 
 /// Two amounts at this relative distance differ by rounding alone.
 ///
-/// An estimate of the bound of the sufficient amounts is moved across the bound by this distance, so that trials on both sides leave a bracket within
+/// An estimate of the bound of the sufficient amounts is moved by this distance, across the bound. So trials on both sides leave a bracket within
 /// [`EXACT`]. An end of the range is final once it moves by less. If smaller, rounding decides on which side the trial is. From 5e-13 on, the bracket
 /// needs more trials.
 pub(super) const LAST_DIGITS: f64 = 1e-13;
@@ -46,7 +46,7 @@ pub(super) const APART_IN_A_SCAN: f64 = 1e-2;
 /// If narrower, further steps depend on rounding only. If wider, the width shows in the answer.
 pub(super) const EXACT: Enough = &[(0, 1e-12), (64, 5e-10)];
 
-/// In space, a bracket of the bound of the sufficient amounts is narrow enough at this relative width, where the carried part of the load jumps at
+/// The relative width at which a bracket of the bound of the sufficient amounts is narrow enough in space, if the carried part of the load jumps at
 /// the bound.
 ///
 /// If smaller, halvings take most of the time of an answer. If larger, the bracket shows in the answer.

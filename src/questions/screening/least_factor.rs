@@ -223,7 +223,7 @@ impl<X: Packed> LeastFactor<X> {
         }
     }
 
-    /// For each grasp the least sufficient factor on the commands, or a code if there is none; and the contact and load that determine the factor,
+    /// For each grasp the least sufficient factor on the commands, or a code if there is none. Also the contact and load that determine the factor,
     /// encoded as in `binding`.
     #[inline(always)]
     pub(super) fn least(&self) -> (X, X) {

@@ -9,7 +9,7 @@ use super::lanes::Packed;
 /// Exchanges the rotation about the coordinate axis nearest to the line between two contacts with the last coordinate.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct AlongTheLine<X: Packed> {
-    /// Positive in the first entry where the nearest axis is the first one, in the second where it is the second.
+    /// Positive in the first entry if the coordinate axis nearest to the line is the first one, in the second entry if it is the second one.
     is: [X; 2],
 }
 

@@ -62,7 +62,7 @@ pub struct Uncertainty {
 }
 
 impl Uncertainty {
-    /// No uncertainty yet, with a seed.
+    /// An uncertainty with this seed in which all σ are zero.
     #[must_use]
     pub const fn seeded(seed: u64) -> Self {
         Self { friction: 0.0, stiffness: 0.0, squeeze: 0.0, position: 0.0, normal: 0.0, load: 0.0, seed }
