@@ -147,6 +147,9 @@ impl<const C: usize> Identify<C> {
 
     /// The grasp with the estimates, such as a coefficient of friction or a squeeze. An unknown that the slips do not determine keeps its value at
     /// the start of the search, or gets a value that fits the slips equally well.
+    ///
+    /// # Errors
+    /// As for [`Grasp::identify`].
     pub fn grasp_with(&self, grasp: &Grasp<C>, found: &Identified) -> Result<Grasp<C>, Error> {
         inside(self).fitted_grasp(&inside(grasp), found).map(outside)
     }

@@ -46,8 +46,7 @@ pub(super) const APART_IN_A_SCAN: f64 = 1e-2;
 /// If narrower, further steps depend on rounding only. If wider, the width shows in the answer.
 pub(super) const EXACT: Enough = &[(0, 1e-12), (64, 5e-10)];
 
-/// The relative width at which a bracket of the bound of the sufficient amounts is narrow enough in space, if the carried part of the load jumps at
-/// the bound.
+/// In space a bracket with this relative width is narrow enough if the carried part of the load jumps at the bound of the sufficient amounts.
 ///
 /// If smaller, halvings take most of the time of an answer. If larger, the bracket shows in the answer.
 pub(super) const AT_A_JUMP: f64 = 1e-6;
