@@ -1,4 +1,4 @@
-//! What a user asks of a grasp, one folder a question, and [`ask::Grasp`], at which all of them are asked.
+//! The questions that a user can ask about a grasp, one folder for each question, and [`ask::Grasp`], which has a method for each of them.
 
 pub mod ask;
 pub mod energy;

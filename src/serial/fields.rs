@@ -1,4 +1,5 @@
-//! Text forms of fields that are numbers, rows of numbers or lists of rows: `#[serde(with = "AsGiven::<T>")]` in questions, `AsComputed` in answers.
+//! Text forms of fields that are numbers, rows (one number per axis) or lists of rows: `#[serde(with = "AsGiven::<T>")]` in questions, `AsComputed`
+//! in answers.
 
 use std::marker::PhantomData;
 
@@ -10,7 +11,7 @@ use super::numbers::{Computed, Given, Kind, Number};
 use super::rows::AxisRow;
 use crate::numerics::{mapped, moved};
 
-/// A value that consists of numbers of kind `K`: a number, a row of numbers, or a list or option of these.
+/// A value that consists of numbers of kind `K`: a number, a list of one number per axis, or a list or option of these.
 pub(crate) trait Numeric<K>: Sized {
     type Written: Serialize + DeserializeOwned;
     fn write(&self) -> Self::Written;
@@ -75,7 +76,7 @@ impl<K, T: Numeric<K>> As<K, T> {
     }
 }
 
-/// Whether a number is positive zero and may be left out; a negative zero is written.
+/// Whether a number is positive zero and may be left out of the text; a negative zero is written.
 #[allow(
     clippy::trivially_copy_pass_by_ref,
     reason = "serde passes fields by reference; what is small depends on the processor"

@@ -11,23 +11,23 @@ use serde::ser::{Serialize, Serializer};
 
 use crate::error::{MODERATE, is_moderate};
 
-/// A kind of number: the words for non-finite values, and the numbers that are refused.
+/// A kind of number, with the words for its non-finite values, and the condition for a number to be accepted.
 pub(crate) trait Kind {
     const EXPECTED: &'static str;
-    /// Words and the numbers that they express.
+    /// Words in the text, with the numbers that they express.
     const WORDS: &'static [(&'static str, f64)] = &[];
     fn allows(_: f64) -> bool {
         true
     }
 }
 
-/// A number of a question: finite and of moderate size.
+/// A number in a question of the user: finite and of moderate size.
 pub(crate) enum Given {}
 /// A coefficient of friction.
 pub(crate) enum Friction {}
 /// The stiffness of a spring.
 pub(crate) enum SpringStiffness {}
-/// A number of an answer, of any value.
+/// A number in an answer, of any value.
 pub(crate) enum Computed {}
 
 impl Kind for Given {
@@ -53,7 +53,7 @@ impl Kind for Computed {
         &[("infinite", f64::INFINITY), ("-infinite", f64::NEG_INFINITY), ("not a number", f64::NAN)];
 }
 
-/// The word for a number that is not finite: that of the kind `K` if it has one, otherwise that of answers.
+/// The word for a number that is not finite. The kind `K` may have its own word; otherwise it is the word for numbers in answers.
 fn word<K: Kind>(x: f64) -> &'static str {
     let stands_for =
         |(_, value): &&(&str, f64)| value.total_cmp(&x).is_eq() || (value.is_nan() && x.is_nan());

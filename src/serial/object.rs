@@ -6,8 +6,8 @@ use std::marker::PhantomData;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 
-/// Reads an object as `W` and converts it to a `T`. An error of the conversion is reported before the reader leaves the object, so that a format with
-/// lines and columns adds the position of the object's end. An error that is reported later would get a position after the object.
+/// Reads an object as `W` and converts it to a `T`. An error of the conversion is returned before the deserializer has left the object. A format with
+/// lines and columns then adds the position of the object's end; later it would add a position after the object.
 pub(crate) fn read<'de, W, T, D>(
     deserializer: D,
     what: &'static str,
@@ -45,7 +45,7 @@ where
     }
 }
 
-/// Reads and writes a type by the fields that it derives with `#[serde(remote = "Self")]`, and refuses all but an object.
+/// Reads and writes a type by the fields that it derives with `#[serde(remote = "Self")]`, and refuses text that is no object.
 macro_rules! read_as_object {
     ($what:expr, $name:ident $(, $dimension:ident)?) => {
         impl<$(const $dimension: usize)?> serde::Serialize for $name<$($dimension)?> {

@@ -11,7 +11,8 @@ thread_local! {
     static SPACE: Cell<Option<Space>> = const { Cell::new(None) };
 }
 
-/// The space of rows and wrenches with `C` axes in the text that this thread reads or writes; with three axes the text decides.
+/// The space to which rows and wrenches with `C` axes belong, in the text that this thread reads or writes. Three axes may belong to either space;
+/// the text that is set for this thread decides.
 pub(crate) fn space_of_text<const C: usize>() -> Space {
     let own = Space::of::<C>();
     if own == Space::Spatial { SPACE.get().unwrap_or(own) } else { own }

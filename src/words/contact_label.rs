@@ -12,7 +12,8 @@ use crate::prelude::*;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ContactLabel {
-    /// Position in the list of contacts, from 0. In the answer to a scene it is the position in the scene. Written as `contact`.
+    /// Position in the list of contacts, from 0. In the answer to a scene it is the position in the scene. In text form this field is named
+    /// `contact`.
     #[cfg_attr(feature = "serde", serde(rename = "contact"))]
     pub index: usize,
     /// Number of the point in its soft fingertip, from 0. `None`, and omitted, for a contact that is a single point.
@@ -27,7 +28,7 @@ pub struct ContactLabel {
 }
 
 impl ContactLabel {
-    /// Name in tables and pictures: the user's, safe to print, or "contact" and its number; then the point of a soft fingertip.
+    /// Name in tables and pictures: the name that the user gave, safe to print, or "contact" and its number; then the point of a soft fingertip.
     #[must_use]
     pub fn text(&self) -> String {
         let name = self.name.as_deref().map(|name| printable(name).into_owned());

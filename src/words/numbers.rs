@@ -40,7 +40,7 @@ impl Default for Words {
 }
 
 impl Words {
-    /// Numbers with this many significant digits, from 1 to 17.
+    /// The format for numbers with this many significant digits, from 1 to 17.
     pub fn with_digits(digits: usize) -> Self {
         // A double has no more than 17 digits.
         Self { digits: digits.clamp(1, 17), ..Self::default() }
@@ -87,7 +87,7 @@ impl Words {
         self.digits
     }
 
-    /// A number without unit.
+    /// A number as text, without a unit.
     #[must_use]
     pub fn number(self, x: f64) -> String {
         if x.is_nan() {
@@ -111,7 +111,7 @@ impl Words {
         trimmed(&text).to_owned()
     }
 
-    /// Numbers in parentheses. Components that are only rounding beside the largest are written as zero.
+    /// Numbers as text, in parentheses. Components that are so small beside the largest that they are due to rounding are written as zero.
     #[must_use]
     pub fn numbers(self, components: &[f64]) -> String {
         let largest = components.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
@@ -119,7 +119,7 @@ impl Words {
         format!("({})", mapped(components, &clean).join(", "))
     }
 
-    /// The number, or zero if it is rounding beside `largest`.
+    /// The number, or zero if it is so small beside `largest` that it is due to rounding.
     #[must_use]
     pub fn beside(self, x: f64, largest: f64) -> f64 {
         // Components below this fraction of the largest are taken for rounding errors. With more than six digits the limit is stricter.

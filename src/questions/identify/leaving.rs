@@ -1,15 +1,17 @@
 //! The motion of the object at gross slip, and the derivatives of the load there.
 //!
-//! If the last motion m opens no contact, normal forces stay constant while the object leaves, and friction opposes sliding. The loss under the load
-//! `W₀ + λ W` is then a root of
+//! If the last motion m opens no contact, normal forces stay constant while the object leaves, and friction opposes sliding. The load factor λ at the
+//! loss is then a root of
 //!
 //! ```text
 //! W₀ + λ W + Σ (nᵢ − μᵢ Tᵢ vᵢ/|vᵢ|) Nᵢ + Σ Tⱼ fⱼ = 0,   vᵢ = Tᵢᵀ m,   nᵢᵀ m = 0,   Tⱼᵀ m = 0
 //! ```
 //!
-//! over contacts i that press and contacts j that stick, whose velocity vⱼ is zero. The unknowns are λ, the direction of m, the forces fⱼ, and the
-//! displacement y that has changed the normal springs: dNᵢ = −kᵢ nᵢᵀ dy. The number of equations is the same. Newton's method starts from the end of
-//! the load path, and the root has exact derivatives. They do not depend on the path, and hence not on tangential springs and commands.
+//! with the constant load W₀ and the growing load W. The first sum is over contacts i that press, with normal n, tangents T, friction coefficient μ,
+//! normal force N and normal stiffness k. The second sum is over contacts j that stick, whose velocity is zero. The unknowns are λ, the direction of
+//! m, the tangential forces fⱼ, and the displacement y that has changed the normal forces: dNᵢ = −kᵢ nᵢᵀ dy. There are as many equations as unknowns.
+//! Newton's method starts from the end of the load path. The root and its exact derivatives do not depend on the path, and hence not on tangential
+//! springs and commands.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -22,10 +24,10 @@ use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{Singular, largest, mapped, matrix_of, summed};
 use crate::prelude::*;
 
-/// The state at gross slip, as a root of the equations above. Moments are divided by one length and rotations multiplied by it.
+/// The state at gross slip, as a root of the equations of this module. Moments are divided by `length` and rotations multiplied by it.
 pub(super) struct GrossSlip<'a, 's> {
     target: &'a SlipToPredict<'s>,
-    /// The length for moments and rotations, m: the distance of the farthest contact from the origin.
+    /// The length that makes moments and rotations comparable with forces and displacements, m: the distance of the farthest contact from the origin.
     length: f64,
     /// The load factor at gross slip; of a turning load, the angle.
     at: f64,
@@ -34,7 +36,8 @@ pub(super) struct GrossSlip<'a, 's> {
 }
 
 impl<'a, 's> GrossSlip<'a, 's> {
-    /// The root near the end of a load path. `None` if a contact opens as the object leaves, or if these equations do not describe the grasp.
+    /// The state at gross slip, from the load factor, motion and forces at the end of a load path. `None` if a contact opens as the object leaves, or
+    /// if the equations of this module do not describe the grasp.
     pub(super) fn from_end(
         target: &'a SlipToPredict<'s>,
         at: f64,
@@ -63,7 +66,7 @@ impl<'a, 's> GrossSlip<'a, 's> {
         Self { target, length, at, motion, pressing }.at_root()
     }
 
-    /// Solves the equations by Newton's method. `None` unless it converges to a root close to its start.
+    /// Solves the equations of this module by Newton's method. `None` unless it converges to a root close to the end of the load path.
     fn at_root(mut self) -> Option<Self> {
         let began_at = self.at;
         let (_, free) = spaces(&self.fixed_directions(), self.motion.len());
@@ -124,7 +127,7 @@ impl<'a, 's> GrossSlip<'a, 's> {
         at_length(space, &load.coordinates(space), self.length.recip())
     }
 
-    /// Adds a Newton step to the unknowns of the equations.
+    /// Adds a Newton step to the unknowns of the equations: load factor, motion, forces of sticking contacts and normal forces.
     fn take_step(&mut self, equations: &Equations, step: &DVector<f64>) {
         let (springs, turns) = (equations.springs.ncols(), equations.turns.ncols());
         let y = &equations.springs * step.rows(0, springs).into_owned();
@@ -142,8 +145,8 @@ impl<'a, 's> GrossSlip<'a, 's> {
         self.at += step[step.len() - 1];
     }
 
-    /// Derivatives of the logarithm of the load factor (or angle) at gross slip by the logarithms of the unknowns. `None` at a kink, where the
-    /// equations have no solution for some unknown.
+    /// Derivatives of the logarithm of the load factor (or angle) at gross slip by the logarithms of the unknown data. `None` at a kink of the load
+    /// factor, where the linearised equations have no solution for a change of some datum.
     pub(super) fn derivatives(&self) -> Option<Vec<f64>> {
         let equations = Equations::of(self)?;
         self.target.by_unknowns(&|kind, unknown, value| {
@@ -154,7 +157,7 @@ impl<'a, 's> GrossSlip<'a, 's> {
         })
     }
 
-    /// The derivative of [`Self::residual`] by the logarithm of an unknown.
+    /// The derivative of [`Self::residual`] by the logarithm of an unknown datum.
     fn change(&self, kind: UnknownKind, unknown: usize, value: f64) -> DVector<f64> {
         let mut sum = DVector::zeros(self.motion.len());
         let contacts = self.target.grasp.contacts();
@@ -178,20 +181,21 @@ impl<'a, 's> GrossSlip<'a, 's> {
     }
 }
 
-/// The linearised equations of equilibrium. Their unknowns are changes of the displacement y, of the motion, of the forces of sticking contacts, and
-/// of the load.
+/// The linearised equations of equilibrium at gross slip. Their unknowns are small changes of the displacement y, of the direction of the motion, of
+/// the forces of sticking contacts, and of the load factor.
 struct Equations {
     /// Orthonormal bases: `springs` of the displacements y that change normal forces, `turns` of the possible changes of the motion's direction.
     springs: DMatrix<f64>,
     turns: DMatrix<f64>,
-    /// The matrix with columns scaled to length one, those scales, and its singular value decomposition.
+    /// The matrix of the linearised equations with columns scaled to length one, the scales of the columns, and the singular value decomposition of
+    /// the matrix.
     matrix: DMatrix<f64>,
     scales: DVector<f64>,
     parts: Singular,
 }
 
 impl Equations {
-    /// Linearises the equations at this state. `None` if they do not determine the load.
+    /// Linearises the equations at the state `leaving`. `None` if they do not determine the load factor.
     fn of(leaving: &GrossSlip<'_, '_>) -> Option<Self> {
         let (size, motion, pressing) = (leaving.motion.len(), &leaving.motion, &leaving.pressing);
         let normals: Vec<_> = mapped(pressing, &|contact| contact.normal.clone());
@@ -241,7 +245,8 @@ impl Equations {
         ((component - 1.0).abs() <= INDISTINCT).then_some(Self { springs, turns, matrix, scales, parts })
     }
 
-    /// The step for this right side: among least-squares solutions the one of least norm in units of the scaled columns.
+    /// The solution of the linearised equations for the right-hand side `change`. Among least-squares solutions it is the one of least norm in units
+    /// of the scaled columns.
     fn solved(&self, change: &DVector<f64>) -> DVector<f64> {
         self.parts.solve(change, NEGLIGIBLE).component_mul(&self.scales)
     }
@@ -252,7 +257,7 @@ impl Equations {
     }
 }
 
-/// Orthonormal bases of the span of these directions, and of its orthogonal complement.
+/// Orthonormal bases of the span of the given directions, and of its orthogonal complement.
 fn spaces(directions: &[DVector<f64>], size: usize) -> (DMatrix<f64>, DMatrix<f64>) {
     let matrix = matrix_of(directions.len(), size, &|i, j| directions[i][j]);
     let parts = Singular::new(&matrix);

@@ -13,25 +13,26 @@
 //!
 //! **Method.** All unknowns are positive, so that the search is in their logarithms x. The residual of a slip observed at load factor λ and predicted
 //! at λ(x) is `ln λ - ln λ(x)`. Gauss-Newton steps with Levenberg's damping minimise the sum of [Huber's loss](Identify::with_outliers_beyond).
-//! Derivatives are exact. Those of an onset are [known](crate::load_path::OnsetMargins). At gross slip the object leaves with a motion m. If
-//! m opens no contact, λ is a root of the equations below. They hold over the contacts i that press, with normal nᵢ, tangents Tᵢ and normal force Nᵢ:
+//! Derivatives of first slip are exact, see [`OnsetMargins`](crate::load_path::OnsetMargins). At gross slip the object leaves with a motion m. If m
+//! opens no contact, λ is a root of the equations below. They hold over the contacts i that press, with normal nᵢ, tangents Tᵢ and normal force Nᵢ:
 //!
 //! ```text
 //! W₀ + λ W + Σ (nᵢ − μᵢ Tᵢ vᵢ/|vᵢ|) Nᵢ = 0,   vᵢ = Tᵢᵀ m,   nᵢᵀ m = 0,   dNᵢ = −kᵢ nᵢᵀ dy
 //! ```
 //!
 //! in which sticking contacts carry arbitrary tangential forces. Their unknowns λ, m and y, the displacement that has changed the normal springs,
-//! have derivatives by the implicit function theorem. Elsewhere, as where the object wedges or friction falls, derivatives are differences of exact
-//! answers.
+//! have derivatives by the implicit function theorem. Where these equations do not hold, for instance where the object wedges or friction falls,
+//! derivatives are difference quotients of predictions.
 //!
-//! **Start.** The search starts at the given values. At these the model may not predict some slip: the object holds any load, or is lost at once. Then
-//! all friction is halved or doubled, at most twelve times, until all slips are predicted. If only a slip's own load presses, its part along the
-//! normals acts at rest, and only the other part grows: an object that is dragged over a table lies on it first.
+//! **Start.** The search starts at the given values of the unknowns. At these values the model may not predict some slip: the object holds any load,
+//! or is lost at once. Then all friction is halved or doubled, at most twelve times, until all slips are predicted. If nothing but the load of a slip
+//! presses on the contacts, its part along the normals acts at rest, and only the other part grows: an object that is dragged over a table lies on it
+//! first.
 //!
-//! **Which contact slips first.** Between two jaws the weaker one slips first, so that a slip depends on the friction of one jaw alone. Which jaw this
-//! is may depend on the start of the search. From the solution, pairs of unknowns of one kind are therefore exchanged, and the search is repeated where
-//! slips then depend on other unknowns. If another assignment of slips to unknowns fits as well, at 95 %, [`Identified::assignments`] has the estimates
-//! of each. An unknown on which they disagree is not fixed.
+//! **Which contact slips first.** Between two jaws the weaker one slips first, so that a slip depends on the friction of one jaw alone. Which jaw
+//! this is may depend on the start of the search. From the solution, pairs of unknowns of one kind are therefore exchanged, and the search is
+//! repeated where slips then depend on other unknowns. If another assignment of slips to unknowns fits as well, at 95 %, [`Identified::assignments`]
+//! has the estimates of each. An unknown on which the assignments disagree has no unique estimate.
 //!
 //! # Errors
 //!
@@ -50,9 +51,9 @@
 //!
 //! Rows X are derivatives over standard deviations. `ψ` are residuals over standard deviations, limited where Huber's loss becomes linear, and c is
 //! their mean derivative by the residuals. Rows `x_k` are known sums, and H is the derivative of fitted values by the slips. `A_g` is the correction
-//! CR2 of Bell and McCaffrey (Survey Methodology 28, 2002): V then has the right mean for independent slips. Few groups say little about their own
-//! scatter. Intervals are Student's with Satterthwaite's degrees of freedom of that number, [`Estimate::degrees_of_freedom`] (Pustejovsky and Tipton,
-//! J. Bus. Econ. Stat. 36, 2018). Estimates do not change, and a number that one group determines alone has no error.
+//! CR2 of Bell and McCaffrey (Survey Methodology 28, 2002): V then has the right mean for independent slips. With few groups the scatter between
+//! groups is poorly known. Intervals are therefore Student's with Satterthwaite's degrees of freedom, [`Estimate::degrees_of_freedom`] (Pustejovsky
+//! and Tipton, J. Bus. Econ. Stat. 36, 2018). Groups do not change the estimates. An unknown that one group determines alone has no error.
 
 mod answer;
 mod assignments;

@@ -16,13 +16,14 @@ use crate::sweep::map_in_order;
 /// Step of a central difference in the logarithm of an unknown. Truncation and rounding then both cause relative errors of some 1e-8.
 const LOGARITHM_STEP: f64 = 1e-4;
 
-/// The question, with the grasp of each layout.
+/// The question [`Identify`], with a grasp for each layout of the contact points in which slips were observed.
 pub(super) struct Model<'a> {
     pub(super) layouts: &'a [Grasp<3>],
     pub(super) asked: &'a Identify<3>,
 }
 
-/// The grasp of a layout with trial values of the unknowns, and the constant load that unknown carried forces add.
+/// The grasp of one layout of contact points with trial values of the unknowns. `base` is the constant load that belongs to unknown normal forces at
+/// rest.
 pub(super) struct LayoutGuess {
     pub(super) grasp: Grasp<3>,
     pub(super) base: Wrench<3>,
@@ -53,19 +54,19 @@ pub(super) struct Predicted {
     pub(super) exact: Option<Vec<f64>>,
 }
 
-/// The residuals of all observations and their derivatives, at one point of the logarithms of the unknowns.
+/// The residuals of all observations and their derivatives, for one set of values of the unknowns.
 #[derive(Clone)]
 pub(super) struct Linear {
-    /// Logarithm of the observed over the predicted value, for each slip and then for each known sum.
+    /// Logarithm of the observed over the predicted value, for each slip and then for each known sum of unknowns.
     pub(super) residuals: Vec<f64>,
     /// Derivatives of the logarithm of the predicted value by the logarithms of the unknowns, one row for each residual.
     pub(super) jacobian: DMatrix<f64>,
-    /// Number of slips whose derivatives are difference quotients.
+    /// Number of slips whose derivatives are difference quotients, not exact.
     pub(super) by_differences: usize,
 }
 
 impl Model<'_> {
-    /// The grasps of all layouts for these logarithms of the unknowns.
+    /// The grasps of all layouts with the unknowns whose logarithms are `logs`.
     pub(super) fn at(&self, logs: &[f64]) -> Result<Vec<LayoutGuess>, Error> {
         let mut guesses = Vec::with_capacity(self.layouts.len());
         for (layout, grasp) in self.layouts.iter().enumerate() {
@@ -94,7 +95,7 @@ impl Model<'_> {
         Ok(self.predicted(logs, false)?.map(|all| self.log_residuals(logs, &all)))
     }
 
-    /// The residuals and their derivatives.
+    /// The residuals and their derivatives. The inner error is the first slip that the model does not predict, and the reason.
     pub(super) fn linear(&self, logs: &[f64]) -> Result<Result<Linear, (usize, NoSlip)>, Error> {
         let all = match self.predicted(logs, true)? {
             Ok(all) => all,
@@ -126,8 +127,8 @@ impl Model<'_> {
         Ok(Ok(Linear { residuals: self.log_residuals(logs, &all), jacobian, by_differences: unknown.len() }))
     }
 
-    /// Derivatives of some slips by one unknown, as central differences of exact predictions. They are one-sided where the model predicts no slip on
-    /// one side.
+    /// Derivatives of the logarithms of the slips `those` by the logarithm of one unknown, as central differences of predictions. A difference is
+    /// one-sided where the model predicts no slip on the other side.
     fn differences(
         &self,
         logs: &[f64],
@@ -159,7 +160,7 @@ impl Model<'_> {
         Ok(up.into_iter().zip(down).zip(those).map(difference).list())
     }
 
-    /// Logarithm of the observed over the predicted value, for each slip and then for each known sum.
+    /// Logarithm of the observed over the predicted value, for each slip and then for each known sum of unknowns.
     fn log_residuals(&self, logs: &[f64], all: &[Predicted]) -> Vec<f64> {
         let slips = self
             .asked
@@ -192,7 +193,7 @@ impl Model<'_> {
         Ok(Ok(all))
     }
 
-    /// Predictions of these slips, in parallel; slips that were observed several times are predicted once.
+    /// Predictions of the slips with the indices `those`, in parallel; slips that were observed several times are predicted once.
     fn slips(
         &self,
         those: &[usize],
@@ -214,7 +215,7 @@ impl Model<'_> {
         mapped(&alike, &|place| prediction[*place].clone())
     }
 
-    /// Prediction of one slip.
+    /// Predicts one slip: its load factor or angle, and its derivatives.
     fn slip(
         &self,
         layouts: &[LayoutGuess],
@@ -247,10 +248,10 @@ impl Model<'_> {
     }
 }
 
-/// One slip to predict, with the grasp at trial values of the unknowns.
+/// The data for the prediction of one slip: the grasp with trial values of the unknowns, the loads, and the question.
 pub(super) struct SlipToPredict<'a> {
     pub(super) grasp: &'a Grasp<3>,
-    /// The loads that act before the slip's own load.
+    /// The constant loads that act before the load of the slip grows.
     pub(super) base: Wrench<3>,
     pub(super) slip: &'a Slip<3>,
     pub(super) asked: &'a Identify<3>,
@@ -268,7 +269,7 @@ impl SlipToPredict<'_> {
         }
     }
 
-    /// The derivative of the total load by the factor, or the angle.
+    /// The derivative of the total load by the load factor; of a turning load, by the angle.
     pub(super) fn load_rate(&self, at: f64) -> Wrench<3> {
         match self.slip.growing_load() {
             Grown::Load(load) => load,
@@ -285,8 +286,8 @@ impl SlipToPredict<'_> {
         (0..self.grasp.len()).filter(move |i| unknown.is_of(layout, *i))
     }
 
-    /// Collects derivatives by the logarithm of each unknown: `by` computes one from kind, index and value of the unknown. Unknowns of other layouts
-    /// get zero. `None` if one derivative is not known.
+    /// Collects derivatives by the logarithms of all unknowns. `by` returns the derivative for the kind, index and value of an unknown. Unknowns that
+    /// belong to other layouts have derivative zero. `None` if one derivative is not known.
     pub(super) fn by_unknowns(
         &self,
         by: &dyn Fn(UnknownKind, usize, f64) -> Option<f64>,
@@ -304,7 +305,7 @@ impl SlipToPredict<'_> {
         Some(all)
     }
 
-    /// Whether only commands of contacts make the squeeze, not forces, joints or a vacuum. Exact derivatives are known for commands alone.
+    /// Whether the squeeze is due to commands of contacts alone, not to forces, joints or a vacuum. Exact derivatives are known only in this case.
     pub(super) fn is_pressed_by_commands(&self) -> bool {
         let grasp = self.grasp;
         grasp.joint_commands().is_empty()

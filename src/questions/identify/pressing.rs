@@ -18,10 +18,10 @@ pub(super) struct Pressing {
     pub(super) stiffness: f64,
     pub(super) friction: f64,
     pub(super) normal_force: f64,
-    /// Tangential force, N, if the contact sticks.
+    /// The tangential force of a sticking contact, N.
     pub(super) held: DVector<f64>,
     pub(super) sticks: bool,
-    /// Whether its normal force may pull, as of a contact that cannot open.
+    /// Whether the normal force may pull, as at a contact that cannot open.
     pub(super) may_pull: bool,
 }
 
@@ -34,7 +34,7 @@ impl Pressing {
         self.tangents.tr_mul(motion)
     }
 
-    /// The wrench for 1 N of normal force; of a sliding contact it includes friction.
+    /// The wrench for 1 N of normal force; of a sliding contact, with the friction that belongs to it.
     pub(super) fn by_newton(&self, motion: &DVector<f64>) -> DVector<f64> {
         if self.slides() { &self.normal + self.friction_wrench(motion) } else { self.normal.clone() }
     }
@@ -44,7 +44,8 @@ impl Pressing {
         &self.tangents * self.velocity(motion).normalize() * -self.friction
     }
 
-    /// The derivative of a sliding contact's friction wrench: the friction turns as the motion of the object changes by `by`.
+    /// The derivative of a sliding contact's friction wrench. As the motion of the object changes by `by`, the sliding velocity and thus the friction
+    /// force change direction.
     pub(super) fn turning(&self, motion: &DVector<f64>, by: &DVector<f64>) -> DVector<f64> {
         let (v, change) = (self.velocity(motion), self.velocity(by));
         let aside = &change - &v * (v.dot(&change) / v.norm_squared());
@@ -52,7 +53,7 @@ impl Pressing {
     }
 }
 
-/// The contacts that press under these forces, or that may pull.
+/// The contacts that press with the contact forces `forces`, and those that cannot open.
 pub(super) fn pressing(target: &SlipToPredict<'_>, forces: &[SVector<f64, 3>], length: f64) -> Vec<Pressing> {
     let (space, contacts) = (target.grasp.engine.space(), target.grasp.contacts());
     let largest = largest(forces, &|force| force[0].abs());

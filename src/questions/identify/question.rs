@@ -1,4 +1,4 @@
-//! The unknowns, and the observed slips.
+//! The question of identification: the unknowns, the observed slips, and further data.
 
 use crate::numerics::IntoList;
 use nalgebra::SVector;
@@ -19,7 +19,7 @@ use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsGiven;
 
-/// Unknown numbers of a grasp, and the observed slips. The question is checked when it is answered.
+/// Unknown numbers of a grasp, and the observed slips. Invalid values are refused when the question is asked.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[cfg_attr(
@@ -32,14 +32,15 @@ pub struct Identify<const C: usize> {
     pub(crate) unknowns: Vec<Unknown>,
     /// The observed slips.
     pub(crate) slips: Vec<Slip<C>>,
-    /// Contact points of further layouts in which slips were observed, m; the first is layout 1.
+    /// Contact points of other layouts in which slips were observed, m. A layout is one arrangement of the contact points; the first one here is
+    /// layout 1.
     #[cfg_attr(
         feature = "serde",
         serde(default, with = "AsGiven::<Vec<Vec<SVector<f64, C>>>>", skip_serializing_if = "Vec::is_empty")
     )]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub(crate) layouts: Vec<Vec<SVector<f64, C>>>,
-    /// Sums of unknowns that are known from elsewhere.
+    /// Sums of unknowns that are known from other measurements.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub(super) known: Vec<KnownSum>,
     /// Slips that are off by more than this number of standard deviations count less; 2 if left out.
@@ -52,12 +53,12 @@ pub struct Identify<const C: usize> {
     /// Largest number of steps of the search; 100 if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) iterations: Option<usize>,
-    /// Grasps of further layouts.
+    /// Grasps of other layouts in which slips were observed.
     #[cfg_attr(feature = "serde", serde(skip, default = "no_others"))]
     pub(super) others: Others<C>,
 }
 
-/// The grasps of other layouts. Two lists count as equal if all their contacts are.
+/// The grasps of other layouts. Two such lists are equal if the contacts of all their grasps are equal.
 #[derive(Debug, Clone)]
 pub(super) struct Others<const C: usize> {
     pub(super) grasps: Vec<Grasp<C>>,
@@ -75,12 +76,12 @@ fn no_others<const C: usize>() -> Others<C> {
     Others { grasps: Vec::new() }
 }
 
-/// A sum of unknowns that is known from elsewhere.
+/// A sum of unknowns that is known from another measurement.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) struct KnownSum {
-    /// The unknowns of the sum, from 0.
+    /// The indices of the unknowns in the sum, from 0.
     pub(super) unknowns: Vec<usize>,
     /// The value of the sum.
     pub(super) value: f64,
@@ -89,7 +90,7 @@ pub(super) struct KnownSum {
 }
 
 impl<const C: usize> Identify<C> {
-    /// A question for these unknowns from these slips.
+    /// The question for estimates of these unknowns from these slips.
     pub fn new(
         unknowns: impl IntoIterator<Item = Unknown>,
         slips: impl IntoIterator<Item = Slip<C>>,
@@ -105,15 +106,15 @@ impl<const C: usize> Identify<C> {
         }
     }
 
-    /// Points of the contacts in another layout in which slips were observed, m, one for each contact. The grasp that is asked is layout 0.
+    /// Points of the contacts in another layout in which slips were observed, m, one for each contact. The grasp for which the question is asked is
+    /// layout 0.
     #[must_use]
     pub fn with_points(mut self, points: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         self.layouts.push(points.into_iter().map(|point| SVector::from(point.into())).list());
         self
     }
 
-    /// Grasps of other layouts in which slips were observed, for instance pressed otherwise. They come after those
-    /// of [`Self::with_points`].
+    /// Grasps of other layouts in which slips were observed, for instance with other squeezes. They come after those of [`Self::with_points`].
     #[must_use]
     pub fn and_layouts(mut self, others: impl IntoIterator<Item = Grasp<C>>) -> Self {
         self.others.grasps.extend(others);
@@ -128,8 +129,8 @@ impl<const C: usize> Identify<C> {
         self
     }
 
-    /// The number of standard deviations beyond which slips count less (default 2). The loss is Huber's: quadratic up to there, and linear beyond.
-    /// Infinity gives least squares.
+    /// The number of standard deviations beyond which slips count less (default 2). The loss is Huber's: quadratic up to this number, and linear
+    /// beyond. Infinity gives least squares.
     #[doc(alias = "Huber")]
     #[must_use]
     pub fn with_outliers_beyond(mut self, deviations: f64) -> Self {
@@ -144,8 +145,8 @@ impl<const C: usize> Identify<C> {
         self
     }
 
-    /// The grasp with the estimates, such as a coefficient of friction or a squeeze. A number that the slips do not determine has its value at the
-    /// start of the search, or one that fits the others.
+    /// The grasp with the estimates, such as a coefficient of friction or a squeeze. An unknown that the slips do not determine keeps its value at
+    /// the start of the search, or gets a value that fits the slips equally well.
     ///
     /// # Errors
     /// As for [`Grasp::identify`].
@@ -153,7 +154,7 @@ impl<const C: usize> Identify<C> {
         inside(self).fitted_grasp(&inside(grasp), found).map(outside)
     }
 
-    /// Whether forces that contacts carry at rest are sought. The question then need not say what presses at rest.
+    /// Whether normal forces that contacts carry at rest are sought. The question then need not contain the load that presses at rest.
     #[cfg(feature = "serde")]
     pub(crate) fn seeks_carried(&self) -> bool {
         self.unknowns.iter().any(|unknown| unknown.kind == UnknownKind::Carried)
@@ -161,7 +162,7 @@ impl<const C: usize> Identify<C> {
 }
 
 impl Identify<3> {
-    /// As [`Self::grasp_with`], in the engine's three components.
+    /// [`Self::grasp_with`] for the engine, whose vectors have three components, in the plane, too.
     fn fitted_grasp(&self, grasp: &Grasp<3>, found: &Identified) -> Result<Grasp<3>, Error> {
         let layouts = self.layouts(grasp)?;
         let asked = &self.of_points(&layouts)?;
@@ -170,7 +171,7 @@ impl Identify<3> {
         Ok(model.at(&logs)?.swap_remove(0).grasp)
     }
 
-    /// Answers the question in the engine's three components.
+    /// Answers the question for the engine, whose vectors have three components, in the plane, too.
     fn answered_by(&self, grasp: &Grasp<3>) -> Result<Identified, Error> {
         let layouts = self.layouts(grasp)?;
         let asked = &self.of_points(&layouts)?.with_weights_at_rest(&layouts);
@@ -178,8 +179,8 @@ impl Identify<3> {
         assigned(&model, fitted(&model)?)
     }
 
-    /// The question as it is answered. In a slip whose own load presses, the pressing part [acts at rest](Slip::with_weight_at_rest), unless carried
-    /// forces are sought.
+    /// The question in which the pressing part of each slip's load [acts at rest](Slip::with_weight_at_rest) if nothing else presses. A slip keeps
+    /// its load if normal forces at rest are sought in its layout.
     fn with_weights_at_rest(&self, layouts: &[Grasp<3>]) -> Self {
         let mut asked = self.clone();
         let is_carried =
@@ -203,7 +204,7 @@ impl Identify<3> {
         self.iterations.unwrap_or(100)
     }
 
-    /// The grasps of all layouts: the grasp that is asked, the same with its contacts at other points, then the grasps of [`Self::and_layouts`].
+    /// The grasps of all layouts: the given grasp, the same with its contacts at other points, then the grasps of [`Self::and_layouts`].
     fn layouts(&self, grasp: &Grasp<3>) -> Result<Vec<Grasp<3>>, Error> {
         let mut all = vec![grasp.clone()];
         for points in &self.layouts {
@@ -213,7 +214,7 @@ impl Identify<3> {
         Ok(all)
     }
 
-    /// The checked question with each whole contact replaced by its points, as the engine counts a soft fingertip.
+    /// The question after its values have been checked. Each soft fingertip is replaced by its points, which are contacts of their own in the engine.
     fn of_points(&self, layouts: &[Grasp<3>]) -> Result<Self, Error> {
         self.check_numbers(layouts[0].engine.space(), layouts.len())?;
         let mut asked = self.clone();
@@ -224,7 +225,8 @@ impl Identify<3> {
         Ok(asked)
     }
 
-    /// The load at rest for the check of contacts: that of the first slip if carried forces are sought, or if every slip has a load at rest; else zero.
+    /// The load at rest, from which a scene finds out whether anything presses on the contacts. It is that of the first slip if normal forces at rest
+    /// are sought, or if every slip has a load at rest; else it is zero.
     #[cfg(feature = "serde")]
     pub(crate) fn at_rest(&self) -> Wrench<3> {
         let mut all = self.slips.iter().map(Slip::at_rest);
@@ -234,7 +236,7 @@ impl Identify<3> {
 }
 
 impl Grasp<3> {
-    /// This grasp with each contact, or the middle of a soft fingertip, at another point.
+    /// This grasp with its contacts at other points. A soft fingertip moves as a whole, its middle to the given point.
     fn moved_to(&self, points: &[SVector<f64, 3>]) -> Result<Self, Error> {
         if self.refuse_hands("identify").is_err() {
             return Err(LAYOUTS_OF_HANDS);
@@ -259,7 +261,7 @@ impl Grasp<3> {
     }
 }
 
-/// The error of a question with layouts of other points about a grasp with joints or several bodies: their contacts cannot be moved one by one.
+/// The error of a question that gives layouts by contact points for a grasp with joints or several bodies, whose contacts cannot be moved one by one.
 pub(crate) const LAYOUTS_OF_HANDS: Error = Error::Question {
     question: "identify",
     field: "layouts",

@@ -36,8 +36,8 @@ impl Huber {
         residuals.map(|u| self.pull(u).powi(2)).sum()
     }
 
-    /// The standard deviation of residuals with this number of degrees of freedom, by Huber's second proposal. Without a linear part it is that of
-    /// least squares.
+    /// The standard deviation of residuals with this number of degrees of freedom, by Huber's second proposal. Where the loss is quadratic for all
+    /// residuals, it is the standard deviation of least squares.
     pub(super) fn scale(self, residuals: &[f64], degrees: usize) -> f64 {
         let all = summed(residuals, &|r| r * r);
         let expected = degrees.max(1) as f64 * self.mean_square();
@@ -68,8 +68,8 @@ mod tests {
     use super::*;
     use crate::numerics::Draw;
 
-    /// For normally distributed numbers the scale is their standard deviation at every transition, and the mean square is that of the numbers clipped
-    /// at the transition.
+    /// For normally distributed numbers the scale is their standard deviation, wherever the loss becomes linear. The mean square is that of the
+    /// numbers clamped where the loss becomes linear.
     #[test]
     fn the_scale_is_that_of_a_normal_distribution() {
         let drawn: Vec<f64> = (0..20_000).map(|k| 3.0 * Draw::new([1, 2, k]).normal()).collect();

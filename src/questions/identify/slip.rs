@@ -105,8 +105,8 @@ impl<const C: usize> Slip<C> {
         self
     }
 
-    /// This slip with a factor on the squeeze of the grasp. If the squeeze is loosened until the object slips, it is the factor at the slip, and its
-    /// scatter is given as that of the load.
+    /// This slip with a factor on the squeeze of the grasp. If the squeeze was loosened until the object slipped, `factor` is that at the slip, and
+    /// the scatter of the slip is the scatter of this factor.
     #[must_use]
     pub fn squeezed(mut self, factor: f64) -> Self {
         self.squeeze = Some(factor);
@@ -203,7 +203,7 @@ impl Slip<3> {
         self.squeeze.unwrap_or(1.0)
     }
 
-    /// The layout in which the slip was observed; 0 is the grasp that is asked.
+    /// The layout in which the slip was observed; 0 is the given grasp.
     pub(super) fn layout(&self) -> usize {
         self.layout.unwrap_or(0)
     }

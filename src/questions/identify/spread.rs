@@ -12,7 +12,7 @@ use super::tolerances::INDISTINCT;
 use crate::numerics::{IntoList, mapped, numbered, two_sided};
 use crate::prelude::*;
 
-/// Makes the answer from the fit at the end of a search.
+/// The answer, from the fit at the end of the search: estimates with standard errors and intervals.
 pub(super) fn identified(model: &Model<'_>, fit: &Fitted) -> Identified {
     let grasp = &model.layouts[0];
     let names: Vec<String> = mapped(&model.asked.unknowns, &|unknown| unknown.called(grasp));
@@ -86,7 +86,7 @@ struct Spread {
     scatter: Scatter,
     /// Mean square of the residuals divided by the given scatter; `None` if the scatter was not given.
     square: Option<f64>,
-    /// Contributions of groups to the solution, if slips share errors in groups.
+    /// For slips with groups, the data of the sandwich estimate of covariances; otherwise `None`.
     grouped: Option<Grouped>,
 }
 
@@ -108,8 +108,8 @@ impl Spread {
         let inside = scaled.iter().filter(|u| u.abs() <= huber.0).count();
         let slope = Huber::slope(slips, inside, unknowns);
         let groups = groups(model);
-        // `counts` corrects the weight of slips for clamped residuals. For groups the clamped residuals measure the scatter themselves. For
-        // independent slips their mean square is that of clamped normal residuals.
+        // `counts` is a factor on the weight of each slip, because residuals are clamped. With groups the covariance is computed from the clamped
+        // residuals themselves. For independent slips the mean square of clamped normal residuals takes their place.
         let counts = if groups.is_some() { slope.sqrt() } else { slope / huber.mean_square().sqrt() };
         let weights = numbered(rows, &|k| (if k < slips { counts } else { 1.0 }) / scatter.rows[k]);
         let (values, directions, _) = singular(&linear.jacobian, &linear.residuals, &weights);
@@ -128,7 +128,8 @@ impl Spread {
         spread
     }
 
-    /// A basis of the directions that the slips determine, as columns. Its lengths are the standard errors if slips are independent.
+    /// A basis of the directions that the slips determine, as columns. The length of a column is the standard error along it if slips are
+    /// independent.
     fn scaled_directions(&self) -> DMatrix<f64> {
         let mut directions = self.directions.columns(0, self.rank).into_owned();
         for (mut column, value) in directions.column_iter_mut().zip(&self.values) {

@@ -32,25 +32,25 @@ pub struct Unknown {
     /// The kind of the unknown.
     #[cfg_attr(feature = "serde", serde(rename = "quantity"))]
     pub(super) kind: UnknownKind,
-    /// The contacts of the unknown, from 0, a soft fingertip as one; all if left out.
+    /// The contacts of the unknown, from 0, a soft fingertip counted as one; all contacts if left out.
     #[cfg_attr(
         feature = "serde",
         serde(default, deserialize_with = "some_contacts", skip_serializing_if = "Option::is_none")
     )]
     #[cfg_attr(feature = "schema", schemars(with = "Vec<usize>"))]
     pub(crate) contacts: Option<Vec<usize>>,
-    /// The layout of the unknown, 0 for the scene itself; all if left out.
+    /// The layout of the unknown, 0 for the scene itself; all layouts if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) layout: Option<usize>,
     /// The name of the unknown in answers.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) name: Option<String>,
-    /// Start of the search; the value of the scene if left out.
+    /// The value at the start of the search; the value of the scene if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) start: Option<f64>,
 }
 
-/// Reads the contacts of an unknown; an empty list stands for all.
+/// Reads the contacts of an unknown; an empty list means all contacts.
 #[cfg(feature = "serde")]
 fn some_contacts<'de, S: serde::Deserializer<'de>>(deserializer: S) -> Result<Option<Vec<usize>>, S::Error> {
     let contacts: Vec<usize> = serde::Deserialize::deserialize(deserializer)?;
@@ -70,8 +70,8 @@ impl Unknown {
         Self::of(UnknownKind::Friction)
     }
 
-    /// The normal force that a contact carries at rest, N: the share of its support in a weight. The contact presses with this force, and an equal
-    /// force presses the object onto the contact, so that the object rests where it is. The weight must not be given again as a base load.
+    /// The normal force that a contact carries at rest, N: the part of a weight that this support carries. The contact presses with this force, and
+    /// an equal force presses the object onto the contact, so that the object rests where it is. The weight must not be given again as a base load.
     #[must_use]
     pub fn carried() -> Self {
         Self::of(UnknownKind::Carried)
@@ -83,7 +83,8 @@ impl Unknown {
         Self::of(UnknownKind::Squeeze)
     }
 
-    /// The factor on the given tangential stiffness. As a rule, gross slip under a load does not depend on it, and first slip only on ratios.
+    /// The factor on the given tangential stiffness. As a rule, gross slip under a load does not depend on tangential stiffness, and first slip only
+    /// on ratios.
     #[must_use]
     pub fn stiffness() -> Self {
         Self::of(UnknownKind::Stiffness)
@@ -117,7 +118,7 @@ impl Unknown {
         self
     }
 
-    /// This unknown in the engine's terms: each whole contact is replaced by the indices of its points.
+    /// This unknown with contact points in place of contacts: each soft fingertip is replaced by the indices of its points.
     pub(super) fn of_points(&self, number: usize, layouts: &[Grasp<3>]) -> Result<Self, Error> {
         let mut points = self.clone();
         if let Some(contacts) = &self.contacts {
@@ -132,7 +133,7 @@ impl Unknown {
         Ok(points)
     }
 
-    /// Whether this contact point of this layout has the unknown.
+    /// Whether the unknown belongs to this contact point of this layout.
     pub(super) fn is_of(&self, layout: usize, contact: usize) -> bool {
         self.is_in(layout) && self.contacts.as_ref().is_none_or(|those| those.contains(&contact))
     }
@@ -141,7 +142,7 @@ impl Unknown {
         self.layout.is_none_or(|own| own == layout)
     }
 
-    /// The name of the unknown in answers: its own, or "friction of left and right".
+    /// The name of the unknown in answers: the name that the user gave, or one such as "friction of left and right".
     pub(super) fn called(&self, grasp: &Grasp<3>) -> String {
         if let Some(name) = &self.name {
             return crate::words::printable(name).into_owned();
@@ -161,7 +162,7 @@ impl Unknown {
         format!("{kind}{whose}{at}")
     }
 
-    /// The value at the start of the search.
+    /// The value of the unknown at the start of the search.
     pub(super) fn begins_at(&self, layouts: &[Grasp<3>]) -> f64 {
         if let Some(start) = self.start {
             return start;

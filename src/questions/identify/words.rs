@@ -1,4 +1,4 @@
-//! The unknowns and their errors in a sentence.
+//! The answer to [`Identify`](super::Identify) in a sentence: the unknowns and their errors.
 
 use core::fmt;
 
@@ -83,8 +83,8 @@ impl Identified {
         self.assignments.iter().any(|each| !is_alike(&self.assignments[0][unknown], &each[unknown]))
     }
 
-    /// The clause about unknowns that may exchange places: "one of the two is 0.423 ± 0.004, which one is not fixed: friction of left or friction of
-    /// right". If their values differ, each alternative is named with its value.
+    /// The clause about unknowns whose values may be exchanged: "one of the two is 0.423 ± 0.004, which one is not fixed: friction of left or
+    /// friction of right". If their values differ, each alternative is named with its value.
     fn alternatives_text(&self, open: &[usize], words: Words) -> String {
         let names: Vec<_> = mapped(open, &|j| self.estimates[*j].name.clone());
         let fixed: Vec<Vec<&Estimate>> = mapped(&self.assignments, &|each| {
@@ -110,7 +110,7 @@ impl Identified {
     }
 }
 
-/// "a is", "a and b are".
+/// The names as the subject of a sentence, with the verb: "a is", "a and b are".
 fn are(names: &[String]) -> String {
     format!("{} {}", listed(names), if names.len() == 1 { "is" } else { "are" })
 }
@@ -129,7 +129,7 @@ impl Estimate {
         }
     }
 
-    /// The value with its unit and its error, if it is known.
+    /// The value with its unit and, if known, its error.
     fn value_text(&self, words: Words) -> String {
         let (unit, behind) = match self.kind {
             UnknownKind::Friction => ("", ""),
@@ -145,7 +145,7 @@ impl Estimate {
     }
 }
 
-/// A number up to the second digit of its error, with at most the digits of `words`.
+/// A number rounded to the second digit of its error, but not to more digits than `words` has.
 fn to_error(x: f64, error: f64, words: Words) -> String {
     let decimals = 1.0 - error.log10().floor();
     // Where the error is smaller than the last digit that `words` allows, no further digits are written.

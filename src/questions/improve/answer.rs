@@ -14,7 +14,7 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Improved<const C: usize> {
-    /// The meaning of `before` and `after`.
+    /// The maximised quantity, whose values are `before` and `after`.
     #[cfg_attr(feature = "serde", serde(default))]
     pub goal: ImproveGoal,
     /// Value of the given grasp: the least load factor of first slip, or the least reserve, N. `None` where a contact slides at rest, no equilibrium
@@ -30,13 +30,13 @@ pub struct Improved<const C: usize> {
     pub force: Option<f64>,
     /// Places and commands of all contacts in the best grasp found.
     pub contacts: Vec<Placed<C>>,
-    /// The active events and bounds that prevent a larger value, with their multipliers.
+    /// The active sticking conditions and limits that prevent a larger value, with their multipliers.
     pub in_the_way: Vec<InTheWay>,
     /// How the search for this grasp ended.
     pub search: SearchEnd,
-    /// Residual of first-order optimality: the sum of gradients of events and bounds, weighted by their multipliers. It is relative to the first slip,
-    /// or for a reserve to the greatest force at rest. Places are in units of the grasp's size, squeezes in units of the greatest allowed force. `None`
-    /// where no multipliers were found.
+    /// Residual of first-order optimality: the sum of the gradients of sticking conditions and limits, weighted by their multipliers. It is relative
+    /// to the load factor of first slip, or for a reserve to the greatest force at rest. Places are in units of the grasp's size, squeezes in units
+    /// of the greatest allowed force. `None` where no multipliers were found.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub residual: Option<f64>,
     /// Number of starting grasps from which a search was made.
@@ -62,7 +62,7 @@ pub struct Placed<const C: usize> {
     /// Unit normal into the object.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub normal: SVector<f64, C>,
-    /// Unit first tangent. The contact frame follows the normal without turning about it.
+    /// Unit first tangent. The contact frame tilts with the normal and does not turn about it.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub tangent: SVector<f64, C>,
     /// Command in the contact frame, m.
@@ -71,7 +71,7 @@ pub struct Placed<const C: usize> {
     /// Straight distance from the place given, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub moved: f64,
-    /// Force that the command presses with, N, if it may change.
+    /// Normal force with which the command presses, N; `None` unless the search may change it.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub pressed_with: Option<f64>,
     /// Normal force at rest, N.
@@ -79,20 +79,20 @@ pub struct Placed<const C: usize> {
     pub normal_force: f64,
 }
 
-/// One active event or bound that prevents a later first slip or a larger reserve.
+/// One active sticking condition or limit that prevents a later first slip or a larger reserve.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct InTheWay {
-    /// The contact that it belongs to.
+    /// The contact to which the condition or limit belongs.
     pub contact: WholeContact,
-    /// The event or bound, with its multiplier.
+    /// The sticking condition or limit, with its multiplier.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub binds: Binds,
 }
 
-/// An active event or bound with its multiplier. A gain is an increase of the load factor of first slip, or of the reserve, N.
+/// An active sticking condition or limit with its multiplier. A gain is an increase of the load factor of first slip, or of the reserve, N.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -107,7 +107,7 @@ pub enum Binds {
         /// Index of the load, from 0; `None` for a force of any direction.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         load: Option<usize>,
-        /// Multiplier of this event in the optimality conditions; the multipliers of all events add up to one.
+        /// Multiplier of this sticking condition in the optimality conditions; the multipliers of all sticking conditions add up to one.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         share: f64,
     },
@@ -116,7 +116,7 @@ pub enum Binds {
         /// Index of the load, from 0; `None` for a force of any direction.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         load: Option<usize>,
-        /// Multiplier of this event, as for the first slip.
+        /// Multiplier of this sticking condition, as for the first slip.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         share: f64,
     },
@@ -134,7 +134,7 @@ pub enum Binds {
     },
     /// The command of the contact does not press at all.
     NotPressed {
-        /// Gain per newton of a pull.
+        /// Gain per newton with which the command would pull instead of pressing.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
@@ -158,9 +158,10 @@ pub enum Binds {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum SearchEnd {
-    /// To first order nothing nearby is better: gradients of active events and of active bounds cancel up to a millionth.
+    /// To first order nothing nearby is better: gradients of active sticking conditions and of active limits cancel up to a millionth.
     Optimum,
-    /// No step gains more than rounding, but gradients do not cancel. Two conditions of one contact may meet there.
+    /// No step gains more than rounding, but gradients do not cancel. Perhaps two sticking conditions of one contact are equally near to being broken
+    /// there.
     Stalled,
     /// The search used all of its steps.
     OutOfSteps,

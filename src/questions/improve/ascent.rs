@@ -24,7 +24,7 @@ pub(super) struct Design {
     pub(super) sticking: StickingForces,
     /// Value of the goal: the least load factor of first slip, or the least reserve, N.
     pub(super) value: f64,
-    /// Gains are relative to this scale: the load factor of first slip itself, or for a reserve the greatest force at rest, N.
+    /// The scale to which gains are relative: the load factor of first slip itself, or for a reserve the greatest force at rest, N.
     pub(super) scale: f64,
 }
 
@@ -34,20 +34,20 @@ pub(super) struct Ascent {
     pub(super) search: SearchEnd,
     /// Steps so far, including those of earlier ascents from the same starting grasp.
     pub(super) steps: usize,
-    /// The last step; its multipliers tell what prevents a larger value.
+    /// The last step, whose multipliers show which conditions and limits prevent a larger value.
     pub(super) last: Option<LastStep>,
 }
 
-/// A step, and the events and bounds that its multipliers belong to.
+/// A step, with the sticking conditions and bounds to which its multipliers belong.
 pub(super) struct LastStep {
     pub(super) step: TrialStep,
     pub(super) events: Vec<SlipEvent>,
     pub(super) bounds: Vec<Constraint>,
-    /// For each end of a surface that bounds the step, the contact there. In the multipliers of the step these bounds follow those of `bounds`.
+    /// The contacts at ends of surfaces that bound the step, one for each end. The multipliers of these ends follow those of `bounds` in `step`.
     pub(super) rooms: Vec<usize>,
 }
 
-/// What all ascents of a search share: its variables, its loads and the given grasp.
+/// The data that all ascents of a search share: its variables, its loads and the given grasp.
 pub(super) struct Climb<'q> {
     pub(super) choice: &'q Choice<'q>,
     pub(super) loaded: &'q Loaded,
@@ -92,7 +92,7 @@ impl Climb<'_> {
         self.evaluate_sticking(placing, sticking, &most)
     }
 
-    /// Value of the grasp given, with its own commands; `None` where a contact slides.
+    /// Value of the goal for the given grasp with its own commands; `None` where a contact slides.
     pub(super) fn before(&self, given: &Placing) -> Result<Option<f64>, Error> {
         if self.loaded.goal == ImproveGoal::FirstSlip {
             return Ok(self.loaded.first_slip(self.grasp)?.filter(|factor| *factor > 0.0));
@@ -133,8 +133,8 @@ impl Climb<'_> {
         Ok(Some(Design { placing, sticking, value, scale }))
     }
 
-    /// Ascent from `design` to a local optimum. Each contact stays on its part of its surface, such as one triangle of a mesh. `steps` counts earlier
-    /// steps.
+    /// Ascent from `design` to a local optimum. Each contact stays on its part of its surface, such as one triangle of a mesh. `steps` is the number
+    /// of steps made before, to which those of this ascent are added.
     pub(super) fn ascend(&self, mut design: Design, mut steps: usize) -> Result<Ascent, Error> {
         let n = self.choice.variables.len();
         // Half widths of the trust region (a box), relative to the unit of each variable: the grasp's size, or the greatest force.
@@ -197,7 +197,8 @@ impl Climb<'_> {
         }
     }
 
-    /// The program of a step, and the contact of each bound by the end of a surface; these bounds come last.
+    /// The quadratic program of a step, and the contact of each bound that is due to the end of a surface. These bounds are the last ones of the
+    /// program.
     fn program(
         &self,
         design: &Design,
@@ -241,7 +242,8 @@ impl Climb<'_> {
     }
 }
 
-/// The decrease of the gradient of the Lagrangian along the last step, by the multipliers of that step. Of the constraints only force limits count.
+/// The decrease of the gradient of the Lagrangian along the last step, with the multipliers of that step. Apart from the sticking conditions under
+/// loads, only limits of normal forces are included.
 fn gradient_decrease(
     old: &LastStep,
     (events, bounds): (&[SlipEvent], &[Constraint]),
@@ -251,7 +253,7 @@ fn gradient_decrease(
     let step = &old.step;
     let mut decrease = DVector::zeros(step.d.len());
     for (event, share) in old.events.iter().zip(&step.events).filter(|(_, share)| **share > 0.0) {
-        // A contact may have several events of one condition. The one whose value is nearest is taken for the same event after the step.
+        // Several events may belong to one sticking condition. The one whose value is nearest is taken for the same event after the step.
         let same = events.iter().filter(|other| other.condition == event.condition);
         let apart = |other: &&SlipEvent| (other.value - event.value).abs();
         if let Some(same) = same.min_by(|a, b| apart(a).total_cmp(&apart(b))) {

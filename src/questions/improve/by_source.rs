@@ -22,7 +22,7 @@ pub(super) const SQUEEZE: usize = 1;
 /// Index of the source of the first load; those of further loads follow.
 pub(super) const LOADS: usize = 2;
 
-/// The forces of a grasp whose contacts stick at any force.
+/// The contact forces of a grasp whose contacts are taken to stick, whatever their forces.
 #[derive(Debug)]
 pub(super) struct StickingForces {
     pub(super) grasp: Grasp<3>,
@@ -30,7 +30,7 @@ pub(super) struct StickingForces {
 }
 
 impl StickingForces {
-    /// The forces of a placing: at rest, and by each of `loads` alone. `None` where nothing resists one of them.
+    /// The forces of a placing: at rest, and by each of `loads` alone. `None` where nothing resists one of these loads.
     pub(super) fn of(
         choice: &Choice<'_>,
         placing: &Placing,
@@ -73,7 +73,7 @@ impl StickingForces {
         self.sources.len() - LOADS
     }
 
-    /// The change of all forces by one unit of each variable; `None` where a contact at another place would leave a load without any resistance.
+    /// The derivatives of all contact forces by each variable; `None` where a contact at another place would leave a load without any resistance.
     pub(super) fn derivatives(&self, choice: &Choice<'_>, placing: &Placing) -> Option<Vec<BySource>> {
         let response = self.response();
         choice.variables.iter().map(|variable| self.derivative(&response, placing, variable)).collect()

@@ -1,4 +1,4 @@
-//! The curvature of the active events, learnt from steps by the method of Broyden, Fletcher, Goldfarb and Shanno. Powell's damping keeps it positive
+//! The Hessian of the Lagrangian, learnt from steps by the method of Broyden, Fletcher, Goldfarb and Shanno. Powell's damping keeps it positive
 //! semidefinite (Nocedal and Wright, Numerical Optimization, 2006, section 18.3).
 
 use nalgebra::{DMatrix, DVector};
@@ -11,7 +11,8 @@ impl Curvature {
         Self(DMatrix::zeros(size, size))
     }
 
-    /// Updates B after a step along which the gradient of the Lagrangian (events and bounds, weighted by their multipliers) decreased by `decrease`.
+    /// Updates B after a step along which the gradient of the Lagrangian (sticking conditions and bounds, weighted by their multipliers) decreased by
+    /// `decrease`.
     pub(super) fn learn(&mut self, step: &DVector<f64>, decrease: &DVector<f64>) {
         let length = step.norm_squared();
         if length == 0.0 {

@@ -1,4 +1,5 @@
-//! For each contact and load: when each of its conditions (sticking, contact) is broken, and the derivative of that by places and squeezes.
+//! For each contact and load, the load factor at which each condition of sticking or of touching is broken, and its derivatives by places and
+//! squeezes.
 
 use core::f64::consts::TAU;
 
@@ -12,13 +13,13 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{mapped, numbered, unit, vector_of};
 use crate::prelude::*;
 
-/// Names one condition of sticking, so that it is found again after its contact has moved.
+/// Names one condition of sticking, so that the same condition is found again after its contact has moved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ConeRow {
     /// Index of the load; `None` for a force of any direction.
     pub(super) load: Option<usize>,
     pub(super) contact: usize,
-    /// Number of the condition among those of this contact and load.
+    /// Index of the condition among those of the same contact and load.
     pub(super) number: usize,
 }
 
@@ -42,27 +43,27 @@ pub(super) struct Constraint {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum ConstraintKind {
-    /// A condition of sticking, which the contact meets at rest.
+    /// A condition of sticking at rest.
     Sticks,
     /// The greatest allowed normal force of the contact, at rest.
     Force,
 }
 
-/// The conditions of sticking that matter at this force. They are all facets of a polygonal cone. Of a round cone it is the facet towards the
-/// friction force, or eight facets all around if there is none.
+/// The conditions of sticking that can become active near the contact force `force`. For a polygonal cone these are all its facets. For a round cone
+/// it is the facet towards the friction force, or eight facets all around if there is no friction force.
 fn nearest(edges: &Edges, force: &SVector<f64, 3>) -> Vec<SVector<f64, 3>> {
     let friction = tangential(force);
     edges.rows(&|_| {
         if friction.norm() > NEGLIGIBLE * force[0].abs() {
             return vec![friction[2].atan2(friction[1])];
         }
-        // Without friction force all facets of the round cone are equally near; some of them stand for all.
+        // Without friction force all facets of the round cone are equally near, so that eight of them represent all.
         let around = 8;
         numbered(around, &|k| TAU * k as f64 / around as f64)
     })
 }
 
-/// A contact with its force at rest. `derivatives` has the change of all forces by one unit of each variable.
+/// A contact with its force at rest. `derivatives` has the derivatives of all forces by each variable.
 struct Pressed<'a> {
     number: usize,
     law: LocalLaw<'a>,
@@ -77,12 +78,12 @@ impl Pressed<'_> {
         DVector::from_iterator(self.derivatives.len(), self.derivatives.iter().map(f))
     }
 
-    /// The change of this contact's force at rest by one unit of the variable whose changes are `d`.
+    /// The derivative of this contact's force at rest by the variable to which the derivatives `d` belong.
     fn change(&self, d: &BySource) -> SVector<f64, 3> {
         d[REST][self.number] + d[SQUEEZE][self.number]
     }
 
-    /// What the contact has to fulfil at rest: it sticks, and its normal force is at most `most`.
+    /// The constraints on the contact at rest: it sticks, and its normal force is at most `most`.
     fn constraints(&self, most: Option<f64>) -> Vec<Constraint> {
         let constraint = |kind, row: &SVector<f64, 3>, left| {
             let gradient = self.by_variable(&|d| row.dot(&self.change(d)));
@@ -96,8 +97,8 @@ impl Pressed<'_> {
         all
     }
 
-    /// An event for each condition in `rows` that the load can break. `added` is what the load adds to the margin of a condition, and `added_changes`
-    /// the change of that by one unit of a variable.
+    /// A [`SlipEvent`] for each sticking condition in `rows` that the load can break. `added` returns the change of a condition's margin by the load,
+    /// and `added_changes` the derivative of this change by a variable.
     fn events(
         &self,
         load: Option<usize>,
@@ -118,7 +119,7 @@ impl Pressed<'_> {
         events
     }
 
-    /// The events of this contact under one load, which changes its force by `rate`.
+    /// The events of this contact (sticking conditions that may be broken) under one load, which changes the contact force by `rate`.
     fn under(&self, load: usize, rate: SVector<f64, 3>) -> Vec<SlipEvent> {
         let force = self.force;
         let line = Line { force, rate, force_size: force.norm(), rate_size: rate.norm() };
@@ -130,14 +131,14 @@ impl Pressed<'_> {
         self.events(Some(load), rows, &|row| row.dot(&rate), &|row, d| row.dot(&d[LOADS + load][self.number]))
     }
 
-    /// The events of this contact under a force of given size and any direction. `influence` has the contact forces due to this force along each
-    /// axis.
+    /// The events of this contact (sticking conditions that may be broken) under a force of given size and any direction. `influence` has the contact
+    /// forces due to this force along each axis.
     fn under_any_force(&self, influence: &[SVector<f64, 3>]) -> Vec<SlipEvent> {
         let gradient = |row: &SVector<f64, 3>, by: &dyn Fn(usize) -> SVector<f64, 3>| {
             vector_of(influence.len(), &|k| row.dot(&by(k)))
         };
         let known = |k: usize| influence[k];
-        // The margin is linear in the force. The worst direction reduces it by the norm of its gradient.
+        // The margin is linear in the force of any direction. The worst direction reduces the margin by the norm of its gradient by this force.
         let added = |row: &SVector<f64, 3>| -gradient(row, &known).norm();
         let value = |row: &SVector<f64, 3>| self.goal.counts(row.dot(&self.force), added(row));
         let rows = self.edges.least(&|row| value(row).unwrap_or(f64::INFINITY));
@@ -150,7 +151,8 @@ impl Pressed<'_> {
     }
 }
 
-/// All events and constraints of a placing. `most` has the greatest allowed normal force of each contact whose squeeze may change.
+/// All events (sticking conditions under loads) and constraints at rest of a placing. `most` has the greatest allowed normal force of each contact
+/// whose squeeze may change.
 pub(super) fn events(
     loaded: &Loaded,
     most: &[Option<f64>],

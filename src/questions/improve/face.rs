@@ -1,4 +1,4 @@
-//! Conversion of questions and answers between the engine's vectors of three components and the callers' vectors of `C` components.
+//! Conversion of questions and answers between the engine, whose vectors have three components in the plane, too, and callers, with `C` components.
 
 use super::answer::{Improved, InTheWay, Placed, SearchEnd};
 use super::goal::ImproveGoal;

@@ -9,17 +9,17 @@
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum ImproveGoal {
-    /// The first slip: the load factor at which a contact slides or opens. For loads that may become larger than expected.
+    /// The first slip: the load factor at which a contact slides or opens. This goal suits loads that may become larger than expected.
     #[default]
     FirstSlip,
     /// Friction in reserve while each load acts in full, N: the least [margin](crate::equilibrium::ContactAnswer::margin) of all contacts. For a
-    /// contact with zero or infinite friction it is the normal force. For loads that are known, with disturbances that are not.
+    /// contact with zero or infinite friction it is the normal force. This goal suits known loads with unknown disturbances.
     Reserve,
 }
 
 impl ImproveGoal {
-    /// The value of the goal for one condition with margin `rest` at rest, to which a load adds `added`. `None` where the load never breaks the
-    /// condition.
+    /// The value of the goal for one sticking condition with margin `rest` at rest, which a load changes by `added`. `None` where the load never
+    /// breaks the condition.
     pub(super) fn counts(self, rest: f64, added: f64) -> Option<f64> {
         let counted = match self {
             Self::FirstSlip => (added < 0.0).then(|| -rest / added),
@@ -28,7 +28,7 @@ impl ImproveGoal {
         counted.filter(|value| value.is_finite())
     }
 
-    /// The derivative of [`Self::counts`], from the derivatives of the margin at rest and of what the load adds.
+    /// The derivative of [`Self::counts`], from the derivatives of the margin at rest and of the change of the margin by the load.
     pub(super) fn change(self, value: f64, added: f64, [rest_changes, added_changes]: [f64; 2]) -> f64 {
         match self {
             Self::FirstSlip => -(rest_changes + value * added_changes) / added,

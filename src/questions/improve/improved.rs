@@ -53,7 +53,7 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl Improve<3> {
-    /// Answers the question in the engine's three components.
+    /// Answers the question for the engine, whose vectors have three components, in the plane, too.
     fn answered_by(&self, grasp: &Grasp<3>) -> Result<Improved<3>, Error> {
         self.check(grasp)?;
         let mut settings = *grasp.settings();
@@ -64,7 +64,7 @@ impl Improve<3> {
         let (choice, given) = Choice::of(&grasp, self)?;
         let climb = Climb { choice: &choice, loaded: &loaded, grasp: &grasp };
         let before = climb.before(&given)?;
-        // For each start that was asked for 24 random placings are drawn. Of all of them the best ones become the starts.
+        // For each start that the question asks for, 24 random placings are drawn. The best of all of them become the starts.
         let numbers: Vec<u64> = (0..(self.starts() * 24) as u64).collect();
         let drawn = in_order(&numbers, &|number| {
             // The last number, 48, keeps these random numbers apart from those of other questions with the same seed.
@@ -146,7 +146,7 @@ impl<const C: usize> Improved<C> {
 }
 
 impl Improved<3> {
-    /// Implements [`Self::placed`] in the engine, with three components.
+    /// [`Self::placed`] for the engine, whose vectors have three components, in the plane, too.
     fn placed_inside(&self, grasp: &Grasp<3>) -> Result<Grasp<3>, Error> {
         let (given, expected) = (self.contacts.len(), grasp.len());
         if given != expected {

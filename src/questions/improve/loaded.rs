@@ -15,7 +15,8 @@ pub(super) struct Loaded {
     pub(super) base: Wrench<3>,
     pub(super) loads: Vec<Wrench<3>>,
     pub(super) goal: ImproveGoal,
-    /// The point and the size of a force of any direction; `loads` then are this force along each axis. `None` if each load acts, one at a time.
+    /// The point and the size of a force of any direction; `loads` then has one load per axis, this force along that axis. `None` if each load acts
+    /// alone, one after the other.
     pub(super) any: Option<([f64; 3], f64)>,
 }
 

@@ -1,5 +1,5 @@
-//! The geometry of each curve or surface: the point at given coordinates, the coordinates nearest to a point, and uniformly random ones. A part of it
-//! is one segment of a polyline or one triangle of a mesh; other shapes have a single part.
+//! The geometry of each curve or surface: the point at given coordinates, the coordinates nearest to a point, and uniformly random ones. A part of a
+//! shape is one segment of a polyline or one triangle of a mesh; other shapes have a single part.
 
 use nalgebra::SVector;
 
@@ -21,7 +21,8 @@ pub(super) struct SurfacePoint {
     pub(super) along: Vec<SVector<f64, 3>>,
     /// Change of the normal per metre along each direction, 1/m.
     pub(super) bends: Vec<f64>,
-    /// Distances to the ends of the part: a step along `along`, m, with `row·step <= room` for each pair stays on it.
+    /// Distances to the ends of the part, as pairs (row, room). A step s, m, in the directions `along` stays on the part if `row·s <= room` for each
+    /// pair.
     pub(super) rooms: Vec<([f64; 2], f64)>,
 }
 
@@ -70,7 +71,8 @@ impl Shape {
         }
     }
 
-    /// Length of a segment or twice the area of a triangle, as weights of random choice among parts; 1 for shapes with a single part.
+    /// The weight of a part in the random choice among parts: the length of a segment, or twice the area of a triangle. It is 1 for a shape with one
+    /// part.
     pub(super) fn size(&self, part: usize) -> f64 {
         match self {
             Shape::Segments(parts) => (parts[part][1] - parts[part][0]).norm(),

@@ -1,4 +1,4 @@
-//! The variables of the search, their values ([`Placing`]), and the grasp that belongs to these values.
+//! The variables of the search, their values ([`Placing`]), and the grasp with these values.
 
 use nalgebra::SVector;
 
@@ -18,7 +18,7 @@ use crate::prelude::*;
 pub(super) struct DesignVariable {
     pub(super) contact: usize,
     pub(super) what: DesignKind,
-    /// A step is relative to this unit, m or N, so that all variables have numbers of like size.
+    /// The unit of the variable, m or N. Steps are divided by it, so that all variables have numbers of like size.
     pub(super) unit: f64,
 }
 
@@ -145,7 +145,8 @@ impl<'q> Choice<'q> {
         placing
     }
 
-    /// The first tangent of the contact frame at a place. Compared with the tangent `from`, the frame tilts with its normal without turning about it.
+    /// The first tangent of the contact frame at a place. Compared with the frame of the tangent `from`, this frame tilts with its normal and does
+    /// not turn about it.
     fn tangent(&self, contact: usize, from: &SVector<f64, 3>, spot: Option<&Spot>) -> SVector<f64, 3> {
         let Some(normal) = spot.map(|spot| spot.normal) else { return *from };
         if self.contacts[contact].space == Space::Planar {

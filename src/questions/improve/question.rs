@@ -1,4 +1,4 @@
-//! The question where fingers should be: its loads, what may vary, and its limits.
+//! The question of finger placement: its loads, its variables, and their limits.
 
 use nalgebra::SVector;
 
@@ -14,8 +14,8 @@ use crate::prelude::*;
 use crate::serial::AsGiven;
 use crate::squeeze::{LoadFields, Loads};
 
-/// The question where fingers should be: the loads, the goal, the contacts that may move along a surface, and the limits of forces. It is checked
-/// when it is asked. In a scene, contacts have their surfaces themselves.
+/// The question of finger placement: the loads, the goal, the contacts that may move along a surface, and the limits of forces. Invalid values are
+/// refused when the question is asked. In a scene, contacts have their surfaces themselves.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -58,7 +58,7 @@ pub struct Improve<const C: usize> {
     /// The seed of the random starts; 0 if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) seed: Option<u64>,
-    /// A load that turns, which is refused.
+    /// A load that turns. It has a field so that [`Grasp::improve`] can refuse it with an explanation.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) turn: Option<Turn<C>>,
     #[cfg_attr(feature = "serde", serde(skip))]
@@ -113,7 +113,7 @@ impl<const C: usize> Improve<C> {
         self
     }
 
-    /// Sets another goal than a late first slip.
+    /// Sets the quantity to maximise, by default the load factor of first slip.
     ///
     /// ```
     /// use grasp_lcp::improve::{Improve, ImproveGoal, Surface};
@@ -136,7 +136,7 @@ impl<const C: usize> Improve<C> {
         self
     }
 
-    /// Lets contact `contact` (from 0) move along a curve or surface, on which it has to lie; its normal follows.
+    /// Lets contact `contact` (from 0) move along a curve or surface, on which it has to lie; its normal becomes that of the surface.
     #[must_use]
     pub fn along(mut self, contact: usize, surface: Surface<C>) -> Self {
         match place_of(&self.surfaces, contact) {
@@ -210,7 +210,7 @@ impl Improve<3> {
         grasp.refuse_hands("improve")?;
         let space = grasp.engine.space();
         self.base().check_in(space, "base load")?;
-        // More starting grasps would take minutes and hardly find anything better.
+        // More starting grasps would take minutes and hardly find a better grasp.
         if self.starts() > 1_000 {
             let (what, allowed) = ("number of starts", "at most 1000");
             return Err(Error::Argument { what, value: self.starts() as f64, allowed });

@@ -8,7 +8,8 @@ use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{Draw, IntoList, mapped, numbered};
 use crate::prelude::*;
 
-/// A place on a surface. `part` is its segment or triangle, and `at` its coordinates there: lengths or angles, and on a sphere a unit direction.
+/// A place on a surface. `part` is the index of its segment or triangle, and `at` its coordinates there: lengths or angles, and on a sphere a unit
+/// direction.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Spot {
     part: usize,
@@ -22,7 +23,8 @@ pub(super) struct Spot {
     pub(super) along: Vec<SVector<f64, 3>>,
     /// Change of the normal per metre along each direction, 1/m.
     pub(super) bends: Vec<f64>,
-    /// Distances to the ends of the part: a step along `along`, m, with `row·step <= room` for each pair stays on it.
+    /// Distances to the ends of the part, as pairs (row, room). A step s, m, in the directions `along` stays on the part if `row·s <= room` for each
+    /// pair.
     pub(super) rooms: Vec<([f64; 2], f64)>,
 }
 
@@ -40,7 +42,7 @@ impl Spot {
             let side = if spot.normal.dot(normal) < 0.0 { -1.0 } else { 1.0 };
             if side > 0.0 { spot } else { Self::new(surface, part, spot.at, side) }
         });
-        // Where segments or triangles meet, several are equally near; the one whose normal is most like `normal` is taken.
+        // Where segments or triangles meet, several places are equally near; the one whose normal is most like `normal` is taken.
         let distance = |spot: &Self| (spot.point - point).norm();
         let turned = |spot: &Self| 1.0 - spot.normal.dot(normal) / normal.norm();
         let edge = SOLVED_ROUNDING * surface.largest();

@@ -1,13 +1,13 @@
-//! The program of one step: in a box around the present values, it maximises the least of the linearised events, less a quadratic term of the
-//! curvature.
+//! The quadratic program of one step: in a box around the present values, it maximises the least of the linearised event values, less a quadratic
+//! curvature term. An event is a sticking condition under a load; its value is the load factor at which it is broken, or its reserve.
 //!
 //! ```text
 //! min  t + ½ dᵀB d     such that     t + τ_k + g_k·d >= top,     h_b·d + left_b >= 0,     low <= d <= high
 //! ```
 //!
-//! Here d is the step, B the curvature, τ_k the value of an event with gradient g_k, and h_b·d + left_b a bound. `top` is a constant above every
-//! reachable value, so that t is positive and a minimum exists. At the present values (d = 0) the multipliers of events and bounds leave a residual
-//! of stationarity: the multipliers of the box, and B d.
+//! Here d is the step, B the Hessian, τ_k the value of an event with gradient g_k, and h_b·d + left_b >= 0 a constraint. `top` is a constant above
+//! every reachable value, so that t is positive and a minimum exists. At the present values (d = 0) the multipliers of events and bounds leave a
+//! residual of stationarity: the multipliers of the box, and B d.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -16,11 +16,12 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{IntoList, mapped, vector_of};
 use crate::prelude::*;
 
-/// The program in scaled numbers: values of events (`factors`) relative to the scale of the design, variables relative to their units.
+/// The data of the quadratic program. Values of events (`factors`) are relative to the load factor of first slip, or for a reserve to the greatest
+/// force at rest. Variables are relative to their units.
 pub(super) struct StepProgram {
     pub(super) factors: Vec<f64>,
     pub(super) gradients: Vec<DVector<f64>>,
-    /// Linear bounds `h·d + left >= 0` on the step d, each as h and left.
+    /// Linear constraints `h·d + left >= 0` on the step d, each as the pair (h, left).
     pub(super) bounds: Vec<(DVector<f64>, f64)>,
     /// How far each variable may move down and up.
     pub(super) reach: Vec<[f64; 2]>,
@@ -30,23 +31,23 @@ pub(super) struct StepProgram {
 #[derive(Debug, Clone)]
 pub(super) struct TrialStep {
     pub(super) d: DVector<f64>,
-    /// Gain of the value that the linearised events predict, less the curvature term; relative to the scale of the design.
+    /// Increase of the least event value that the linearised events predict, less the curvature term; relative as `factors` are.
     pub(super) gain: f64,
-    /// Multipliers of the events; they add up to one.
+    /// Multipliers of the events (sticking conditions under loads); they add up to one.
     pub(super) events: Vec<f64>,
     pub(super) bounds: Vec<f64>,
     /// Multipliers of the limits of each variable, below and above.
     pub(super) ends: Vec<[f64; 2]>,
-    /// Residual of `Σ λ ∇τ + Σ ν ∇b = 0` and of complementarity of events and bounds.
+    /// Residual of `Σ λ ∇τ + Σ ν ∇b = 0` and of the complementarity of events and bounds, with multipliers λ and ν.
     pub(super) residual: f64,
 }
 
 /// The solution of the quadratic program.
 struct Solved {
     d: DVector<f64>,
-    /// Multipliers of all events.
+    /// Multipliers of all events (sticking conditions under loads).
     events: Vec<f64>,
-    /// Multipliers of the bounds.
+    /// Multipliers of the linear constraints.
     bounds: Vec<f64>,
 }
 
@@ -59,7 +60,8 @@ impl StepProgram {
         let Solved { d, events, bounds } = self.solved(radius, &curvature)?;
         let least = self.after(&d).fold(f64::INFINITY, f64::min);
         let now = self.factors.iter().copied().fold(f64::INFINITY, f64::min);
-        // The gradient that events and bounds do not balance: it is the multiplier of a variable at its limit, and a residual elsewhere.
+        // The gradient that events and bounds do not balance: for a variable at its limit this is the multiplier of the limit, for other variables a
+        // residual.
         let mut left = DVector::zeros(n);
         events.iter().zip(&self.gradients).for_each(|(y, g)| left += g * *y);
         bounds.iter().zip(&self.bounds).for_each(|(y, (h, _))| left += h * *y);
@@ -80,7 +82,7 @@ impl StepProgram {
         Some(TrialStep { d, gain, events, bounds, ends, residual })
     }
 
-    /// The values of all events after the step d, to first order.
+    /// The values of all events (sticking conditions under loads) after the step d, to first order.
     fn after<'s>(&'s self, d: &'s DVector<f64>) -> impl Iterator<Item = f64> + 's {
         self.factors.iter().zip(&self.gradients).map(|(factor, g)| factor + g.dot(d))
     }
@@ -104,15 +106,15 @@ impl StepProgram {
         if !top.is_finite() {
             return None;
         }
-        // An event that stays above `top` in the whole box is never the least, so it is left out.
+        // An event whose value stays above `top` in the whole box is never the least, so it is left out.
         let mut near: Vec<usize> = (0..ranges.len()).list();
         near.retain(|k| self.factors[*k] + ranges[*k][0] < top);
         if near.is_empty() {
             near.push(0);
         }
-        // Now `top` is above every value that the least event can reach. So t stays positive, and the multipliers of events add up to one.
+        // Now `top` is above every value that the least event value can reach. So t stays positive, and the multipliers of events add up to one.
         let top = top + 0.5;
-        // The unknowns are d - low, and t. The rows are events, bounds, and the upper ends of the box.
+        // The unknowns are d - low, and t. The rows of the matrix are events, bounds, and the upper ends of the box.
         let (m, b) = (near.len(), self.bounds.len());
         let mut rows = DMatrix::zeros(m + b + n, n + 1);
         let mut left = DVector::zeros(m + b + n);

@@ -12,7 +12,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
 /// A curve in the plane or a surface in space that a contact may move along; the normal of the contact follows it. The normal that the contact is
-/// given with points into the object. The surface is checked when a question is asked.
+/// given with points into the object. [`Grasp::improve`](crate::ask::Grasp::improve) refuses an invalid surface.
 ///
 /// ```
 /// use grasp_lcp::improve::Surface;
@@ -76,7 +76,7 @@ impl Surface<2> {
         Self(Shape::Arc { centre: in_space(centre), radius, from: 0.0, over: None })
     }
 
-    /// Part of a circle, from an angle (counted from x to y) over another one, rad.
+    /// Part of a circle. It begins at the angle `from`, counted from x to y, and extends over the angle `over`, rad.
     #[must_use]
     pub fn arc(centre: impl Into<[f64; 2]>, radius: f64, from: f64, over: f64) -> Self {
         Self(Shape::Arc { centre: in_space(centre), radius, from, over: Some(over) })
@@ -176,7 +176,7 @@ impl<const C: usize> Surface<C> {
 }
 
 impl Shape {
-    /// Implements [`Surface::nearest`] in the engine, with three components.
+    /// [`Surface::nearest`] for the engine, whose vectors have three components, in the plane, too.
     fn nearest_to(&self, point: SVector<f64, 3>, normal: SVector<f64, 3>) -> Result<[[f64; 3]; 2], Error> {
         let refused = |what, value, allowed| Err(Error::Argument { what, value, allowed });
         if let Err(NoSurface { field, value, allowed }) = self.is_one() {

@@ -1,25 +1,27 @@
-//! At which numbers an ascent has arrived, and below which a gain is rounding.
+//! Limits at which an ascent has reached an optimum, and below which a gain is rounding.
 //!
-//! Lengths and forces are relative to the unit of their variable, gains to the scale of the design (the first slip, or the greatest force at rest).
+//! Lengths and forces are relative to the unit of their variable. Gains are relative to the load factor of first slip, or for a reserve to the
+//! greatest force at rest.
 
-/// A point is called an optimum to first order if the residual of its gradients is at most this.
+/// A point is called an optimum to first order if the residual of first-order optimality is at most this.
 ///
-/// If smaller, the search ends as stalled at optima where two conditions meet. If larger, a point that could still be improved is called an optimum.
+/// If smaller, the search ends as stalled at optima where two sticking conditions of one contact are active. If larger, a point that could still be
+/// improved is called an optimum.
 pub(super) const OPTIMAL: f64 = 1e-6;
 
-/// The ascent stops once the residual of the gradients is at most this.
+/// The ascent stops once the residual of first-order optimality is at most this.
 ///
 /// If smaller, the last steps gain rounding only. If larger, places of contacts lose digits.
 pub(super) const ARRIVED_AT_TOP: f64 = 1e-10;
 
-/// A predicted gain below this fraction of the scale (the first slip, or for a reserve the greatest force at rest) is rounding.
+/// A predicted gain below this fraction of the load factor of first slip, or for a reserve of the greatest force at rest, is due to rounding.
 ///
-/// If smaller, an ascent continues until its steps are used up. If larger, it ends on flat slopes.
+/// If smaller, an ascent continues until its steps are used up. If larger, it ends where the gradient is small.
 pub(super) const ROUNDED_GAIN: f64 = 1e-14;
 
-/// A multiplier of the step program (in its scaled numbers) below this is rounding, so its event or bound is not reported.
+/// A multiplier of the quadratic program (in its scaled numbers) below this is due to rounding, so its sticking condition or limit is not reported.
 ///
-/// If smaller, limits that do not bind are named. If larger, limits that bind weakly are not.
+/// If smaller, inactive limits are named. If larger, limits with small multipliers are not.
 pub(super) const ROUNDED_MULTIPLIER: f64 = 1e-7;
 
 /// Largest distance of a point from its surface relative to its coordinates, and largest angle of its normal to that of the surface, rad.

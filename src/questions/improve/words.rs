@@ -46,7 +46,7 @@ impl Improved<3> {
         write!(f, ". {}", self.proof(words))
     }
 
-    /// "left moves 3.1 mm along its edge, right 2 mm along its circle; both press with 10 N".
+    /// The clause about the changes: "left moves 3.1 mm along its edge, right 2 mm along its circle; both press with 10 N".
     fn changes_text(&self, words: Words) -> String {
         let mut far = 0.0_f64;
         for placed in &self.contacts {
@@ -97,7 +97,7 @@ impl Improved<3> {
         clauses.join("; ")
     }
 
-    /// What the search knows about its end: which contacts and limits make the place an optimum, or why it ended without one.
+    /// The sentence about the end of the search: which contacts and limits make the place an optimum, or why the search ended without an optimum.
     fn proof(&self, words: Words) -> String {
         match self.search {
             SearchEnd::Optimum => {

@@ -1,4 +1,4 @@
-//! Amounts in words, each in the unit of its quantity: "12 N at left and right", "an arm of 0.25 m", "60°".
+//! An amount of a sought quantity as text, in the unit of the quantity: "12 N at left and right", "an arm of 0.25 m", "60°".
 
 use super::answer::{Needed, PressedBy, Quantity};
 use super::press::{self, Press};
@@ -6,7 +6,7 @@ use crate::prelude::*;
 use crate::words::{Words, printable};
 
 impl Needed {
-    /// "0.1 to 3 times the load".
+    /// An interval of amounts as text: "0.1 to 3 times the load".
     pub(super) fn range(&self, words: Words, from: f64, to: f64) -> String {
         let [low, high] = [from, to].map(|amount| words.number(amount));
         match self.quantity {
@@ -27,13 +27,13 @@ impl Needed {
         }
     }
 
-    /// "an arm of 0.25 m to 10.8 m", from one end of the sufficient amounts to the other.
+    /// The interval of sufficient amounts as text, from one end to the other: "an arm of 0.25 m to 10.8 m".
     pub(super) fn between_ends(&self, words: Words, from: f64, to: f64) -> String {
         let range = self.range(words, from, to);
         if self.quantity == Quantity::Arm { format!("an arm of {range}") } else { range }
     }
 
-    /// An amount in the user's unit with its place: "12 N at left and right".
+    /// An amount as text, with the contacts or the body where it acts: "12 N at left and right".
     pub(super) fn much(&self, words: Words, amount: f64, presses: &[Press]) -> String {
         match self.quantity {
             Quantity::Squeeze => {
@@ -52,7 +52,7 @@ impl Needed {
         }
     }
 
-    /// An amount in the user's unit without its place, which the sentence has named before: "12 N".
+    /// An amount as text, without the contacts or the body where it acts, which the sentence has named before: "12 N".
     pub(super) fn short(&self, words: Words, amount: f64, presses: &[Press]) -> String {
         match self.quantity {
             Quantity::Squeeze => match press::all_alike(words, presses) {
@@ -70,7 +70,7 @@ impl Needed {
         }
     }
 
-    /// The place of a force: " on jaw".
+    /// The words for the place where the sought force acts: " on jaw".
     pub(super) fn at(&self) -> String {
         match &self.of {
             None => String::new(),

@@ -1,4 +1,4 @@
-//! The answer to the question for an amount.
+//! The answer to a [`Need`](super::Need): the least or greatest amount of a quantity that meets a demand.
 
 use core::fmt;
 
@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::grasp::WholeContact;
 use crate::prelude::*;
 
-/// The answer to "how much does it need?"; its [`Display`](std::fmt::Display) is a sentence.
+/// The answer to "how much squeeze, friction, load, … does it need?"; its [`Display`](std::fmt::Display) is a sentence.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -23,8 +23,8 @@ pub struct Needed {
     /// The amount with which nothing slides; `None` unless the demand is that the object is held.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub sticks: Option<Amount>,
-    /// The amount that meets the demand with friction and squeeze reduced by `lower` and loads multiplied by `safety`; `None` where these change
-    /// nothing.
+    /// The amount that meets the demand with friction and squeeze reduced by `lower` and loads multiplied by `safety`; `None` if nothing is reduced
+    /// or multiplied.
     pub safe: Option<Amount>,
     /// Relative reductions of friction and of the squeeze that `safe` allows for, each from 0 to less than 1. Where no command presses the second is
     /// 0.
@@ -32,15 +32,15 @@ pub struct Needed {
     /// Factor on the loads that `safe` allows for.
     #[cfg_attr(feature = "serde", serde(default = "once", skip_serializing_if = "is_once"))]
     pub safety: f64,
-    /// Size of the load of which a multiple is sought, N: an amount x means x times this force. `None` for other quantities, and unless the
-    /// loads are one single force.
+    /// Size of the load whose multiple is sought, N: an amount x means x times this force. `None` for other quantities, and unless the loads are one
+    /// single force.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub force: Option<f64>,
-    /// The part, or the load at rest, of which the force is sought; `None` for other quantities.
+    /// The part that exerts the sought force, or the load at rest if that is sought; `None` for other quantities.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub of: Option<PressedBy>,
-    /// Whether a squeeze was asked for where no command presses. If exactly one body is loaded, its force is sought instead; if none is, the load at
-    /// rest.
+    /// Whether a squeeze was asked for where no command presses. The sought quantity is then the force of the only loaded body, or the load at rest
+    /// if no body is loaded.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub in_place_of_squeeze: bool,
     /// Contacts that are without friction and stay so, where a coefficient for all others is sought.
@@ -62,7 +62,7 @@ fn is_once(times: &f64) -> bool {
     *times == 1.0
 }
 
-/// The part that exerts the sought force, and the size of that force.
+/// The part that exerts the sought force, and the given size of that force.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -73,7 +73,7 @@ pub struct PressedBy {
     pub part: Option<String>,
     /// Whether the part is a body, which presses by its load.
     pub is_body: bool,
-    /// Size of the force given, in `unit`: amounts are multiples of it. `None` where it is neither one force nor one moment.
+    /// Size of the given force, in `unit`: amounts are multiples of it. `None` where the load is neither one force nor one moment.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub size: Option<f64>,
     /// Unit of `size`, N or N m; `None` where `size` is `None`.
@@ -109,33 +109,37 @@ impl Quantity {
     }
 }
 
-/// The bound of an amount, in the unit of its [`Quantity`]. An amount is sufficient if its trial meets the demand.
+/// The least or greatest sufficient amount (the bound), in the unit of its [`Quantity`]. An amount is sufficient if the grasp meets the demand with
+/// it.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Amount {
-    /// The least or greatest sufficient amount `does`, with an insufficient one beside it.
+    /// The least or greatest sufficient amount is known: `does` is sufficient, and the neighbouring amount `does_not` is insufficient.
     #[non_exhaustive]
     Bound {
-        /// The sufficient amount at the bound; it was tried.
+        /// The sufficient amount at the bound, for which a verdict was computed.
         does: f64,
-        /// The insufficient amount beside it; it was tried, or a proof excludes it. As a rule it differs from `does` by at most 1e-12 of its size; in
-        /// [`Needed::sticks`] and [`Needed::safe`] by at most 1e-8. In space it differs by at most 1e-6 where the carried part of the load jumps at
-        /// the bound, and by 1e-5 or more where only an enumeration of contact states refutes it.
+        /// The insufficient amount next to `does`. Either the grasp was computed with it, or a proof excludes it. As a rule the two amounts differ by
+        /// a fraction of at most 1e-12; in [`Needed::sticks`] and [`Needed::safe`] of at most 1e-8. In space the fraction is up to 1e-6 where the
+        /// carried part of the load jumps at the bound. It is 1e-5 or more where only an enumeration of contact states shows that an amount is
+        /// insufficient.
         does_not: f64,
-        /// The verdict for `does_not`, in a sentence.
+        /// The verdict on the grasp with `does_not`, in a sentence.
         otherwise: String,
-        /// Whether the object is held with `does_not`, too, but moves farther than small motions: the bound is then one of this theory.
+        /// Whether the object is held with `does_not`, too, but moves farther than small motions: the bound is then the limit of the theory of small
+        /// motions.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
         is_too_far: bool,
-        /// An amount between both whose trial is undecided; `None` if all were decided.
+        /// An amount between `does` and `does_not` for which the verdict is undecided; `None` if all verdicts were decided.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         unknown: Option<f64>,
-        /// Number of changes of the verdict among the amounts tried around the bound, the bound included: 1 as a rule.
+        /// Number of changes between sufficient and insufficient among the amounts tried around the bound. The bound itself counts, so that the
+        /// number is 1 as a rule.
         changes: usize,
-        /// Far end of the interval of sufficient amounts that begins at `does`; for instance, a larger squeeze pushes the object out. `None` if all
-        /// amounts tried beyond `does` suffice.
+        /// Far end of the interval of sufficient amounts that begins at `does`; for instance, a still larger squeeze pushes the object out. `None` if
+        /// all amounts tried beyond `does` suffice.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         until: Option<FarEnd>,
         /// Further intervals of sufficient amounts, in ascending order.
@@ -147,23 +151,26 @@ pub enum Amount {
         /// quantities.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
         at_their_limit: Vec<String>,
-        /// The amounts that were tried; `None` where no other amount can meet the demand, by a proof or since more load is never easier to carry.
+        /// The amounts that were tried. `None` where no other amount can meet the demand: a proof excludes all others, or a larger load is never
+        /// easier to carry.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         tried: Option<TriedAmounts>,
     },
-    /// All amounts that were tried suffice as far as `to`: down to it where the least is sought, up to it where the greatest is.
+    /// All amounts that were tried suffice: down to `to` where the least amount is sought, up to `to` where the greatest is sought.
     #[non_exhaustive]
     Any {
         /// The last sufficient amount that was tried.
         to: f64,
-        /// Far end of the sufficient amounts on the other side; for instance, a shorter arm does not jam. `None` if all amounts tried there suffice.
+        /// Far end of the sufficient amounts on the side away from `to`; for instance, a shorter arm does not jam. `None` if all amounts tried there
+        /// suffice.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         until: Option<FarEnd>,
-        /// The amounts that were tried; `None` where no other amount can meet the demand, by a proof or since more load is never easier to carry.
+        /// The amounts that were tried. `None` where no other amount can meet the demand: a proof excludes all others, or a larger load is never
+        /// easier to carry.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         tried: Option<TriedAmounts>,
     },
-    /// No amount suffices: by a proof for all between `from` and `to`, or among those that were tried.
+    /// No amount suffices: a proof excludes all amounts between `from` and `to`, or all that were tried are insufficient.
     #[non_exhaustive]
     None {
         /// The least amount that was tried, or that the proof covers.
@@ -176,18 +183,18 @@ pub enum Amount {
         /// Whether a proof excludes all amounts from `from` to `to`: no contact forces balance the loads with any of them.
         #[cfg_attr(feature = "serde", serde(default))]
         is_proved: bool,
-        /// Whether this proof is about the load at rest alone, which acts before any of the loads.
+        /// Whether this proof is about the load at rest alone, which acts before any of the other loads.
         #[cfg_attr(feature = "serde", serde(default))]
         at_rest: bool,
-        /// The tried amount that carries the largest part of the load.
+        /// The tried amount with which the grasp carries the largest part of the load.
         best: f64,
-        /// The verdict for `best`, in a sentence.
+        /// The verdict on the grasp with `best`, in a sentence.
         otherwise: String,
     },
-    /// The trial of an amount is undecided, and with it the bound.
+    /// The verdict for an amount is undecided, so that the least or greatest sufficient amount is not known.
     #[non_exhaustive]
     Undecided {
-        /// The amount.
+        /// The amount with the undecided verdict.
         at: f64,
         /// The reason, in a sentence.
         doubt: String,
@@ -195,38 +202,39 @@ pub enum Amount {
 }
 
 impl Amount {
-    /// The sufficient amount at the bound; `None` where there is no bound.
+    /// The least or greatest sufficient amount; `None` if it is not known, or if there is none.
     #[must_use]
     pub fn bound(&self) -> Option<f64> {
         if let Self::Bound { does, .. } = self { Some(*does) } else { None }
     }
 }
 
-/// The amounts on whose trials an answer rests. An interval of other verdicts may lie unseen between two of them.
+/// The amounts for which a verdict was computed. An interval of other verdicts may lie unnoticed between two of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct TriedAmounts {
-    /// Number of amounts.
+    /// Number of amounts tried.
     pub count: usize,
-    /// The least of them.
+    /// The least amount tried.
     pub from: f64,
-    /// The greatest of them.
+    /// The greatest amount tried.
     pub to: f64,
 }
 
-/// The far end of an interval of sufficient amounts: beyond it more is too much, or less is too little.
+/// The far end of an interval of sufficient amounts. Amounts beyond it are insufficient again: too large where the least amount is sought, too small
+/// where the greatest is sought.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct FarEnd {
-    /// The last sufficient amount; it was tried.
+    /// The last sufficient amount, for which a verdict was computed.
     pub does: f64,
-    /// The insufficient amount beside it; it was tried.
+    /// The insufficient amount next to `does`, for which a verdict was computed.
     pub does_not: f64,
-    /// The verdict for `does_not` in a sentence, or the reason why it is undecided.
+    /// The verdict on the grasp with `does_not` in a sentence, or the reason why the verdict is undecided.
     pub otherwise: String,
     /// Normal force of each contact at rest with the squeeze `does`, N; empty for other quantities.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]

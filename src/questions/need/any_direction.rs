@@ -1,4 +1,5 @@
-//! Trials of an amount under a force of any direction: in closed form while everything sticks, otherwise for many directions one by one.
+//! The trial of an amount under a force of any direction. It has a closed form while everything sticks; otherwise many directions are tried one by
+//! one.
 
 use core::f64::consts::{PI, TAU};
 
@@ -13,8 +14,8 @@ use crate::prelude::*;
 use crate::squeeze::WeakestDirection;
 
 impl Loading {
-    /// Whether everything sticks at rest, under `load` alone, and with the force in any direction on top. `None` where something slides and the
-    /// demand allows it.
+    /// Whether everything sticks at rest, under `load` alone, and with a force of any direction added to `load`. `None` where something slides and
+    /// the demand allows sliding.
     pub(super) fn any_force(
         &self,
         load: Wrench<3>,
@@ -43,7 +44,7 @@ impl Loading {
                 Trial::does_not(format!("{who} under a force of one direction"), most / size)
             }
             WeakestDirection::GivesWay { .. } => Trial::nothing("nothing resists a force of one direction"),
-            // A contact that is open before the force acts may be closed by it. No closed form compares directions then.
+            // A contact that is open before the force acts may be closed by the force. In that case no closed form compares directions.
             WeakestDirection::NotSticking => Trial::Unknown(
                 "a contact is open or at its edge before the force acts, and directions are compared only where all of \
                  them press"
@@ -55,8 +56,8 @@ impl Loading {
         }))
     }
 
-    /// Improves on `weakest`, the trial of the weakest among evenly spread directions: goes from that `direction` to weaker neighbours, in steps that
-    /// are halved where none is weaker.
+    /// Improves on `weakest`, the trial for the evenly spread direction that carries least of the load. From this `direction` the search moves to
+    /// neighbours that carry less. Its step is halved where no neighbour carries less.
     pub(super) fn weakest_near(
         &self,
         mut direction: [f64; 3],
@@ -64,8 +65,8 @@ impl Loading {
         mut weakest: Trial,
     ) -> Result<Trial, Error> {
         let space = self.grasp.space();
-        // The first step is half of the distance between evenly spread directions, rad. Directions within the last step differ in what they carry by
-        // less than 1e-6.
+        // The first step is half of the distance between evenly spread directions, rad. The carried parts of the load in directions within the last
+        // step differ by less than 1e-6.
         let (mut step, last) = (if space == Space::Planar { 0.5 * TAU / 72.0 } else { 0.125 }, 1e-3);
         for _ in 0..50 {
             // If the weakest direction carries far more than the load, so do its neighbours, and the search ends.

@@ -1,4 +1,4 @@
-//! A scan of amounts around a bound: how far amounts beyond it suffice, and which other amounts do.
+//! A scan of amounts around the bound: how far the sufficient amounts extend from it, and further intervals of sufficient amounts.
 
 use super::answer::AmountWindow;
 use super::search::{SearchPlan, Tries};
@@ -9,23 +9,23 @@ use crate::error::Error;
 use crate::numerics::{increasing, mapped, moved};
 use crate::prelude::*;
 
-/// What trials of amounts on both sides of a bound show.
+/// The result of a scan of amounts on both sides of a bound of the sufficient amounts.
 #[derive(Debug)]
 pub(super) struct Around {
-    /// How often the verdict changes among these amounts, the bound included.
+    /// Number of changes between sufficient and insufficient among these amounts, the bound included.
     pub(super) changes: usize,
-    /// Where the sufficient amounts that begin at the bound end; `None` if all that were tried suffice.
+    /// The far end of the sufficient amounts that begin at the bound; `None` if all amounts tried beyond the bound suffice.
     pub(super) until: Option<Threshold>,
     /// Further intervals of sufficient amounts.
     pub(super) elsewhere: Vec<AmountWindow>,
 }
 
 impl SearchPlan {
-    /// `count` amounts beyond `from`, upwards or downwards, as far as contact forces can balance the loads. With `coarse`, one more amount is 16
-    /// times as large or small as `from`.
+    /// `count` amounts beyond `from`, upwards or downwards, as far as contact forces can balance the loads. With `coarse` there is one more amount,
+    /// 16 times as large or small as `from`.
     fn scanned(&self, from: f64, up: bool, count: usize, coarse: bool) -> Vec<f64> {
-        // The k-th of n amounts has the ratio 4^((k/n)³) to `from`, so that amounts lie close together near the bound. With a larger ratio than 4
-        // they would lie farther apart.
+        // The k-th of n amounts has the ratio 4^((k/n)³) to `from`, so that amounts lie close together near the bound of the sufficient amounts. With
+        // a larger ratio than 4 they would lie farther apart.
         let fine = (1..=count).map(|k| 4.0_f64.powf((k as f64 / count as f64).powi(3)));
         // A drive may reach its limit only at a far larger squeeze or force, which a ratio of 4 would miss.
         let coarse = (coarse && count > 0).then_some(16.0);
@@ -33,7 +33,7 @@ impl SearchPlan {
         parts.filter(|amount| self.contains(*amount)).collect()
     }
 
-    /// If a proof ends the range of amounts on this side, two amounts: one just inside that end and one just outside.
+    /// Two amounts, one just inside and one just outside the end of the range on this side, if a proof excludes all amounts beyond that end.
     fn at_the_end(&self, up: bool) -> Vec<f64> {
         let end = |end: f64| {
             // If this offset were smaller than the error of the proved end, both amounts could fall on one side of it.
@@ -45,8 +45,8 @@ impl SearchPlan {
 }
 
 impl Around {
-    /// Tries `scan` new amounts on both sides of a bound as far as contact forces can balance the loads, and sorts in those `known`. With `far` it
-    /// also tries an amount 16 times as large, or as small, as the bound.
+    /// Tries `scan` new amounts on both sides of a bound of the sufficient amounts, as far as contact forces can balance the loads. `known` amounts
+    /// are included in the scan. With `far` there is one more amount, 16 times as large, or as small, as the bound.
     pub(super) fn of(
         bound: &Threshold,
         scan: usize,
@@ -90,8 +90,8 @@ impl Around {
         Ok(around)
     }
 
-    /// Where sufficient amounts end if all tried ones suffice, `to` being the last. Amounts are tried from `to` back over the known ones, then `scan`
-    /// amounts beyond the one with which the search began.
+    /// The far end of the sufficient amounts if all tried amounts suffice. The scan starts from `to`, the last amount tried, and goes over the
+    /// `known` amounts. It ends with `scan` amounts beyond the first amount of the search.
     pub(super) fn far_end(
         to: f64,
         scan: usize,
@@ -103,7 +103,8 @@ impl Around {
         let up = plan.is_least;
         let mut amounts: Vec<f64> = mapped(known, &|(at, _)| *at);
         amounts.extend(plan.at_the_end(up));
-        // If every larger amount is known to carry the load, one far amount is enough: it shows whether the part moves too far.
+        // If every larger amount is known to carry the load, one amount far away is enough: it shows whether the part moves farther than small
+        // motions.
         let count = if plan.is_monotone { scan.min(1) } else { scan };
         amounts.extend(plan.scanned(plan.begin(), up, count, true));
         in_order(&mut amounts, up);
@@ -111,8 +112,8 @@ impl Around {
         Ok(around.until)
     }
 
-    /// Tries `amounts` in order on one side of the bound and narrows the bracket at each change of verdict. If the first `trial` is `None`, that
-    /// amount is known to suffice. Undecided amounts are skipped.
+    /// Tries `amounts` in order on one side of the bound, and narrows the bracket at each change between sufficient and insufficient. `trial` is the
+    /// result for the first amount `at`; `None` means that it suffices. Undecided amounts are skipped.
     fn side(
         &mut self,
         (mut at, mut trial): (f64, Option<Trial>),
@@ -133,7 +134,7 @@ impl Around {
             }
             if did != does {
                 self.changes += 1;
-                // Narrowing a bracket costs a search, so from the ninth change on changes are only counted.
+                // Narrowing a bracket costs many trials, so from the ninth change on changes are only counted.
                 if self.changes <= 8 {
                     let (inner, outer) = ((at, trial.clone()), (amount, Some(now.clone())));
                     let (does, does_not) = if did { (inner, outer) } else { (outer, inner) };
@@ -157,10 +158,10 @@ impl Around {
     }
 }
 
-/// Tries at most [`BETWEEN`] amounts between those `known`, each in the middle of two neighbours. These are the widest apart of those with the same
-/// verdict, but with contacts that rest in different states. While contacts keep their states at rest, this state is a smooth function of the amount.
-/// Where they change, the carried part may jump. Neighbours that both carry an unlimited load are left out. Returns whether one of the amounts has
-/// the other verdict.
+/// Tries at most [`BETWEEN`] further amounts, each in the middle of two neighbouring `known` amounts. The neighbours have the same verdict, but
+/// different contact states at rest; the pair with the largest ratio comes first. Where contact states at rest change with the amount, the carried
+/// part of the load may jump. Neighbours that both carry an unlimited load are left out. Returns whether the verdict differs for one of the further
+/// amounts.
 pub(super) fn between_states(
     known: &[(f64, Trial)],
     is_claimed: &dyn Fn(f64) -> bool,

@@ -15,9 +15,9 @@ use crate::squeeze::{Loads, WeakestDirection};
 impl<const C: usize> Grasp<C> {
     /// This grasp with an amount set, and its equilibrium under the load of the [need](Self::need) that uses most of its friction.
     ///
-    /// The amount is in the unit of the sought [`Quantity`](super::Quantity), for instance [`Amount::bound`](super::Amount::bound). The use of friction
-    /// is the largest `|f_t| / (|f_t| + margin)` of closed contacts. For a load that turns, 180 equal steps and its end are compared. If an angle is
-    /// sought, the state is that at the end of the turn. `None` where no load is held.
+    /// The amount is in the unit of the sought [`Quantity`](super::Quantity); it may be the [`Amount::bound`](super::Amount::bound) of an answer. The
+    /// use of friction is the largest `|f_t| / (|f_t| + margin)` of closed contacts. For a load that turns, 180 equal steps and its end are compared.
+    /// If an angle is sought, the state is that at the end of the turn. `None` where no load is held.
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -50,7 +50,8 @@ impl Need<3> {
             Loads::Each(list) => tried(list, &|load| put_on(Ramp::load(*besides, *load * *times)))?,
             Loads::AnyForce { base, size, point } => {
                 let base = *besides + *base * *times;
-                // The force that makes a contact slide in the weakest direction, times this part, has the size asked about.
+                // `most` is the size of the force that makes a contact slide in the weakest direction. Times this part, that force has the size asked
+                // about.
                 let part = |most: f64| size * times / most;
                 let load = match grasp.weakest_direction(base, *point)? {
                     WeakestDirection::Force { load, size: most, .. } if most > 0.0 => {
@@ -64,7 +65,7 @@ impl Need<3> {
                 let turn = loading.so_many(turn);
                 let mut path = grasp.follow(turn.load_at(0.0), &[Leg::turn(&turn)])?;
                 path.run();
-                // A sought angle is the end of the turn.
+                // If an angle is sought, the turn ends at this angle.
                 if matches!(posed.sought, Sought::Angle { .. }) {
                     return Ok(path.state().map(|state| (grasp.with(given.settings()), state)));
                 }

@@ -1,8 +1,8 @@
 //! Needed amounts of many grasps, on all cores.
 //!
-//! If everything must stick, [`screening`](crate::screening) gives the first slip, which is the greatest multiple of the load. If only squeeze and
-//! load act, its inverse is the least multiple of the squeeze. If the object must be held, one path to the loss gives both amounts in the same way.
-//! All other rows are searched as by [`Grasp::need`].
+//! If everything must stick, [`screening`](crate::screening) computes the load factor of first slip, the greatest multiple of the load. If only
+//! squeeze and load act, the inverse of this factor is the least multiple of the squeeze. If the object must be held, the load factor at the loss
+//! takes its place; it is found by one load path. For all other grasps the amount is searched as by [`Grasp::need`].
 
 use core::ops::Range;
 
@@ -31,12 +31,12 @@ pub enum ShortAmount {
     Any,
     /// No amount suffices, as [`Amount::None`].
     None,
-    /// The trial of an amount is undecided, as [`Amount::Undecided`].
+    /// The verdict for an amount is undecided, as in [`Amount::Undecided`].
     Undecided,
 }
 
 impl ShortAmount {
-    /// The sufficient amount at the bound; `None` where there is no bound.
+    /// The least or greatest sufficient amount; `None` if it is not known, or if there is none.
     #[must_use]
     pub fn bound(self) -> Option<f64> {
         if let Self::Bound(does) = self { Some(does) } else { None }
@@ -59,8 +59,9 @@ impl<const C: usize> Grasp<C> {
     /// [`Self::need`], without sentences, windows and safe amounts.
     ///
     /// The quantity is [`Quantity::Squeeze`] or [`Quantity::Load`], the demand that everything [sticks](Demand::Sticks) or that the object is
-    /// [held](Demand::Held). For sticking, a row takes a few microseconds; for holding, one path up to the loss; any other row as long as
-    /// [`Self::need`]. The amounts agree with those of [`Self::need`] up to the step error along arcs, on which directions of slip turn.
+    /// [held](Demand::Held). A row is one grasp with its load. If everything must stick, a row takes a few microseconds; if the object must be held,
+    /// one load path up to the loss. Any other row takes as long as [`Self::need`]. The amounts agree with those of [`Self::need`] up to the step
+    /// error along parts of load paths on which directions of slip turn.
     ///
     /// The amounts come in the order of the rows, with the same bits for any number of threads. An error in one row does not stop the others.
     ///
@@ -96,7 +97,7 @@ impl<const C: usize> Grasp<C> {
     }
 }
 
-/// The question, which is the same for all rows.
+/// The sought quantity, the demand and the settings, which are the same for all rows (a row is one grasp with its load).
 struct Asked {
     quantity: Quantity,
     demand: Demand,
@@ -104,8 +105,8 @@ struct Asked {
 }
 
 impl Asked {
-    /// Whether the answer follows from the multiple of the load at its bound: as this multiple, or for a squeeze as its inverse. For a squeeze this
-    /// needs that all else that acts is proportional to the squeeze.
+    /// Whether the answer follows from the greatest multiple of the load that the grasp bears: it is this multiple, or for a squeeze its inverse. For
+    /// a squeeze everything else that acts must be proportional to the squeeze.
     fn is_proportional<const C: usize>(&self, contacts: &[Contact<C>], base: &Wrench<C>) -> bool {
         let held = |contact: &Contact<C>| {
             contact.clearance == 0.0 && contact.force.is_none() && contact.suction == 0.0
@@ -118,13 +119,13 @@ impl Asked {
         }
     }
 
-    /// The answer for this multiple of the load at its bound; `None` if it is beyond the amounts that a search would try.
+    /// The answer if the grasp bears at most this `multiple` of the load; `None` if the answer lies beyond the amounts that a search would try.
     fn amount(&self, multiple: f64) -> Option<f64> {
         let amount = if self.quantity == Quantity::Squeeze { 1.0 / multiple } else { multiple };
         (1.0 / MOST_LOADS..=MOST_LOADS).contains(&amount).then_some(amount)
     }
 
-    /// The amounts of a range of rows, on one thread.
+    /// The amounts for a range of rows, each a grasp with its load, on one thread.
     fn amounts<const C: usize>(
         &self,
         rows: Range<usize>,
@@ -149,8 +150,8 @@ impl Asked {
         amounts
     }
 
-    /// Fills in missing answers of rows whose load is sought. The rotation under the given load may not bound that under the sought multiple, so it
-    /// is computed again under that multiple.
+    /// Fills in missing answers where the load is sought. The rotation under the given load may be no bound of the rotation under the sought multiple
+    /// of the load. So the rotation is computed again under that multiple.
     fn under_the_load_sought<const C: usize>(
         &self,
         first: usize,
@@ -179,18 +180,19 @@ impl Asked {
         turn <= self.settings.small_motions.rotation * (1.0 - NEGLIGIBLE)
     }
 
-    /// The amount with which everything sticks, if the rotation of the object is then clearly within the limit of small motions.
+    /// The amount with which everything sticks; `None` unless the rotation of the object is then clearly within the limit of small motions.
     fn while_it_sticks(&self, WhileSticking { first, turn }: &WhileSticking) -> Option<f64> {
         let multiple = first.factor()?;
         let amount = self.amount(multiple)?;
-        // The rotation is linear in load and squeeze together. `turn` bounds it at rest and under the given load, and thus for all multiples.
+        // The rotation is linear in load and squeeze together. `turn` bounds it at rest and under the given load, and thus for all multiples of the
+        // two.
         let [load, squeeze] =
             if self.quantity == Quantity::Squeeze { [1.0, amount] } else { [multiple, 1.0] };
         let most = turn * (load + (squeeze - load).abs());
         self.is_small(most).then_some(amount)
     }
 
-    /// The amount of one row.
+    /// The amount for one row, a grasp with its load.
     fn alone<const C: usize>(&self, number: usize, row: &RowOf<'_, C>) -> Result<ShortAmount, Error> {
         let mut contacts = Vec::new();
         let [base, load] = row(number, &mut contacts);
@@ -244,14 +246,14 @@ impl Asked {
 
 /// The limits of small motions are multiplied by this factor, so that no motion reaches them.
 const ANY_MOTION: f64 = 1e40;
-/// The largest limit of small motions allowed.
+/// The largest allowed value of the limits of small motions.
 const MOST_LIMIT: f64 = 1e50;
-/// The squeeze that is tried exceeds the computed one by this fraction. It is more than the error of steps along arcs (1e-9 by default), but too
-/// little to matter for motions.
+/// The squeeze that is tried exceeds the computed one by this fraction. It is more than the step error of load paths on which directions of slip turn
+/// (1e-9 by default), but too little to matter for motions.
 const BEYOND_STEPS: f64 = 1e-7;
 
-/// The multiple of the load at the loss, and whether the loss is the end of small motions. `None` if the grasp does not hold at rest, or no loss was
-/// found.
+/// The multiple of the load at the loss, and whether the object is lost only because motions are no longer small. `None` if the grasp does not hold
+/// at rest, or no loss was found.
 fn lost_at<const C: usize>(verdict: &Verdict<C>) -> Option<(f64, bool)> {
     let starts = matches!(verdict.holding, Holding::Sticks | Holding::Slides { .. } | Holding::Lost);
     let lost = verdict.lost.as_ref().filter(|lost| starts && lost.factor > 0.0)?;

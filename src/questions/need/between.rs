@@ -1,4 +1,4 @@
-//! The search for a sufficient amount between amounts that were tried and do not suffice.
+//! The search for a sufficient amount between amounts that turned out to be insufficient.
 
 use super::search::{SearchPlan, Tries};
 use super::tolerances::{FAR_FROM_START, LAST_DIGITS, NEAR_DOUBLINGS};
@@ -7,8 +7,8 @@ use crate::error::Error;
 use crate::numerics::{increasing, moved};
 use crate::prelude::*;
 
-/// Searches for a sufficient amount between insufficient ones (`vain`): first near the one that carries most of the load, then in the widest gaps
-/// near `begin`, the first amount of the search.
+/// Searches for a sufficient amount between the insufficient ones in `vain`. It starts near the one that carries most of the load and then takes the
+/// widest gaps near `begin`, the first amount of the whole search.
 pub(super) fn refined(
     tries: Tries<'_>,
     plan: &SearchPlan,
@@ -19,7 +19,7 @@ pub(super) fn refined(
         return Ok(Some(does));
     }
     let near = |at: f64| begin / FAR_FROM_START <= at && at <= begin * FAR_FROM_START && plan.contains(at);
-    // There are four trials for each doubling of the amount, two on each side of `begin`. With fewer, intervals of sufficient amounts stay unseen.
+    // Two trials for each doubling of the amount, both below and above `begin`. With fewer, intervals of sufficient amounts stay undetected.
     for _ in 0..4 * NEAR_DOUBLINGS {
         let mut amounts: Vec<f64> = vain.iter().map(|(at, _)| *at).filter(|at| near(*at)).collect();
         amounts.sort_by(f64::total_cmp);
@@ -35,8 +35,8 @@ pub(super) fn refined(
     Ok(None)
 }
 
-/// A golden-section search for the amount that carries most of the load, around the best trial so far. While contacts and drives keep their states,
-/// the carried fraction is a concave function of the squeeze. So the search ends early once chords bound its maximum below 1.
+/// A golden-section search for the amount that carries the largest fraction of the load, around the best amount so far. While contacts and drives
+/// keep their states, this fraction is a concave function of the squeeze. So the search ends once chords of the function bound its maximum below 1.
 fn where_most_is_carried(
     tries: Tries<'_>,
     vain: &mut Vec<(f64, Trial)>,
@@ -46,7 +46,7 @@ fn where_most_is_carried(
     let in_order: Vec<_> = moved(increasing(&amounts), &|i| (amounts[i], carried[i]));
     let carries_most = |i: &usize, j: &usize| in_order[*i].1.total_cmp(&in_order[*j].1);
     let Some(best) = (0..in_order.len()).max_by(carries_most) else { return Ok(None) };
-    // If all amounts carry the same fraction, nothing tells in which direction it grows.
+    // If all amounts carry the same fraction, the direction in which it grows is unknown.
     if in_order.iter().all(|(_, carried)| *carried == in_order[best].1) {
         return Ok(None);
     }

@@ -1,4 +1,4 @@
-//! Conversion of the question between the engine's vectors of three components and the callers' vectors of `C` components.
+//! Conversion of the question between the engine, whose vectors have three components in the plane, too, and callers, with `C` components.
 
 use super::answer::Quantity;
 use super::question::{Demand, Need};

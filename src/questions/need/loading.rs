@@ -1,4 +1,4 @@
-//! The trial of one amount: a grasp with the amount set, and the verdicts on its loads.
+//! The trial of one amount: the grasp with this amount set, and the verdicts on its loads.
 
 use core::cell::Cell;
 use core::fmt;
@@ -27,16 +27,16 @@ pub(super) struct Loading {
     /// Factor on `loads`.
     pub(super) times: f64,
     words: Words,
-    /// Paths follow the load up to this multiple of it.
+    /// Load paths are followed up to this multiple of the load.
     followed: f64,
-    /// Whether trials skip the enumeration of many contact states.
+    /// Whether the verdicts leave out the enumeration of many contact states.
     is_quick: bool,
-    /// The reason why a link cannot have its tension at rest, if so: the amount then does not suffice.
+    /// If some link cannot have its prescribed tension at rest, a sentence about it; the amount is then insufficient.
     refused: Option<String>,
 }
 
 impl Loading {
-    /// Sets an amount of the sought quantity. Friction and squeeze are reduced and loads enlarged by `safety`.
+    /// The grasp and the loads with `amount` of the sought quantity. Friction and squeeze are reduced and loads enlarged by `safety`.
     pub(super) fn of(grasp: &Grasp<3>, need: &Posed, amount: f64, safety: Safety) -> Result<Self, Error> {
         let (friction, squeeze) = (1.0 - safety.lower[0], 1.0 - safety.lower[1]);
         let (mut times, mut base, mut loads) = (safety.load, need.base, need.loads.clone());
@@ -68,8 +68,8 @@ impl Loading {
             }
             installed => (installed?, None),
         };
-        // Loads of a sufficient amount are followed up to this multiple, which shows how far the amount is from the bound. A larger multiple makes
-        // paths longer; only for a squeeze does it lead to good guesses of the bound.
+        // With a sufficient amount, loads are followed up to this multiple, from which the search estimates the distance to the bound. A larger
+        // multiple makes load paths longer; only for a squeeze does it improve the estimates.
         let followed = match need.sought {
             Sought::Load => MOST_LOADS / amount.max(1.0),
             Sought::Squeeze => 32.0,
@@ -104,7 +104,8 @@ impl Loading {
         list
     }
 
-    /// This loading with trials that skip the enumeration of many contact states. If `short`, loads beyond those asked about are not followed.
+    /// This loading with quick trials, which leave out the enumeration of many contact states. If `short`, load paths end at the loads of the
+    /// question.
     pub(super) fn quick(mut self, short: bool) -> Self {
         self.followed = if short { 1.0 } else { self.followed };
         self.is_quick = true;
@@ -115,8 +116,8 @@ impl Loading {
         self
     }
 
-    /// Tries whether the amount meets the demand. The load of index `first` is put on first. If a load is not carried, `first` becomes its index,
-    /// because as a rule the same load refutes the next amount.
+    /// Determines whether the grasp meets the demand with this amount. The load of index `first` is applied first. Then `first` becomes the index of
+    /// a load that is not carried, or else of the one carried least. As a rule the same load refutes the next amount.
     pub(super) fn put_on(&self, demand: Demand, first: &Cell<usize>) -> Result<Trials, Error> {
         if let Some(refused) = &self.refused {
             return Ok(Trials::only(demand, Trial::does_not(refused, NOT_AT_REST)));
@@ -137,7 +138,7 @@ impl Loading {
                         Trials::only(demand, trial.unwrap_or_else(Trial::always))
                     }
                     _ => {
-                        // Without the force of any direction, the constant load beside it is put on, on top of the load at rest.
+                        // Without the force of any direction, the constant load beside it is applied in addition to the load at rest.
                         let force = |d: [f64; 3]| force_at(d.map(|x| x * *size * times), *point);
                         let loaded = besides + *base * times;
                         let mut ramps = vec![Ramp::load(besides, *base * times)];
@@ -161,7 +162,7 @@ impl Loading {
         Turn::new(self.base + constant * times, cosine * times, sine * times).up_to(turn.angle())
     }
 
-    /// The joint result of putting on each of these ramps, up to the first that is not carried.
+    /// The worst result over the loads of all these ramps. The loop ends at the first load that is not carried.
     fn all(&self, ramps: &[Ramp<3>], demand: Demand, first: &Cell<usize>) -> Result<Trials, Error> {
         let (mut held, mut sticks, mut kinds) = (Trial::always(), Trial::always(), None);
         let (mut weakest, mut least) = (first.get(), f64::INFINITY);
@@ -187,7 +188,8 @@ impl Loading {
             let wanted = if demand == Demand::Sticks { &sticks } else { &held };
             if let Trial::DoesNot { .. } = wanted {
                 first.set(which);
-                // A load that is not held also slides. If one slides before all were tried, it is not known whether all are held.
+                // A load that is not held also makes something slide. If something slides before all loads were applied, it is not known whether all
+                // loads are held.
                 let held = (!held.does() || k + 1 == ramps.len()).then_some(held);
                 return Ok(Trials { held, sticks: Some(sticks), at_rest: kinds });
             }
@@ -197,7 +199,7 @@ impl Loading {
         Ok(Trials { held: is_held.then_some(held), sticks: Some(sticks), at_rest: kinds })
     }
 
-    /// Whether everything sticks under this ramp. The onset alone decides, without a verdict.
+    /// Whether everything sticks under this ramp. This follows from the load factor of first slip alone, so no verdict is computed.
     fn first_slip(&self, ramp: &Ramp<3>) -> Result<Trial, Error> {
         let factor = match self.grasp.onset(ramp)? {
             Onset::At(event) => event.factor,
@@ -215,7 +217,7 @@ impl Loading {
         })
     }
 
-    /// How much of a verdict a trial needs.
+    /// The part of a verdict that a trial needs; quick trials need less.
     pub(super) const fn extent(&self) -> Extent {
         if self.is_quick { Extent::Decided } else { Extent::Measured }
     }
@@ -225,7 +227,7 @@ impl Loading {
         format!("{what:.digits$}")
     }
 
-    /// Adds to the sentence of a trial which of the loads it is about, if the question has several.
+    /// If the question has several loads, adds to the sentence of a trial the number of the load and the load itself.
     fn said_of(&self, which: usize, load: &Wrench<3>, mut trial: Trial) -> Trial {
         if let (Loads::Each(list), Trial::DoesNot { says, .. }) = (&self.loads, &mut trial)
             && list.len() > 1
@@ -235,8 +237,8 @@ impl Loading {
         trial
     }
 
-    /// The result of a trial from its verdict. `other` is a second margin: for [`Demand::Held`] that of small motions, for [`Demand::Sticks`] that of
-    /// friction at rest.
+    /// The result of a trial, from its verdict. `other` is a second margin: the distance to the limit of small motions for [`Demand::Held`], the
+    /// margin of sticking at rest for [`Demand::Sticks`].
     pub(super) fn judged(&self, (verdict, other): (&Verdict<3>, f64), demand: Demand) -> Trial {
         let does = match demand {
             Demand::Sticks => verdict.sticks(),
@@ -260,8 +262,8 @@ impl Loading {
                 let first_slip = verdict.first_slip.as_ref().map_or(part, |first| first.factor);
                 let carried = match &verdict.holding {
                     Holding::NoRest(_) => NOT_AT_REST,
-                    // The load at rest is lost at a fraction of it. The carried part is then negative, but above `NOT_AT_REST`, which stands for a
-                    // proof that nothing rests.
+                    // The load at rest is lost at a fraction of it. The carried part is then negative, but above `NOT_AT_REST`, the value for a proof
+                    // that no equilibrium at rest exists.
                     Holding::LostAtRest { at_rest } => {
                         (at_rest.factor - 1.0).clamp(NOT_AT_REST + f64::EPSILON, -f64::EPSILON)
                     }

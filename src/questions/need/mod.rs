@@ -18,19 +18,19 @@
 //! [`Sticks`](Demand::Sticks): nothing slides at all. [`Rests`](Demand::Rests): under loads that repeat, the object comes to rest.
 //! [`Stays`](Demand::Stays): under loads that repeat, it does not walk.
 //!
-//! Every trial of an amount is a verdict from rest ([`Grasp::hold`](crate::ask::Grasp::hold)). The answer names two amounts that were tried: one
-//! suffices, the other beside it does not. Secants of the carried fraction of the load narrow this bracket, in the plane to the last digits. Where that
-//! fraction jumps, the margin of small motions, or of sticking at rest, takes its place; where nothing rests beyond the bound, margins of the contacts at
-//! rest do. The trials of the narrowing skip the enumeration of many contact states, which is slowest near a bound, and find no reason why nothing rests;
-//! both amounts of the answer are tried with both.
+//! For every amount that is tried, [`Grasp::hold`](crate::ask::Grasp::hold) gives the verdict. The answer names two neighbouring amounts that were
+//! tried: one suffices, the other does not. Secants of the carried fraction of the load narrow this bracket, in the plane to the last digits. Where
+//! that fraction jumps, the bracket is narrowed by the margin of small motions, or of sticking at rest. If no equilibrium at rest exists beyond the
+//! bound, the margins of the contacts at rest are used instead. While the bracket is narrowed, verdicts leave out the enumeration of many contact
+//! states, which is slowest near a bound, and the reason why no equilibrium exists. The verdicts for the two amounts of the answer include both.
 //!
-//! Statics comes first: the amounts for which some forces inside all cones balance the loads form an interval, and a proof excludes all others. More is
-//! not always better: a motor at its limit presses no harder while another finger still pushes the object away. So the search goes both ways from the
-//! start, and then between trials, towards the largest carried fraction. A scan of a few amounts around the bound finds how far amounts suffice
-//! ([`FarEnd`]), and which others do ([`AmountWindow`]). Where contacts rest in different states with neighbouring amounts, amounts between them are
-//! tried, too. The scan can still miss a narrow window between two of them. The answer therefore says how many amounts
-//! were tried ([`TriedAmounts`]), unless a proof excludes all others. Where only loads and squeeze act, twice the squeeze carries twice the load. The
-//! scan is then omitted, unless a much larger squeeze moves the part too far.
+//! Statics comes first: the amounts for which some forces inside all cones balance the loads form an interval, and a proof excludes all others. A
+//! larger squeeze is not always better: a motor at its limit presses no harder while another finger still pushes the object away. So the search goes
+//! both ways from the first amount, and then between the amounts tried, towards the largest carried fraction. A scan of a few amounts around the
+//! bound finds how far amounts suffice ([`FarEnd`]), and which others do ([`AmountWindow`]). Where contact states at rest differ between neighbouring
+//! amounts, amounts between these are tried, too. The scan can still miss a narrow interval between two amounts. The answer therefore says how many
+//! amounts were tried ([`TriedAmounts`]), unless a proof excludes all others. Where only loads and squeeze act, twice the squeeze carries twice the
+//! load. The scan is then omitted, unless a much larger squeeze moves the part too far.
 //!
 //! Where no command presses there is no squeeze to scale. Then the force of the only loaded body is sought in its place, or the load at rest, and the
 //! answer says so.

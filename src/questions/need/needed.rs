@@ -1,4 +1,4 @@
-//! Answers the question for an amount: the amount, the amount with which nothing slides, and a safe amount.
+//! Answers a [`Need`]: the sought amount, the amount with which nothing slides, and a safe amount.
 
 use super::answer::{Amount, FarEnd, Needed, Quantity};
 use super::around::{Around, between_states};
@@ -38,7 +38,7 @@ impl<const C: usize> Grasp<C> {
     /// # Errors
     /// As for [`Self::hold`] of its loads. [`Error::Argument`] for reductions of friction or squeeze outside `0 <= part < 1`, and for a factor of
     /// safety outside `0 < factor <= 1e50`; also for a contact that does not exist. [`Error::Question`] for repeated loads with a force of any
-    /// direction, and for the load at rest sought without one. [`Error::Part`] if no part of the name presses.
+    /// direction, and for the load at rest sought without one. [`Error::Part`] if no part with the given name presses.
     #[doc(alias = "grip force")]
     #[doc(alias = "required")]
     pub fn need(&self, need: &Need<C>) -> Result<Needed, Error> {
@@ -47,7 +47,7 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl Need<3> {
-    /// Answers the question in the engine's three components.
+    /// Answers the question for the engine, whose vectors have three components, in the plane, too.
     fn answered_by(&self, grasp: &Grasp<3>) -> Result<Needed, Error> {
         let grasp = &self.growing(grasp)?;
         let posed = self.posed(grasp.space())?;
@@ -100,8 +100,8 @@ impl Need<3> {
     }
 }
 
-/// The first amount of a search. Multiples begin at 1, friction at the largest coefficient given (0.5 without one). An arm begins at the largest
-/// distance of a contact from the first one (1 m without one), an angle at the whole turn.
+/// The first amount that a search tries. Multiples begin at 1, friction at the largest coefficient given (0.5 without one). An arm begins at the
+/// largest distance of a contact from the first contact (1 m without one), an angle at the whole turn.
 fn start(grasp: &Grasp<3>, need: &Posed) -> f64 {
     let contacts = grasp.contacts();
     match &need.sought {
@@ -178,7 +178,8 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
             return Ok(Amount::Any { to, until, tried: (!plan.is_monotone).then(|| tried.amounts(demand)) });
         }
         Searched::Nothing(mut vain) => {
-            // With `Look::Towards` an amount that holds is known already. Undecided trials for sticking are then dropped if others are decided.
+            // With `Look::Towards` an amount that holds the object is known already. If the verdict on sticking is decided for some amounts, the
+            // undecided ones are dropped.
             if look == Look::Towards && vain.iter().any(|(_, trial)| trial.carried().is_some()) {
                 vain.retain(|(_, trial)| trial.carried().is_some());
             }
@@ -186,8 +187,8 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
         }
     };
     let (does, does_not) = (bound.does, bound.does_not.0);
-    // A larger squeeze always carries more here, but it may move the part too far. One far squeeze is tried; if it is too much, the whole range is
-    // scanned.
+    // A larger squeeze always carries more here, but it may move the part too far. One much larger squeeze is tried; if it is insufficient, the whole
+    // range is scanned.
     if plan.is_monotone && is_squeeze && scan > 0 && plan.contains(FAR_FROM_START * does) {
         tries.at(FAR_FROM_START * does)?;
     }
@@ -231,10 +232,11 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
     })
 }
 
-/// The bound if all amounts up to the proved end of the range suffice, `to` being the last: beyond that end no contact forces balance the loads.
+/// The bracket at the proved end of the range, where `to` is the last amount tried and all tried amounts suffice. Beyond the proved end no contact
+/// forces balance the loads.
 fn at_proved_end(to: f64, plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Threshold>, Error> {
     let (end, outwards) = if plan.is_least { (plan.range.low, -1.0) } else { (plan.range.high, 1.0) };
-    // If the last tried amount is this near to the proved end, the two agree up to rounding.
+    // If `to` is this near to the proved end, the two agree up to rounding.
     let Some(end) = end.filter(|end| (end - to).abs() <= NEGLIGIBLE * to) else { return Ok(None) };
     let beyond = end * (1.0 + outwards * NEGLIGIBLE);
     let trial = tries.at(beyond)?;
@@ -242,7 +244,7 @@ fn at_proved_end(to: f64, plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<
     Ok(refuted.then_some(Threshold { does: to, does_not: (beyond, trial), unknown: None }))
 }
 
-/// Among the amounts that were tried beyond the bound `does`, on the sufficient side: the last that suffices, and the first that does not.
+/// Among the amounts tried beyond the bound `does`, where amounts are easier: the last one that suffices, and the first one that does not.
 fn beyond_which_none_does(does: f64, is_least: bool, known: &[(f64, Trial)]) -> Option<[f64; 2]> {
     let ample = |at: f64| if is_least { at / does } else { does / at };
     let mut beyond: Vec<_> = known.iter().filter(|(at, _)| ample(*at) > 1.0).collect();
@@ -252,7 +254,8 @@ fn beyond_which_none_does(does: f64, is_least: bool, known: &[(f64, Trial)]) -> 
     Some([last, beyond[first].0])
 }
 
-/// The end of the sufficient amounts that begin at `does`. For the data as given these end between the two amounts `far`, so these are tried first.
+/// The far end of the sufficient amounts that begin at `does`. Without reduced friction or larger loads this end lies between the two amounts `far`,
+/// so these are tried first.
 fn far_end_near(far: [f64; 2], does: f64, tries: Tries<'_>) -> Result<Option<Threshold>, Error> {
     let mut inner = does;
     for amount in far {
@@ -269,8 +272,8 @@ fn far_end_near(far: [f64; 2], does: f64, tries: Tries<'_>) -> Result<Option<Thr
     Ok(None)
 }
 
-/// The answer if no amount suffices. Without a proof, an undecided trial makes the answer undecided. Otherwise `best` is the amount that carries
-/// most, the first of equals.
+/// The answer if no amount suffices. Without a proof, one undecided verdict makes the answer undecided. Otherwise `best` is the first of the amounts
+/// that carry most of the load.
 fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], proof: Option<&Range>) -> Amount {
     let (is_proved, at_rest) = (proof.is_some(), proof.is_some_and(|range| range.is_empty_at_rest));
     let amounts = || vain.iter().map(|(amount, _)| *amount);
@@ -296,10 +299,11 @@ fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], proof: Option<&Range>
     none
 }
 
-/// The normal force of each contact at rest with its squeeze multiplied by `squeeze`, N. Also the joints and tendons whose drives are at their limit.
+/// The normal force of each contact at rest with the squeeze multiplied by `squeeze`, N. Also the names of the joints and tendons whose drives are at
+/// their limit.
 ///
-/// If the contacts that are pressed by commands carry no force but rounding without a load, their forces are those under the load at rest. A contact held by a
-/// given force presses with it even if no equilibrium is known.
+/// If without a load the contacts that are pressed by commands carry no force beyond rounding, their forces under the load at rest are returned. A
+/// contact held by a given force presses with it even if no equilibrium is known.
 fn presses(grasp: &Grasp<3>, squeeze: f64, base: Wrench<3>) -> Result<(Vec<Press>, Vec<String>), Error> {
     let squeezed = grasp.squeezed(squeeze)?;
     let list = |force: &dyn Fn(usize) -> f64| {
@@ -323,7 +327,7 @@ fn presses(grasp: &Grasp<3>, squeeze: f64, base: Wrench<3>) -> Result<(Vec<Press
         if *load != base && set.peek().is_some() && set.all(|press| press.force <= nothing) {
             continue;
         }
-        // A contact that is held by a given force is always at its limit, so it is not listed.
+        // The drive of a contact that is held by a given force is always at its limit, so this contact is not listed.
         let mut at_their_limit = Vec::new();
         for joint in &state.joints {
             if joint.state == DriveState::Yields {

@@ -1,4 +1,4 @@
-//! The question for an amount after its check, with defaults for all data that were left out.
+//! The data of a [`Need`] after it has been checked, with defaults for all data that were left out.
 
 use alloc::borrow::Cow;
 
@@ -16,7 +16,7 @@ use crate::squeeze::Loads;
 use crate::words::Words;
 
 impl<const C: usize> Need<C> {
-    /// The loads; `None` if the question has none, or several where one is allowed.
+    /// The loads; `None` if the question has none, or has several where only one is allowed.
     #[cfg(feature = "serde")]
     pub(crate) fn loads(&self) -> Option<Loads<C>> {
         match self.turn {
@@ -44,18 +44,18 @@ impl<const C: usize> Need<C> {
     }
 }
 
-/// A [`Need`] after its check.
+/// The data of a [`Need`] after it has been checked.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Posed {
     pub(super) sought: Sought,
     /// The loads; for an arm the load at displacement 0, for an angle the load that turns.
     pub(super) loads: Loads<3>,
-    /// The load at rest; constant unless its own multiple is sought.
+    /// The load at rest. It is constant unless its multiple is the sought quantity.
     pub(super) base: Wrench<3>,
     pub(super) demand: Demand,
-    /// By how much the data may be worse than given, for the safe amount.
+    /// For the safe amount: the reductions of friction and squeeze and the factor on loads.
     pub(super) safety: Safety,
-    /// Number of amounts that are tried around the bound.
+    /// Number of amounts that are tried around the bound of the sufficient amounts.
     pub(super) scan: usize,
     /// Units and digits of numbers in the sentences about insufficient amounts.
     pub(super) words: Words,
@@ -77,13 +77,13 @@ pub(super) enum Sought {
     Angle {
         turn: Turn<3>,
     },
-    /// The force of the part `of`, or the load at rest if that is `None`.
+    /// The force of the part with the name `of`, or the load at rest if there is no name.
     Force {
         of: Option<String>,
     },
 }
 
-/// Deviations from the data to the bad side, which a safe amount allows for.
+/// Deviations from the given data to the unfavourable side, which a safe amount allows for.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Safety {
     /// Relative reductions of friction and of the squeeze, from 0 to less than 1.
@@ -93,12 +93,12 @@ pub(super) struct Safety {
 }
 
 impl Safety {
-    /// No deviation.
+    /// No deviation from the given data.
     pub(super) const NONE: Self = Self { lower: [0.0; 2], load: 1.0 };
 }
 
 impl Posed {
-    /// Refuses numbers out of range, and loads that do not suit the demand; this does not depend on the grasp.
+    /// Refuses numbers out of range, and loads that do not suit the demand. These checks do not depend on the grasp.
     pub(super) fn check(&self) -> Result<(), Error> {
         self.base.check_in(self.words.space::<3>(), "base load")?;
         check_part("part by which friction is less", self.safety.lower[0])?;
@@ -121,8 +121,8 @@ impl Posed {
         self.loads.check_size()
     }
 
-    /// The question adapted to this grasp. The friction of a soft fingertip is set at all its points. Where no command presses, a force is sought in
-    /// place of a squeeze: the load of the only loaded body, or the load at rest where no body is loaded.
+    /// The question with the data of this grasp. The friction of a soft fingertip is set at all its points. Where no command presses, a force is
+    /// sought in place of a squeeze. It is the load of the only loaded body, or the load at rest where no body is loaded.
     pub(super) fn on(mut self, grasp: &Grasp<3>) -> Result<Self, Error> {
         match &mut self.sought {
             Sought::Friction { contacts: Some(contacts) } => *contacts = grasp.points_of(contacts)?,
@@ -148,7 +148,7 @@ impl Posed {
         }
     }
 
-    /// The part whose force is sought, with its size; `None` for other quantities.
+    /// The part that exerts the sought force, with the size of that force; `None` for other quantities.
     pub(super) fn pressed_by(&self, grasp: &Grasp<3>) -> Result<Option<PressedBy>, Error> {
         let Sought::Force { of } = &self.sought else { return Ok(None) };
         let (part, is_body, size) = match of {
@@ -187,7 +187,7 @@ impl Need<3> {
         }
     }
 
-    /// The checked question as a search poses it.
+    /// The checked data of the question, with the loads and the sought quantity in the form that the search uses.
     pub(super) fn posed(&self, space: Space) -> Result<Posed, Error> {
         let of_its_own = [
             (
@@ -269,7 +269,7 @@ impl Need<3> {
         }
     }
 
-    /// The loads of the question; an error unless they are given in exactly one way. Without any, the grasp has to hold what acts at rest.
+    /// The loads of the question; an error unless they are given in exactly one way. Without any load, the grasp has to hold the load at rest.
     fn given_loads(&self) -> Result<Loads<3>, Error> {
         let others = self.load.is_some() || !self.loads.is_empty() || self.any_force.is_some();
         match self.turn {

@@ -1,4 +1,4 @@
-//! The normal forces with which contacts press under a squeeze, and their words.
+//! The normal forces with which contacts press under a squeeze, and sentences about these forces.
 
 use nalgebra::SVector;
 
@@ -17,8 +17,8 @@ pub struct Press {
     pub part: WholeContact,
     /// Normal force of the contact, N; for a soft fingertip the sum over its points.
     pub force: f64,
-    /// Whether a command, a force or a vacuum of its own presses it; else it presses by reaction. `false` for all contacts where joints or tendons
-    /// press.
+    /// Whether a command, force or vacuum of the contact itself presses it; otherwise it is pressed by reaction. `false` for all contacts where
+    /// joints or tendons press.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub is_set: bool,
     /// Of a suction cup: the pressure of its vacuum below that of the air around, Pa.
@@ -40,7 +40,7 @@ pub(super) fn pressure_of_cup(points: &[Contact<3>]) -> Option<f64> {
 }
 
 impl Press {
-    /// "16.7 N"; of a suction cup "13.3 kPa (16.7 N)".
+    /// The force of the contact as text: "16.7 N"; of a suction cup "13.3 kPa (16.7 N)".
     fn in_words(&self, words: Words) -> String {
         let newtons = words.number(self.force);
         match self.pressure {
@@ -50,7 +50,8 @@ impl Press {
     }
 }
 
-/// The contacts and cables that press at rest by commands of their own; if joints and tendons press instead, all contacts that press.
+/// The contacts and cables that have commands of their own and press at rest; if there are none, because joints or tendons press, all contacts that
+/// press.
 fn pressing(presses: &[Press]) -> Vec<&Press> {
     let is_one_set = presses.iter().any(|press| press.is_set);
     let most = presses.iter().map(|press| press.force).fold(0.0, f64::max);
@@ -58,20 +59,21 @@ fn pressing(presses: &[Press]) -> Vec<&Press> {
     presses.iter().filter(is_meant).collect()
 }
 
-/// The normal force that all pressing contacts have alike, to within [`ALIKE_IN_WORDS`], N; `None` if they differ.
+/// The normal force that is the same at all pressing contacts, to within [`ALIKE_IN_WORDS`], N; `None` if forces differ.
 pub(super) fn alike(presses: &[Press]) -> Option<f64> {
     let pressing = pressing(presses);
     let first = pressing.first()?.force;
     pressing.iter().all(|press| (press.force - first).abs() <= ALIKE_IN_WORDS * first).then_some(first)
 }
 
-/// The normal force that all pressing contacts have alike, in words.
+/// The normal force that is the same at all pressing contacts, as text; `None` if forces differ.
 pub(super) fn all_alike(words: Words, presses: &[Press]) -> Option<String> {
     alike(presses)?;
     pressing(presses).first().map(|press| press.in_words(words))
 }
 
-/// "12 N at left and right". If forces differ, each is given with its contact, followed by `times`, the multiple of the given squeeze.
+/// The forces of all pressing contacts as text: "12 N at left and right". If forces differ, each is given with its contact, followed by `times`, the
+/// multiple of the given squeeze.
 pub(super) fn in_words(words: Words, presses: &[Press], times: String) -> String {
     let pressing = pressing(presses);
     let names: Vec<_> = mapped(&pressing, &|press| press.part.text());

@@ -1,4 +1,4 @@
-//! The question for an amount: the sought quantity, the loads and the demand.
+//! A [`Need`]: the sought quantity, the loads and the demand.
 
 use alloc::collections::BTreeMap;
 
@@ -22,11 +22,12 @@ pub enum Demand {
     /// The object is held; contacts may slide. The answer adds the amount with which nothing slides.
     #[default]
     Held,
-    /// No contact slides or opens, and no drive gives way, while the load is put on.
+    /// No contact slides or opens, and no drive exceeds its limit, while the load is applied.
     Sticks,
-    /// The object comes to rest while the loads are put on and taken off in turn, again and again; see [`Grasp::shake`](crate::ask::Grasp::shake).
+    /// The object comes to rest while the loads are applied and removed in turn, again and again; see [`Grasp::shake`](crate::ask::Grasp::shake).
     Rests,
-    /// The object does not walk while the loads are put on and taken off in turn; contacts may slide to and fro for ever.
+    /// The object does not walk, that is, move on by the same amount in every cycle, while the loads are applied and removed in turn. Contacts may
+    /// slide to and fro for ever.
     Stays,
 }
 
@@ -37,7 +38,7 @@ impl Demand {
     }
 }
 
-/// A sought quantity with its loads, demand and safety. [`Grasp::need`](crate::ask::Grasp::need) checks the question.
+/// A sought quantity with its loads, demand and safety. [`Grasp::need`](crate::ask::Grasp::need) refuses invalid values.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -94,10 +95,10 @@ pub struct Need<const C: usize> {
     /// For the safe amount: relative reduction of the squeeze, from 0 to less than 1. The default is 0.05, or 0 if `safety` is given.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) squeeze_less: Option<f64>,
-    /// Number of amounts tried around the bound.
+    /// Number of amounts tried around the least or greatest sufficient amount.
     #[cfg_attr(feature = "serde", serde(skip, default = "default_scan"))]
     pub(super) scan: usize,
-    /// Number of digits in the sentences about insufficient amounts.
+    /// Format of numbers in the sentences about insufficient amounts.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) words: Words,
 }
@@ -224,8 +225,8 @@ impl<const C: usize> Need<C> {
         Self::of(Quantity::Angle, Loads::Turn(turn))
     }
 
-    /// This need on top of a load at rest (N, N m), for instance the weight of the object where a push is sought. Neither amounts nor factors of
-    /// safety scale it; only the amount of [`Self::load_at_rest`] does.
+    /// This need with a load at rest (N, N m), which acts before the other loads and stays; for instance the weight of the object where a push is
+    /// sought. Neither amounts nor factors of safety scale it; only the amount of [`Self::load_at_rest`] does.
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -272,10 +273,10 @@ impl<const C: usize> Need<C> {
         self
     }
 
-    /// This need with the demand that the object comes to [rest](Demand::Rests) while the loads are put on and taken off in turn, again and again.
+    /// This need with the demand that the object comes to [rest](Demand::Rests) while the loads are applied and removed in turn, again and again.
     ///
-    /// A load that turns goes to the end of its turn and back, or round and round in full turns. Forces of any direction come in no order and are
-    /// refused.
+    /// A load that turns goes to the end of its turn and back, or round and round in full turns. A force of any direction defines no order of loads
+    /// and is refused.
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -344,21 +345,22 @@ impl<const C: usize> Need<C> {
         self
     }
 
-    /// This need with another number of digits in the sentences about insufficient amounts (default 6).
+    /// This need with another number format in the sentences about insufficient amounts (default: 6 digits).
     #[must_use]
     pub fn told_in(mut self, words: Words) -> Self {
         self.words = words;
         self
     }
 
-    /// This need with another number of amounts tried around the bound (default 6), which find further changes of verdict. With 0 there is no scan.
+    /// This need with another number of amounts tried around the bound (default 6), to find further changes between sufficient and insufficient. With
+    /// 0 there is no scan.
     #[must_use]
     pub fn with_scan(mut self, amounts: usize) -> Self {
         self.scan = amounts;
         self
     }
 
-    /// The load that is given as a single one, or beside a force of any direction.
+    /// The single load, or the constant load beside a force of any direction.
     #[must_use]
     pub fn given_load(&self) -> Option<Wrench<C>> {
         self.load

@@ -1,8 +1,9 @@
-//! The range of amounts for which contact forces inside their cones could balance all loads. No amount outside it holds.
+//! The range of amounts for which contact forces inside their cones could balance all loads. With an amount outside this range the object is not
+//! held.
 //!
-//! The loads W(x) are affine in an amount x of load, arm, squeeze or force, and cones are convex: the range is an interval. A motion v that proves
-//! W(x) to be unbalanced proves it for every amount with W(x)·v > 0. The interval is cut where this work vanishes. Friction widens the cones:
-//! coefficients have a least value.
+//! The loads W(x) are affine in an amount x of load, arm, squeeze or force, and cones are convex, so the range is an interval. A motion v that proves
+//! W(x) to be unbalanced proves the same for every amount with W(x)·v > 0. So the range ends at the latest where this work vanishes. For friction
+//! there is a least coefficient, because friction widens the cones.
 
 use super::loading::Loading;
 use super::posed::{Posed, Safety, Sought};
@@ -13,21 +14,21 @@ use crate::error::Error;
 use crate::prelude::*;
 use crate::squeeze::Loads;
 
-/// The amounts for which contact forces may balance the loads. Beyond an end that is given, a proof excludes all amounts; beyond `None` there is no
-/// proof.
+/// The amounts for which contact forces may balance the loads. If an end is given, a proof excludes all amounts beyond it; beyond an end that is
+/// `None` nothing is proved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Range {
     pub(super) low: Option<f64>,
     pub(super) high: Option<f64>,
     pub(super) is_empty: bool,
-    /// Whether it is empty because no forces balance the load at rest alone.
+    /// Whether the range is empty because no contact forces balance the load at rest alone.
     pub(super) is_empty_at_rest: bool,
     /// For friction only: an estimate of the lower end by secants, which is more accurate than the proved end.
     pub(super) likely: Option<f64>,
 }
 
 impl Range {
-    /// The range within the least and the greatest amount that the search would try.
+    /// The range, limited to the least and the greatest amount that the search would try.
     pub(super) fn of(
         grasp: &Grasp<3>,
         need: &Posed,
@@ -55,7 +56,7 @@ impl Range {
         Ok(range)
     }
 
-    /// Moves one end of the range inwards (the lower one if `up`), as far as proofs about the load of index `which` allow.
+    /// Moves one end of the range inwards (the lower one if `up`), as far as proofs exclude amounts that leave the load of index `which` unbalanced.
     fn cut(
         &mut self,
         loading: &dyn Fn(f64) -> Result<Loading, Error>,
@@ -65,8 +66,8 @@ impl Range {
     ) -> Result<(), Error> {
         let (low, high) = (self.low.unwrap_or(least), self.high.unwrap_or(most));
         let (mut at, end) = if up { (low, high) } else { (high, low) };
-        // On round cones each cut shortens the distance to the true end by a constant factor. With fewer cuts the end would be less tight, though
-        // still proved.
+        // On round cones each step of this loop shortens the distance to the true end by a constant factor. With fewer steps the end would be less
+        // tight, though still proved.
         for _ in 0..60 {
             let here = loading(at)?;
             let load = here.to_balance()[which];
@@ -92,14 +93,15 @@ impl Range {
         Ok(())
     }
 
-    /// The least coefficient of friction with which contact forces balance all loads. Below it, a proof comes with a motion along which a load does
-    /// work; that work vanishes at the least coefficient. Its secants give this coefficient more accurately than proofs do.
+    /// The least coefficient of friction with which contact forces balance all loads. Below it, a proof consists of a motion along which a load does
+    /// positive work. This work vanishes at the least coefficient. Secants of the work give this coefficient more accurately than the existence of
+    /// proofs.
     fn least_friction(
         &mut self,
         loading: &dyn Fn(f64) -> Result<Loading, Error>,
         [least, most]: [f64; 2],
     ) -> Result<(), Error> {
-        // If a proof exists that contact forces cannot balance some load, the work of this load along the motion of the proof.
+        // The work of a load along the motion that proves it unbalanced; `None` if no load has such a proof.
         let left = |amount: f64| {
             let here = loading(amount)?;
             for load in here.to_balance() {
@@ -121,7 +123,8 @@ impl Range {
                 break;
             }
             let middle = if high > 2.0 * low { (low * high).sqrt() } else { 0.5 * (low + high) };
-            // In a wide interval the work is far from linear in the coefficient, so the interval is halved. Once it is narrow, secants are used.
+            // In a wide interval the work is far from linear in the coefficient, so the interval is halved. Secants are used once the interval is
+            // narrow.
             let is_near = high - low <= 1e-2 * high;
             let at = secant.filter(|at| is_near && low < *at && *at < high).unwrap_or(middle);
             if let Some(now) = left(at)? {
@@ -129,7 +132,7 @@ impl Range {
                 (low, last) = (at, now);
             } else {
                 high = at;
-                // No proof exists at the secant's root: it is the least coefficient as accurately as proofs can tell.
+                // No proof exists at the secant's root, so it is the least coefficient to the accuracy of the proofs.
                 if secant == Some(at) {
                     break;
                 }

@@ -1,4 +1,4 @@
-//! The trial of an amount under loads that are put on and taken off again and again.
+//! The trial of an amount under loads that are applied and removed again and again.
 
 use core::f64::consts::TAU;
 
@@ -15,7 +15,7 @@ use crate::shake::{Repeats, Shaken};
 use crate::squeeze::Loads;
 
 impl Loading {
-    /// Tries whether the object comes to rest, or does not walk, while the loads are put on and taken off in turn for ever.
+    /// Determines whether the object comes to rest, or does not walk, while the loads are applied and removed in turn for ever.
     pub(super) fn again_and_again(&self, demand: Demand) -> Result<Trial, Error> {
         let Some((base, legs)) = self.cycle() else {
             return Ok(Trial::Unknown("a force of any direction comes in no order".to_owned()));
@@ -29,8 +29,8 @@ impl Loading {
         })
     }
 
-    /// The load at rest and the legs of one cycle; `None` for a force of any direction. Each load is put on and taken off; a turn is followed back
-    /// unless it is full.
+    /// The load at rest and the legs of one cycle; `None` for a force of any direction. Each load is applied and removed. A turn is followed back
+    /// unless it is a full turn.
     fn cycle(&self) -> Option<(Wrench<3>, Vec<Leg<3>>)> {
         match &self.loads {
             Loads::Each(loads) => {
@@ -55,10 +55,11 @@ impl Loading {
     }
 }
 
-/// For an amount that does not suffice, a number below 1 that stands for the carried part of the load. It is the larger, the later the object is
-/// lost, or the less it moves per period.
+/// For an insufficient amount, a number below 1 that takes the place of the carried part of the load. It grows the later the object is lost, or the
+/// less the object moves per period.
 fn carried(shaken: &Shaken<3>, legs: usize) -> f64 {
-    // A loss gives less than one half; walking and sliding to and fro give more. So a search goes from loss over walking towards rest.
+    // A loss gives less than one half; walking and sliding to and fro give more. So an increasing number leads the search from loss to walking to
+    // rest.
     let held = 0.5;
     match &shaken.repeats {
         Repeats::NoRest { .. } => NOT_AT_REST,

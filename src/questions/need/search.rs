@@ -1,7 +1,7 @@
-//! The search for a sufficient amount, and from it for an insufficient one beside it: a bracket that `threshold` narrows.
+//! The search for a sufficient amount, and then for a neighbouring insufficient one: together a bracket of the bound, which `threshold` narrows.
 //!
-//! An amount is sufficient if its [`Trial`] meets the demand, and insufficient if a trial refutes it. The direction of "more" is up where the least
-//! amount is sought, and down where the greatest is sought.
+//! An amount is sufficient if the grasp meets the demand with it (its [`Trial`]). Easier amounts lie above where the least amount is sought, and
+//! below where the greatest is sought.
 
 use super::between::refined;
 use super::range::Range;
@@ -11,19 +11,19 @@ use super::trial::{NOT_AT_REST, Trial};
 use crate::error::Error;
 use crate::prelude::*;
 
-/// The ways to try an amount.
+/// The functions with which a search finds out whether an amount is sufficient.
 #[derive(Clone, Copy)]
 pub(super) struct Tries<'t> {
-    /// A trial with the whole search for equilibria.
+    /// Full trials, which include the enumeration of contact states in the search for equilibria.
     pub(super) whole: TrialOf<'t>,
-    /// A quick trial leaves out the enumeration of many contact states, which is slowest where no equilibrium exists; such a trial is undecided. With
-    /// `true`, loads beyond those asked about are not followed, so that the distance of a sufficient amount from the bound stays unknown.
+    /// Quick trials, which leave out the enumeration of many contact states. It is slowest where no equilibrium exists; a quick trial is then
+    /// undecided. With `true`, load paths end at the loads of the question, so that the distance of a sufficient amount from the bound stays unknown.
     pub(super) quick: &'t dyn Fn(f64, bool) -> Result<Trial, Error>,
-    /// Whether contacts rest in other states with one of two whole trials than with the other.
+    /// Whether the contact states at rest differ between two amounts with full trials.
     pub(super) rests_otherwise: &'t dyn Fn(f64, f64) -> bool,
-    /// The amount between a sufficient and an insufficient one at which contacts at rest probably leave their states.
+    /// An estimate of the amount, between a sufficient and an insufficient one, at which the first contact at rest changes its state.
     pub(super) rest_ends: &'t dyn Fn(f64, f64) -> Option<f64>,
-    /// Whether cones are polygons, on which contact states change at amounts that are exact to rounding.
+    /// Whether the grasp is planar. Contact states then change at amounts that are exact to rounding.
     pub(super) is_planar: bool,
 }
 
@@ -39,24 +39,26 @@ impl Tries<'_> {
 #[derive(Debug)]
 pub(super) enum Searched {
     Threshold(Threshold),
-    /// All amounts that were tried suffice; this is the last of them.
+    /// All amounts that were tried suffice; this is the last amount tried.
     All(f64),
-    /// None of these amounts suffices. Those known before the search come first, then the start of the search.
+    /// None of these amounts suffices. Amounts known before the search come first, then the first amount of the search.
     Nothing(Vec<(f64, Trial)>),
 }
 
-/// How the bound is guessed from the part c of the load that an amount x carries. At the bound c is 1.
+/// The estimate of the bound of the sufficient amounts from the part c of the load that is carried with an amount x. At the bound c is 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Guess {
-    /// The bound is about `x c`, because the load itself is sought.
+    /// The bound of the sufficient amounts is about `x c`, because the load itself is the sought quantity. Here x is the tried amount and c the
+    /// carried part of the load.
     Times,
-    /// The bound is about `x / c`, as if the carried part were proportional to the amount.
+    /// The bound of the sufficient amounts is about `x / c`, as if c were proportional to x. Here x is the tried amount and c the carried part of the
+    /// load.
     Divided,
-    /// No guess.
+    /// No estimate.
     Nothing,
 }
 
-/// What a search has to find, in which range, and with how much effort.
+/// The quantity that a search seeks, its range, and its effort.
 #[derive(Debug)]
 pub(super) struct SearchPlan {
     pub(super) start: f64,
@@ -65,12 +67,13 @@ pub(super) struct SearchPlan {
     pub(super) range: Range,
     pub(super) is_least: bool,
     pub(super) guess: Guess,
-    /// Whether it is known that all larger amounts suffice if one does (where the least is sought), or all smaller ones (where the greatest is).
+    /// Whether it is known that all easier amounts suffice if one does. Easier amounts are larger where the least amount is sought, and smaller where
+    /// the greatest is sought.
     pub(super) is_monotone: bool,
-    /// Whether the search goes in both directions and between trials. Otherwise it makes a few trials of easier amounts, such as more squeeze or less
-    /// load.
+    /// Whether the search goes in both directions and between the amounts tried. Otherwise it tries only a few easier amounts, such as more squeeze
+    /// or less load.
     pub(super) everywhere: bool,
-    /// The search ends once its bracket is this narrow.
+    /// The width of the bracket at which the search ends, by number of steps.
     pub(super) enough: Enough,
 }
 
@@ -92,7 +95,7 @@ impl SearchPlan {
         if up { self.range.high } else { self.range.low }
     }
 
-    /// Whether a proof excludes all amounts beyond this one, up to the accuracy of the proof.
+    /// Whether a proof excludes all amounts beyond this one, to the accuracy of the proof.
     pub(super) fn is_the_end(&self, amount: f64, up: bool) -> bool {
         let [.., nearby] = NEAR_AN_END;
         self.end(up).is_some_and(|end| (amount - end).abs() <= nearby * end.abs())
@@ -108,7 +111,8 @@ impl SearchPlan {
         self.contains(guess).then_some(guess)
     }
 
-    /// The first amount tried: the start if forces can balance it, or else one inside the range. Between two ends that is the middle.
+    /// The first amount tried: `start` if contact forces can balance the loads with it, or else an amount inside the range. Between two ends that is
+    /// the middle.
     pub(super) fn begin(&self) -> f64 {
         match (self.range.low, self.range.high) {
             _ if self.contains(self.start) => self.start,
@@ -119,8 +123,8 @@ impl SearchPlan {
     }
 }
 
-/// From a sufficient start it searches towards harder amounts (less squeeze, more load), from an insufficient one towards easier ones. If no amount
-/// there suffices, it tries the other direction, then the intervals between trials. Trials `known` from before are reused.
+/// From a sufficient first amount the search goes towards harder amounts (less squeeze, more load), from an insufficient one towards easier ones. If
+/// no amount there suffices, the other direction is tried, then the intervals between the amounts tried. Trials in `known` are not repeated.
 pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]) -> Result<Searched, Error> {
     let more = plan.is_least;
     let (does, mut vain): (Vec<_>, Vec<_>) = known.iter().cloned().partition(|(_, trial)| trial.does());
@@ -154,7 +158,7 @@ pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]
             }
         }
     }
-    // With a larger ratio than 2, narrow intervals of sufficient amounts would be skipped.
+    // With a larger ratio than 2, narrow intervals of sufficient amounts would be missed.
     let factor = if plan.everywhere { 2.0 } else { FAR_APART };
     let begin = first.0;
     // If the start fails because a squeeze moves the part too far, a smaller one may suffice. So smaller amounts are tried, too, where the least is
@@ -174,13 +178,14 @@ pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]
     Ok(Searched::Nothing(vain))
 }
 
-/// Tries an amount; if that is undecided, some neighbours. Their offsets are fractions of `width`, or without it of the amount itself.
+/// Tries an amount and, if its verdict is undecided, some neighbouring amounts. Their offsets are fractions of `width`, or of the amount itself if
+/// there is no width.
 pub(super) fn decided(tries: TrialOf<'_>, at: f64, width: Option<f64>) -> Result<(f64, Trial), Error> {
     let first = tries(at)?;
     if let Trial::Unknown(_) = first {
         let beside = |part: f64| width.map_or(at * (1.0 + part), |width| at + part * width);
-        // Neighbours keep one undecided amount from ending the search. Closer than 1e-9 they might meet the same tie. In a narrow bracket two of them
-        // are enough.
+        // Neighbours keep one undecided amount from ending the search. Closer than 1e-9 the cause, two events at the same load, might occur again. In
+        // a narrow bracket two neighbours are enough.
         let is_narrow = width.is_some_and(|width| width <= 1e-6 * at.abs());
         let offsets: &[f64] = match width {
             Some(_) if is_narrow => &[0.3, -0.3],
@@ -197,8 +202,8 @@ pub(super) fn decided(tries: TrialOf<'_>, at: f64, width: Option<f64>) -> Result
     Ok((at, first))
 }
 
-/// The first sufficient amount among guesses of the bound from the carried part. Each guess is moved to the easier side: the first by 2
-/// [`LAST_DIGITS`], each next one by 64 times as much.
+/// The first sufficient amount among estimates of the bound from the carried part of the load. Each estimate is moved towards easier amounts: the
+/// first by 2 [`LAST_DIGITS`], each next one by 64 times as much.
 fn guessed(
     tries: Tries<'_>,
     plan: &SearchPlan,
@@ -206,7 +211,7 @@ fn guessed(
     vain: &mut Vec<(f64, Trial)>,
 ) -> Result<Option<(f64, Trial)>, Error> {
     let mut beyond = LAST_DIGITS;
-    // If four guesses fail, the carried part is not proportional to the amount. Then [`walk`] continues.
+    // If four estimates are insufficient, the carried part is not proportional to the amount. Then [`walk`] continues.
     for _ in 0..4 {
         let Some(guess) = plan.guessed(at, &trial) else { break };
         beyond *= 2.0;
@@ -221,7 +226,7 @@ fn guessed(
     Ok(None)
 }
 
-/// The first sufficient amount in one direction; from trial to trial the amount is multiplied or divided by `factor`.
+/// The first sufficient amount in one direction; from each trial to the next the amount is multiplied or divided by `factor`.
 fn walk(
     tries: Tries<'_>,
     plan: &SearchPlan,
@@ -245,8 +250,8 @@ fn walk(
     }
 }
 
-/// The bracket of the bound. From a sufficient amount it searches towards harder ones (less squeeze, more load) for one that does not suffice, then
-/// narrows the bracket.
+/// The bracket of the bound. From a sufficient amount the search goes towards harder amounts (less squeeze, more load) until one does not suffice.
+/// Then it narrows the bracket.
 fn edge_from(
     tries: Tries<'_>,
     plan: &SearchPlan,
@@ -259,7 +264,8 @@ fn edge_from(
     let mut does_not =
         nearest.reduce(|one, other| if is_beyond(one.0, other.0) { other } else { one }).cloned();
     let mut unknown = None;
-    // The carried part gives guesses of the bound from both sides. The proved end of the range is a further guess.
+    // The carried part of the load gives estimates of the bound of the sufficient amounts from both sides. The proved end of the range is a further
+    // estimate.
     let beyond = |at: f64, trial: &Trial, part: f64| {
         let guess = plan.guessed(at, trial).filter(|guess| is_beyond(*guess, does) || *guess == does);
         guess.map(|guess| if up { guess * (1.0 + part) } else { guess * (1.0 - part) })
@@ -284,7 +290,7 @@ fn edge_from(
         {
             continue;
         }
-        // A guess that only the enumeration of contact states decides is no better than the next guess.
+        // A full trial of an amount whose quick trial is undecided would take long, so the next estimate is tried instead.
         match (tries.quick)(amount, false)? {
             Trial::Does { .. } => {
                 if let now @ Trial::Does { .. } = tries.at(amount)? {
@@ -294,14 +300,14 @@ fn edge_from(
             now @ Trial::DoesNot { .. } => does_not = Some((amount, now)),
             Trial::Unknown(_) => {}
         }
-        // The amount just inside the proved end does not suffice, so the bound is elsewhere.
+        // The amount just inside the proved end of the range does not suffice, so the bound of the sufficient amounts is elsewhere.
         if at == inside && does != amount {
             break;
         }
     }
     let (mut at, mut factor) = (does, 1.0);
     while does_not.is_none() {
-        // The ratio grows from step to step: secants narrow a wide bracket quickly, and paths at tiny forces take long.
+        // The ratio grows from step to step: a wide bracket is soon narrowed by secants, whereas load paths with tiny contact forces take long.
         factor *= FAR_APART;
         at = if up { at * factor } else { at / factor };
         if !plan.contains(at) {

@@ -1,4 +1,4 @@
-//! When a search for an amount ends, and the limits of its range.
+//! Limits at which the search for an amount ends, and limits of its range.
 //!
 //! All numbers are relative: to the amount, or to the end of a range.
 
@@ -6,8 +6,9 @@ use super::threshold::Enough;
 
 /// Two amounts at this relative distance differ by rounding alone.
 ///
-/// A guess of the bound is moved across it by this distance, so that trials on both sides leave a bracket within [`EXACT`]. An end of the range is
-/// final once it moves by less. If smaller, rounding decides the side. From 5e-13 on, the bracket needs more trials.
+/// An estimate of the bound of the sufficient amounts is moved by this distance, across the bound. So trials on both sides leave a bracket within
+/// [`EXACT`]. An end of the range is final once it moves by less. If smaller, rounding decides on which side the trial is. From 5e-13 on, the bracket
+/// needs more trials.
 pub(super) const LAST_DIGITS: f64 = 1e-13;
 
 /// The search for the least coefficient of friction ends at an interval of this relative width.
@@ -17,8 +18,8 @@ pub(super) const SAME_COEFFICIENT: f64 = 1e-10;
 
 /// Distances from a proved end of the range, relative to it, at which amounts inside and outside are tried.
 ///
-/// If the end is exact, the first distance gives a bracket within [`EXACT`]. The others exceed the error that proofs leave; without them both trials
-/// beside an inaccurate end would fall on one side.
+/// If the end is exact, the first distance gives a bracket within [`EXACT`]. The other distances exceed the error of the proved end. Without them
+/// both trials beside an inaccurate end would lie on the same side of the bound of the sufficient amounts.
 pub(super) const NEAR_AN_END: [f64; 3] = [4e-13, 1e-8, 1e-5];
 
 /// Ratio of successive amounts in a short search, and in the first steps from a sufficient amount to an insufficient one.
@@ -26,80 +27,80 @@ pub(super) const NEAR_AN_END: [f64; 3] = [4e-13, 1e-8, 1e-5];
 /// A bracket whose ends have a larger ratio is halved in logarithms, since arithmetic means approach the smaller end slowly.
 pub(super) const FAR_APART: f64 = 4.0;
 
-/// As long as the ratio of an amount to the start is below this, the search takes small steps. Beyond, it multiplies the amount by this ratio.
+/// While the ratio of the tried amount to the first amount is below this, the search takes small steps. Beyond it, each step multiplies the amount by
+/// this ratio.
 ///
-/// If smaller, intervals of sufficient amounts a little away from the start are skipped. If larger, a search without a sufficient amount takes
-/// longer.
+/// If smaller, intervals of sufficient amounts a little away from the start are missed. If larger, a search without a sufficient amount takes longer.
 pub(super) const FAR_FROM_START: f64 = (1u32 << NEAR_DOUBLINGS) as f64;
 
 /// The small steps of the search end after this many doublings, at [`FAR_FROM_START`].
 pub(super) const NEAR_DOUBLINGS: u32 = 4;
 
-/// An answer says how many amounts were tried. Amounts that are nearer to each other than this relative distance count once.
+/// Two tried amounts that are nearer to each other than this relative distance count as one in the number of tried amounts that an answer contains.
 ///
-/// If smaller, amounts that only narrow a bracket count as well, and a scan seems closer than it is.
+/// If smaller, amounts that only narrow a bracket count as well, and the scan seems denser than it was.
 pub(super) const APART_IN_A_SCAN: f64 = 1e-2;
 
-/// When the bracket of the amount itself is narrow enough: at the last digits that rounding leaves.
+/// The widths at which the bracket of the sought amount is narrow enough: the last digits that are not rounding.
 ///
-/// If narrower, further steps follow rounding only. If wider, the width shows in the answer.
+/// If narrower, further steps depend on rounding only. If wider, the width shows in the answer.
 pub(super) const EXACT: Enough = &[(0, 1e-12), (64, 5e-10)];
 
-/// In space, a bracket of this relative width is enough where the carried part jumps at the bound.
+/// In space a bracket with this relative width is narrow enough if the carried part of the load jumps at the bound of the sufficient amounts.
 ///
 /// If smaller, halvings take most of the time of an answer. If larger, the bracket shows in the answer.
 pub(super) const AT_A_JUMP: f64 = 1e-6;
 
-/// When the bracket of the amount is narrow enough in space, where the paths that decide are known to the error of their steps.
+/// The widths at which the bracket of the sought amount is narrow enough in space, where the load paths that decide have step errors.
 ///
-/// If narrower, trials follow paths that begin at a fold, with hundreds of short steps. If wider, the width shows in the answer.
+/// If narrower, load paths begin where equilibria vanish (a fold), with hundreds of short steps. If wider, the width shows in the answer.
 pub(super) const EXACT_IN_SPACE: Enough = &[(0, 1e-10), (64, 5e-10)];
 
-/// When the bracket of a second amount, `sticks` or `safe`, is narrow enough. If narrower, an answer needs many more trials.
+/// The widths at which the bracket of an additional amount, `sticks` or `safe`, is narrow enough. If narrower, an answer needs many more trials.
 pub(super) const SECOND: Enough = &[(0, 2e-12), (5, 1e-8)];
 
-/// When the brackets at other changes of verdict around a bound are narrow enough. There may be eight of them, so narrower ones would cost most of
-/// the trials.
+/// The widths at which brackets are narrow enough if they belong to other changes between sufficient and insufficient than the bound. There may be
+/// eight of them, so narrower ones would cost most of the trials.
 pub(super) const BESIDE_A_BOUND: Enough = &[(0, 1e-10), (16, 1e-8), (20, 1e-4)];
 
-/// Largest ratio between an amount that is tried and the start of the search, upwards and downwards.
+/// Largest ratio between a tried amount and the first amount, upwards and downwards.
 ///
-/// If the load is sought, it is followed up to this multiple. If larger, a search without a sufficient amount takes longer.
+/// If the load is sought, load paths are followed up to this multiple. If larger, a search without a sufficient amount takes longer.
 pub(super) const MOST_LOADS: f64 = (1u32 << 20) as f64;
 
 /// Most contact states that a quick trial enumerates.
 ///
-/// With fewer, quick trials leave amounts undecided that they would decide as fast. With more, trials that refute an amount take longer.
+/// With fewer, quick trials leave amounts undecided that would be decided as fast. With more, trials of insufficient amounts take longer.
 pub(super) const FEW_STATES: usize = 256;
 
-/// Relative distance from an end of a bracket up to which a predicted bound may lie outside the bracket.
+/// Relative distance from an end of the bracket up to which a predicted bound of the sufficient amounts may lie outside the bracket.
 ///
 /// If smaller, rounding drops a prediction that is right. If larger, one that is wrong costs more trials.
 pub(super) const NEAR_A_PREDICTION: f64 = 1e-9;
 
-/// Two neighbouring amounts whose contacts rest in different states have a further one tried between them only if their ratio exceeds this.
+/// Between two neighbouring amounts with different contact states at rest a further amount is tried only if their ratio exceeds this.
 ///
-/// If smaller, intervals of other verdicts are sought that hardly matter. If larger, more of them are missed.
+/// If smaller, narrow intervals of other verdicts are sought that hardly matter. If larger, more of them are missed.
 pub(super) const BETWEEN_STATES: f64 = 1.05;
 
-/// At most this many amounts are tried between neighbours whose contacts rest in different states.
+/// At most this many amounts are tried between neighbours with different contact states at rest.
 ///
-/// With fewer, intervals of other verdicts are missed. Each costs a verdict.
+/// With fewer, intervals of other verdicts are missed. Each amount costs a verdict.
 pub(super) const BETWEEN: usize = 5;
 
-/// Ratio of the bound to the first amount tried above which amounts beyond the first one are tried as well, since those around the bound do not
-/// reach it.
+/// If the first amount tried is easier than the bound by more than this ratio, amounts beyond the first one are tried as well. The scan around the
+/// bound does not reach that far.
 ///
 /// If smaller, answers take more verdicts. If larger, an end of the sufficient amounts just beyond the first one is missed.
 pub(super) const FAR_BEHIND: f64 = 4.0;
 
-/// Number of amounts tried beyond the first one in this case, up to a ratio of 4.
+/// Number of amounts tried beyond the first amount in the case of [`FAR_BEHIND`], up to a ratio of 4.
 ///
-/// With fewer, narrow intervals of other verdicts are missed. Each costs a verdict.
+/// With fewer, narrow intervals of other verdicts are missed. Each amount costs a verdict.
 pub(super) const NEAR_THE_START: usize = 3;
 
-/// Ratios of the first amount tried to those tried far below it, where a greatest amount is sought. An arm from which a load jams may be far shorter
-/// than the grasp.
+/// Ratios of the first amount to much smaller amounts that are tried in the case of [`FAR_BEHIND`], where a greatest amount is sought. The arm from
+/// which on a load jams may be far shorter than the grasp.
 ///
-/// Without them such an end is missed. Each costs a verdict.
+/// Without these amounts such an end is missed. Each costs a verdict.
 pub(super) const TOWARDS_ZERO: [f64; 3] = [16.0, 256.0, 65536.0];

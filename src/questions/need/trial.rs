@@ -1,27 +1,30 @@
-//! The result of trying one amount: whether it meets the demand, and by how much it does or does not.
+//! The trial of one amount: whether the grasp meets the demand with it, and the distance to the bound of the sufficient amounts.
 
 use super::question::Demand;
 use crate::hold::RestingContact;
 use crate::prelude::*;
 
-/// Stands for the carried part if the load at rest has no equilibrium at all. It is below 0, which means that only the load at rest is carried.
+/// The value of the carried part if the load at rest has no equilibrium at all. A negative carried part means that not even the load at rest is
+/// carried in full.
 pub(super) const NOT_AT_REST: f64 = -1.0;
 
-/// The result of trying an amount.
+/// The result of the trial of an amount.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Trial {
     Does {
-        /// The multiple of the load that the amount carries, at least 1; infinite if no loss was found.
+        /// The multiple of the load that is carried with the amount, at least 1; infinite if no loss was found.
         carried: f64,
-        /// A second margin: for holding that of small motions, for sticking that of friction at rest. Infinite if it is not known.
+        /// A second margin: for [`Demand::Held`] the distance to the limit of small motions, for [`Demand::Sticks`] the margin of sticking at rest.
+        /// Infinite if it is not known.
         other: f64,
     },
     DoesNot {
         /// The verdict in a sentence.
         says: String,
-        /// The fraction of the load that is carried; below 0 where the load at rest is not carried in full.
+        /// The fraction of the load that is carried with the amount; below 0 where the load at rest is not carried in full.
         carried: f64,
-        /// The second margin, as for a sufficient amount. At a bound where the carried part jumps, it may still fall below 0 continuously.
+        /// The second margin, as in `Does`. At a bound of the sufficient amounts where the carried part jumps, this margin may still fall below 0
+        /// continuously.
         other: f64,
         /// Whether the object is held, but moves farther than small motions.
         is_too_far: bool,
@@ -31,22 +34,22 @@ pub(super) enum Trial {
 }
 
 impl Trial {
-    /// An amount that does not suffice and carries nothing of the load.
+    /// The result for an insufficient amount with which nothing of the load is carried.
     pub(super) fn nothing(says: impl Into<String>) -> Self {
         Self::does_not(says, 0.0)
     }
 
-    /// An amount that does not suffice and carries this part of the load.
+    /// The result for an insufficient amount with which this part of the load is carried.
     pub(super) fn does_not(says: impl Into<String>, carried: f64) -> Self {
         Self::DoesNot { says: says.into(), carried, other: f64::INFINITY, is_too_far: false }
     }
 
-    /// An amount that suffices and carries this multiple of the load.
+    /// The result for a sufficient amount with which this multiple of the load is carried.
     pub(super) const fn carries(carried: f64) -> Self {
         Self::Does { carried, other: f64::INFINITY }
     }
 
-    /// An amount that suffices however large the load is.
+    /// The result for an amount that suffices however large the load is.
     pub(super) const fn always() -> Self {
         Self::carries(f64::INFINITY)
     }
@@ -55,8 +58,8 @@ impl Trial {
         matches!(self, Self::Does { .. })
     }
 
-    /// Whether only the enumeration of contact states could tell if anything rests: the trial is undecided, or the load at rest is lost on a path
-    /// from zero.
+    /// Whether only the enumeration of contact states can decide if an equilibrium at rest exists. This is so if the trial is undecided, or if a load
+    /// path from zero loses the object before the load at rest is reached.
     pub(super) fn needs_enumeration(&self) -> bool {
         self.carried().is_none_or(|carried| carried > NOT_AT_REST && carried < 0.0)
     }
@@ -69,8 +72,8 @@ impl Trial {
         }
     }
 
-    /// Two measures of the distance from a bound: the carried part less 1, and the second margin. Each vanishes at the bound unless it jumps there.
-    /// `None` if it is not known.
+    /// Two measures of the distance from the bound of the sufficient amounts: the carried part less 1, and the second margin. Each measure vanishes
+    /// at the bound, unless it jumps there. `None` if a measure is not known.
     pub(super) fn measures(&self) -> [Option<f64>; 2] {
         match self {
             Self::Does { carried, other } | Self::DoesNot { carried, other, .. } => {
@@ -84,8 +87,8 @@ impl Trial {
         self.measures()[1].unwrap_or(f64::INFINITY)
     }
 
-    /// The worse of two results: an amount that does not suffice is worse than an undecided one, that worse than a sufficient one. Among equals the
-    /// one that carries less is worse.
+    /// The worse of two results: insufficient is worse than undecided, and undecided worse than sufficient. Among equals the result with less carried
+    /// load is worse.
     pub(super) fn or_worse(self, other: Self) -> Self {
         let rank = |trial: &Self| match trial {
             Self::DoesNot { .. } => 0,
@@ -103,12 +106,12 @@ impl Trial {
     }
 }
 
-/// The results of one amount for both demands: whether the loads are held, and whether nothing slides. `None` where that was not tried.
+/// The results of one amount for two demands: whether the loads are held, and whether nothing slides. `None` for a demand that was not tried.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Trials {
     pub(super) held: Option<Trial>,
     pub(super) sticks: Option<Trial>,
-    /// The contacts at rest; `None` where nothing rests or they are not known.
+    /// The contacts at rest; `None` where no equilibrium at rest exists or it is not known.
     pub(super) at_rest: Option<Vec<RestingContact>>,
 }
 

@@ -1,4 +1,4 @@
-//! The amounts that were tried for an answer, and the plan of the search for further ones.
+//! The amounts that were tried for an answer, and the plan for the search of further amounts.
 
 use core::cell::{Cell, RefCell};
 
@@ -17,31 +17,32 @@ use crate::hold::RestingContact;
 use crate::numerics::{Space, mapped, picked};
 use crate::prelude::*;
 
-/// How widely a search looks for sufficient amounts.
+/// The extent of a search for sufficient amounts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Look {
-    /// Searches in both directions, then scans around the bound.
+    /// A search in both directions, then a scan around the bound of the sufficient amounts.
     Around,
-    /// Searches in both directions. If the sufficient amounts for the data as given have a far end (the last sufficient amount and the insufficient
-    /// one beside it are given), it then searches for that end, too.
+    /// A search in both directions. For the data as given, the sufficient amounts may have a far end: a last sufficient amount and its insufficient
+    /// neighbour. If these are given here, the search includes this far end.
     Everywhere(Option<[f64; 2]>),
-    /// Tries a few easier amounts only, such as more squeeze or less load.
+    /// A search among a few easier amounts only, such as more squeeze or less load.
     Towards,
 }
 
-/// All amounts tried so far, each with the result of its trials.
+/// All amounts tried so far, each with the result of its trial.
 pub(super) struct Tried<'q> {
     pub(super) grasp: &'q Grasp<3>,
     pub(super) need: &'q Posed,
     safety: Safety,
-    /// The amount with which the search begins.
+    /// The first amount of the search.
     pub(super) start: f64,
     known: RefCell<Vec<(f64, Trials)>>,
-    /// Results of quick trials, which skip the enumeration of contact states.
+    /// Results of quick trials, which leave out the enumeration of many contact states.
     quick: RefCell<Vec<(f64, Trials)>>,
-    /// Index of the load that refuted the last insufficient amount; the next trial puts it on first.
+    /// Index of the load that refuted the last insufficient amount, or was carried least with the last sufficient one; the next trial applies this
+    /// load first.
     first: Cell<usize>,
-    /// The proved range of amounts, which all searches share, once one of them has computed it.
+    /// The range of amounts outside which proofs exclude all amounts; computed by the first search and shared by all.
     range: Cell<Option<Range>>,
 }
 
@@ -66,7 +67,7 @@ impl<'q> Tried<'q> {
         self.put_on(&Loading::of(self.grasp, self.need, amount, self.safety)?, (amount, demand), &self.known)
     }
 
-    /// Tries an amount without the enumeration of contact states. If `short`, no load is followed beyond the whole load.
+    /// Tries an amount without the enumeration of many contact states. If `short`, load paths end at the loads of the question.
     pub(super) fn quick(&self, amount: f64, demand: Demand, short: bool) -> Result<Trial, Error> {
         let found = of(&self.known, amount, demand).or_else(|| of(&self.quick, amount, demand));
         if let Some(trial) = found {
@@ -88,7 +89,7 @@ impl<'q> Tried<'q> {
         Ok(trial.unwrap_or_else(|| Trial::Unknown(String::new())))
     }
 
-    /// Whether some contact rests in another state with one of these two amounts than with the other. Both were tried.
+    /// Whether the state of some contact at rest differs between these two amounts. Both amounts were tried.
     pub(super) fn rests_otherwise(&self, one: f64, other: f64) -> bool {
         let known = self.known.borrow();
         let found =
@@ -100,8 +101,8 @@ impl<'q> Tried<'q> {
         found(one).zip(found(other)).is_some_and(|(one, other)| differ(one, other))
     }
 
-    /// The amount between a sufficient and an insufficient one at which the first contact at rest leaves its state: its margins are extrapolated
-    /// linearly from the sufficient amount and the nearest one behind it with the same states. `None` without such an amount.
+    /// The amount between a sufficient and an insufficient one at which the first contact at rest changes its state. The margins of contacts are
+    /// extrapolated linearly from `does` and the nearest amount on its far side with the same contact states. `None` if there is no such amount.
     pub(super) fn rest_ends(&self, does: f64, does_not: f64) -> Option<f64> {
         let lists = [self.known.borrow(), self.quick.borrow()];
         let all = || lists.iter().flat_map(|list| list.iter());
@@ -122,7 +123,7 @@ impl<'q> Tried<'q> {
         picked(&known, &|(at, trials)| Some((*at, trials.of(demand)?.clone())))
     }
 
-    /// The range and number of amounts tried. Those that only narrow a bracket count once.
+    /// The range and number of amounts tried. Amounts that only narrow a bracket count as one.
     pub(super) fn amounts(&self, demand: Demand) -> TriedAmounts {
         let mut amounts: Vec<f64> = mapped(&self.known(demand), &|(at, _)| *at);
         amounts.sort_by(f64::total_cmp);
@@ -178,7 +179,7 @@ impl<'q> Tried<'q> {
     }
 }
 
-/// The result in a list for this amount and demand, if it was tried.
+/// The result for this amount and demand from a list, if the amount was tried.
 fn of(trials: &RefCell<Vec<(f64, Trials)>>, amount: f64, demand: Demand) -> Option<Trial> {
     trials.borrow().iter().find(|(at, _)| *at == amount).and_then(|(_, trials)| trials.of(demand).cloned())
 }

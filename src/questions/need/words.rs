@@ -1,4 +1,4 @@
-//! The needed amount in a sentence, as one would say it to a colleague.
+//! The answer to a [`Need`](super::Need) in a sentence, as one would say it to a colleague.
 
 use core::fmt;
 
@@ -130,7 +130,7 @@ impl Needed {
         Ok(())
     }
 
-    /// Writes that no amount suffices, by which proof or of which ones, and the best of them.
+    /// Writes that no amount suffices, with the proof or the range of amounts tried, and the amount with which most of the load is carried.
     fn none(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, what) = (Words::of(f), self.quantity);
         let Amount::None { from, to, best, tried, is_proved, at_rest, .. } = &self.amount else {
@@ -171,7 +171,7 @@ impl Needed {
         Ok(told)
     }
 
-    /// Writes how many amounts the answer rests on, and from where to where.
+    /// Writes the number of amounts tried for the answer, and their range.
     fn amounts_tried(&self, f: &mut fmt::Formatter<'_>, tried: Option<TriedAmounts>) -> fmt::Result {
         let Some(TriedAmounts { count, from, to }) = tried.filter(|tried| tried.count > 1) else {
             return Ok(());
@@ -180,7 +180,7 @@ impl Needed {
         write!(f, ". Tried were {count} amounts from {range}")
     }
 
-    /// Writes where the sufficient amounts end: beyond, more is too much, or less too little.
+    /// Writes the far end of the sufficient amounts: amounts beyond it are too large, or too small.
     fn far_end(&self, f: &mut fmt::Formatter<'_>, end: Option<&FarEnd>) -> fmt::Result {
         let Some(end) = end else { return Ok(()) };
         let [more, too] = if self.quantity.is_least() { ["More", "much"] } else { ["Less", "little"] };
@@ -190,7 +190,8 @@ impl Needed {
         limit.map_or(Ok(()), |limit| write!(f, ". There, at rest, {limit}"))
     }
 
-    /// Writes the amount with which nothing slides, after the one that holds. Returns whether the sentence still names only one amount.
+    /// Writes the amount with which nothing slides, after the amount with which the object is held. Returns whether the sentence has only one amount
+    /// up to here.
     fn beside(&self, f: &mut fmt::Formatter<'_>, does: f64) -> Result<bool, fmt::Error> {
         let words = Words::of(f);
         let is_least = self.quantity.is_least();
@@ -232,7 +233,7 @@ impl Needed {
         Ok(false)
     }
 
-    /// Writes where the amounts with which nothing slides end.
+    /// Writes the far end of the amounts with which nothing slides.
     fn sticks_until(&self, f: &mut fmt::Formatter<'_>, end: Option<&FarEnd>) -> fmt::Result {
         let Some(end) = end else { return Ok(()) };
         let to = if self.quantity.is_least() { "up to" } else { "from" };
@@ -244,7 +245,7 @@ impl Needed {
         is_too_far && self.quantity == Quantity::Arm && demand == Demand::Held
     }
 
-    /// "from an arm of 0.25 m on (small motions: up to 54 m)", for the amounts from `until` to `does`.
+    /// The interval from `until` to `does` as text: "from an arm of 0.25 m on (small motions: up to 54 m)".
     fn in_small_motions(&self, words: Words, until: &FarEnd, does: f64) -> String {
         let [from, to] = [self.much(words, until.does, &[]), self.short(words.rounded_to(2), does, &[])];
         format!("from {from} on (small motions: up to {to})")
@@ -275,8 +276,8 @@ impl Needed {
             }
             Some(Amount::Bound { does: safe, presses: safe_presses, until, .. }) => {
                 let much = match (press::alike(presses), press::alike(safe_presses)) {
-                    // Both amounts press alike, because drives at their limit press no harder under a larger command. So the multiple of the command
-                    // is named.
+                    // Both amounts lead to the same normal forces, because drives at their limit press no harder under a larger command. So the
+                    // multiple of the command is named.
                     (Some(one), Some(other))
                         if (one - other).abs() <= ALIKE_IN_WORDS * one.abs() && *safe != does =>
                     {
@@ -290,8 +291,7 @@ impl Needed {
                         _ => self.short(words, *safe, safe_presses),
                     },
                 };
-                // The safe amount suffices if friction and squeeze are lower or loads larger. With the data as given it may be too much, or too
-                // little.
+                // The safe amount suffices with lower friction and squeeze or larger loads. With the data as given it may be too large or too small.
                 let beside = if self.amount.takes(*safe, self.quantity.is_least()) {
                     ""
                 } else {
@@ -314,7 +314,7 @@ impl Needed {
     }
 }
 
-/// The drives at their limit, if there are any: "motor is at its limit and presses no harder".
+/// The clause about drives at their limit, if there are any: "motor is at its limit and presses no harder".
 fn at_limit(drives: &[String]) -> Option<String> {
     let names: Vec<_> = mapped(drives, &|name| printable(name));
     let are = match names.len() {
@@ -326,8 +326,7 @@ fn at_limit(drives: &[String]) -> Option<String> {
 }
 
 impl Amount {
-    /// Whether this amount, to within [`ALIKE_IN_WORDS`], lies in an interval of sufficient amounts. Without a bound every amount counts as
-    /// sufficient.
+    /// Whether the number `amount`, to within [`ALIKE_IN_WORDS`], lies in an interval of sufficient amounts. Without a bound the result is true.
     fn takes(&self, amount: f64, is_least: bool) -> bool {
         let Self::Bound { does, until, elsewhere, .. } = self else { return true };
         let (near, far) = (Some(*does), until.as_ref().map(|end| end.does));

@@ -2,20 +2,21 @@
 
 use super::lanes::Packed;
 
-/// The places for the answers to one question by all grasps of one block, which lie side by side in lanes.
+/// The memory for the answers of all grasps of one block to one question, such as the onset under one load. Grasps lie side by side in the lanes of
+/// vectors.
 pub(crate) struct AnswerSlots<'a, T, X: Packed> {
     /// All answers of the block, ordered by grasp, then by question.
     answers: &'a mut [T],
-    /// For each lane, whether the grasp in it is answered by the present [`Method`](super::method::Method).
+    /// For each lane, whether the forces of the grasp in it are found by the present [`Method`](super::method::Method).
     these: X::Each<bool>,
     question: usize,
     questions: usize,
-    /// The number of answers by one grasp to one question.
+    /// The number of answers that one grasp has to one question.
     each: usize,
 }
 
 impl<'a, T: Copy, X: Packed> AnswerSlots<'a, T, X> {
-    /// The places for question number `question` of `questions`, to which each grasp gives `each` answers.
+    /// The memory for the answers to question number `question` of `questions`, `each` answers for a grasp.
     #[inline(always)]
     pub(super) fn new(
         answers: &'a mut [T],
@@ -26,7 +27,8 @@ impl<'a, T: Copy, X: Packed> AnswerSlots<'a, T, X> {
         Self { answers, these, question, questions, each }
     }
 
-    /// The places for the grasp in lane `scene`. `None` if another method answers it, or if the lane is unused because the last block is not full.
+    /// The memory for the answers of the grasp in lane `scene`. `None` if the forces of this grasp are found by another method, or if the lane is
+    /// unused because the last block is not full.
     #[inline(always)]
     pub(super) fn places(&mut self, scene: usize) -> Option<&mut [T]> {
         let first = (scene * self.questions + self.question) * self.each;

@@ -26,7 +26,7 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         Self { centre: [zero; C], reach: zero, line: None, factors: LaneFactors::none() }
     }
 
-    /// Fills this value: the centroid and the factors for the grasps of a block.
+    /// Computes the centroid and the factorised stiffness matrix for the grasps of a block.
     #[inline(always)]
     pub(super) fn ready(&mut self, block: &Block<'_, C, X>) {
         let contacts = count(block.contacts);
@@ -69,7 +69,7 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         }
     }
 
-    /// Positive if some motion of the object stretches no spring.
+    /// For each lane, a positive number if some motion of the object stretches no spring.
     #[inline(always)]
     pub(super) fn free(&self) -> X {
         self.factors.free
@@ -87,7 +87,7 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         }
     }
 
-    /// The same load with its moment about the centroid; `load` has it about the origin.
+    /// The load with its moment about the centroid of the contacts; in `load` the moment is about the origin.
     #[inline(always)]
     pub(super) fn carried(&self, load: &[X; 6]) -> [X; 6] {
         let mut force = [X::all(0.0); C];
@@ -142,7 +142,8 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
     }
 }
 
-/// Adds `G K Gᵀ` of a contact to the matrix t, of which only entries on and below the diagonal are stored.
+/// Adds the contribution `G K Gᵀ` of a contact with the stiffness K to the stiffness matrix t of the object. Only entries on and below the diagonal
+/// are stored.
 #[inline(always)]
 fn add<const C: usize, X: Packed>(t: &mut [[X; 6]; 6], finger: &LaneFinger<C, X>) {
     let arm = &finger.arm;

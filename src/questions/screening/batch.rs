@@ -167,8 +167,8 @@ impl<const C: usize, const N: usize> Batch<C, N> {
         questions: &[Q],
         answers: &mut Vec<Q::Answer>,
     ) {
-        // A task has many blocks, so that handing it out costs little. It is small enough for every core to get a share of a batch of ten thousand
-        // grasps.
+        // A part of 256 blocks is so large that handing it to a thread costs little. It is small enough for every core to get a share of a batch of
+        // ten thousand grasps.
         each_taken(self.0.parts(questions, 256, answers), &kernel.many);
     }
 }

@@ -12,28 +12,30 @@ pub(super) fn count(contacts: usize) -> usize {
     contacts.min(MOST_POINTS)
 }
 
-/// Grasps with the same number of contacts, one in each lane. Each row has one number per contact; three [`Sizes`] follow. The number of contacts is
-/// known only at run time, so that kernels are compiled once for the plane and once for space.
+/// Grasps with the same number of contacts, one in each lane. `numbers` consists of rows with one number per contact, followed by three [`Sizes`].
+/// The number of contacts is known only at run time, so that kernels are compiled once for the plane and once for space.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Block<'a, const C: usize, X: Packed> {
     pub(super) contacts: usize,
-    /// Bit i is set if contact point i is the last one of its finger; a pad has several.
+    /// Bit i is set if contact point i is the last one of its finger; a soft fingertip has several points.
     pub(super) ends: u64,
     pub(super) numbers: &'a [X],
-    /// Commands along the normals, then clearances. The rows in `numbers` hold their difference; only questions that scale the commands need both.
+    /// Commands along the normals of all contacts, then their clearances. In `numbers` there is only the difference; questions that scale the
+    /// commands need both.
     pub(super) parted: &'a [X],
 }
 
-/// Commanded displacements less clearances, m: along the normal, and across it as in [`super::finger::Force`]. The two are stored apart: a long
-/// command along the normal, rotated into coordinate axes, leaves rounding across it, which a stiff tangential spring would turn into a force.
+/// Commanded displacements less clearances, m: the component along the normal (`pressed`), and the part across it (`sheared`, with axes as in
+/// [`super::finger::Force`]). One vector in coordinate axes for both would have rounding of the size of a large normal component. A stiff tangential
+/// spring would turn it into a force.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Commanded<'a, const C: usize, X: Packed> {
     pub(super) pressed: &'a [X],
     pub(super) sheared: [&'a [X]; C],
 }
 
-/// The sizes of summed terms, by which the rounding of forces is bounded: for the commands, for a unit moment and for a unit force. They are zero
-/// where forces are found by motions of the object.
+/// Sums of the absolute values of terms, by which the rounding of forces is bounded: for the commands, for a unit moment and for a unit force. They
+/// are zero where forces are found by the motion of the object.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sizes<X: Packed> {
     pub(super) commands: X,
@@ -41,7 +43,7 @@ pub(super) struct Sizes<X: Packed> {
     pub(super) force: X,
 }
 
-/// The index of each row in the data of a block.
+/// The index of each row of numbers in the data of a block.
 pub(super) struct Layout<const C: usize>;
 
 impl<const C: usize> Layout<C> {
@@ -58,12 +60,12 @@ impl<const C: usize> Layout<C> {
     /// The number of components of loads and of motions of the object.
     pub(super) const COORDINATES: usize = 3 * (C - 1);
 
-    /// How many numbers the rows of one grasp have.
+    /// The count of numbers in all rows of one grasp.
     pub(super) const fn numbers(contacts: usize) -> usize {
         Self::OF_A_CONTACT * contacts + 3
     }
 
-    /// How many numbers one grasp has, including commands and clearances that are also stored apart.
+    /// The count of numbers of one grasp, with the separate commands and clearances.
     const fn with_parts(contacts: usize) -> usize {
         Self::numbers(contacts) + 2 * contacts
     }
@@ -117,7 +119,7 @@ impl<'a, const C: usize, X: Packed> Block<'a, C, X> {
         Sizes { commands: sizes[0], moment: sizes[1], force: sizes[2] }
     }
 
-    /// Commands along the normals, and clearances.
+    /// Commands along the normals, and clearances, one row each.
     #[inline(always)]
     pub(super) fn parted(&self) -> [&'a [X]; 2] {
         let (commanded, clearance) = self.parted[..2 * self.contacts].split_at(self.contacts);
@@ -160,7 +162,7 @@ impl<const C: usize> AnyScene<C> {
         Block { contacts: self.contacts, ends: self.ends, numbers, parted }
     }
 
-    /// The entry of one contact in a row.
+    /// The number of one contact in a row.
     pub(super) fn at(&mut self, row: usize, contact: usize) -> &mut f64 {
         &mut self.numbers[row * self.contacts + contact]
     }

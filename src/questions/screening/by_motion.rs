@@ -25,7 +25,7 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         );
     }
 
-    /// Forces of commands alone, or of a load alone with the fingers at rest.
+    /// Contact forces due to commands alone, or to a load alone with the fingers at rest.
     #[inline(never)]
     pub(super) fn sticking<V: Vectors>(
         &self,
@@ -72,8 +72,8 @@ fn stretch<const C: usize, X: Packed>(
     forces.free = part.above(X::all(WORKS_ON_FREE_MOTION), body.free(), X::all(0.0));
 }
 
-/// The equilibrium under commands and a load about the centroid. Writes the forces; returns the motion of the object and the unbalanced part of the
-/// load.
+/// Computes the equilibrium under commands and a load about the centroid. Writes the contact forces; returns the motion of the object and the
+/// unbalanced part of the load.
 #[inline(always)]
 fn let_go<const C: usize, X: Packed>(
     body: &RigidBody<C, X>,
@@ -118,7 +118,8 @@ fn let_go<const C: usize, X: Packed>(
         if time == most_times || improvable.is_all(0.0) {
             break;
         }
-        // Grasps that are accurate already get a zero residual. So their answers do not depend on the grasps in neighbouring lanes.
+        // For grasps whose forces are accurate enough already, the residual is set to zero. So their answers do not depend on the grasps in
+        // neighbouring lanes.
         for entry in &mut left {
             *entry = improvable.above(zero, *entry, zero);
         }
@@ -147,9 +148,9 @@ fn move_object<const C: usize, X: Packed>(
     moved.turn[..coordinates - C].copy_from_slice(&motion[C..coordinates]);
 }
 
-/// Bounds the rounding of each force by two terms: a fraction of the force itself, and the same fraction of the force that its spring would exert
-/// over the sum of all displacements. The second term is limited by the size of all forces. Displacements that ought to cancel leave forces only
-/// between two contacts or more, so the second stiffest contact determines that size.
+/// Bounds the rounding error of each force by a fraction of the sum of two terms. One is the force itself, the other the force of its spring if
+/// stretched by the sum of all displacements. The second term is limited by the sum of all forces and of the second largest such spring force. Errors
+/// of displacements cause forces that balance each other, so at least two contacts carry them.
 #[inline(always)]
 fn bound_rounding<const C: usize, X: Packed>(
     body: &RigidBody<C, X>,

@@ -3,21 +3,22 @@
 use super::finger::Force;
 use super::lanes::{Packed, dot};
 
-/// The condition for a contact to stick, `α F_n >= β |F_t|`. With friction, α is its coefficient and β is 1. A contact that can only open has (1, 0),
-/// one that never leaves (0, 0).
+/// The condition for a contact to stick, `α F_n >= β |F_t|`. With friction, α is its coefficient and β is 1. The pair (α, β) is (1, 0) for a contact
+/// that can only open, and (0, 0) for one that never leaves.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StickingCone<X: Packed> {
     pub(super) alpha: X,
     pub(super) beta: X,
 }
 
-/// Stored in place of a coefficient of friction that is zero or infinite: such a contact stops sticking only by opening.
+/// The code stored in place of a coefficient of friction that is zero or infinite: such a contact stops sticking only by opening.
 pub(super) const OPENS_ONLY: f64 = -1.0;
-/// Stored in place of a coefficient of friction for a contact that never stops sticking: it is bonded, or kept closed with zero or infinite friction.
+/// The code stored in place of a coefficient of friction for a contact that never stops sticking. Such a contact is bonded, or kept closed with zero
+/// or infinite friction.
 pub(super) const STAYS: f64 = 0.0;
 
 impl<X: Packed> StickingCone<X> {
-    /// The cone for a stored coefficient of friction, or for one of the two codes in its place.
+    /// The friction cone for a stored coefficient of friction, or for one of the two codes stored in its place.
     #[inline(always)]
     pub(super) fn of(friction: X) -> Self {
         let (zero, one) = (X::all(0.0), X::all(1.0));
@@ -46,23 +47,23 @@ impl<X: Packed> StickingCone<X> {
 ///
 /// The second form of Δ keeps its digits where the line passes close to the apex.
 pub(super) struct Crossing<X: Packed> {
-    /// `n - |t|` at τ = 0.
+    /// The margin `n - |t|` at τ = 0, with the scaled normal force n and friction force t.
     pub(super) margin: X,
     /// The rate `|t'| - n'` at which the margin falls for large τ.
     pub(super) closing: X,
     pub(super) a: X,
     pub(super) b: X,
     pub(super) c: X,
-    /// √Δ, zero if Δ is negative.
+    /// The square root of the discriminant Δ; zero if Δ is negative.
     pub(super) root: X,
-    /// `|t|`.
+    /// The size `|t|` of the scaled friction force at τ = 0.
     pub(super) friction: X,
-    /// `|t'|`.
+    /// The size `|t'|` of the rate of the scaled friction force.
     pub(super) friction_rate: X,
 }
 
 impl<X: Packed> Crossing<X> {
-    /// The crossing of the line that has (n, t) at τ = 0 and the rates (n', t').
+    /// The crossing of a round cone by a line of forces. At τ = 0 the scaled normal and friction force are (n, t), and their rates are (n', t').
     #[inline(always)]
     pub(super) fn new<const C: usize>((n, t): (X, &[X; C]), (dn, dt): (X, &[X; C])) -> Self {
         let zero = X::all(0.0);
@@ -83,14 +84,15 @@ impl<X: Packed> Crossing<X> {
         Self { margin, closing, a, b, c, root, friction, friction_rate }
     }
 
-    /// The larger root, where the line leaves the cone. Of its two forms `c / (√Δ - b)` and `(√Δ + b) / a` it uses the one in which nothing cancels.
+    /// The larger root τ, where the line of forces leaves the cone. Of the two forms `c / (√Δ - b)` and `(√Δ + b) / a` the one without cancellation
+    /// is used.
     #[inline(always)]
     pub(super) fn last(&self) -> X {
         let Self { a, b, c, root, .. } = *self;
         b.above(X::all(0.0), root + b, c) / b.above(X::all(0.0), a, root - b)
     }
 
-    /// The smaller root, where a line from outside enters the cone.
+    /// The smaller root τ, where a line of forces from outside enters the cone.
     #[inline(always)]
     pub(super) fn first(&self) -> X {
         let Self { a, b, c, root, .. } = *self;

@@ -1,4 +1,4 @@
-//! The margin of the contact that leaves its cone first, and the derivatives of this margin.
+//! The margin of sticking at the contact that leaves its friction cone first, and the derivatives of this margin.
 
 use super::block::{Commanded, MOST_SCREENED, count};
 use super::cone::StickingCone;
@@ -7,27 +7,28 @@ use super::lanes::{Packed, dot};
 use super::screened::Screened;
 use crate::numerics::tolerances::NEGLIGIBLE;
 
-/// The margin `m = α F_n - β |F_t|` of the contact that leaves first, at the load factor at which it vanishes. Arrays over contacts are zero for all
-/// other contacts. All numbers are NaN where no contact leaves.
+/// The margin `m = α F_n - β |F_t|` of the contact that leaves its cone first, at the load factor at which m vanishes. In arrays with one entry per
+/// contact, the entries of all other contacts are zero. All numbers are NaN where no contact leaves its cone.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LeavingEdge<const C: usize, X: Packed> {
-    /// The load factor at which the margin vanishes.
+    /// The load factor at which the margin m vanishes.
     pub(super) factor: X,
-    /// The index of the leaving contact; -1 where there is none.
+    /// The index of the contact that leaves its cone; -1 where there is none.
     pub(super) contact: X,
-    /// `∂m/∂F` along the normal and, in `tangential`, across it. Used as a command, it gives forces from which all derivatives of m follow.
+    /// The derivatives of the margin m by the contact force, along the normal and (`tangential`) across it. With these numbers as commands the
+    /// springs have forces from which all derivatives of m follow.
     normal: [X; MOST_SCREENED],
     tangential: [[X; MOST_SCREENED]; C],
-    /// `∂m/∂μ`.
+    /// The derivative of the margin m by the coefficient of friction, for each contact.
     pub(super) by_friction: [X; MOST_SCREENED],
-    /// The derivative m' by the load factor.
+    /// The derivative of the margin m by the load factor.
     pub(super) rate: X,
     /// Positive if the least load factor has a kink at these data, so that derivatives are one-sided.
     pub(super) kink: X,
 }
 
 impl<const C: usize, X: Packed> LeavingEdge<C, X> {
-    /// All zero, before [`Self::reach`].
+    /// A value with all numbers zero, before [`Self::reach`].
     pub(super) fn none() -> Self {
         let zero = X::all(0.0);
         Self {
@@ -41,8 +42,8 @@ impl<const C: usize, X: Packed> LeavingEdge<C, X> {
         }
     }
 
-    /// Advances `forces` to the load factor at which the first contact leaves. If contact `which` leaves there, its margin is taken, else that of the
-    /// first contact that leaves.
+    /// Advances `forces` to the load factor at which the first contact leaves its cone, and computes the margin there. It is that of contact `which`
+    /// if this contact leaves, else that of the first contact that leaves.
     #[inline(always)]
     pub(super) fn reach(
         &mut self,
@@ -92,7 +93,7 @@ impl<const C: usize, X: Packed> LeavingEdge<C, X> {
         }
     }
 
-    /// `∂m/∂F` in the form of commands of the fingers, for one more solution of the springs.
+    /// The derivatives of the margin by the contact force, in the form of commands of the fingers, for one more solution of the springs.
     #[inline(always)]
     pub(super) fn probe(&self, contacts: usize) -> Commanded<'_, C, X> {
         let contacts = count(contacts);

@@ -6,14 +6,14 @@ use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 /// The factors of one matrix in each lane, with room for `R` rows.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LaneFactors<const R: usize, X: Packed> {
-    /// L below the diagonal, and D⁻¹ on it. Where a pivot d vanishes up to rounding, zero stands for 1/d.
+    /// L below the diagonal, and D⁻¹ on it. Where a pivot d vanishes up to rounding, zero is stored in place of 1/d.
     pub(super) entries: [[X; R]; R],
-    /// Positive if some pivot vanishes up to rounding.
+    /// Positive if some pivot of the factorisation vanishes up to rounding.
     pub(super) free: X,
 }
 
 impl<const R: usize, X: Packed> LaneFactors<R, X> {
-    /// All zero.
+    /// Factors with all entries zero.
     pub(super) fn none() -> Self {
         Self { entries: [[X::all(0.0); R]; R], free: X::all(0.0) }
     }
@@ -52,7 +52,7 @@ impl<const R: usize, X: Packed> LaneFactors<R, X> {
         self.free = free;
     }
 
-    /// `T⁻¹ w`; rows whose pivot vanishes contribute zero.
+    /// The solution `T⁻¹ w` with the factorised matrix T; rows whose pivot vanishes contribute zero.
     #[inline(always)]
     pub(super) fn solve(&self, rows: usize, w: &[X; R]) -> [X; R] {
         let f = &self.entries;
@@ -73,7 +73,7 @@ impl<const R: usize, X: Packed> LaneFactors<R, X> {
         q
     }
 
-    /// `1/d` of the pivot of a row, zero if the pivot vanishes.
+    /// The inverse 1/d of the pivot d of a row, zero if the pivot vanishes.
     #[inline(always)]
     pub(super) fn one_over_pivot(&self, row: usize) -> X {
         self.entries[row][row]

@@ -11,23 +11,23 @@ use super::verdict::{Start, verdicts};
 use crate::numerics::Vectors;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 
-/// The load factor at which one contact leaves its cone, and its margin before.
+/// The load factor at which the force of one contact leaves its cone, and the margin of this contact at load factor zero.
 struct Exit<X: Packed> {
-    /// The load factor at which it leaves: infinite if it never does, [`UNCLEAR`] if rounding decides.
+    /// The load factor at which the contact force leaves its cone: infinite if it never does, [`UNCLEAR`] if rounding decides.
     factor: X,
-    /// The margin at load factor zero.
+    /// The margin of the contact at load factor zero.
     margin: X,
-    /// Bound of the rounding error of that margin.
+    /// Bound of the rounding error of `margin`.
     rounding: X,
-    /// Minus infinity where squares of forces over- or underflow, so that nothing is known; else zero.
+    /// Minus infinity where squares of forces over- or underflow, so that the load factor is unknown; else zero.
     lost: X,
 }
 
 /// The load factor at which `F + factor · F'` leaves the cone. The margin at load factor zero must not be negative.
 ///
-/// With n and t for `α F_n` and `β F_t` the margin `n - |t|` is concave along the line. For large factors it closes at the rate `|t'| - n'`; the line
-/// leaves at all only if that exceeds its rounding. In the plane the margin is the least of two straight lines. In space its first root solves a
-/// quadratic equation, see [`Crossing`].
+/// With n and t for `α F_n` and `β F_t` the margin `n - |t|` is concave along the line. For large factors the margin falls at the rate `|t'| - n'`.
+/// The line leaves the cone only if this rate exceeds its rounding. In the plane the margin is the least of two straight lines. In space its first
+/// root solves a quadratic equation, see [`Crossing`].
 #[inline(always)]
 fn exit<const C: usize, X: Packed>(
     cone: &StickingCone<X>,
@@ -63,8 +63,8 @@ fn exit<const C: usize, X: Packed>(
     Exit { factor, margin, rounding: weight * base.of[contact].rounding, lost }
 }
 
-/// The load factor at which a margin vanishes that falls at the rate `closing`; `noise` is the rounding of this rate. It is infinite if the rate is
-/// zero up to rounding, and [`UNCLEAR`] if rounding would show in the factor.
+/// Returns `factor`, the load factor at which a margin with the rate of fall `closing` vanishes. Infinite if the rate is zero up to its rounding
+/// `noise`, and [`UNCLEAR`] if rounding would show in the factor.
 #[inline(always)]
 fn known<X: Packed>(factor: X, closing: X, noise: X) -> X {
     let factor = closing.above(X::all(SHARP_MARGIN) * noise, factor, X::all(UNCLEAR));

@@ -5,7 +5,7 @@ use core::fmt;
 use super::block::MOST_POINTS;
 use crate::prelude::*;
 
-/// The first slip of one grasp, encoded in numbers so that kernels can select among answers without a branch.
+/// The first slip of one grasp, or the lack of one, as two numbers, so that kernels can select among answers without a branch.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct SlipCode {
     /// The load factor or the angle (rad), infinite if no contact leaves, or one of the codes below.
@@ -14,11 +14,11 @@ pub(super) struct SlipCode {
     pub(super) leaving: f64,
 }
 
-/// Stands for [`ScreeningVerdict::NotSticking`] in place of a load factor.
+/// The code for [`ScreeningVerdict::NotSticking`] in place of a load factor.
 pub(super) const NOT_STICKING: f64 = -1.0;
-/// Stands for [`ScreeningVerdict::GivesWay`].
+/// The code for [`ScreeningVerdict::GivesWay`] in place of a load factor.
 pub(super) const GIVES_WAY: f64 = -2.0;
-/// Stands for [`ScreeningVerdict::Unclear`]; NaN does, too.
+/// The code for [`ScreeningVerdict::Unclear`] in place of a load factor; NaN has the same meaning.
 pub(super) const UNCLEAR: f64 = -3.0;
 
 /// How the screening of one grasp ended.
@@ -48,7 +48,7 @@ pub enum ScreeningVerdict {
 }
 
 impl SlipCode {
-    /// The value in memory before a kernel has written an answer.
+    /// The initial value in memory, before a kernel writes the answer.
     pub(super) const UNKNOWN: Self = Self { code: UNCLEAR, leaving: 0.0 };
 
     pub(super) fn verdict(self) -> ScreeningVerdict {
@@ -66,7 +66,7 @@ impl SlipCode {
     }
 
     pub(super) fn holds_up_to(self, place: f64) -> bool {
-        // The codes for other verdicts are negative.
+        // The codes in place of a load factor are negative.
         place >= 0.0 && place <= self.code
     }
 

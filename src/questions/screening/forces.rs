@@ -43,7 +43,8 @@ impl<const C: usize, X: Packed> AnyForces<C, X> {
         self.of.fill(Force::none());
     }
 
-    /// Adds the forces `others` of `contacts` contacts to these. Before, the rounding bounds of these are multiplied by `rounding`.
+    /// Adds the forces `others` of `contacts` contacts to these forces. Before this, the rounding bounds of these forces are multiplied by
+    /// `rounding`.
     #[inline(always)]
     pub(super) fn add_to(&mut self, contacts: usize, others: &Self, rounding: f64) {
         for (sum, other) in self.of.iter_mut().zip(&others.of).take(contacts) {

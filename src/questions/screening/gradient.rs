@@ -1,8 +1,9 @@
 //! Derivatives of the load factor at first slip by all data of a grasp.
 //!
-//! The factor is where the margin m of the leaving contact vanishes, so that `dτ = -dm / m'`. Let g = ∂m/∂F of that contact. The springs are solved
-//! once more, with g as the command of its finger and nothing else. All derivatives follow from the forces P and the motion (v, ω̄) of the object in
-//! that solution. With the forces F and the motion (u, ω) at the onset, at each contact,
+//! The load factor τ is where the margin m of the leaving contact vanishes, so that `dτ = -dm / m'`, with m' the derivative of m by τ. Let g = ∂m/∂F
+//! be its derivative by the force of that contact. The springs are solved once more, with g as the command of its finger and nothing else. All
+//! derivatives follow from the forces P and the motion (v, ω̄) of the object in that solution. With the forces F and the motion (u, ω) at the onset,
+//! at each contact,
 //!
 //! ```text
 //! ∂m/∂a = P                          command                 ∂m/∂p = ω̄ × F + ω × P        point
@@ -26,7 +27,7 @@ use super::screened::Screened;
 use super::springs::Cause;
 use crate::numerics::Vectors;
 
-/// Asks for the derivatives of the load factor at which this pull makes a contact leave its cone.
+/// The question for the derivatives of the load factor at which this pull makes a contact leave its cone.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GradientOf<const C: usize> {
     pub(super) pull: Pull<C>,

@@ -1,4 +1,4 @@
-//! The derivatives of one load factor, written as a row of numbers.
+//! The derivatives of one load factor by all data of a grasp, as a row of numbers.
 
 use super::answer_slots::AnswerSlots;
 use super::block::{Block, Layout, MOST_SCREENED, count};
@@ -10,8 +10,8 @@ use super::method::Method;
 use super::moved::{ObjectMotion, worked};
 use super::screened::Screened;
 
-/// Where a row has what: first the answer of screening, then the derivatives by points, normals and so on, each contact by contact, last those by the
-/// load.
+/// The layout of a row of numbers. First comes the answer of screening, then the derivatives by points, normals and so on, each contact by contact.
+/// The derivatives by the load come last.
 pub(super) struct GradientRow<const C: usize>;
 
 impl<const C: usize> GradientRow<C> {
@@ -44,7 +44,7 @@ impl<const C: usize> GradientRow<C> {
 /// The number of entries of the longest row: that of five contacts in space.
 const LONGEST_ROW: usize = GradientRow::<3>::numbers(MOST_SCREENED);
 
-/// The forces and motions whose products are the derivatives; see [`super::gradient`].
+/// The data for the derivatives of a load factor. The derivatives are products of these forces and motions; see [`super::gradient`].
 pub(super) struct Slopes<'a, const C: usize, X: Packed> {
     pub(super) method: Method,
     pub(super) edge: &'a LeavingEdge<C, X>,
@@ -56,7 +56,7 @@ pub(super) struct Slopes<'a, const C: usize, X: Packed> {
 }
 
 impl<const C: usize, X: Packed> Slopes<'_, C, X> {
-    /// Computes the row of the grasp in each lane and stores it.
+    /// Computes the row of derivatives for the grasp in each lane and stores it.
     #[inline(always)]
     pub(super) fn tell(&self, block: &Block<'_, C, X>, told: &mut AnswerSlots<'_, f64, X>) {
         let contacts = count(block.contacts);

@@ -60,7 +60,7 @@ impl<const C: usize, Q: ScreeningQuestion<C>> Kernel<C, Q> {
         Self { one: OneGrasp::ask, many: screen }
     }
 
-    /// Asks one grasp a question that has a single answer.
+    /// Answers a question that has a single answer, for one grasp.
     #[inline]
     pub(super) fn ask(&self, grasp: &OneGrasp<C>, question: &Q) -> Q::Answer {
         let mut answer = [Q::UNKNOWN];

@@ -8,10 +8,10 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use crate::numerics::square_root;
 
-/// Number of lanes: so many grasps of a batch lie side by side in a block.
+/// Number of lanes: the number of grasps of a batch that lie side by side in a block.
 pub(super) const LANES: usize = if cfg!(feature = "simd") { 8 } else { 4 };
 
-/// A number of one grasp, or a vector with one number for each of several. Each lane is computed as if it stood alone.
+/// A number of one grasp, or a vector with one number for each of several grasps. The result in a lane does not depend on the other lanes.
 pub(super) trait Packed:
     Copy
     + Debug

@@ -14,10 +14,10 @@ use super::tolerances::{LEAST_PRODUCT, MOST_PRODUCT, SHARP_MARGIN};
 use super::verdict::balanced;
 use crate::numerics::Vectors;
 
-/// Stands for "no factor suffices" in place of a factor. The other codes are those of `first_slip`.
+/// The code for "no factor suffices" in place of a factor. The other codes are those of `first_slip`.
 pub(super) const NO_FACTOR: f64 = -1.0;
 
-/// The factors with which one contact sticks under one load: an interval, with error bounds of both ends.
+/// The interval of factors on the commands with which one contact sticks under one load, with error bounds of both ends.
 struct Interval<X: Packed> {
     first: X,
     first_off: X,
@@ -25,7 +25,8 @@ struct Interval<X: Packed> {
     last_off: X,
 }
 
-/// A margin without commands (`value`) and its gain per unit of the factor, each with a bound of its rounding.
+/// A margin of sticking as a function of the factor on the commands: its `value` at factor zero, and its `gain` per unit of the factor. The other two
+/// numbers bound the rounding of each.
 struct Margin<X: Packed> {
     value: X,
     gain: X,
@@ -34,14 +35,14 @@ struct Margin<X: Packed> {
 }
 
 impl<X: Packed> Margin<X> {
-    /// The interval in which this margin, linear in the factor, is not negative.
+    /// The interval of factors in which this margin, if it is linear in the factor, is not negative.
     #[inline(always)]
     fn straight(&self) -> Interval<X> {
         let (zero, infinite) = (X::all(0.0), X::all(f64::INFINITY));
         let Self { value, gain, noise, gain_noise } = *self;
         let root = -(value / gain);
         let off = |at: X, rate: X| (noise + at * gain_noise) / rate;
-        // A margin that is negative without commands becomes zero at `root`, provided that the commands raise it.
+        // A margin that is negative at factor zero becomes zero at the factor `root`, provided that the commands raise the margin.
         let entered = gain.above(gain_noise, root, infinite);
         let first = self.broken(entered, zero);
         let first_off = self.broken(gain.above(gain_noise, off(root, gain), zero), zero);
@@ -52,13 +53,13 @@ impl<X: Packed> Margin<X> {
         Interval { first, first_off, last, last_off }
     }
 
-    /// Selects `yes` if the margin is negative without commands, beyond its rounding; else `no`.
+    /// Returns `yes` if the margin is negative at factor zero, beyond its rounding; else `no`.
     #[inline(always)]
     fn broken(&self, yes: X, no: X) -> X {
         (-self.noise).above(self.value, yes, no)
     }
 
-    /// The interval in which this margin of a round cone is not negative.
+    /// The interval of factors in which this margin of a round cone is not negative.
     #[inline(always)]
     fn round<const C: usize>(
         &self,
@@ -67,20 +68,20 @@ impl<X: Packed> Margin<X> {
     ) -> Interval<X> {
         let (zero, infinite) = (X::all(0.0), X::all(f64::INFINITY));
         let Self { noise, gain_noise, .. } = *self;
-        // The factor at which a line that enters and leaves the cone is deepest inside.
+        // The factor at which `n² - |t|²` is largest, if the line of forces enters and leaves the cone.
         let deepest = line.b / line.a;
         let mut at = *t;
         for axis in 0..C {
             at[axis] = t[axis] + deepest * dt[axis];
         }
         let depth = n + deepest * dn - dot(&at, &at).sqrt();
-        // A line that is inside by less than this may in truth miss the cone; then the answer is unclear.
+        // A line of forces that is inside the cone by less than this may in truth miss the cone; then the answer is unclear.
         let needed = X::all(4.0) * (noise + deepest * gain_noise);
         let crossing = line.closing.above(gain_noise, X::all(1.0), zero);
         let unknown = X::all(f64::NAN);
         let through = |yes, no| depth.above(needed, yes, (-depth).above(needed, no, unknown));
-        // If the margin falls for large factors, it is positive on a bounded interval or nowhere. Otherwise it stays positive once it is. If rounding
-        // hides which of the two is the case, the interval is known only where the commands cause no force at all.
+        // If the margin falls for large factors, it is positive on a bounded interval or nowhere. Otherwise, once positive, it stays positive. If
+        // rounding hides which of the two cases this is, the interval is known only where the commands cause no force at all.
         let rate = dn.abs().max(line.friction_rate);
         let idle = rate.above(gain_noise, unknown, infinite);
         let (first, last) = (line.first(), line.last());
@@ -90,7 +91,7 @@ impl<X: Packed> Margin<X> {
         let first_off = (noise + first * gain_noise) / slope;
         let is_entered = X::all(f64::MAX);
         let first_off = entered.above(is_entered, zero, first_off);
-        // If the line begins at the apex of the cone, only its direction matters.
+        // If the line of forces begins at the apex of the cone, only the direction of the line matters.
         let weight = n.abs() + line.friction;
         let left = weight.above(noise, last.max(zero), zero);
         let chord = self.broken(depth / (last - deepest), self.value / last);
@@ -108,25 +109,25 @@ impl<X: Packed> Margin<X> {
     }
 }
 
-/// The conditions on the factor, of all contacts and loads so far.
+/// The intersection of the intervals of factors on the commands that all contacts and loads so far allow.
 pub(super) struct LeastFactor<X: Packed> {
-    /// The largest lower end of all intervals: as computed, then its lower and upper error bound.
+    /// The largest lower end of the intervals of factors of all contacts and loads: as computed, then its lower and upper error bound.
     first: X,
     first_sure: X,
     first_most: X,
-    /// The lower and upper error bound of the least upper end of all intervals.
+    /// The lower and upper error bound of the least upper end of the intervals of factors of all contacts and loads.
     last_sure: X,
     last_most: X,
-    /// Positive if rounding decides about some condition, so that the answer is unclear.
+    /// Positive if rounding decides whether some margin is negative, so that the answer is unclear.
     doubt: X,
     /// Positive if a load works on a motion that no contact resists.
     free: X,
-    /// The contact and the load with the largest lower end, encoded as `8 load + contact`.
+    /// The contact and the load whose interval has the largest lower end, encoded as `8 load + contact`.
     binding: X,
 }
 
 impl<X: Packed> LeastFactor<X> {
-    /// No conditions yet.
+    /// The interval of all factors from zero, without conditions of contacts.
     #[inline(always)]
     pub(super) fn new() -> Self {
         let (zero, infinite) = (X::all(0.0), X::all(f64::INFINITY));
@@ -142,7 +143,8 @@ impl<X: Packed> LeastFactor<X> {
         }
     }
 
-    /// Adds the conditions of all contacts under one load. `forces` has the forces that the commands cause, then those of the load and clearances.
+    /// Intersects the interval of factors with those of all contacts under one load. `forces` has the forces that the commands cause, then those of
+    /// the load and clearances.
     #[inline(never)]
     pub(super) fn under<V: Vectors, const C: usize>(
         &mut self,
@@ -195,11 +197,11 @@ impl<X: Packed> LeastFactor<X> {
         self.doubt += balanced(commands.unbalanced + others.unbalanced, zero, one);
     }
 
-    /// Intersects the interval so far with that of one more margin.
+    /// Intersects the interval so far with the interval of one more margin.
     #[inline(always)]
     fn narrow(&mut self, margin: &Margin<X>, interval: &Interval<X>, binding: X) {
-        // `noise` bounds the rounding of a margin. A negative margin between a quarter of this bound and four times it is unclear. The true rounding
-        // of ordinary sums stays below a quarter.
+        // `noise` bounds the rounding of a margin. If a negative margin lies between a quarter of this bound and four times the bound, the answer is
+        // unclear. The true rounding of ordinary sums stays below a quarter.
         let (short, about) = (-margin.value, X::all(4.0));
         let doubt = (about * margin.noise).above(short, X::all(1.0), X::all(0.0));
         self.doubt += (about * short).above(margin.noise, doubt, X::all(0.0));
@@ -213,7 +215,7 @@ impl<X: Packed> LeastFactor<X> {
         self.know([first, first_off, last.abs(), last_off]);
     }
 
-    /// Makes the answer unclear if one of these numbers is negative or NaN. Comparisons elsewhere would ignore NaN.
+    /// Makes the answer unclear if one of the numbers `sizes` is negative or NaN. Comparisons elsewhere would ignore NaN.
     #[inline(always)]
     fn know<const K: usize>(&mut self, sizes: [X; K]) {
         for size in sizes {
@@ -221,7 +223,8 @@ impl<X: Packed> LeastFactor<X> {
         }
     }
 
-    /// For each grasp the least factor, or a code where there is none; and the contact and load that determine it, as in `binding`.
+    /// For each grasp the least sufficient factor on the commands, or a code if there is none. Also the contact and load that determine the factor,
+    /// encoded as in `binding`.
     #[inline(always)]
     pub(super) fn least(&self) -> (X, X) {
         let (zero, unclear) = (X::all(0.0), X::all(UNCLEAR));

@@ -1,8 +1,9 @@
-//! How forces are found in grasps of three contacts in space: along the edges of their triangle, or by the motion of the object.
+//! Two methods for the contact forces of three contacts in space: forces along the edges of their triangle, or the motion of the object.
 //!
-//! Along edges a first set of forces balances the load; forces along the edges are then added until compliances fit. In a slim triangle the first set
-//! is larger than the result and costs digits. Where compliances differ much, a soft contact is left with a small difference of large forces. Such
-//! grasps are solved by the motion of the object, and so are contacts without friction, whose compliance is infinite.
+//! In the first method some set of contact forces balances the load; forces along the edges are then added until displacements agree with the
+//! compliances. In a slim triangle the first set is larger than the result and costs digits. Where compliances differ much, the force of a soft
+//! contact is a small difference of large forces. Such grasps are solved by the motion of the object, and so are contacts without friction, whose
+//! compliance is infinite.
 //!
 //! The choice is made once, when a grasp is prepared. Batches read it from their data, so that an answer does not depend on the grasps in
 //! neighbouring lanes.
@@ -11,12 +12,12 @@ use super::block::{AnyScene, Block, Layout, Sizes};
 use super::lanes::Packed;
 use super::triangle::{self, N, Triangle, others};
 
-/// How the forces of a grasp are found.
+/// The method by which the contact forces of a grasp are found.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Method {
-    /// From compliances, by forces along the edges between contacts.
+    /// Contact forces from compliances, by forces along the edges between contacts.
     Edges,
-    /// From stiffnesses, by the motion of the object.
+    /// Contact forces from stiffnesses, by the motion of the object.
     Motions,
 }
 
@@ -46,7 +47,8 @@ pub(super) fn is_a_triangle<const C: usize, X: Packed>(block: &Block<'_, C, X>) 
     C == 3 && block.contacts == triangle::N
 }
 
-/// Chooses the method for a triangle. If it is the one by edges, stiffnesses are replaced by compliances, and [`Sizes`] above zero mark the choice.
+/// Chooses the method for a triangle. For the method of forces along edges, stiffnesses are replaced by compliances, and [`Sizes`] above zero mark
+/// the choice.
 pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
     let stiff = scene.block().springs().map(|row| [row[0], row[1], row[2]]);
     let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
@@ -72,14 +74,14 @@ pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
     }
 }
 
-/// The sizes of terms along edges, which bound the rounding. Those of moment and force are zero where rounding would be too large for this method.
+/// Bounds for the rounding of forces along edges. Those of moment and force are zero where rounding would be too large for this method.
 fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     let mut triangle = Triangle::none();
     triangle.ready(scene);
     let length = triangle.edge.map(|edge| edge.iter().map(|x| x * x).sum::<f64>().sqrt());
     let [c_n, c_t] = scene.springs();
-    // A bound of the forces along edges that forces P of size one cause: `|N| |A⁻¹| |Nᵀ| C P` by absolute values, in the notation of
-    // [`super::triangle`].
+    // A bound of the forces along edges that balanced contact forces P of size one cause: `|N| |A⁻¹| |Nᵀ| C P` by absolute values. N, A and C are
+    // defined in [`super::triangle`].
     let mut gives = 1.0;
     for k in 0..N {
         let mut unit = [0.0; N];
@@ -94,8 +96,8 @@ fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     let height = triangle.one_over_square.sqrt();
     let moment = longest * height * gives;
     let centre: f64 = triangle.centre.iter().map(|x| x.abs()).sum();
-    // The limit of these forces. If larger, margins that fall slowly would be unclear. If smaller, more grasps would need the other method, which
-    // takes twice the time. An equilateral triangle of equal springs has the value seven.
+    // The limit of these forces along edges. If larger, margins that fall slowly would be unclear. If smaller, more grasps would need the other
+    // method, which takes twice the time. An equilateral triangle of equal springs has the value seven.
     let tame = triangle.factors.free == 0.0 && moment * longest <= 1e3;
     let tamed = |size: f64| if tame { size } else { 0.0 };
     Sizes {
@@ -117,7 +119,8 @@ mod tests {
     type OneScene = super::super::block::OneScene<3>;
     type Row = Layout<3>;
 
-    /// Three contacts whose positions along two axes are multiplied by `narrow`, with stiffnesses spread over `decades` decades.
+    /// A grasp of three contacts at random positions, which are multiplied by `narrow` along two axes, and with stiffnesses spread over `decades`
+    /// decades.
     fn scene(draw: &mut Draw, narrow: f64, decades: f64) -> OneScene {
         let mut made = OneScene::new(3);
         let scene: &mut AnyScene<3> = &mut made;
@@ -129,7 +132,7 @@ mod tests {
                 *scene.at(Row::POINT + axis, i) = width * (0.2 * draw.normal() - inward[axis] / length) + 0.5;
                 *scene.at(Row::NORMAL + axis, i) = inward[axis] / length;
             }
-            // The command across the normal.
+            // The component of the command across the normal.
             let shear = 0.1 * draw.normal();
             *scene.at(Row::SHEARED, i) = shear * *scene.at(Row::NORMAL + 1, i);
             *scene.at(Row::SHEARED + 1, i) = -(shear * *scene.at(Row::NORMAL, i));
@@ -141,7 +144,7 @@ mod tests {
         made
     }
 
-    /// The largest difference of two sets of forces, relative to the sum of both rounding bounds.
+    /// The largest difference of two sets of contact forces, relative to the sum of the rounding bounds of both.
     fn off(forces: &Forces<3, f64>, others: &Forces<3, f64>, part: f64) -> f64 {
         let mut off = 0.0_f64;
         for i in 0..3 {
@@ -154,7 +157,7 @@ mod tests {
         off
     }
 
-    /// Forces of a load, and of the commands.
+    /// The contact forces that a load causes, and those that the commands cause.
     fn forces(method: Method, scene: &Block<'_, 3, f64>, load: &[f64; 6]) -> [Forces<3, f64>; 2] {
         let (mut ready, [mut loaded, mut squeezed]) =
             (StickingSprings::none(method), [Forces::<3, f64>::none(); 2]);

@@ -89,7 +89,7 @@ impl<const C: usize, X: Packed> ObjectMotion<C, X> {
     }
 }
 
-/// The displacement `a - C F` of the object at a contact, along the coordinate axes.
+/// The displacement `a - C F` of the object at a contact with the command a, the compliance C and the force F, along the coordinate axes.
 #[inline(always)]
 fn off_the_spring<const C: usize, X: Packed>(
     block: &Block<'_, C, X>,
@@ -106,8 +106,8 @@ fn off_the_spring<const C: usize, X: Packed>(
     world(&block.normals().map(|row| row[i]), &left)
 }
 
-/// The derivatives of the work of a force under a motion at a contact: `ω × F` by the point, and by a turn of the contact frame `u × F`, expressed as
-/// the change of the normal, `(u × F) × n`.
+/// The derivatives of the work of a contact force F under a motion of the object with displacement u and rotation ω at the contact. The derivative by
+/// the contact point is `ω × F`. That by a turn of the contact frame is `u × F`, returned as the change of the normal n, `(u × F) × n`.
 #[inline(always)]
 pub(super) fn worked<const C: usize, X: Packed>([turn, at, force, normal]: [&[X; C]; 4]) -> ([X; C], [X; C]) {
     if const { C == 2 } {

@@ -1,14 +1,14 @@
 //! Two contacts in the plane: forces in closed form, in compliances.
 //!
 //! The vector from contact 1 to contact 2 is p, with `p_1 = p` and `p_2 = -p`. `p_i⊥` is p_i turned by a quarter turn, and m the midpoint. The
-//! compliances are `C_i = K_i⁻¹` in coordinate axes. Balance of forces and moments leaves one unknown λ, the force along the line through both
-//! contacts:
+//! compliances are `C_i = K_i⁻¹` in coordinate axes. Balance with a load (force W_f, moment W_m) leaves one unknown λ, the force along the line
+//! through both contacts:
 //!
 //! ```text
 //! F_i = λ p_i + s p_i⊥ - W_f / 2,   s = (W_m - m × W_f) / |p|²
 //! ```
 //!
-//! The distance of the contact points on the object stays constant, which fixes λ:
+//! The distance of the contact points on the object stays constant, which fixes λ for the commands a_i:
 //!
 //! ```text
 //! Σ p_i·(a_i - C_i F_i) = 0
@@ -80,15 +80,16 @@ fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
 pub(super) struct Pair<X: Packed> {
     normal: [[X; 2]; 2],
     midpoint: [X; 2],
-    /// Components of the vector `p_i` along the normal and, in the next field, along the tangent of contact i.
+    /// Components of the vector `p_i` from contact i to the other contact, along the normal of contact i and, in the next field, along its tangent.
     n: [X; 2],
     t: [X; 2],
-    /// Components of `C_i p_i` along the normal and the tangent.
+    /// Components of `C_i p_i`, with the compliance C_i of contact i, along its normal and, in the next field, along its tangent.
     u: [X; 2],
     v: [X; 2],
     one_over_give: X,
     one_over_square: X,
-    /// By how much the line is stretched for s = 1, `Σ p_i·C_i p_i⊥`, and how much of that the commands take up, `Σ p_i·a_i`; both in m times |p|.
+    /// The stretch of the line through both contacts for s = 1, `Σ p_i·C_i p_i⊥`. In the next field the part that the commands take up, `Σ p_i·a_i`.
+    /// Both are in m times |p|.
     sheared: X,
     commanded: X,
     sizes: Sizes<X>,

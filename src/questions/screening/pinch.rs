@@ -1,5 +1,5 @@
-//! Two contacts in space leave a free motion: the rotation about the line between them. This file reorders coordinates so that its pivot is the last
-//! one.
+//! Two contacts in space leave a free motion: the rotation about the line between them. This file exchanges coordinates so that the pivot of this
+//! rotation comes last when the stiffness matrix is factorised.
 //!
 //! That pivot vanishes up to rounding. If the rotation about the coordinate axis nearest to the line comes last, no other pivot is small. Thus
 //! rounding does not decide which motion is free.
@@ -9,7 +9,7 @@ use super::lanes::Packed;
 /// Exchanges the rotation about the coordinate axis nearest to the line between two contacts with the last coordinate.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct AlongTheLine<X: Packed> {
-    /// Positive in the first entry where the nearest axis is the first one, in the second where it is the second.
+    /// Positive in the first entry if the coordinate axis nearest to the line is the first one, in the second entry if it is the second one.
     is: [X; 2],
 }
 

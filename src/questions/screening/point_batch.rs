@@ -49,7 +49,7 @@ pub struct PointBatch<const C: usize> {
 }
 
 impl<const C: usize> PointBatch<C> {
-    /// An empty batch of grasps with this many points, with room for `grasps` of them.
+    /// An empty batch for grasps with this many points each, with memory for `grasps` grasps.
     #[must_use]
     pub fn with_capacity(points: usize, grasps: usize) -> Self {
         let blocks = grasps.div_ceil(LANES);
@@ -70,9 +70,9 @@ impl<const C: usize> PointBatch<C> {
         self.len == 0
     }
 
-    /// Appends a grasp, whose answers have the index at which it was appended. `false`, and nothing is appended, for contacts that are malformed, that
-    /// screening does not support (see [`Fingers::new`](super::Fingers::new)), or that are not as many as those before: [`Grasp`](crate::ask::Grasp)
-    /// answers them, or names the fault.
+    /// Appends a grasp. Its index in the batch is also that of its answers. Returns `false`, and appends nothing, if contacts are malformed or not
+    /// supported by screening (see [`Fingers::new`](super::Fingers::new)), or if their number differs from that of earlier grasps. For such contacts
+    /// use [`Grasp`](crate::ask::Grasp), which also names the fault.
     pub fn push(&mut self, contacts: &[Contact<C>]) -> bool {
         if contacts.len() != self.contacts || !(2..=MOST_POINTS).contains(&contacts.len()) {
             return false;
@@ -97,7 +97,8 @@ impl<const C: usize> PointBatch<C> {
         self.parts(pulls, self.len, answers).for_each(Kernels::get().pull.many);
     }
 
-    /// The onset of each grasp under its own growing load, on one thread. `pulls` has one load for each grasp; without as many there are no answers.
+    /// The onset of each grasp under its own growing load, on one thread. `pulls` has one load for each grasp; if their number differs, the result is
+    /// empty.
     #[must_use]
     pub fn own_onsets(&self, pulls: Vec<Pull<C>>) -> Vec<Screened> {
         let mut onsets = Vec::with_capacity(pulls.len());
@@ -129,7 +130,7 @@ impl<const C: usize> PointBatch<C> {
         self.len += 1;
     }
 
-    /// Divides the batch into parts of at most `blocks` blocks, each with the places for its answers.
+    /// Divides the batch into parts of at most `blocks` blocks, each with the memory for its answers.
     pub(super) fn parts<'a, Q: ScreeningQuestion<C>>(
         &'a self,
         questions: &'a [Q],

@@ -1,4 +1,4 @@
-//! Loads that are put on the grasps of a batch, a load of its own on each: the first slip, and how far the object rotates up to the whole load.
+//! First slip, and the rotation of the object up to the whole load, for a batch of grasps each of which has its own load.
 
 use super::answer_slots::AnswerSlots;
 use super::block::Layout;
@@ -18,18 +18,19 @@ use crate::contact::ZERO_SLACK;
 use crate::numerics::Vectors;
 use crate::prelude::*;
 
-/// The question how each grasp of a batch bears its own load; there is one load for each grasp.
+/// The question of screening for first slip and rotation if each grasp of a batch has its own load; `pulls` has one load for each grasp.
 pub(crate) struct PutOn<const C: usize> {
     pub(crate) pulls: Vec<Pull<C>>,
-    /// Whether the rotation of the object is wanted, too.
+    /// Whether the rotation of the object is to be computed, too.
     pub(crate) turns: bool,
 }
 
-/// What happens as a load is put on one grasp, as long as every contact sticks.
+/// First slip and rotation as a load is applied to one grasp, as long as every contact sticks.
 #[derive(Clone, Copy)]
 pub(crate) struct WhileSticking {
     pub(crate) first: Screened,
-    /// The larger of the rotations at rest and under the whole load, rad; NaN where the position is not determined, or the rotation was not wanted.
+    /// The larger of the rotations at rest and under the whole load, rad. NaN where the position of the object is not determined, or no rotation was
+    /// computed.
     pub(crate) turn: f64,
 }
 
@@ -89,7 +90,7 @@ impl<const C: usize> ScreeningQuestion<C> for PutOn<C> {
 }
 
 impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
-    /// The rotation of the object under the commands and a load, given the contact forces of both together.
+    /// The size of the rotation of the object under the commands and a load, given the contact forces of both together, rad.
     #[inline(always)]
     fn turned(&self, load: &[X; 6], forces: &AnyForces<C, X>) -> X {
         let mut moved = ObjectMotion::none();

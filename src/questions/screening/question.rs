@@ -1,4 +1,4 @@
-//! A question of screening, and the grasps of which it is asked.
+//! A question of screening, such as the onset under a load, and the block of grasps for which it is answered.
 
 use super::answer_slots::AnswerSlots;
 use super::block::{Block, Commanded, MOST_SCREENED};
@@ -10,7 +10,8 @@ use crate::contact::ZERO_SLACK;
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
 
-/// The grasps of a block with prepared springs, one in each lane. They are borrowed because they are too large to be moved for every block.
+/// The grasps of a block with prepared springs, one in each lane. Springs and forces are borrowed, because they are too large to be copied for every
+/// block.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Scenes<'a, V, const C: usize, X: Packed> {
     pub(super) vectors: V,
@@ -25,12 +26,12 @@ pub(crate) struct Scenes<'a, V, const C: usize, X: Packed> {
 /// Working memory for the forces that a question needs, created once for all blocks.
 pub(crate) type Room<'a, const C: usize, X> = [&'a mut AnyForces<C, X>; 3];
 
-/// A question that is asked of every grasp of a batch.
+/// A question of screening, such as the onset under a load, which is answered for every grasp of a batch.
 pub(crate) trait ScreeningQuestion<const C: usize>: Sync + Sized {
     type Answer: Copy + Send;
-    /// The value in memory before an answer has been written.
+    /// The initial value in memory, before an answer is written.
     const UNKNOWN: Self::Answer;
-    /// The number of answers that a grasp with `contacts` contacts gives, stored side by side.
+    /// The number of answers for a grasp with `contacts` contacts, stored side by side.
     fn answers(_contacts: usize) -> usize {
         1
     }
@@ -67,7 +68,8 @@ impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
         forces.add_to(self.block.contacts, self.squeezed, ON_THE_EDGE / ZERO_SLACK);
     }
 
-    /// The forces that the commands alone cause, and those that the clearances alone cause. Their rounding is bounded as strictly as that of loads.
+    /// The forces that the commands alone cause, and those that the clearances alone cause. The bounds of their rounding are as small as those for
+    /// loads.
     #[inline(always)]
     pub(super) fn apart(&self, [commands, clearances]: [&mut AnyForces<C, X>; 2]) {
         let [commanded, clearance] = self.block.parted();

@@ -1,15 +1,15 @@
-//! Answers of screening for one grasp under a load that grows or turns.
+//! The answers of screening for one grasp under a load that grows or turns.
 
 use core::fmt;
 
 use super::first_slip::{ScreeningVerdict, SlipCode};
 
-/// The onset of sliding of one grasp as a load grows, or the reason why screening does not know it.
+/// The onset of sliding of one grasp as a load grows, or the reason why screening cannot determine it.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Screened(pub(super) SlipCode);
 
-/// The onset of sliding of one grasp as a load turns, or the reason why screening does not know it. An angle is not a factor: this type has no
-/// factor.
+/// The onset of sliding of one grasp as a load turns, or the reason why screening cannot determine it. The onset is an angle, so this type has no
+/// load factor.
 #[derive(Clone, Copy, PartialEq)]
 pub struct ScreenedTurn {
     pub(super) first: SlipCode,
@@ -31,7 +31,7 @@ impl Screened {
         self.0.place()
     }
 
-    /// Whether every contact is known to stick up to and including this load factor. For negative load factors nothing is known.
+    /// Whether every contact is known to stick up to and including this load factor; `false` for negative load factors.
     #[must_use]
     pub fn holds_up_to(&self, factor: f64) -> bool {
         self.0.holds_up_to(factor)
@@ -58,8 +58,8 @@ impl ScreenedTurn {
         self.first.place()
     }
 
-    /// Whether every contact is known to stick up to and including this angle, rad. Nothing is known of negative angles. Of angles beyond the turn
-    /// nothing is known either, unless it is a full turn.
+    /// Whether every contact is known to stick up to and including this angle, rad; `false` for negative angles. It is also `false` for angles beyond
+    /// the turn, unless the turn is a full one.
     #[must_use]
     pub fn holds_up_to(&self, angle: f64) -> bool {
         angle <= self.most && self.first.holds_up_to(angle)

@@ -5,7 +5,7 @@ use super::gradient_row::GradientRow;
 use super::screened::Screened;
 use crate::prelude::*;
 
-/// Derivatives of many load factors, in the order of their answers: rows of numbers in memory that is reused.
+/// Derivatives of many load factors, in the order of their answers: one row of numbers for each load factor. The memory can be reused.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ScreenedGradients<const C: usize> {
     pub(super) contacts: usize,
@@ -37,7 +37,7 @@ impl<const C: usize> ScreenedGradients<C> {
         self.numbers.is_empty()
     }
 
-    /// The gradient at an index; `None` from [`Self::len`] on.
+    /// The gradient at an index; `None` for an index from [`Self::len`] on.
     #[must_use]
     pub fn get(&self, place: usize) -> Option<ScreenedGradient<'_, C>> {
         let numbers = GradientRow::<C>::numbers(self.contacts);
@@ -52,8 +52,9 @@ impl<const C: usize> ScreenedGradients<C> {
         rows.map(move |row| ScreenedGradient { contacts, row })
     }
 
-    /// All numbers, row by row, [`Self::width`] each. A row of n contacts begins with 4 numbers of its own. Then follow n points, n normals, n
-    /// commands, n pairs of stiffnesses, n coefficients of friction, and the components of the base load, as [`ScreenedGradient`] returns them.
+    /// All numbers, row by row, [`Self::width`] in each row. A row for n contacts begins with 4 numbers: verdict or load factor, leaving contacts,
+    /// contact and kink. The derivatives follow: by n points, n normals, n commands, n pairs of stiffnesses, n coefficients of friction, and the
+    /// components of the base load. [`ScreenedGradient`] returns each of them.
     #[must_use]
     pub fn numbers(&self) -> &[f64] {
         &self.numbers
@@ -71,10 +72,10 @@ impl<const C: usize> ScreenedGradients<C> {
 ///
 /// Where [`Self::is_one_sided`] is true, several contacts leave together, or one leaves through the apex of its cone: the least of their factors has
 /// a kink. Derivatives are then those of [`Self::contact`]; [`Fingers::onset_gradients`](crate::screening::Fingers::onset_gradients) has those of
-/// each contact. Along a change of the data the derivative of the factor is the least of theirs.
+/// each contact. Along a change of the data, the derivative of the factor is the least of the derivatives for these contacts.
 ///
 /// Where a motion of the object is free, derivatives by points, normals and loads are NaN: with other data there may be no equilibrium. Two hard
-/// fingers in space are such a grasp. [`OnsetMargins::by`](crate::load_path::OnsetMargins::by) handles these cases apart.
+/// fingers in space are such a grasp. [`OnsetMargins::by`](crate::load_path::OnsetMargins::by) has derivatives for such grasps, too.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ScreenedGradient<'a, const C: usize> {
     contacts: usize,
@@ -82,8 +83,8 @@ pub struct ScreenedGradient<'a, const C: usize> {
 }
 
 impl<const C: usize> ScreenedGradient<'_, C> {
-    /// The answer itself, equal bit for bit to that of [`Fingers::onset`](crate::screening::Fingers::onset): the load factor, and the contacts that
-    /// leave at it.
+    /// The answer of screening, equal bit for bit to that of [`Fingers::onset`](crate::screening::Fingers::onset): the load factor, and the contacts
+    /// that leave their cones there.
     #[must_use]
     pub fn screened(&self) -> Screened {
         Screened(SlipCode {
@@ -92,7 +93,7 @@ impl<const C: usize> ScreenedGradient<'_, C> {
         })
     }
 
-    /// The contact whose margin vanishes, counted from 0: the active event. `None` without a load factor.
+    /// The contact whose margin vanishes at the onset, counted from 0. `None` without a load factor.
     #[must_use]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // it is a small whole number
     pub fn contact(&self) -> Option<usize> {

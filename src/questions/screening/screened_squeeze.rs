@@ -5,10 +5,10 @@ use core::fmt;
 use super::first_slip::{GIVES_WAY, UNCLEAR};
 use super::least_factor::NO_FACTOR;
 
-/// The least squeeze of one grasp under a list of loads, or the reason why screening does not know it.
+/// The least squeeze of one grasp under a list of loads, or the reason why screening cannot determine it.
 #[derive(Clone, Copy, PartialEq)]
 pub struct ScreenedSqueeze {
-    /// The least factor, or one of the codes in `least_factor` and `first_slip` for the other verdicts.
+    /// The least factor on the commands, or for the other verdicts one of the codes in `least_factor` and `first_slip`.
     pub(super) code: f64,
     /// The contact and the load that determine the factor, encoded as `8 load + contact`.
     pub(super) binding: f64,
@@ -34,7 +34,7 @@ pub enum SqueezeVerdict {
 }
 
 impl ScreenedSqueeze {
-    /// The value in memory before a kernel has written an answer.
+    /// The initial value in memory, before a kernel writes the answer.
     pub(super) const UNKNOWN: Self = Self { code: UNCLEAR, binding: 0.0 };
 
     /// How the screening ended.
@@ -55,8 +55,8 @@ impl ScreenedSqueeze {
         (self.verdict() == SqueezeVerdict::Suffices).then_some(self.code)
     }
 
-    /// The contact at the edge of its cone with this factor, and the index of the load in the list under which it is; both count from 0. Of several
-    /// the first is returned. `None` where the factor is zero, and without a factor.
+    /// The contact at the edge of its cone with this factor, and the index of the load under which the contact is there; both count from 0. If there
+    /// are several, the first is returned. `None` where the factor is zero, and without a factor.
     #[must_use]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // it is a small whole number
     pub fn binding(&self) -> Option<(usize, usize)> {

@@ -10,15 +10,15 @@ use super::pair::Pair;
 use super::triangle::Triangle;
 use crate::numerics::Vectors;
 
-/// What moves the object: the commands of the fingers and the load.
+/// The causes of the object's motion: the commands of the fingers and the load.
 pub(super) struct Cause<'a, const C: usize, X: Packed> {
     pub(super) commands: Commanded<'a, C, X>,
     /// The load on the grasp in each lane: force in N, then moments about the origin in N m. In the plane the last three are zero.
     pub(super) load: [X; 6],
 }
 
-/// What one of three methods computes of springs once, before a load is known. Conditions on constants keep pairs in space and triangles in the
-/// plane, which the first two methods do not have, from being compiled.
+/// The part of the solution that one of three methods computes from the springs once, before a load is known. Conditions on the constant C keep pairs
+/// in space and triangles in the plane from being compiled, for which the first two methods do not exist.
 #[derive(Debug, Clone, Copy)]
 #[allow(clippy::large_enum_variant)] // none is ever moved about alone
 pub(super) enum StickingSprings<const C: usize, X: Packed> {
@@ -40,7 +40,7 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         }
     }
 
-    /// The method of these springs; a grasp that needs the other one is skipped.
+    /// The method for which these springs are prepared. Grasps of a block that need the other method are skipped.
     pub(super) fn method(&self) -> Method {
         match self {
             Self::Pair(_) | Self::Triangle(_) => Method::Edges,
@@ -93,7 +93,8 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         }
     }
 
-    /// As [`Self::moved`], but only the rotation. It is known already if forces were found by the motion of the object.
+    /// The rotation of the object alone, otherwise as [`Self::moved`]. If forces were found by the motion of the object, `forces` has the rotation
+    /// already.
     #[inline(always)]
     pub(super) fn turned<V: Vectors>(
         &self,

@@ -1,15 +1,15 @@
 //! Three contacts in space: forces along the edges of their triangle, in compliances.
 //!
 //! Edges run around the triangle, `e_0 = p_2 - p_1` and so on: edge i lies opposite to contact i, edge j = i + 1 ends at contact i, and edge k = i +
-//! 2 begins there. All of them are normal to `m = e_1 × e_2`. Balance of forces and moments (M of the load about the centroid) leaves three unknowns
-//! λ, forces that stretch the edges:
+//! 2 begins there. All of them are normal to `m = e_1 × e_2`. Balance with a load (force W_f, moment M about the centroid) leaves three unknowns λ,
+//! forces that stretch the edges:
 //!
 //! ```text
 //! F_i = P_i + λ_j e_j - λ_k e_k,   P_i = -W_f / 3 - (e_i·M) m / |m|² + (m·M) e_i / 2 |m|²
 //! ```
 //!
-//! The lengths of the edges on the object stay constant, which fixes λ. With the compliances `C_i = c_t I + (c_n - c_t) n nᵀ`, for each edge from its
-//! tail to its head:
+//! The lengths of the edges on the object stay constant, which fixes λ for the commands a. With the compliances `C_i = c_t I + (c_n - c_t) n nᵀ`, for
+//! each edge from its tail to its head:
 //!
 //! ```text
 //! e·[(a - C F)_head - (a - C F)_tail] = 0,   A λ = Nᵀ (a - C P),   A = Nᵀ C N,   (N λ)_i = λ_j e_j - λ_k e_k
@@ -47,7 +47,8 @@ pub(super) struct Triangle<const C: usize, X: Packed> {
     /// The products `n_i·e_j` and, in the next field, `n_i·e_k` of the normal of contact i with the edges that end and begin there.
     ends: [X; N],
     begins: [X; N],
-    /// How the tangential compliances stretch the edges: `pushed` under equal unit forces along an edge, `turned` under forces `P_i = e_i`.
+    /// Contributions of the tangential compliances to the stretch of the edges: `pushed` under equal unit forces along an edge, `turned` under forces
+    /// `P_i = e_i`.
     pushed: [X; N],
     turned: [X; N],
     pub(super) factors: LaneFactors<N, X>,
@@ -173,7 +174,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         self.forces(block, &lambda, None, X::all(ON_THE_EDGE) * size, forces);
     }
 
-    /// By how much the edges are stretched if each contact moves by its entry of `way` along its normal.
+    /// The stretch of each edge if every contact moves along its normal, contact i by `way[i]`.
     #[inline(always)]
     fn along_normals(&self, way: &[X]) -> [X; N] {
         let mut given = [X::all(0.0); N];
@@ -184,7 +185,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         given
     }
 
-    /// Stores the forces of all contacts: those along the edges, plus the forces `borne`, which balance the load.
+    /// Stores the forces of all contacts: the sum of the forces along the edges and the forces `borne`, which balance the load.
     #[inline(always)]
     fn forces(
         &self,

@@ -8,8 +8,8 @@
 //! (c + a) u² + 2 b u + (c - a) = 0,   u = (√Δ - b) / (c + a) = (a - c) / (√Δ + b),   Δ = a² + b² - c²
 //! ```
 //!
-//! Of the two forms it uses the one without cancellation; at the root the margin falls by √Δ per radian. In space bounds of n and |t| show for most
-//! contacts that they do not leave. For each of the others the first root of `n² - |t|²`, an equation of degree four, is found as in
+//! Of the two forms the one without cancellation is used. At the root the margin falls by √Δ per radian. In space bounds of n and |t| show for most
+//! contacts that they do not leave their cones. For each other contact the first root of `n² - |t|²`, an equation of degree four, is found as in
 //! [`Grasp::onset_of_turn`], one grasp at a time. Newton's method on the margin then supplies the last digits.
 //!
 //! [`Grasp::onset_of_turn`]: crate::ask::Grasp::onset_of_turn
@@ -31,11 +31,11 @@ use crate::numerics::{Harmonic, Turning, Vectors};
 
 /// The first angle at which a margin falls below zero.
 struct MarginZero<X: Packed> {
-    /// cot(θ/2) of the angle: the larger, the earlier. Minus infinity if the margin does not fall below zero.
+    /// cot(θ/2) of the angle θ, rad; the larger it is, the earlier the angle. Minus infinity if the margin does not fall below zero.
     cotangent: X,
     /// Bound of the error of the angle, rad.
     off: X,
-    /// Positive if rounding decides about this root, so that the answer is unclear.
+    /// Positive if rounding decides whether this root exists, so that the answer is unclear.
     doubt: X,
 }
 
@@ -52,7 +52,7 @@ impl<X: Packed> MarginZero<X> {
         Self { cotangent, off: noise / slope, doubt: deep + sharp }
     }
 
-    /// No root in lanes where `size` is larger than `bound`, this root in all others.
+    /// Removes the root in lanes where `size` is larger than `bound`.
     #[inline(always)]
     fn unless(self, size: X, bound: X) -> Self {
         let never = X::all(f64::NEG_INFINITY);
@@ -74,7 +74,7 @@ impl<X: Packed> MarginZero<X> {
     }
 }
 
-/// The numbers n and t of one contact as functions of the angle, and a bound of the rounding of its margin.
+/// The scaled normal force n and friction force t of one contact as functions of the angle, and a bound of the rounding of its margin.
 struct Waves<const C: usize, X: Packed> {
     n: Harmonic<X>,
     t: Harmonic<[X; C]>,
@@ -197,7 +197,7 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         square.first_cotangent().unwrap_or(f64::NEG_INFINITY)
     }
 
-    /// Minus infinity if squares of these forces over- or underflow, so that nothing is known; else zero.
+    /// Minus infinity if squares of these forces over- or underflow, so that the margin is unknown; else zero.
     #[inline(always)]
     fn lost(&self, cone: &StickingCone<X>) -> X {
         let mut size = X::all(0.0);
@@ -252,7 +252,7 @@ fn judged<const C: usize, X: Packed>(
     for i in 0..contacts {
         let cone = StickingCone::of(friction[i]);
         let waves = Waves::new(&cone, i, forces);
-        // The rounding at angle zero is bounded as generously as under a growing load, where a contact may be on the edge of its cone.
+        // The bound of the rounding at angle zero is as large as under a growing load, where a contact may be on the edge of its cone.
         let rounding = X::all(ON_THE_EDGE / ZERO_SLACK) * waves.noise;
         start.add(waves.margin(), rounding, waves.lost(&cone));
     }

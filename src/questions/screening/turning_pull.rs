@@ -13,7 +13,7 @@ use crate::grasp::Wrench;
 use crate::load_path::Turn;
 use crate::numerics::{Harmonic, Vectors};
 
-/// A load in screening that turns: a [`Turn`], checked once.
+/// A load in screening that turns: a [`Turn`] whose values have been checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TurningPull<const C: usize> {
     /// The constant, cosine and sine parts of the load.

@@ -4,11 +4,11 @@ use super::first_slip::{GIVES_WAY, NOT_STICKING, SlipCode, UNCLEAR};
 use super::lanes::Packed;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 
-/// The state of the grasp in each lane at load factor or angle zero.
+/// The margins of the grasp in each lane at load factor or angle zero.
 pub(super) struct Start<X: Packed> {
-    /// The least margin of all contacts but those whose squared forces over- or underflow.
+    /// The least margin of all contacts, except those whose squared forces over- or underflow.
     margin: X,
-    /// The least margin, each less the bound of its rounding.
+    /// The least value of a contact's margin less the bound of its rounding.
     sure: X,
     /// Minus infinity where squared forces of some contact over- or underflow, so that the verdict is unclear; else zero.
     lost: X,
@@ -32,15 +32,15 @@ impl<X: Packed> Start<X> {
         self.lost = self.lost.min(lost);
     }
 
-    /// The least margin less its rounding; minus infinity where nothing is known of some contact.
+    /// The least value of a contact's margin less the bound of its rounding; minus infinity where squared forces of some contact over- or underflow.
     #[inline(always)]
     pub(super) fn sure(&self) -> X {
         self.sure + self.lost
     }
 }
 
-/// The verdicts. `first` is the load factor or angle at which contacts leave first, infinite, or a code. It counts only if all contacts stick at the
-/// start and the forces balance the load.
+/// The verdicts on the grasps of a block. `first` is the load factor or angle at which the first contact leaves its cone, infinity, or a code. It
+/// becomes the answer only if all contacts stick at the start and the forces balance the load.
 #[inline(always)]
 pub(super) fn verdicts<A: Copy, X: Packed>(
     (first, leaving): (X, X),
@@ -50,19 +50,19 @@ pub(super) fn verdicts<A: Copy, X: Packed>(
     answer: impl Fn(SlipCode) -> A,
 ) -> X::Each<A> {
     let (zero, &Start { margin, sure, free, .. }) = (X::all(0.0), start);
-    // Without valid forces `sure` is NaN, and so becomes the code. A contact that never leaves has a margin of exactly zero.
+    // Without valid forces `sure` is NaN, so that the code becomes NaN, too. A contact that never leaves its cone has a margin of exactly zero.
     let code = first + X::all(0.0) * sure;
     let code = (-start.sure()).above(zero, X::all(UNCLEAR), code);
     let code = balanced(unbalanced, code, X::all(UNCLEAR));
     let code = freed.above(zero, X::all(GIVES_WAY), code);
-    // The bound of the rounding of the least margin is at most `margin - sure`. A margin that is negative beyond it means that a contact does not
+    // The bound of the rounding of the least margin is at most `margin - sure`. If the margin is negative by more than this bound, a contact does not
     // stick.
     let code = (sure - margin).above(margin, X::all(NOT_STICKING), code);
     let code = free.above(zero, X::all(GIVES_WAY), code);
     X::each(|lane| answer(SlipCode { code: code.lane(lane), leaving: leaving.lane(lane) }))
 }
 
-/// `yes` if the forces balance the load, else `no`.
+/// Returns `yes` if the forces balance the load, else `no`.
 #[inline(always)]
 pub(super) fn balanced<X: Packed>(unbalanced: X, yes: X, no: X) -> X {
     X::all(SOLVED_ROUNDING).above(unbalanced, yes, no)

@@ -21,7 +21,7 @@ use crate::error::{ContactLabel, Error, Field};
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
 
-/// The margins that measured contact forces of one grasp have left.
+/// The margins of measured contact forces of one grasp, the load factor of first slip, and the extra squeeze that an expected load needs.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Watched {
     margin: f64,
@@ -52,7 +52,7 @@ impl Watched {
         self.tightest
     }
 
-    /// The multiple of the expected load, `to_come`, at which the first contact stops sticking, and that contact. Above one the whole load is held.
+    /// The multiple of the expected load at which the first contact stops sticking, and that contact. Above one the grasp holds the whole load.
     #[must_use]
     pub fn first_slip(&self) -> Screened {
         self.first_slip
@@ -121,7 +121,7 @@ pub(super) struct Measured<'a, const C: usize> {
 }
 
 impl<const C: usize> Measured<'_, C> {
-    /// Splits the measured forces into parts along and across the normals, with rounding bounds of 1e-12 of each force.
+    /// Splits the measured forces into parts along and across the normals. The bounds of their rounding are 1e-12 of each force.
     #[inline(always)]
     fn write<X: Packed>(&self, normals: [&[X]; C], measured: &mut AnyForces<C, X>) {
         measured.clear();

@@ -18,7 +18,7 @@ pub(super) struct Scale {
     pub(super) stretch: f64,
 }
 
-/// One cycle, with the states at its beginning and end.
+/// One cycle of loads, with the states at its beginning and end.
 #[derive(Debug, Clone)]
 pub(super) struct Cycle {
     pub(super) from: CycleState,
@@ -28,7 +28,7 @@ pub(super) struct Cycle {
 }
 
 impl Cycle {
-    /// The next cycle; `None` if its path ends before the cycle does.
+    /// The next cycle; `None` if the load path ends before the cycle does.
     pub(super) fn next(engine: &Engine, cycles: &mut Cycles<'_>) -> Option<Self> {
         let from = cycles.cycle_state()?;
         let record = cycles.follow_cycle()?;
@@ -36,14 +36,14 @@ impl Cycle {
         Some(Self { scale: scale_of(engine, &record, &to), from, to, record })
     }
 
-    /// A cycle that begins at the state `there`, and the program that continues with the cycles after it.
+    /// A cycle that begins at the state `there`, and the load program for the cycles after it.
     pub(super) fn beginning_at<'g>(
         engine: &'g Engine,
         cycles: &Cycles<'g>,
         there: &CycleState,
         settings: &Settings,
     ) -> Option<(Self, Cycles<'g>)> {
-        // Without a limit cycle nearby, sliding directions may turn ever faster, so the number of steps is limited.
+        // Without a limit cycle nearby, directions of slip may turn ever faster, so the number of steps is limited.
         let tried = settings.with_most_steps(settings.most_steps.min(1000));
         let mut others = cycles.beginning_at(there, &tried)?;
         let cycle = Self::next(engine, &mut others)?;
@@ -66,7 +66,7 @@ impl Cycle {
         place.numbers(&self.scale, &|i| self.record.open[i].is_some())
     }
 
-    /// The change of forces and gaps from the beginning of the cycle to its end, in units of [`Scale`].
+    /// The differences of forces and gaps between the beginning of the cycle and its end, in units of [`Scale`].
     pub(super) fn difference(&self) -> DVector<f64> {
         self.numbers(&self.to) - self.numbers(&self.from)
     }
@@ -76,7 +76,7 @@ impl Cycle {
         self.difference().amax()
     }
 
-    /// The change of forces and gaps up to which the cycle counts as repeating itself.
+    /// The largest difference of forces and gaps between both ends of a cycle that counts as repeating itself.
     pub(super) fn same(&self) -> f64 {
         SAME_CYCLE.max(self.record.step_error)
     }
@@ -104,8 +104,7 @@ impl Cycle {
 
     /// Whether the object has moved during the cycle.
     pub(super) fn walks(&self) -> bool {
-        // Along sliding arcs, the error of a cycle may reach a hundred times the estimated errors of its
-        // steps.
+        // Where directions of slip turn along the load path, the error of the slips in a cycle may reach a hundred times the estimated step errors.
         let still = NEGLIGIBLE.max(100.0 * self.record.step_error) * self.scale.stretch;
         let slips = self.to.slips.iter().zip(&self.from.slips);
         slips.enumerate().any(|(i, (to, from))| self.slides(i) && (to - from).norm() > still)

@@ -1,4 +1,5 @@
-//! Conversion of answers about repeated loads between the engine's vectors of three components and the callers' vectors of `C` components.
+//! Conversion of answers about repeated loads between the engine, whose vectors have three components in the plane, too, and callers, with `C`
+//! components.
 
 use super::shakedown::{BindingContact, Shakedown};
 use super::verdict::{Repeats, Shaken};

@@ -59,21 +59,21 @@ impl Engine {
     }
 }
 
-/// A repeated load and the cycles that were followed so far.
+/// A repeated load, and the data of the cycles that were followed so far.
 struct Shaking<'g, 's> {
     engine: &'g Engine,
     settings: &'s Settings,
     base: Wrench<3>,
     rest: CycleState,
     cycles: Cycles<'g>,
-    /// The states between cycles whose events were all the same, up to the present state.
+    /// The states between successive cycles, up to the present state, as long as the events in these cycles were the same.
     places: Vec<CycleState>,
     /// Whether each contact or drive has slid so far.
     slid: Vec<bool>,
     round: Round,
     /// The period of the limit cycle, as a number of cycles of the load.
     every: usize,
-    /// Number of successive cycles with the same events as the cycle before.
+    /// Number of successive cycles with the same events (slips, sticking, opening, closing) as the cycle before.
     alike: usize,
     /// Number of cycles whose path was computed, including trials of extrapolated states.
     followed: usize,
@@ -102,8 +102,8 @@ impl<'g> Shaking<'g, '_> {
                     self.every = many;
                     return self.answer(repeats, (change, 0.0), Some(&cycle.to));
                 };
-                // Forces repeat, but an open gap shrinks in every cycle. Until it closes, all cycles (or groups of `many` cycles) are alike, so they
-                // are skipped.
+                // Forces repeat, but an open gap shrinks in every cycle. Until the gap closes, all cycles (or groups of `many` cycles) have the same
+                // events and forces, so these cycles are skipped.
                 let there = closed.to.moved_on(&closed.from, more as f64);
                 if more > 0
                     && let Some(further) = self.cycles.beginning_at(&there, self.settings)
@@ -119,8 +119,8 @@ impl<'g> Shaking<'g, '_> {
             if walked_out.is_none() && self.has_walked_out(&cycle) {
                 let repeats = self.repeats_from(&cycle, Some(self.cycles_gone));
                 walked_out = Some(self.answer(repeats, (change, 0.0), Some(&cycle.to)));
-                // The object has walked out while forces still change. A walk with constant forces would be a better answer, so a few more cycles are
-                // followed.
+                // The object has walked farther than small motions while forces still change. A walk with constant forces would be a better answer,
+                // so a few more cycles are followed.
                 most_cycles = most_cycles.min(self.followed + 2 * KEPT_STATES);
             }
             let is_alike = last.as_ref().is_some_and(|last| last.record.is_like(&cycle.record));
@@ -151,7 +151,7 @@ impl<'g> Shaking<'g, '_> {
         walked_out.unwrap_or_else(|| self.answer(Repeats::Undecided { doubt: None }, (change, 0.0), None))
     }
 
-    /// Continues from this state, which the grasp reaches `passed` cycles after the present one.
+    /// Continues from the state `state`, which the grasp reaches `passed` cycles after the present one.
     fn restart_from(&mut self, state: CycleState, passed: usize) {
         self.places = vec![state];
         self.round = Round::new();
@@ -159,10 +159,10 @@ impl<'g> Shaking<'g, '_> {
         self.cycles_gone += passed;
     }
 
-    /// Looks ahead from cycles that all have the same events: to the limit of their states, or else over many cycles at once.
+    /// Extrapolates from cycles that all have the same events: to the limit of their states, or else over many cycles at once.
     ///
-    /// The states from which the same events follow form a convex set. Extrapolated states lie on the way from the last state to the limit. If the
-    /// events are the same at both ends, they are the same in between. Two events that only swap their order do not change the map from state to
+    /// The states from which the same events follow form a convex set. Extrapolated states lie between the last state and the limit. If the events in
+    /// the cycles at both ends are the same, they are the same in between. Two events that only swap their order do not change the map from state to
     /// state.
     fn extrapolate(&mut self, last: &Cycle) -> Ahead<'g> {
         let places = self.places.clone();
@@ -171,12 +171,12 @@ impl<'g> Shaking<'g, '_> {
             return Ahead::NotKnown;
         };
         let near = if last.record.step_error > 0.0 { NEAR_THE_LIMIT_ON_ARCS } else { NEAR_THE_LIMIT };
-        // At a change per cycle of `near` a state counts as next to the limit. It shrinks with the present change, so that a trial after a failed one
-        // is closer.
+        // A state counts as next to the limit if forces and gaps change by at most `near` in a cycle. `near` is smaller for a smaller present change,
+        // so that a trial after a failed one is closer to the limit.
         let near = near.min(1e-3 * last.change()).max(last.same());
         let farthest = recurrence.cycles_until(near);
         let mut passed = farthest;
-        // A trial looks at least this many cycles ahead, unless the limit is nearer.
+        // A trial extrapolates over at least this many cycles, unless the limit is nearer.
         let fewest = 4;
         loop {
             let (state, predicted) = recurrence.after(passed);
@@ -198,20 +198,20 @@ impl<'g> Shaking<'g, '_> {
                     }
                     return Ahead::Further { cycle: Box::new(cycle), cycles: Box::new(cycles), passed };
                 }
-                // After a failure the next trial looks a quarter as many cycles ahead.
+                // After a failed trial the next one extrapolates over a quarter as many cycles.
                 _ if passed >= 4 * fewest => passed /= 4,
                 _ => return Ahead::NotKnown,
             }
         }
     }
 
-    /// The cycle that begins at the limit of the states. `None` if there is no limit, or that cycle does not repeat itself.
+    /// The cycle that begins at the limit of the states. `None` if the states have no limit, or if that cycle does not repeat itself.
     fn limit(&mut self, recurrence: &Recurrence<'_>, last: &Cycle) -> Option<Cycle> {
         self.followed += 1;
         let there = recurrence.fixed_point().filter(|_| recurrence.ratio() < 1.0)?;
         let (limit, _) = Cycle::beginning_at(self.engine, &self.cycles, &there, self.settings)?;
-        // If friction falls once contacts slide, events at the limit may differ from those just before it. Then the limit is not the fate of the
-        // grasp.
+        // If friction falls once contacts slide, events at the limit may differ from those just before the limit. The grasp then does not behave as
+        // at the limit.
         let happens_there = limit.from.weaker.is_empty() || limit.record.is_like(&last.record);
         let is_one = limit.change() <= last.same() && limit.cycles_until_closing().is_none();
         (happens_there && is_one).then_some(limit)
@@ -227,7 +227,7 @@ impl<'g> Shaking<'g, '_> {
         self.slid.iter_mut().enumerate().for_each(|(i, slid)| *slid |= cycle.slides(i));
     }
 
-    /// The verdict where the path ends within this cycle.
+    /// The verdict on the grasp where the load path ends within this cycle.
     fn repeats_at_end(&self, cycle: usize) -> Repeats<3> {
         match self.cycles.end() {
             Some(PathEnd::Lost(loss)) => {
@@ -244,8 +244,8 @@ impl<'g> Shaking<'g, '_> {
         self.engine.wholes().with(is_meant)
     }
 
-    /// The verdict from a cycle that repeats itself. `number` is its place among the cycles from rest. It is `None` for a cycle at the extrapolated
-    /// limit.
+    /// The verdict on the grasp from a cycle that repeats itself. `number` is the number of this cycle from rest, or `None` for a cycle at the
+    /// extrapolated limit.
     fn repeats_from(&self, cycle: &Cycle, number: Option<usize>) -> Repeats<3> {
         let (slides, dissipated) = (self.parts(&|i| cycle.slides(i)), cycle.record.dissipated);
         if !(0..self.slid.len()).any(|i| cycle.slides(i)) {
@@ -285,7 +285,7 @@ impl<'g> Shaking<'g, '_> {
     }
 }
 
-/// What extrapolation found.
+/// The result of an extrapolation.
 enum Ahead<'g> {
     /// The cycles converge to one that repeats itself.
     To {

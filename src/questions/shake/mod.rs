@@ -1,4 +1,4 @@
-//! Repeated loads: does the grasp come to rest, or does the object walk out?
+//! Repeated loads: does the grasp come to rest, or does the object move out of it step by step?
 //!
 //! A load that is held once may not be held when it is put on a thousand times: each cycle may slide a little further. From rest,
 //! [`Grasp::shake`](crate::ask::Grasp::shake) follows a cycle of legs again and again, as [`Grasp::follow`](crate::ask::Grasp::follow) would. Later
@@ -8,9 +8,9 @@
 //! e = (forces F_i of closed contacts, gaps of open ones)
 //! ```
 //!
-//! not on the place of the object, nor on the slip of a contact so far. If a cycle ends with the e of its beginning, all later cycles are like it.
-//! That is the verdict for all time ([`Repeats`]). If nothing slides in such a cycle, the grasp rests. Otherwise contacts slide to and fro,
-//! or the object walks by the same amount in each cycle.
+//! not on the position of the object, nor on the slip of a contact so far. If a cycle ends with the e of its beginning, all later cycles are like it.
+//! That is the verdict for all time ([`Repeats`]). If nothing slides in such a cycle, the grasp rests. Otherwise contacts slide to and fro, or the
+//! object walks by the same amount in each cycle.
 //!
 //! If e converges, the verdict is that of its limit. In the plane, and on a polygonal cone, e changes from cycle to cycle by an affine map as long as
 //! the events stay the same. A few cycles determine the fixed point of this map (reduced rank extrapolation: the affine combination of them that

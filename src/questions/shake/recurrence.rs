@@ -1,9 +1,8 @@
-//! Extrapolation of states between cycles with the same events: each change is a linear combination of those before it.
+//! Extrapolation of states between cycles with the same events: the difference of successive states is a linear combination of earlier differences.
 //!
-//! An affine map leads from state to state, `e_{n+1} = A e_n + b`, so that changes `d_n = e_{n+1} - e_n` obey `d_{n+1} = A d_n`. If m modes
-//! contribute, the next change is a combination of m others, `d_{n+m} = Σ c_j d_{n+j}`, and so are all later ones. If they die out, the states
-//! converge to
-//! `(e_{n+m+1} - Σ c_j e_{n+j+1}) / (1 - Σ c_j)` (minimal polynomial extrapolation).
+//! An affine map leads from state to state, `e_{n+1} = A e_n + b`, so that the differences `d_n = e_{n+1} - e_n` obey `d_{n+1} = A d_n`. If m modes
+//! contribute, each difference is a combination of the m differences before it, `d_{n+m} = Σ c_j d_{n+j}`. If the differences die out, the states
+//! converge to `(e_{n+m+1} - Σ c_j e_{n+j+1}) / (1 - Σ c_j)` (minimal polynomial extrapolation).
 
 use crate::numerics::{IntoList, Singular, matrix_of};
 use nalgebra::{DMatrix, DVector};
@@ -13,18 +12,18 @@ use crate::load_path::CycleState;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::prelude::*;
 
-/// The last states, and the linear combination of earlier changes that gives the last change.
+/// The last states between cycles, and the linear combination of earlier differences of states that gives the last difference.
 pub(super) struct Recurrence<'p> {
-    /// The last states, in order. `changes` holds the difference of each two neighbours, so it has one entry less.
+    /// The last states, in order. `changes` holds the difference of each two neighbouring states, so it has one entry less.
     places: &'p [CycleState],
     changes: Vec<DVector<f64>>,
-    /// Coefficients c of the combination: the last change is the sum of all changes before it, each times its c.
+    /// Coefficients c of the combination: the last entry of `changes` is the sum of all entries before it, each multiplied by its coefficient.
     coefficients: Vec<f64>,
 }
 
 impl<'p> Recurrence<'p> {
-    /// The recurrence with the fewest modes that reproduces the last change up to `error`; `None` if up to eight modes do not, or there are too few
-    /// states.
+    /// The recurrence with the fewest modes that reproduces the last difference of states up to `error`. `None` if up to eight modes do not, or if
+    /// there are too few states.
     pub(super) fn of(places: &'p [CycleState], numbers: &[DVector<f64>], error: f64) -> Option<Self> {
         let n = places.len();
         // If more than eight modes contribute, the caller follows further cycles until some modes have died out.
@@ -41,14 +40,14 @@ impl<'p> Recurrence<'p> {
         })
     }
 
-    /// The ratio of the last change to the one before, by norms.
+    /// The norm of the last difference of states divided by the norm of the difference before it.
     pub(super) fn ratio(&self) -> f64 {
         let last = self.changes.len() - 1;
         self.changes[last].norm() / self.changes[last - 1].norm()
     }
 
-    /// The number of cycles after which changes are at most `small`, if each shrinks by [`Self::ratio`]. It is about a million at most, also if
-    /// changes do not shrink.
+    /// The number of cycles after which the difference of successive states is at most `small`, if it shrinks by [`Self::ratio`] in each cycle. The
+    /// result is at most about a million, also if differences do not shrink.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to a million")]
     pub(super) fn cycles_until(&self, small: f64) -> usize {
         let last = self.changes[self.changes.len() - 1].amax();
@@ -63,17 +62,17 @@ impl<'p> Recurrence<'p> {
         if rest.abs() <= SOLVED_ROUNDING {
             return None;
         }
-        // A change is the difference of two states. Its coefficient weights the later of the two, so the first state has weight zero.
+        // `changes` are differences of two states. A coefficient weights the later of the two states, so the first state has weight zero.
         let mut weights = vec![0.0];
         weights.extend(self.coefficients.iter().map(|c| -c / rest));
         weights.push(1.0 / rest);
         Some(self.combination(&weights))
     }
 
-    /// The state after this number of cycles, and the change in the cycle after them.
+    /// The state after this number of cycles, and the difference of states in the cycle after them.
     pub(super) fn after(&self, cycles: usize) -> (CycleState, DVector<f64>) {
         let modes = self.coefficients.len();
-        // The companion matrix of the recurrence: in each cycle, changes move up by one, and the last row gives the new one.
+        // The companion matrix of the recurrence: in each cycle the differences move up by one row, and the last row gives the new difference.
         let next = matrix_of(modes, modes, &|i, j| {
             if i + 1 == modes { self.coefficients[j] } else { f64::from(u8::from(j == i + 1)) }
         });
@@ -126,7 +125,8 @@ fn power_and_sum(a: &DMatrix<f64>, n: usize) -> (DMatrix<f64>, DMatrix<f64>) {
 }
 
 impl CycleState {
-    /// Forces and gaps in units of `scale`, and which contacts slide with kinetic friction. Gaps of contacts for which `aside` is true count as zero.
+    /// The forces and gaps of this state in units of `scale`, and which contacts slide with kinetic friction. Gaps of contacts for which `aside`
+    /// returns true count as zero.
     pub(super) fn numbers(&self, scale: &Scale, aside: &dyn Fn(usize) -> bool) -> DVector<f64> {
         let mut numbers = Vec::new();
         for force in &self.forces {
@@ -141,7 +141,8 @@ impl CycleState {
         DVector::from_vec(numbers)
     }
 
-    /// This state, moved on by `times` the change of gaps, slips and motion from the state `from` to this one; forces stay as they are.
+    /// This state after further cycles: gaps, slips and motion change by `times` their difference between the state `from` and this one. Forces do
+    /// not change.
     pub(super) fn moved_on(&self, from: &Self, times: f64) -> Self {
         let mut there = self.clone();
         there.slips.iter_mut().zip(&from.slips).for_each(|(slip, before)| *slip += (*slip - before) * times);
@@ -155,7 +156,8 @@ impl CycleState {
 mod tests {
     use super::*;
 
-    /// The powers of `(a, b) → (b, a + b)` have Fibonacci's numbers, whose sums are the number two further on, less one: exact, without rounding.
+    /// The powers of `(a, b) → (b, a + b)` contain Fibonacci's numbers. The sum of the first n numbers is the number n + 2, less one; all are exact,
+    /// without rounding.
     #[test]
     fn powers_and_their_sums_are_the_numbers_of_fibonacci() {
         let step = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 1.0, 1.0]);

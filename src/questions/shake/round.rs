@@ -1,4 +1,4 @@
-//! Detection of periods of several cycles: if friction falls as contacts begin to slide, a slip in one cycle may be absent in the next.
+//! Detection of periods that last several cycles. If friction falls as contacts begin to slide, a slip in one cycle may be absent in the next.
 //!
 //! Each state is compared with one earlier state, which is replaced after 1, 2, 4, ... cycles (R. P. Brent, *An improved Monte Carlo factorization
 //! algorithm*, 1980). Thus every period is found, with a single state in store.
@@ -8,7 +8,7 @@ use super::cycle::Cycle;
 /// The cycles since the reference state, the earlier state with which the end of each new cycle is compared.
 #[derive(Debug)]
 pub(super) struct Round {
-    /// These cycles joined to one; `many` is their number.
+    /// All cycles since the reference state, joined to one; `many` is their number.
     all: Option<Cycle>,
     many: usize,
     /// Once there are this many cycles, the latest state becomes the reference state.

@@ -1,12 +1,13 @@
-//! The static theorem of shakedown: how large may repeated loads be, if some slips shall keep every contact from sliding under all of them?
+//! The static theorem of shakedown. How large may repeated loads be, if constant slips of the contacts exist with which no contact slides further
+//! under any of them?
 //!
-//! While all contacts are closed and stick with constant slips s, forces under `W₀ + λ W_k` are `F(W₀) + λ F(W_k) - P s`. F is the elastic answer,
-//! and P the forces of slips. If the grasp comes to rest under all loads of a cycle, its slips keep all contact forces inside their cones. So a
-//! linear program for the greatest λ with such an s gives an upper bound: beyond it the grasp never comes to rest. Its multipliers prove that no
-//! slips do better.
+//! While all contacts are closed and stick with constant slips s, forces under `W₀ + λ W_k` are `F(W₀) + λ F(W_k) - P s`. F is the elastic solution
+//! for a load, and P s the forces due to slips. If the grasp comes to rest under all loads of a cycle, its slips keep all contact forces inside their
+//! cones. So a linear program for the greatest λ with such an s gives an upper bound: with a larger λ the grasp never comes to rest. The multipliers
+//! of the program prove that no other slips allow a larger λ.
 //!
 //! If slips change no normal force, the grasp does come to rest up to this λ (Melan's theorem for friction), unless friction falls as contacts slide.
-//! Otherwise it depends on the order of the loads, which [`shake`](super) follows.
+//! Otherwise the order of the loads matters, which [`shake`](super) follows.
 
 use nalgebra::{DMatrix, Matrix, SVector};
 
@@ -22,7 +23,8 @@ use crate::search::Settings;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// Size of repeated loads up to which some slips could keep all contacts from sliding; see [`Statics::shakedown`](crate::ask::Statics::shakedown).
+/// The factor on repeated loads up to which constant slips exist that keep all contacts from sliding; see
+/// [`Statics::shakedown`](crate::ask::Statics::shakedown).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -32,7 +34,7 @@ pub struct Shakedown<const C: usize> {
     /// of the loads, as long as no contact opens. This is a proof, by linear programming, up to 1e-9.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub factor: f64,
-    /// Slips with which nothing slides under the loads times `factor`, m, in contact frames; their normal components are zero.
+    /// Slips of the contacts with which no contact slides under the loads times `factor`, m, in contact frames; their normal components are zero.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Vec<SVector<f64, C>>>"))]
     pub slips: Vec<SVector<f64, C>>,
     /// The contacts that would slide first if the loads grew beyond `factor`, each with the load under which it slides.
@@ -46,7 +48,7 @@ pub struct Shakedown<const C: usize> {
     pub around_the_round_cone: bool,
 }
 
-/// A contact that would slide.
+/// A contact that would slide if the loads grew beyond [`Shakedown::factor`].
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -60,8 +62,8 @@ pub struct BindingContact {
 }
 
 impl<const C: usize> Shakedown<C> {
-    /// Whether the grasp comes to rest under this multiple of the loads, in any order. `false` is a proof as long as no contact opens. `None`: the
-    /// order decides, which [`Grasp::shake`](crate::ask::Grasp::shake) follows.
+    /// Whether the grasp comes to rest under this multiple of the loads, in any order. `false` is proved as long as no contact opens. `None` if it
+    /// depends on the order of the loads, which [`Grasp::shake`](crate::ask::Grasp::shake) follows.
     #[must_use]
     pub fn rests(&self, times: f64) -> Option<bool> {
         if times > self.factor {
@@ -137,10 +139,10 @@ impl Engine {
     }
 }
 
-/// The linear program: the greatest λ >= 0 with `b + λ a + S s >= 0`. Row by row b has the forces at rest, a those of one load, and S those of unit
-/// slips. All are scaled to numbers near one.
+/// The linear program: the greatest λ >= 0 with `b + λ a + S s >= 0`. Each row is a facet of a friction cone under one load. In b are the margins at
+/// rest, in a their changes by the load, and in S their changes by unit slips. All are scaled to numbers near one.
 struct Program {
-    /// For each row, the number of its load (0 for the load at rest) and the index of its contact or drive.
+    /// For each row of the program, the number of its load (0 for the load at rest) and the index of its contact or drive.
     of: Vec<(usize, usize)>,
     b: Vec<f64>,
     a: Vec<f64>,
@@ -163,7 +165,7 @@ impl Program {
         let units: Vec<f64> = mapped(slips, &|forces| force / or_one(size(forces)));
         let (mut of, mut b, mut a, mut rows) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for k in 0..=under.len() {
-            // All cones are polygons here, so that every condition is a linear row.
+            // All cones are polygons here, so that every condition of sticking is a linear row of the program.
             for (i, edges) in edges.iter().enumerate() {
                 let Edges::Rows(facets) = edges else { continue };
                 for row in facets {
@@ -180,12 +182,12 @@ impl Program {
         Self { of, b, a, s, units: (unit, units) }
     }
 
-    /// The factor, the slips and the multipliers of the rows; `None` if no slips hold the load at rest, or because of rounding.
+    /// The factor λ, the slips and the multipliers of the rows; `None` if no slips keep all contacts from sliding at rest, or because of rounding.
     fn solved(&self) -> Option<(f64, Vec<f64>, Vec<f64>)> {
         let (rows, slips) = self.s.shape();
         // λ is bounded so that the program has a solution. Loads held up to this multiple count as held at any size.
         let farthest = 1e6;
-        // The unknowns are at least 0: λ, and each slip as the difference of two of them. The last row bounds λ.
+        // The unknowns are at least 0: λ, and each slip as the difference of two unknowns. The last row of the matrix bounds λ.
         let columns = 1 + 2 * slips;
         let entry = |r: usize, k: usize| match k {
             0 if r == rows => -1.0,

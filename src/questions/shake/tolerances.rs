@@ -1,8 +1,8 @@
-//! Up to which change per cycle a cycle repeats itself, or is near its limit.
+//! Limits of the change of forces and gaps in a cycle: for a cycle that repeats itself, and for one near the limit of the cycles.
 //!
 //! All changes are relative: forces to the largest force, gaps to the stretch of the softest spring under it.
 
-/// Relative difference of forces and gaps at both ends of a cycle, up to which the cycle repeats itself: rounding.
+/// A cycle repeats itself if the relative difference of forces and gaps between its ends is at most this, which is due to rounding.
 ///
 /// If smaller, rounding keeps cycles that repeat themselves from being recognised. If larger, a slow drift counts as repetition.
 pub(super) const SAME_CYCLE: f64 = 1e-11;
@@ -12,10 +12,10 @@ pub(super) const SAME_CYCLE: f64 = 1e-11;
 /// If smaller, more cycles are followed before the limit is known. If larger, events between here and the limit are missed.
 pub(super) const NEAR_THE_LIMIT: f64 = 1e-6;
 
-/// [`NEAR_THE_LIMIT`] if contacts slide along arcs, which are exact up to the error of their steps.
+/// The value of [`NEAR_THE_LIMIT`] if directions of slip turn along load paths, which then have step errors.
 pub(super) const NEAR_THE_LIMIT_ON_ARCS: f64 = 1e-5;
 
-/// Relative change of forces below which a sentence calls them constant, up to the error of steps along arcs.
+/// Relative change of forces below which the answer calls them constant. It is larger than step errors.
 ///
 /// If smaller, rounding is reported as a change. If larger, small changes that add up over the cycles are left out.
 pub(super) const CONSTANT_FORCES: f64 = 1e-8;

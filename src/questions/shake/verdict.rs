@@ -8,7 +8,7 @@ use crate::search::Doubt;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// The answer whether a grasp survives being shaken; [`Display`](std::fmt::Display) states it in a sentence.
+/// The answer to the question how a grasp bears a repeated load; its [`Display`](std::fmt::Display) is a sentence.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -19,30 +19,29 @@ pub struct Shaken<const C: usize> {
     /// The behaviour in the long run.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub repeats: Repeats<C>,
-    /// The period in cycles; amounts per cycle refer to it. It is 1 unless [friction falls](crate::grasp::Contact::kinetic) as contacts begin to
-    /// slide.
+    /// The period of the repeated motion in load cycles. It is 1 unless [friction falls](crate::grasp::Contact::kinetic) as contacts begin to slide.
     #[cfg_attr(feature = "serde", serde(default = "once", skip_serializing_if = "is_once"))]
     pub every: usize,
     /// Number of cycles up to the verdict. The last one counts even if the object is lost within it.
     pub cycles: usize,
-    /// Number of cycles that were followed. Among many cycles with the same events, a few are enough.
+    /// Number of cycles that were computed. Of many cycles with the same events a few are enough.
     pub followed: usize,
-    /// Change of forces over the largest force, and of gaps over the springs' stretch under it, in the last cycle or period. It is zero up to
-    /// rounding, or along sliding arcs up to the error of their steps, unless the verdict is undecided, lost, or a walk with changing forces.
+    /// The largest change in the last cycle or period: of forces relative to the largest force, of gaps relative to the springs' stretch under it.
+    /// Apart from rounding and step errors it is zero, unless the verdict is undecided, lost, or a walk with changing forces.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub change: f64,
-    /// Zero if the last cycle repeats itself. Otherwise the verdict is that of the limit of the cycles, and this is the factor by which the distance
-    /// from the limit shrinks per cycle.
+    /// The factor by which the distance from the limit of the cycles shrinks per cycle. Zero if the last cycle repeats itself; otherwise the verdict
+    /// is that of the limit.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub ratio: f64,
     /// The motion of the object, or of each body, from rest to the end of the last cycle; if slips die out, to the limit.
     pub moved: Vec<BodyMotion<C>>,
-    /// The equilibrium between two cycles, after the last one that was followed from rest; `None` without one.
+    /// The equilibrium after the last cycle that was followed from rest, before the next one begins; `None` without an equilibrium.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub state: Option<Box<Equilibrium<C>>>,
 }
 
-/// The fate of a grasp under a repeated load.
+/// The long-term behaviour of a grasp under a repeated load.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -68,10 +67,10 @@ pub enum Repeats<const C: usize> {
     Alternates {
         /// The contacts that slide.
         slides: Vec<WholeContact>,
-        /// The longest path that a contact slides in a cycle, m.
+        /// The longest path that a contact slides in a period, m.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         way: f64,
-        /// Heat from friction in a cycle, J.
+        /// Heat from friction in a period, J.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         dissipated: f64,
     },
@@ -82,15 +81,15 @@ pub enum Repeats<const C: usize> {
         by: Vec<BodyMotion<C>>,
         /// The contacts that slide.
         slides: Vec<WholeContact>,
-        /// Heat from friction in a cycle, J.
+        /// Heat from friction in a period, J.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         dissipated: f64,
     },
     /// The object is lost.
     Lost {
-        /// The cycle of the loss, from 1.
+        /// The cycle in which the object is lost, from 1.
         cycle: usize,
-        /// The leg of the loss, from 0.
+        /// The leg of the cycle in which the object is lost, from 0.
         leg: usize,
         /// The load at the loss.
         load: Wrench<C>,

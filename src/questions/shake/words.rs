@@ -88,7 +88,7 @@ impl<const C: usize> Shaken<C> {
         }
     }
 
-    /// "every cycle", "every 3 cycles".
+    /// The period as text: "every cycle", "every 3 cycles".
     fn in_every(&self) -> String {
         if self.every == 1 { "every cycle".to_owned() } else { format!("every {} cycles", self.every) }
     }
@@ -102,7 +102,7 @@ fn cycles(many: usize) -> String {
     if many == 1 { "a cycle".to_owned() } else { format!("{many} cycles") }
 }
 
-/// "the object moves 3 mm along +x", or the motion of each body.
+/// The motions as text: "the object moves 3 mm along +x", or the motion of each body.
 fn moves<const C: usize>(words: Words, by: &[BodyMotion<C>]) -> String {
     listed(&mapped(by, &|body| words.body_motion(body)))
 }

@@ -1,13 +1,13 @@
 //! The least onset of sliding over all commands and loads within bounds, exactly.
 //!
-//! While all contacts stick, forces are linear in commands and loads. Data within their bounds form a box. For all load factors τ >= 0 a condition
-//! `a·F >= 0` is worst at the same corner of this box, which the sign of each datum's own contribution determines:
+//! While all contacts stick, forces are linear in commands and loads. Data within their bounds form a box. For all load factors τ >= 0 the margin
+//! `a·F` of a condition `a·F >= 0` is least at the same corner of this box. The sign of each datum's own contribution determines the corner:
 //!
 //! ```text
 //! F(τ) = F⁰ + Σ δ_p c_p + τ (F¹ + Σ ε_q c_q),   |δ_p| <= b_p,   |ε_q| <= b_q:       δ_p = -b_p sign(a·c_p),   ε_q alike
 //! ```
 //!
-//! [`Edges::in_a_box`] returns a few conditions, among which is the worst one over all corners.
+//! [`Edges::in_a_box`] returns a few conditions, among which is the one with the least margin over all corners.
 
 use nalgebra::SVector;
 
@@ -53,7 +53,7 @@ pub enum LeastOnset<const C: usize> {
     },
 }
 
-/// A datum with a bound.
+/// A command or a component of a load that has an error bound.
 #[derive(Clone, Copy)]
 enum Datum {
     Command(usize, usize),
@@ -61,7 +61,7 @@ enum Datum {
     Direction(usize),
 }
 
-/// The changes of all contact forces if one datum is off by its bound.
+/// The changes of all contact forces if `datum` has an error equal to its bound.
 struct Share {
     datum: Datum,
     bound: f64,
@@ -114,7 +114,7 @@ impl Engine {
         })
     }
 
-    /// The commands and the ramp at the corner of the box of data where each datum is off by its bound times its sign.
+    /// The commands and the ramp at one corner of the box of data. Each datum has an error equal to its bound times its sign in `signs`.
     fn case(&self, ramp: &Ramp<3>, shares: &[Share], signs: &[f64]) -> (Vec<SVector<f64, 3>>, Ramp<3>) {
         let space = self.space();
         let mut commands: Vec<_> = mapped(self.contacts(), &Contact::commanded);
@@ -132,7 +132,7 @@ impl Engine {
     }
 }
 
-/// A [`Share`] for each datum with a bound above zero.
+/// A [`Share`] for each datum whose error bound is above zero.
 fn shares(sticking: &StickingResponse, bounds: &Bounds<3>) -> Result<Vec<Share>, Motion<3>> {
     let space = sticking.grasp.space();
     let nothing = Vector::zeros();

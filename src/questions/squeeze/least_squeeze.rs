@@ -19,15 +19,15 @@ pub enum LeastSqueeze<const C: usize> {
         /// The contact on the edge of its cone at this factor, from 0, and the load under which it is; `None` if no squeeze is needed.
         binding: Option<(usize, Wrench<C>)>,
     },
-    /// No factor suffices. With this factor, and with any larger one, the contact does not stick under this load. With a smaller factor another
-    /// condition fails.
+    /// No factor suffices. With this factor, and with any larger one, the contact does not stick under this load. With a smaller factor the sticking
+    /// condition of another contact or load fails.
     #[non_exhaustive]
     NoFactor {
         /// The contact, from 0.
         contact: usize,
         /// The load under which the contact does not stick.
         load: Wrench<C>,
-        /// The least factor that other conditions need.
+        /// The least factor with which all other sticking conditions hold.
         factor: f64,
     },
     /// Some load works on this motion, which nothing resists at any squeeze.
@@ -53,8 +53,8 @@ impl Engine {
             Err(motion) => return Ok(LeastSqueeze::GivesWay { motion }),
         };
         let (mut factor, mut binding) = (0.0, None);
-        // Each round imposes one more condition and so raises the factor, with quadratic convergence. Beyond this many rounds only rounding could
-        // change it.
+        // Each round imposes one more sticking condition and so raises the factor, with quadratic convergence. Beyond this many rounds only rounding
+        // could change the factor.
         for _ in 0..1000 {
             let Some((contact, Condition { row, value, load, .. })) = parts.broken(factor) else {
                 return Ok(LeastSqueeze::Factor { factor, binding });

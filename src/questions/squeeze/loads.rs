@@ -57,7 +57,7 @@ impl<const C: usize> Loads<C> {
     }
 }
 
-/// Loads as the fields of a question: `load`, `loads` and `turn`, or `any_force` that acts at the point `at` beside `load`.
+/// Loads in the form of the fields of a question: `load`, `loads` and `turn`, or `any_force` that acts at the point `at` beside `load`.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct LoadFields<const C: usize> {
     pub(crate) load: Option<Wrench<C>>,
@@ -108,14 +108,14 @@ impl<const C: usize> Loads<C> {
     }
 }
 
-/// One load.
+/// A single load becomes a list of one load.
 impl<const C: usize> From<Wrench<C>> for Loads<C> {
     fn from(load: Wrench<C>) -> Self {
         Self::Each(vec![load])
     }
 }
 
-/// Each load of the list, one at a time.
+/// A list of loads, which act one at a time.
 impl<const C: usize> From<Vec<Wrench<C>>> for Loads<C> {
     fn from(loads: Vec<Wrench<C>>) -> Self {
         Self::Each(loads)

@@ -8,9 +8,9 @@
 //! F(x) = F⁰ + A x,   |x| <= r:        min a·F = a·F⁰ - r |Aᵀa|
 //! ```
 //!
-//! and as functions of φ, `a·F⁰` and the square of `|Aᵀa|` are trigonometric polynomials. Angles with a negative difference are found without
-//! losing a root (`numerics/on_a_circle`). Each broken condition is linear in the squeeze and gives a lower bound of it. The
-//! next squeeze is this bound, until no condition is broken. The least necessary and the sufficient squeeze then agree up to rounding.
+//! and as functions of φ, `a·F⁰` and the square of `|Aᵀa|` are trigonometric polynomials. Angles with a negative difference are found without losing
+//! a root (`numerics/on_a_circle`). Each broken condition is linear in the squeeze and gives a lower bound of the sufficient squeeze. The next trial
+//! is this bound, until no condition is broken. The bound is then also sufficient, up to rounding.
 //!
 //! | file | idea |
 //! |---|---|

@@ -23,8 +23,8 @@ pub(super) struct Parts<'l> {
     loads: &'l Loads<3>,
     edges: Vec<Edges>,
     squeeze: ContactForces,
-    /// Forces without commands. Of a list of loads one entry a load; of a turning load those of its constant, cosine and sine part; of a force of any
-    /// direction those under the base load.
+    /// Contact forces without commands, in one entry for each part of the loads. A list of loads has an entry for each load. A turning load has
+    /// entries for its constant, cosine and sine parts. A force of any direction has one entry for the base load.
     base: Vec<ContactForces>,
     influences: Vec<Influence>,
 }
@@ -75,14 +75,14 @@ impl<'l> Parts<'l> {
         most.map(|(_, contact, condition)| (contact, condition))
     }
 
-    /// How much the commands at factor 1 add to `row·F`, the value of a condition of sticking; zero if that is only rounding.
+    /// The amount that the commands at factor 1 add to `row·F`, the margin of a sticking condition; zero if this is only rounding.
     pub(super) fn gain(&self, contact: usize, row: &SVector<f64, 3>) -> f64 {
         let gain = row.dot(&self.squeeze.of[contact]);
         if gain.abs() > ZERO_SLACK * row.norm() * self.squeeze.sizes[contact] { gain } else { 0.0 }
     }
 
-    /// The conditions of a contact that are nearest to being broken: one under each load of a list, for each facet under the worst force of any
-    /// direction, or at the worst angles of a turning load.
+    /// The sticking conditions of a contact with the least margins. There is one under each load of a list, or one for each facet under the worst
+    /// force of any direction. For a turning load they are those at the worst angles.
     fn worst(&self, contact: usize, factor: f64) -> Vec<Condition> {
         let edges = &self.edges[contact];
         let (squeeze, pressed) = (self.squeeze.of[contact] * factor, self.squeeze.sizes[contact] * factor);

@@ -24,7 +24,7 @@ pub enum WeakestDirection<const C: usize> {
     Force {
         /// Size of the force, N, exact up to rounding.
         size: f64,
-        /// Unit direction, coordinate axes.
+        /// Unit vector along the force, in coordinate axes.
         direction: [f64; C],
         /// The base load together with the least force.
         load: Wrench<C>,
@@ -90,8 +90,8 @@ struct Least {
 }
 
 impl Least {
-    /// Lowers the least force to that at which this contact leaves its cone, if that is smaller. Returns whether the allowed number of cutting planes
-    /// was enough.
+    /// Lowers the least force to the one at which this contact leaves its cone, if that is smaller. The cone is replaced by more and more planes that
+    /// touch it. Returns whether the allowed number of planes was enough.
     fn lowered_to(
         &mut self,
         site: usize,
@@ -109,21 +109,21 @@ impl Least {
             }
             self.size
         };
-        // The first cutting planes are all facets of a polygonal cone. Of a round cone they are four: towards, against and across the friction force.
+        // The first planes are all facets of a polygonal cone. For a round cone they are four facets: towards, against and across the friction force.
         let begin = force[2].atan2(force[1]);
         let quarters = |quarter: u8| begin + f64::from(quarter) * FRAC_PI_2;
         let mut size = cut(edges.rows(&|_| (0..4).map(quarters).list()));
-        // Each further cutting plane lowers the force, with quadratic convergence. Beyond this many only rounding could change it.
+        // Each further plane lowers the force, with quadratic convergence. Beyond this many planes only rounding could change the force.
         for _ in 0..200 {
-            // The gradient of the condition at angle φ of the round cone is a + b cos φ + c sin φ. If it vanishes at four angles, it vanishes at all
-            // of them, and no force makes this contact slide.
+            // The margin on the facet at angle φ of the round cone has the gradient a + b cos φ + c sin φ by the force. If this vanishes at four
+            // angles, it vanishes at all of them, and no force makes this contact slide.
             if size.is_infinite() {
                 return true;
             }
             let before = size;
             size = cut(edges.on_a_sphere(force, &influence.of, size));
             if size >= before {
-                // If a further cutting plane does not lower the force, the two differ only by rounding.
+                // If a further plane does not lower the force, the bound and the true least force differ only by rounding.
                 return true;
             }
         }

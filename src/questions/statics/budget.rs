@@ -25,7 +25,7 @@ impl Budget {
     }
 }
 
-/// Scale of wrenches: moments about a point, divided by a length, count as forces. The radius of a ball depends on both.
+/// Scale of wrenches: moments about a point, divided by a length, count as forces. The size of a wrench depends on both.
 ///
 /// By default the point is the centroid of the contacts, and the length the largest distance of a contact from it.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,9 +3,9 @@
 //! A grasp is closed if its friction cones together reach every wrench: then forces *strictly inside* all cones balance each other, and no motion is
 //! free. For several bodies the wrenches are those on all of them at once, and a motion has a part for each.
 //!
-//! Take a unit force along the normal at every contact, and seek forces in the cones that balance the sum of these (see `proofs/wrench_cone`). If
-//! there are none, the remainder is a motion against which no force works. Otherwise all these forces together are projected onto forces that balance
-//! each other to the last digit, and must then lie clearly inside the cones.
+//! Take a unit force along the normal at every contact, and seek forces in the cones that balance the sum of these unit forces (see
+//! `proofs/wrench_cone`). If there are none, the unbalanced remainder is a motion against which no contact force works. Otherwise the sums of both
+//! forces at each contact are projected onto forces that balance each other to the last digit. These must lie clearly inside the cones.
 //!
 //! J. K. Salisbury and B. Roth, *Kinematic and force analysis of articulated mechanical hands*, 1983; A. Bicchi, *On the closure properties of
 //! robotic grasping*, 1995.
@@ -41,7 +41,7 @@ pub enum Closure<const C: usize> {
         /// Motions of several bodies, where `motion` is that of the body that loads act on. Empty for a single object.
         bodies: Vec<BodyMotion<C>>,
     },
-    /// On the boundary between both, up to rounding.
+    /// Up to rounding, the grasp is on the boundary between `Closed` and `Open`.
     Boundary,
 }
 
@@ -52,7 +52,7 @@ impl Engine {
         let problem = self.without_load(settings);
         let axes = |(i, local): (usize, LocalLaw<'_>)| (0..local.springs.axes()).map(move |axis| (i, axis));
         let axes: Vec<_> = problem.locals().enumerate().flat_map(axes).list();
-        // Without load and commands the forces of every contact form a cone, so that each has generators.
+        // Without load and commands the possible forces of every contact form a cone, so that each contact has generators (edge vectors of its cone).
         let straight = straight_generators(&problem).unwrap_or_default();
         let inside = |forces: &[SVector<f64, 3>]| {
             problem.locals().zip(forces).all(|(local, force)| {
@@ -77,7 +77,7 @@ impl Engine {
     }
 
     /// Refuses an answer that a vacuum might change. If the contacts alone can balance every load, they can do so with a vacuum, too. Otherwise the
-    /// vacuum holds some loads that the contacts do not, so the question has no answer here.
+    /// vacuum may hold loads that the contacts do not, so [`Closure`] cannot be decided here.
     fn whatever_vacuums_hold(
         &self,
         closure: Closure<3>,
@@ -89,8 +89,9 @@ impl Engine {
         }
     }
 
-    /// Decides closure for cones that are spanned by `straight` generators, and by `round` ones, which depend on a direction. Forces have only the
-    /// components in `axes`, each a contact and one of its axes. `inside` checks that forces are strictly inside their cones.
+    /// Decides closure for friction cones that are spanned by fixed generators, `straight`, and by those of round cones. `round` returns the latter
+    /// for a direction. Forces have only the components in `axes`, each a contact and one of its axes. `inside` returns whether forces are strictly
+    /// inside their cones.
     fn closure(
         &self,
         axes: &[(usize, usize)],
@@ -144,7 +145,7 @@ impl Engine {
         sites.map(|(contact, site)| Generator::along(contact, site, unit(0)))
     }
 
-    /// The problem without load and without commands.
+    /// The equilibrium problem of this grasp without load and without commands.
     pub(super) fn without_load(&self, settings: &Settings) -> Problem<'_> {
         let nothing = Load::from(&Vector::zeros());
         let offsets = vec![SVector::zeros(); self.sites().len()];

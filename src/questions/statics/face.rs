@@ -1,4 +1,5 @@
-//! Conversion of questions and answers of statics between the engine's vectors of three components and the callers' vectors of `C` components.
+//! Conversion of questions and answers of statics between the engine, whose vectors have three components in the plane, too, and callers, with `C`
+//! components.
 
 use super::budget::WrenchScale;
 use super::closure::Closure;

@@ -17,8 +17,9 @@ use crate::search::Settings;
 pub struct WrenchBall<const C: usize> {
     /// Lower bound of ε, N: every load of this size in its [scale](WrenchScale) can be balanced. Zero if in some direction no load can be balanced.
     pub at_least: f64,
-    /// Upper bound of ε, N. Both are within 1e-9 of the largest wrench in the plane, on polygons and mostly on the round cone. For a symmetric grasp on
-    /// the round cone, thin faces or too many of them end the search with bounds up to a percent apart. [`Settings::most_steps`] may end it before.
+    /// Upper bound of ε, N. Lower and upper bound differ by at most 1e-9 of the largest wrench: in the plane, with polygonal friction cones, and
+    /// mostly with round cones. For a symmetric grasp with round cones, thin faces or too many faces end the search with bounds up to a percent
+    /// apart. [`Settings::most_steps`] may end it before.
     pub at_most: f64,
     /// A load of size 1 N in its scale; more than `at_most` times this load cannot be balanced.
     pub weakest: Wrench<C>,

@@ -1,7 +1,8 @@
-//! Limit analysis: the largest load that contact forces within a budget balance, and the budget that a load needs.
+//! Limit analysis: the largest load that contact forces within a budget balance and, as its inverse, the budget that a load needs.
 //!
-//! The result is the largest λ with `Σ G_i F_i + W₀ + λ W = 0` for some forces in their cones. A plane with all wrenches on one side gives an upper
-//! bound of λ. A ray from inside the set towards the load at this bound either ends in the set, or leaves it through a plane with a smaller bound.
+//! The result is the largest λ with `Σ G_i F_i + W₀ + λ W = 0` for some forces F_i in their cones. The wrenches that contact forces can exert form a
+//! convex set. A plane with this set on one side gives an upper bound of λ. A ray from inside the set towards the load at this bound either ends in
+//! the set, or leaves it through a plane with a smaller bound.
 
 use nalgebra::SVector;
 
@@ -78,8 +79,8 @@ impl<const C: usize> LoadLimit<C> {
 /// The factors by which the unit load `rate` may grow on top of `base` before their sum leaves the set of wrenches that can be balanced.
 fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLimit<3> {
     set.flat = simplex(size, &|v: &Vector| set.support(v)).err().unwrap_or_default();
-    // `flat` are directions in which no contact force acts. The set is widened there so that the search works. A load with a component in them cannot
-    // be balanced.
+    // `set.flat` has directions in which no contact force acts. The set of wrenches is widened along these directions so that the search works. A
+    // load with a component in them cannot be balanced.
     let unheld = |load: &Vector| {
         let mut part = Vector::zeros();
         for v in &set.flat {
@@ -105,7 +106,8 @@ fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLi
     let plane = |normal: &Vector| normal.dot(&(support(normal) - base)) / normal.dot(rate);
     let (mut at_most, mut normal) = (plane(rate), rate.clone());
     let mut last: Option<(f64, RayExit)> = None;
-    // On round cones each plane doubles the number of correct digits. Without rounding the search ends long before a hundred planes.
+    // On round cones each supporting plane of the set doubles the number of correct digits. Without rounding the search ends long before a hundred
+    // planes.
     for _ in 0..100 {
         let Some(there) = shoot(&(base + rate * at_most)) else { break };
         let (inside, nearer) = (there.stretch <= 1.0 + SOLVED_ROUNDING, plane(&there.normal));
@@ -121,7 +123,8 @@ fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLi
     if at_most <= SOLVED_ROUNDING * base.norm().max(support(rate).norm()) {
         return LoadLimit::Factor { at_least: 0.0, at_most: 0.0, forces: at_begin, motion };
     }
-    // The lower bound is the largest factor whose load was found inside the set. Where none was, the upper bound is reduced by ever larger fractions.
+    // The lower bound is the largest factor whose load was found inside the set of wrenches. If no load was found inside, the upper bound is reduced
+    // by ever larger fractions.
     let reached = |(factor, crossing): &(f64, RayExit)| crossing.stretch <= 1.0 && *factor <= at_most;
     let nearer = [1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-6, 1e-3].iter().filter_map(|part| {
         let factor = at_most * (1.0 - part);
@@ -135,8 +138,8 @@ fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLi
     }
 }
 
-/// Forces that balance the load to which a ray was shot. They combine the forces of the vertices around the crossing and, for the rest, the mean of
-/// those of the simplex.
+/// Contact forces that balance the load at the end of the ray `crossing`. They are the forces of the set's vertices around the crossing, weighted by
+/// their shares. The rest of the weight is distributed evenly over the vertices of the simplex.
 fn forces(set: &WrenchSet, simplex: &[Vertex], crossing: &RayExit) -> Vec<SVector<f64, 3>> {
     let rest = (1.0 - crossing.shares.iter().sum::<f64>()) / simplex.len() as f64;
     let points = crossing.vertices.iter().zip(crossing.shares.iter().copied());

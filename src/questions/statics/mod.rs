@@ -6,7 +6,7 @@
 //! balance a load, with their squeeze, is answered by [`Grasp::solve`](crate::ask::Grasp::solve) and [`Grasp::onset`](crate::ask::Grasp::onset).
 //!
 //! The pull of a vacuum does not depend on the contact forces: it counts as part of every load. Closure, which is about loads of any size, is refused
-//! where it rests on a vacuum.
+//! where loads could not be balanced without the vacuum.
 //!
 //! | file | idea |
 //! |---|---|

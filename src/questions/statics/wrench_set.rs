@@ -1,7 +1,8 @@
 //! The wrenches of contact forces within a budget, given by their support points.
 //!
-//! The support point in the direction v has at each contact the force in its cone with the most work on `u = G_iᵀv`: `u_n + μ |u_t|` per newton of
-//! normal force on the round cone. A contact whose force would work against v does not press.
+//! The support point in the direction v consists of the forces that do most work along it. At each contact this is the force in the friction cone
+//! with the most work on `u = G_iᵀv`. On the round cone this work is `u_n + μ |u_t|` per newton of normal force. A contact whose force would work
+//! against v does not press.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -131,22 +132,22 @@ impl WrenchSet {
         sum
     }
 
-    /// Converts a wrench of the user to the origin and scale of the set.
+    /// Converts a wrench in the user's coordinates to one about the point and with the length of the [`WrenchScale`].
     pub(super) fn inside(&self, wrench: &Wrench<3>) -> Vector {
         let about = SVector::from(self.scale.about);
         let moved = self.space.moved_wrench(&-about, &wrench.coordinates(self.space));
         scaled(self.space, moved, 1.0 / self.scale.length)
     }
 
-    /// Converts a wrench in the scale of the set to the user's coordinates.
+    /// Converts a wrench about the point and with the length of the [`WrenchScale`] to the user's coordinates.
     pub(super) fn outside(&self, wrench: Vector) -> Wrench<3> {
         let about = SVector::from(self.scale.about);
         let wrench = scaled(self.space, wrench, self.scale.length);
         Wrench::among(self.space, &self.space.moved_wrench(&about, &wrench))
     }
 
-    /// The user's motion that belongs to a direction of the set: a wrench does the work `direction · w` along it, where w is that wrench in the scale
-    /// of the set.
+    /// The motion in the user's coordinates that corresponds to a direction of the set. Along it a wrench does the work `direction · w`, where w is
+    /// this wrench converted by [`Self::inside`].
     pub(super) fn motion(&self, direction: Vector) -> Twist<3> {
         let about = SVector::from(self.scale.about);
         let direction = scaled(self.space, direction, 1.0 / self.scale.length);
@@ -154,7 +155,7 @@ impl WrenchSet {
     }
 }
 
-/// `v` with its angular components times a factor.
+/// The vector `v` with its angular components multiplied by `by`.
 fn scaled(space: Space, mut v: Vector, by: f64) -> Vector {
     v.iter_mut().skip(space.axes()).for_each(|x| *x *= by);
     v

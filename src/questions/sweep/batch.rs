@@ -1,13 +1,13 @@
-//! Batches of small grasps screened on all cores.
+//! Screening of batches of small grasps on all cores.
 
 use crate::prelude::*;
 use crate::screening::{
     Batch, LoadCases, Pull, Screened, ScreenedGradients, ScreenedSqueeze, ScreenedTurn, TurningPull,
 };
 
-/// The load factors at which the first contact of each grasp of a batch stops sticking, for each of the loads:
-/// [`Batch::onsets_into`] on all cores. The answers come grasp by grasp, for each in the order of
-/// the loads. `answers` is overwritten and its memory reused. [`Batch`] has an example.
+/// The load factors at which the first contact of each grasp of a batch stops sticking, for each of the loads: [`Batch::onsets_into`] on all cores.
+/// `answers` is overwritten and its memory reused. It contains the load factors of the first grasp in the order of the loads, then those of the next
+/// grasp. [`Batch`] has an example.
 pub fn onsets_of_batch<const C: usize, const N: usize>(
     batch: &Batch<C, N>,
     pulls: &[Pull<C>],

@@ -1,11 +1,11 @@
-//! Panics while a question is answered. A panic is a fault of this library. It becomes an error of that question, and all other questions are still
-//! answered.
+//! Conversion of a panic during the answer to a question into an error of that question; all other questions are still answered. A panic is a fault
+//! of this library.
 
 use super::in_order::map_in_order;
 use crate::error::Error;
 use crate::prelude::*;
 
-/// The answer to a question about each item, in the order of the items. An error or a panic about one item does not stop the others.
+/// The results of `ask` for all items, in the order of the items. An error or a panic for one item does not stop the others.
 pub(crate) fn each_answered<T: Sync, R: Send>(
     items: &[T],
     ask: &(dyn Fn(&T) -> Result<R, Error> + Sync),
@@ -13,7 +13,7 @@ pub(crate) fn each_answered<T: Sync, R: Send>(
     map_in_order(items, |item| caught(&|| ask(item)))
 }
 
-/// The answer to a question, or [`Error::Internal`] where it panics.
+/// The result of `ask`, or [`Error::Internal`] if `ask` panics.
 pub(crate) fn caught<R>(ask: &dyn Fn() -> Result<R, Error>) -> Result<R, Error> {
     let mut answer = None;
     let fault = fault_in(&mut || answer = Some(ask()));
@@ -31,7 +31,7 @@ pub(crate) fn fault_in(work: &mut dyn FnMut()) -> Option<String> {
     Some(said.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no message").to_owned())
 }
 
-/// Without the standard library: a panic is not caught.
+/// Runs `work`. Without the standard library a panic is not caught.
 #[cfg(not(feature = "std"))]
 fn fault_in(work: &mut dyn FnMut()) -> Option<String> {
     work();

@@ -1,4 +1,5 @@
-//! Contact forces as a sum over sources (commands, components of the load), each with its changes if the data are off. Contacts keep their states.
+//! Contact forces as a sum over sources (commands, components of the load), and the changes of these forces if data are in error. Contacts keep their
+//! states.
 
 use core::slice::from_ref;
 
@@ -13,8 +14,8 @@ use crate::numerics::{Each, IntoList, Size, Vector, largest, numbered};
 use crate::object::PieceState;
 use crate::prelude::*;
 
-/// The forces of all contacts and drives that one source causes, for the data as given, and how each uncertain datum changes them. An open contact
-/// has its gap in the place of its force.
+/// The forces of all contacts and drives that one source causes: for the data as given, and their changes by each uncertain datum. For an open
+/// contact the gap is stored in place of the force.
 #[derive(Debug, Clone)]
 pub(super) struct Course {
     pub(super) known: Vec<SVector<f64, 3>>,
@@ -41,7 +42,7 @@ impl Course {
         sum
     }
 
-    /// The largest of these forces for the data as given.
+    /// The largest force of a contact or drive for the data as given.
     pub(super) fn largest(&self) -> f64 {
         largest(&self.known, &Matrix::norm)
     }
@@ -72,7 +73,8 @@ pub(super) fn courses(
     Ok(courses)
 }
 
-/// The forces by each source: first by commands together with constant loads, then by one unit of each component of the load.
+/// The forces of all contacts and drives, source by source. The first source is commands together with constant loads; then comes one unit of each
+/// component of the load.
 fn by_source(response: &StickingResponse<'_>) -> Vec<Vec<SVector<f64, 3>>> {
     let grasp = response.grasp;
     let mut sources = vec![forces_or_gaps(response, &grasp.offsets(), &grasp.load_unchecked(&Wrench::ZERO))];
@@ -83,7 +85,8 @@ fn by_source(response: &StickingResponse<'_>) -> Vec<Vec<SVector<f64, 3>>> {
     sources
 }
 
-/// The forces of all contacts and drives under these offsets and this load (in the engine's coordinates). An open contact has its gap instead.
+/// The forces of all contacts and drives under the spring offsets `offsets` and the load `load` (in the engine's coordinates). For an open contact
+/// the gap is returned in place of the force.
 pub(super) fn forces_or_gaps(
     response: &StickingResponse<'_>,
     offsets: &[SVector<f64, 3>],

@@ -16,7 +16,7 @@ pub(super) enum UncertainDatum {
     OfJoint(usize, f64),
 }
 
-/// The engine after each of these data is changed by its entry of `z`, in standard deviations.
+/// The engine with the data in error: each datum is changed by its entry of `z`, a number of standard deviations.
 pub(super) fn with_errors(of: &Engine, data: &[UncertainDatum], z: &[f64]) -> Result<Engine, Error> {
     let mut errors = vec![ContactErrors::default(); of.wholes().len()];
     for (datum, z) in data.iter().zip(z) {

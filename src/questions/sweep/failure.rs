@@ -1,8 +1,9 @@
 //! The probability that a contact leaves its cone under one load, where data are uncertain.
 //!
-//! A facet of the cone has a margin; its distance from failure in standard deviations is the reliability β. It fails with probability `Φ(-β)`, which
-//! [`second_order`](super::second_order) corrects. On the round cone the facet is chosen by the angle θ of its direction. The gradient u(θ) of its
-//! margin by the data, scaled to length one, turns with θ. The probability that the contact fails at any θ is at most
+//! Each facet of the cone has a margin, and fails if the margin is negative. The distance of the given data from failure, in standard deviations, is
+//! the reliability β of the facet. The failure probability is `Φ(-β)`, which [`second_order`](super::second_order) corrects. On the round cone the
+//! facet is chosen by the angle θ of its direction. The gradient u(θ) of its margin by the data, scaled to length one, turns with θ. The probability
+//! that the contact fails at any θ is at most
 //!
 //! ```text
 //! Φ(-β(θ₀)) + ∫ φ(β) E[(X' - β')₊] dθ,      X' normal, mean 0, deviation |u'|
@@ -30,7 +31,7 @@ pub(super) fn failures(
     margin: &mut FacetMargin,
     events: &mut Failures,
 ) {
-    // Each search starts from the known data, because the point of failure of another facet is a bad start.
+    // Each search for a point of failure starts from the data as given, because the point of failure of another facet is a bad start.
     match edges {
         Edges::Rows(rows) => {
             for (k, row) in rows.iter().enumerate() {
@@ -42,7 +43,8 @@ pub(super) fn failures(
         Edges::Round { limit } => {
             let around = round_rows(*limit);
             let (worst, least) = worst_around(&here.first_order(), &around);
-            // At a reliability of three more than the required one, failures are a thousand times rarer than allowed. To first order is then enough.
+            // If the reliability exceeds `sigmas`, the required one, by three, failures are a thousand times rarer than allowed. The first-order
+            // probability is then accurate enough.
             if least <= 0.0 || least > here.sigmas + 3.0 {
                 events.add_alone(if least <= 0.0 { 1.0 } else { normal_tail(least) });
                 return;
@@ -55,7 +57,7 @@ pub(super) fn failures(
     }
 }
 
-/// The facets of a contact that can fail. Of a round cone it is the one facet that most probably fails to first order.
+/// The facets of a contact for which failure is computed. For a round cone this is the one facet that most probably fails to first order.
 pub(super) fn facets(edges: &Edges, here: &UncertainForce<'_>) -> Vec<SVector<f64, 3>> {
     match edges {
         Edges::Rows(rows) => rows.clone(),
@@ -66,7 +68,8 @@ pub(super) fn facets(edges: &Edges, here: &UncertainForce<'_>) -> Vec<SVector<f6
     }
 }
 
-/// The failure probability of a contact under one load, with its force linearised in the data. The search for the load starts with it.
+/// The failure probability of a contact under one load, with its force linearised in the data. It gives the starting value for the search of the
+/// load.
 pub(super) fn roughly(edges: &Edges, here: &UncertainForce<'_>) -> f64 {
     let first_order = here.first_order();
     match edges {
@@ -77,7 +80,7 @@ pub(super) fn roughly(edges: &Edges, here: &UncertainForce<'_>) -> f64 {
     }
 }
 
-/// Of a round cone, the direction in which the contact most probably fails to first order, rad, and the reliability β there.
+/// The direction in which a contact with a round cone most probably fails to first order, rad, and the reliability β in this direction.
 fn worst_around(first_order: &FirstOrder, around: &Harmonic<SVector<f64, 3>>) -> (f64, f64) {
     let mut worst = (0.0, f64::INFINITY);
     for k in 0..AROUND_A_CONE {

@@ -1,10 +1,10 @@
-//! Work spread over the cores, answers in the order of the questions.
+//! Parallel work on a list of items, with results in the order of the items.
 
 use crate::numerics::in_order;
 use crate::prelude::*;
 
-/// `f` of every item, answers in the order of the items: in parallel with the feature `parallel`,
-/// one after the other without it. A panic in `f` reaches the caller.
+/// The results of `f` for all items, in the order of the items: in parallel with the feature `parallel`, one after the other without it. A panic in
+/// `f` reaches the caller.
 ///
 /// ```
 /// let squares = grasp_lcp::sweep::map_in_order(&[1, 2, 3], |x| x * x);

@@ -1,4 +1,5 @@
-//! The joint effect of several data on a force: its change if all of them are off at once, less the sum of its changes if they are off one by one.
+//! The interaction of errors of several data in their effect on a force. It is the change of the force if all data are in error at once, less the sum
+//! of its changes by one datum each.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -13,12 +14,12 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Draw, IntoList, dot, numbered};
 use crate::prelude::*;
 
-/// Number of random sets of errors, each of one standard deviation per datum, from which the size of joint effects is estimated.
+/// Number of random sets of errors, each of one standard deviation per datum, from which the size of interactions is estimated.
 ///
 /// If larger, each reserve needs more equilibria. If smaller, the estimate is less certain.
 const PROBES: u64 = 8;
 
-/// The grasp whose data are uncertain, for its exact forces with several data off at once.
+/// The grasp whose data are uncertain, for its exact forces with several data in error at once.
 #[derive(Debug, Clone)]
 pub(super) struct OffTogether {
     pub(super) grasp: Engine,
@@ -38,8 +39,8 @@ impl OffTogether {
         Some(forces_or_gaps(&response, &grasp.offsets(), &grasp.load_unchecked(&load))[i])
     }
 
-    /// The joint effect for each facet of a contact, at the facet's point of failure under a load. It is taken as zero for facets whose failure
-    /// probability is below `rare`.
+    /// The interaction of errors for each facet of a contact, at the facet's point of failure under a load. It is set to zero for facets whose
+    /// failure probability is below `rare`.
     pub(super) fn of_facets(
         &self,
         (i, edges): (usize, &Edges),
@@ -60,7 +61,7 @@ impl OffTogether {
             let beyond =
                 |z: &[f64]| self.force(i, load, z).map_or(SVector::zeros(), |force| force - here.at(z));
             let force = beyond(&margin.fails_at);
-            // If the point of failure is nearer than one standard deviation, dividing by its distance would only amplify rounding.
+            // If the point of failure is nearer than one standard deviation, a division by its squared distance would only amplify rounding.
             let bend = force * (2.0 / dot(&margin.fails_at, &margin.fails_at).max(1.0));
             // C holds the second derivatives of the force by two data. For random signs v, the mean square of `vᵀCv` is twice the sum of the squares
             // of C.

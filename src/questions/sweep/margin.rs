@@ -5,8 +5,8 @@
 //! ```
 //!
 //! Here μ is the coefficient of friction with the deviation σ of its logarithm, h the unit vector of the facet, and z the errors of the data, in
-//! standard deviations. The change Δ_i of the force by one datum is a polynomial through exact forces at a few errors. The joint effect of several
-//! data is computed at the point of failure and added as a constant force.
+//! standard deviations. The change Δ_i of the force by one datum is a polynomial through exact forces at a few errors. The
+//! [interaction](super::joint_effects) of several data is computed at the point of failure and added as a constant force.
 //!
 //! The reliability β is the distance of the nearest z at which the margin vanishes, the point of failure (Hasofer and Lind, Exact and invariant
 //! second-moment code format, 1974). Steps towards it are shortened until a merit function of distance and margin falls (Zhang and Der Kiureghian,
@@ -19,10 +19,11 @@ use crate::numerics::tolerances::SUFFICIENT_DECREASE;
 use crate::numerics::{Each, by_axis, dot, normal_density, normal_tail};
 use crate::prelude::*;
 
-/// Exact forces are computed with each datum off by these multiples of `sigmas`, the standard deviations that the user wants in reserve.
+/// Errors of a datum at which exact forces are computed, as multiples of `sigmas`, the standard deviations that the user wants in reserve.
 pub(super) const LOOKED_AT: [f64; 4] = [-1.0, -0.5, 0.5, 1.0];
 
-/// The change of a force by one datum: coefficients of `Σ c_k x^k`, k from 1. Here x is the error in standard deviations, divided by `sigmas`.
+/// The change of a force by the error of one datum: coefficients c_k of the polynomial `Σ c_k x^k`, k from 1. Here x is the error in standard
+/// deviations, divided by `sigmas`.
 pub(super) type Effect = [SVector<f64, 3>; LOOKED_AT.len()];
 
 /// The polynomial through the changes of a force at the multiples [`LOOKED_AT`] of `sigmas`.
@@ -34,21 +35,22 @@ pub(super) fn effect([low, half_low, half_high, high]: [SVector<f64, 3>; 4]) -> 
     [odd - third, even - fourth, third, fourth]
 }
 
-/// The joint effect of all data on a force at a point of failure z: its exact change less the sum of its changes by one datum each.
+/// The interaction of the errors of all data in their effect on a force, at a point of failure z. It is the exact change of the force less the sum of
+/// its changes by one datum each.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct JointEffect {
     pub(super) force: SVector<f64, 3>,
-    /// Second derivative of the joint effect along the direction of z: twice the effect divided by |z|².
+    /// Second derivative of the interaction along the direction of z: twice the interaction divided by |z|².
     pub(super) bend: SVector<f64, 3>,
-    /// For each two components of the force, the sum over all pairs of data of the product of their second derivatives.
+    /// For each two components of the force, the sum over all pairs of data of the product of the second derivatives of these components.
     pub(super) squares: SMatrix<f64, 3, 3>,
 }
 
-/// The force on a contact under one load: for the known data, and its change by each uncertain datum.
+/// The force on a contact under one load: for the data as given, and its change by each uncertain datum.
 pub(super) struct UncertainForce<'a> {
     pub(super) force: SVector<f64, 3>,
     pub(super) changes: &'a [Effect],
-    /// The joint effect of all data on this force, for each facet; one for a round cone. An empty list means that joint effects are neglected.
+    /// The interaction of the errors of all data, for each facet; one for a round cone. An empty list means that interactions are neglected.
     pub(super) joint: &'a [JointEffect],
     /// The standard deviations that the user wants in reserve.
     pub(super) sigmas: f64,
@@ -56,14 +58,15 @@ pub(super) struct UncertainForce<'a> {
     pub(super) friction: f64,
 }
 
-/// The search for the point of failure of one facet, and its result. The memory serves for one facet after the other.
+/// The search for the point of failure of one facet, and its result. The memory is reused for one facet after the other.
 #[derive(Debug)]
 pub(super) struct FacetMargin {
-    /// The present point z of the search, in the end the point of failure: the data in the order of `changes`, then friction.
+    /// The present point z of the search, at its end the point of failure: errors of the data in the order of `changes`, then of friction.
     pub(super) fails_at: Vec<f64>,
     /// The point z before the last step.
     from: Vec<f64>,
-    /// The polynomials by which each datum changes the margin, in two parts: that of the normal force, which friction multiplies, and the rest.
+    /// The polynomials by which each datum changes the margin. They have two parts: the change by the normal force, which is multiplied by the factor
+    /// on friction, and the rest.
     pub(super) parts: Vec<[[f64; 2]; LOOKED_AT.len()]>,
     /// The point z at which `gradient` and `steepness` (its norm) were computed.
     pub(super) linearised_at: Vec<f64>,
@@ -75,7 +78,7 @@ pub(super) struct FacetMargin {
 }
 
 impl UncertainForce<'_> {
-    /// The force and its covariance to first order about the known data; all facets share them.
+    /// The force and its covariance to first order about the data as given. They are the same for all facets.
     pub(super) fn first_order(&self) -> FirstOrder {
         let mut spread = SMatrix::zeros();
         for [slope, ..] in self.changes {
@@ -85,12 +88,12 @@ impl UncertainForce<'_> {
         FirstOrder { force: self.force, spread, friction: self.friction }
     }
 
-    /// The force for the known data, plus the joint effect that belongs to facet number `row`.
+    /// The force for the data as given, plus the interaction of errors for facet number `row`.
     fn known(&self, row: usize) -> SVector<f64, 3> {
         self.joint.get(row).map_or(self.force, |joint| self.force + joint.force)
     }
 
-    /// The force if the data have the errors z, without their joint effect.
+    /// The force if the data have the errors z, without the interaction of errors.
     pub(super) fn at(&self, z: &[f64]) -> SVector<f64, 3> {
         let mut force = self.force;
         for (change, z) in self.changes.iter().zip(z) {
@@ -101,8 +104,8 @@ impl UncertainForce<'_> {
         force
     }
 
-    /// Finds the smallest errors z of the data at which the margin of facet number `row` vanishes. If there are none within the largest distance that
-    /// counts, that distance is its reliability.
+    /// Finds the smallest errors z of the data at which the margin of facet number `row` vanishes. If there are none up to the largest distance at
+    /// which failures count, this distance becomes the reliability of the facet.
     pub(super) fn find(&self, row: usize, facet: &SVector<f64, 3>, margin: &mut FacetMargin) {
         if margin.fails_at.len() != self.changes.len() + 1 {
             margin.start_over(self.changes.len());
@@ -111,7 +114,7 @@ impl UncertainForce<'_> {
         margin.parts.extend(self.changes.iter().map(|change| change.each_ref().each(|c| parts(facet, c))));
         let known = parts(facet, &self.known(row));
         margin.curved = 1.0;
-        // At a reliability of five more than the required one, failures are too rare to count.
+        // If the reliability exceeds the required one, `sigmas`, by five, failures are too rare to count.
         let farthest = self.sigmas + 5.0;
         let mut value = self.linearise(known, rubs(facet), margin);
         let mut arrived = false;
@@ -140,8 +143,8 @@ impl UncertainForce<'_> {
         }
         let mut nearest = dot(&margin.fails_at, &margin.fails_at).sqrt();
         if !arrived {
-            // The search has not converged. Of its present distance and the first-order reliability the smaller one is taken, which is the safe
-            // choice.
+            // The search has not converged. The present distance or the first-order reliability is taken, whichever is smaller, which errs on the
+            // safe side.
             margin.start_over(self.changes.len());
             let value = self.linearise(known, rubs(facet), margin);
             nearest = nearest.min(ratio(value, margin.steepness).abs());
@@ -240,7 +243,7 @@ impl UncertainForce<'_> {
     }
 }
 
-/// The force and its covariance, to first order about the known data.
+/// A contact force and its covariance, to first order about the data as given.
 pub(super) struct FirstOrder {
     force: SVector<f64, 3>,
     /// Covariance of the force by all uncertain data except friction.
@@ -257,7 +260,7 @@ impl FirstOrder {
     }
 }
 
-/// The product `row·F` in two parts: that of the normal component, which friction multiplies, and the rest.
+/// The margin `row·F` of a facet in two parts: that of the normal force, which is multiplied by the factor on friction, and the rest.
 fn parts(row: &SVector<f64, 3>, force: &SVector<f64, 3>) -> [f64; 2] {
     let normal = row[0] * force[0];
     [normal, row.dot(force) - normal]
@@ -289,13 +292,13 @@ impl Default for FacetMargin {
 }
 
 impl FacetMargin {
-    /// Lets the next search start from the known data, z = 0; `data` is the number of data without friction.
+    /// Lets the next search start from the data as given, z = 0; `data` is the number of data without friction.
     pub(super) fn start_over(&mut self, data: usize) {
         self.fails_at.clear();
         self.fails_at.resize(data + 1, 0.0);
     }
 
-    /// β with the sign of the margin at the known data; infinite if no datum changes the margin.
+    /// The reliability β with the sign of the margin for the data as given; infinite if no datum changes the margin.
     pub(super) fn reliability(&self) -> f64 {
         self.reliability
     }

@@ -1,5 +1,5 @@
-//! Many questions at once: answers in the order of the questions, the same bits for any number of
-//! threads. Also grasps with uncertain data: random samples of them, and the load that they hold with a reserve.
+//! Many questions at once, with answers in the order of the questions and the same bits for any number of threads. Also grasps with uncertain data:
+//! random samples of them, and the load that they hold with a reserve.
 //!
 //! Every question is answered independently by the same serial code. Threads (feature `parallel`,
 //! rayon's global pool) only share the questions among them. Outside this module only

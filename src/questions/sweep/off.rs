@@ -1,4 +1,4 @@
-//! A contact with errors in its data.
+//! A contact whose data have errors.
 
 use crate::numerics::Each;
 use nalgebra::SVector;

@@ -1,4 +1,4 @@
-//! Sweeps that report their progress and can be stopped.
+//! Parallel work on a list of items that reports its progress and can be stopped.
 
 use core::ops::ControlFlow;
 use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -6,20 +6,19 @@ use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use super::in_order::map_in_order;
 use crate::prelude::*;
 
-/// The progress of a sweep.
+/// The progress of [`map_watched`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Progress {
-    /// Number of questions answered so far.
+    /// Number of items with a result so far.
     pub answered: usize,
-    /// Number of questions in all.
+    /// Number of all items.
     pub of: usize,
 }
 
-/// `f` of every item, in the order of the items, with `watch` called after every answer (from
-/// the thread that computed it): every count from 1 on comes once. When `watch` breaks, questions that
-/// were not begun stay unanswered: their place holds `None`. Which questions these are depends on the
-/// threads; the answers do not.
+/// The results of `f` for all items, in the order of the items. After every result `watch` is called from the thread that computed it, once with each
+/// number of answers from 1 on. When `watch` breaks, items that were not begun have the result `None`. Which items these are depends on the threads;
+/// the other results do not.
 ///
 /// ```
 /// use std::ops::ControlFlow;

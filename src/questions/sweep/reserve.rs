@@ -11,15 +11,15 @@ use crate::grasp::{Engine, Wrench, face_of_struct, inside, same_on_both_sides};
 use crate::numerics::{Vector, numbered};
 use crate::prelude::*;
 
-/// The load up to which a grasp keeps sticking with this number of standard deviations in reserve, in any direction on top of one base load; made by
-/// [`Grasp::reserve`](crate::ask::Grasp::reserve).
+/// The load up to which a grasp keeps sticking with a number of standard deviations in reserve. The load has any direction and acts in addition to
+/// one base load. [`Grasp::reserve`](crate::ask::Grasp::reserve) returns this type.
 #[derive(Debug, Clone)]
 pub struct Reserve<const C: usize> {
     rest: AtBase,
     sigmas: f64,
 }
 
-/// What holds under the base load: everything sticks, some contact slides, or it is not known.
+/// The state of the grasp under the base load: everything sticks, some contact slides, or the equilibrium is not known.
 #[derive(Debug, Clone)]
 enum AtBase {
     Sticks(Box<StuckGrasp>),
@@ -34,8 +34,8 @@ face_of_struct! {
 }
 
 impl<const C: usize> Reserve<C> {
-    /// The largest multiple of this load, from 0, with which all contacts keep sticking on top of the base load. Infinite without a limit; NaN where
-    /// the equilibrium under the base load is undecided.
+    /// The largest multiple of this load, from 0, with which all contacts keep sticking if the load acts in addition to the base load. Infinite if
+    /// there is no largest multiple; NaN where the equilibrium under the base load is undecided.
     ///
     /// Zero where a contact slides under the base load, or fails there with more than the allowed probability. Contacts that are open under the base
     /// load count as leaving where they close, since later events are not computed.

@@ -8,10 +8,10 @@
 //! det(A on the complement of n)^(-1/2),      A = 1 + ψ H / |g|,      ψ = φ(β) / Φ(-β)
 //! ```
 //!
-//! H consists of a diagonal D, the row of friction, and the joint effects C of two other data each. Without C,
-//! `det(A on the complement of n) = det(A) nᵀA⁻¹n` is a sum over the data. The matrix C itself is not computed. To first order nᵀCn is enough: since
-//! C has no diagonal, its trace on the complement of n is `-nᵀCn`, and the determinant is multiplied by `1 - ψ nᵀCn / |g|`. To second order it is
-//! multiplied by `exp(-ψ² |C|² / 2|g|²)`, where |C|² is the sum of the squares of all entries. This includes entries along n, which errs on the safe side.
+//! H consists of a diagonal D, the row and column of friction, and the interactions C of each two other data. Without C, `det(A on the complement of
+//! n) = det(A) nᵀA⁻¹n` is a sum over the data. The matrix C itself is not computed. To first order nᵀCn is enough: since C has no diagonal, its trace
+//! on the complement of n is `-nᵀCn`, and the determinant is multiplied by `1 - ψ nᵀCn / |g|`. To second order it is multiplied by `exp(-ψ² |C|² /
+//! 2|g|²)`, where |C|² is the sum of the squares of all entries. This includes entries along n, which errs on the safe side.
 
 use super::margin::{ContinuedEffect, FacetMargin};
 use super::tolerances::LEAST_CURVED;
@@ -20,8 +20,8 @@ use crate::numerics::{Each, normal_density, normal_tail};
 use crate::prelude::*;
 
 impl FacetMargin {
-    /// The failure probability divided by `Φ(-β)`, for a margin that is linearised at its point of failure and positive for the known data. `joint`
-    /// gives nᵀCn and |C|² of the formulas above if friction is multiplied by its argument.
+    /// The failure probability divided by `Φ(-β)`, for a margin that is linearised at its point of failure and positive for the data as given.
+    /// `joint` returns nᵀCn and |C|² of the formulas above; its argument is the factor on friction.
     pub(super) fn curved(
         &self,
         rubs: bool,
@@ -36,7 +36,7 @@ impl FacetMargin {
             _ => (0.0, 1.0),
         };
         let mut product = 1.0;
-        // Sums over the data of nᵢ²/Aᵢᵢ, nᵢ bᵢ/Aᵢᵢ and bᵢ²/Aᵢᵢ; b is the row of friction in A.
+        // Sums over the data of nᵢ²/Aᵢᵢ, nᵢ bᵢ/Aᵢᵢ and bᵢ²/Aᵢᵢ; b is the row of friction in the matrix A.
         let (mut squares, mut mixed, mut of_friction) = (0.0, 0.0, 0.0);
         for ((coefficients, z), g) in self.parts.iter().zip(&self.linearised_at).zip(&self.gradient) {
             let [normal, other] =
@@ -66,7 +66,8 @@ mod tests {
     use super::super::margin::{Effect, FacetMargin, UncertainForce};
     use crate::numerics::{normal_density, normal_tail};
 
-    /// The failure probability of the facet (1/2, -1) of a cone, and that to first order. The polynomials count errors in units of three deviations.
+    /// The failure probability of the facet (1/2, -1) of a cone, and the same to first order. The polynomials count errors in units of three standard
+    /// deviations.
     fn fails(force: [f64; 3], changes: &[Effect], friction: f64) -> (f64, f64) {
         let here = UncertainForce { force: SVector::from(force), changes, joint: &[], sigmas: 3.0, friction };
         let mut margin = FacetMargin::default();

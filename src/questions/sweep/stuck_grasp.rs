@@ -1,4 +1,4 @@
-//! A grasp in which all contacts stick under a base load, and the probability that one of them fails before a further load on top of it is applied.
+//! A grasp in which all contacts stick under a base load, and the probability that one of them fails before a further load is applied in full.
 //!
 //! While all stick, forces are linear in the load, and margins are concave functions of it. So if all contacts stick at both ends of the way from the
 //! base load to the whole load, they stick in between. [`failure`](super::failure) gives the probability that a contact fails at an end;
@@ -16,14 +16,14 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{Each, IntoList, dot, largest, normal_tail};
 use crate::prelude::*;
 
-/// The joint effects of data are computed at points of failure, which depend on joint effects in turn. So both are computed this many times, the
-/// first time without joint effects.
+/// Interactions of errors are computed at points of failure, which depend on interactions in turn. So both are computed this many times, the first
+/// time without interactions.
 const ROUNDS: usize = 2;
 
-/// For each contact or drive and each of its facets, the joint effect of all data on the force.
+/// For each contact or drive and each of its facets, the interaction of the errors of all data in their effect on the force.
 type JointEffects = Vec<Vec<JointEffect>>;
 
-/// A load on top of the base load: `factor` times `direction`, whose unit causes the forces `rate`.
+/// A load in addition to the base load: `factor` times `direction`. One unit of `direction` causes the forces `rate`.
 #[derive(Clone, Copy)]
 struct Further<'a> {
     direction: &'a Wrench<3>,
@@ -31,7 +31,8 @@ struct Further<'a> {
     factor: f64,
 }
 
-/// A grasp in which everything sticks under the base load, with forces by each source and failures under that load.
+/// A grasp in which everything sticks under the base load, with contact forces for each source (commands, components of the load) and possible
+/// failures under that load.
 #[derive(Debug, Clone)]
 pub(super) struct StuckGrasp {
     off: OffTogether,
@@ -45,7 +46,7 @@ pub(super) struct StuckGrasp {
     /// `base` has all forces under the base load; `by_base_load` only those that the load itself causes, not the commands.
     base: Course,
     by_base_load: Course,
-    /// The joint effects under the base load, and the failures under it.
+    /// The interactions of errors under the base load, and the possible failures under the base load.
     joint_at_base: JointEffects,
     fails_at_base: Failures,
     sigmas: f64,
@@ -57,7 +58,7 @@ pub(super) struct StuckGrasp {
 }
 
 impl StuckGrasp {
-    /// Computes joint effects and failures under the base load. `courses` has the forces by commands, then by each component of the load.
+    /// Computes interactions of errors and failures under the base load. `courses` has the forces by commands, then by each component of the load.
     pub(super) fn new(
         off: OffTogether,
         edges: Vec<Edges>,
@@ -104,7 +105,7 @@ impl StuckGrasp {
         (1.0 - NEGLECTED_SHARE) * normal_tail(self.sigmas)
     }
 
-    /// The joint effects at the points of failure, which are computed with the joint effects `before`.
+    /// The interactions of errors at the points of failure. These points are computed with the interactions `before`.
     fn joint(&self, more: Option<Further<'_>>, before: &JointEffects) -> JointEffects {
         let load = more.map_or(self.base_load, |more| self.base_load + *more.direction * more.factor);
         let mut memory = Vec::new();
@@ -167,7 +168,7 @@ impl StuckGrasp {
         sum
     }
 
-    /// The failures of all contacts under the base load; with `more`, under that further load on top of it.
+    /// The possible failures of all contacts under the base load; with `more`, under the base load and this further load.
     fn failures(&self, more: Option<Further<'_>>, joint: &JointEffects) -> Failures {
         let (mut margin, mut memory, mut events) = (FacetMargin::default(), Vec::new(), Failures::default());
         for (i, edges) in self.edges.iter().enumerate() {
@@ -177,7 +178,7 @@ impl StuckGrasp {
         events
     }
 
-    /// The force of a contact and its changes by the data, under the base load and, if given, a further load on top of it.
+    /// The force of a contact and its changes by the data, under the base load and, if given, a further load.
     fn spread<'m>(
         &self,
         i: usize,
@@ -202,7 +203,7 @@ impl StuckGrasp {
     }
 }
 
-/// About the β for which `Φ(-β)` is this failure probability. Only differences are used, and they are as nearly linear in the load factor.
+/// An approximate reliability β with `Φ(-β) = fails`. Only differences of it are used, and they are nearly linear in the load factor, as those of β.
 fn reliability(fails: f64) -> f64 {
     // Smaller probabilities count as 1e-300, so that the logarithm is finite.
     (-2.0 * fails.clamp(1e-300, 1.0).ln()).sqrt()
@@ -235,8 +236,8 @@ fn root(f: &dyn Fn(f64) -> f64, (guess, mut slope): (f64, f64), end: f64, precis
         let next = if halves { f64::NAN } else { at - value / slope };
         let near = 0.5 * precise * at;
         at = if next.is_finite() {
-            // A step stays half the required accuracy away from both ends of the bracket. So when a secant step hits the root, the next step closes
-            // the bracket.
+            // Each trial stays half the required accuracy away from both ends of the bracket. So when a secant step hits the root, the trial after it
+            // ends the search.
             next.min(high - near).min(4.0 * at).max(low + near).max(0.1 * at)
         } else if high.is_finite() {
             0.5 * (low + high)

@@ -17,13 +17,13 @@ pub(super) const AROUND_A_CONE: usize = 16;
 /// that no reserve is left. If larger, frequent failures are counted as rare.
 pub(super) const LEAST_CURVED: f64 = 0.1;
 
-/// Share of the allowed failure probability that is kept for what is neglected: joint effects of two data on the curvature of a margin.
+/// Share of the allowed failure probability that is reserved for neglected effects: interactions of errors of two data in the curvature of a margin.
 ///
 /// If larger, reserves are smaller. If smaller, grasps may slide more often than allowed.
 pub(super) const NEGLECTED_SHARE: f64 = 0.25;
 
-/// If a failure is rarer than this share of the allowed probability, neither joint effects of data nor its correlation with other failures are
+/// If a failure is rarer than this share of the allowed probability, neither interactions of errors nor its correlation with other failures are
 /// computed.
 ///
-/// If larger, reserves are smaller. If smaller, the search computes what does not count.
+/// If larger, reserves are smaller. If smaller, the search also computes failures that hardly matter.
 pub(super) const RARE_SHARE: f64 = 1e-3;

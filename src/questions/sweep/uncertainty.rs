@@ -1,5 +1,4 @@
-//! Grasps with uncertain data, and samples of these data, the same for the same
-//! seed.
+//! Grasps with uncertain data, and random samples of these data, which depend only on a seed.
 
 use super::caught::each_answered;
 use super::off::{ContactErrors, factor};
@@ -10,11 +9,10 @@ use crate::load_path::{Onset, Ramp};
 use crate::numerics::{Draw, Each, IntoList, by_axis};
 use crate::prelude::*;
 
-/// Uncertainty of the data of a grasp and of its load. Each friction, stiffness and squeeze of each
-/// contact is multiplied by a factor of its own, `exp(σ z)` with z normally distributed (mean 0,
-/// variance 1). The median of the product is the datum. The datum keeps its sign, and zero and
-/// infinity are unchanged. For small σ that is the relative standard deviation; σ = 0 leaves the
-/// datum alone. Points of a soft fingertip are off together.
+/// Uncertainty of the data of a grasp and of its load. Each friction, stiffness and squeeze of each contact is multiplied by a factor of its own,
+/// `exp(σ z)` with z normally distributed (mean 0, variance 1). The median of the product is the datum. The datum keeps its sign, and zero and
+/// infinity are unchanged. For small σ that is the relative standard deviation; σ = 0 leaves the datum alone. All points of a soft fingertip have the
+/// same errors.
 ///
 /// Positions and normals have no natural scale, so their σ are absolute. `σ z` is added to each
 /// coordinate of a contact point, and is the angle by which a normal tilts towards each of its
@@ -64,7 +62,7 @@ pub struct Uncertainty {
 }
 
 impl Uncertainty {
-    /// No uncertainty yet, with a seed.
+    /// An uncertainty with this seed in which all σ are zero.
     #[must_use]
     pub const fn seeded(seed: u64) -> Self {
         Self { friction: 0.0, stiffness: 0.0, squeeze: 0.0, position: 0.0, normal: 0.0, load: 0.0, seed }

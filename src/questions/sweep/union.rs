@@ -21,7 +21,7 @@ pub(super) struct Failures {
     rare: f64,
 }
 
-/// One possible failure: the margin of one facet vanishes.
+/// One possible failure: the margin of one facet becomes negative.
 #[derive(Debug, Clone)]
 struct Failure {
     probability: f64,
@@ -35,8 +35,8 @@ struct Failure {
 }
 
 impl Failures {
-    /// Adds a possible failure of this contact. On a round cone `margin` is that of the facet that most probably fails. If it is rarer than `rare`,
-    /// its correlation with others is neglected.
+    /// Adds a possible failure of this contact. For a round cone `margin` belongs to the facet that most probably fails. If the failure is rarer than
+    /// `rare`, its correlation with others is neglected.
     pub(super) fn add(&mut self, probability: f64, margin: &FacetMargin, contact: usize, rare: f64) {
         let reliability = margin.reliability();
         // A negative reliability means that the contact fails more often than not; then any bound is far above the allowed probability.
@@ -88,7 +88,8 @@ mod tests {
     use super::*;
     use crate::numerics::normal_density;
 
-    /// Failures of as many contacts with these reliabilities, every two of them with the correlation ρ: their margins are `β - √ρ z₀ - √(1 - ρ) zᵢ`.
+    /// As many failures of different contacts as there are reliabilities, every two of them with the correlation ρ: their margins are `β - √ρ z₀ -
+    /// √(1 - ρ) zᵢ`.
     fn alike(reliabilities: &[f64], rho: f64) -> Failures {
         let mut all = Failures::default();
         for (i, reliability) in reliabilities.iter().enumerate() {
@@ -140,7 +141,7 @@ mod tests {
         }
     }
 
-    /// Independent events share only the product of their probabilities.
+    /// The probability that two independent failures both happen is only the product of their probabilities.
     #[test]
     fn friction_is_shared_by_the_points_of_a_contact_alone() {
         let event = |contact| {
