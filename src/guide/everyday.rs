@@ -93,7 +93,7 @@
 //!
 //! ```text
 //! $ grasp-lcp hold hand.json
-//! HOLDS, everything sticks: 7.4359 N (1.85897 times this load) until the first slip (right motor gives way), 8.33333 N (2.08333 times) until it is lost
+//! HOLDS, everything sticks: 7.09705 N (1.77426 times this load) until the first slip (right motor gives way), 8.33333 N (2.08333 times) until it is lost
 //! ```
 //!
 //! The motor stalls at 0.5 N m. Its finger of 60 mm then presses with at most 8.33 N. That is 2.08 times the load of 4 N, once the other finger has

@@ -10,5 +10,6 @@ mod many_joints;
 mod paths;
 mod pressed;
 mod sensitivity;
+mod small_turns;
 mod theory;
 mod weakest;

@@ -1,5 +1,6 @@
 //! Verdicts: does the grasp hold a load that is applied from rest, and what does the answer say?
 
+mod buckling;
 mod everyday;
 mod kinetic;
 mod left_out;

@@ -1,4 +1,4 @@
-//! Motions that are no longer small: a body turns too far, or a contact slips or opens too far.
+//! Motions that are no longer small: a body or a joint turns too far, or a contact slips or opens too far.
 //!
 //! Contact points and normals are those of the undeformed grasp. Beyond [`SmallMotions`] an equilibrium therefore solves the question as posed, but
 //! says little about the object. This file alone measures motions against the limits, for answers and along load paths.
@@ -8,7 +8,7 @@ use core::fmt;
 use nalgebra::SVector;
 
 use crate::contact::State;
-use crate::grasp::{Engine, WholeContact};
+use crate::grasp::{Engine, HandPart, JointKind, PartLabel, WholeContact};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{Vector, largest};
 use crate::object::Problem;
@@ -37,6 +37,14 @@ pub enum TooFar {
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         limit: f64,
     },
+    /// A revolute joint turns too far behind a contact that is closed.
+    JointTurns {
+        /// The joint that turns.
+        joint: PartLabel,
+        /// The largest rotation that still counts as small, rad.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
+        limit: f64,
+    },
     /// The surfaces of a closed contact have moved past each other too far.
     Slips {
         /// The contact that slips.
@@ -60,6 +68,7 @@ impl fmt::Display for TooFar {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = match self {
             Self::Turns { body, .. } => body.as_ref().map_or("it".into(), |body| printable(body)),
+            Self::JointTurns { joint, .. } => joint.text().into(),
             Self::Slips { contact, .. } | Self::Opens { contact, .. } => contact.text(),
         };
         write!(f, "{name} {}", self.does(Words::of(f)))
@@ -72,7 +81,9 @@ impl TooFar {
     pub fn does(&self, words: Words) -> String {
         let words = words.rounded_to(2);
         match self {
-            Self::Turns { limit, .. } => format!("turns by more than {}", words.angle(*limit)),
+            Self::Turns { limit, .. } | Self::JointTurns { limit, .. } => {
+                format!("turns by more than {}", words.angle(*limit))
+            }
             Self::Slips { limit, .. } => format!("slips by more than {}", words.length(*limit)),
             Self::Opens { limit, .. } => format!("opens by more than {}", words.length(*limit)),
         }
@@ -94,6 +105,8 @@ pub(crate) struct CountedMotion {
 enum MotionOf {
     /// The rotation of a body, given by the index of its first coordinate.
     Body(usize),
+    /// The rotation of a revolute joint, given by the number of the joint.
+    Joint(usize),
     Slip(usize),
     Opening(usize),
 }
@@ -165,6 +178,7 @@ impl Engine {
             }
             motions.push(CountedMotion { shift, limit: small.rotation, of: MotionOf::Body(first) });
         }
+        self.push_joint_turns(small, standing, &mut motions);
         let limit = small.slip * self.size_of_grasp();
         for (i, (contact, site)) in self.contacts().iter().zip(self.sites()).enumerate() {
             // A slack cable is an open contact, but it may hang loose by any length.
@@ -188,6 +202,28 @@ impl Engine {
         motions
     }
 
+    /// Appends the rotations of revolute joints that move a closed contact. The joints of an open finger turn without changing the grasp.
+    fn push_joint_turns(
+        &self,
+        small: &SmallMotions,
+        standing: &Standing<'_>,
+        motions: &mut Vec<CountedMotion>,
+    ) {
+        let Some(linkage) = self.linkage() else { return };
+        let turns = |joint: &usize| linkage.joints[*joint].kind == JointKind::Turns;
+        for joint in (0..linkage.joints.len()).filter(turns) {
+            let k = self.space().of_the_object() + joint;
+            let moves = |i: usize| {
+                !standing.states[i].is_open() && linkage.motions[i].iter().any(|(moved, _)| *moved == joint)
+            };
+            if (0..self.len()).any(moves) {
+                let mut shift = SVector::zeros();
+                shift[0] = standing.twist[k] / linkage.lengths[k];
+                motions.push(CountedMotion { shift, limit: small.rotation, of: MotionOf::Joint(joint) });
+            }
+        }
+    }
+
     /// The motion with the name of its body or contact, for an answer.
     pub(crate) fn too_far(&self, motion: &CountedMotion) -> TooFar {
         let limit = motion.limit;
@@ -198,6 +234,11 @@ impl Engine {
                     bodies.places.iter().zip(&bodies.names).find(|(place, _)| place.first == first)
                 });
                 TooFar::Turns { body: named.map(|(_, name)| name.to_string()), limit }
+            }
+            MotionOf::Joint(joint) => {
+                let joint = HandPart::Joint(joint);
+                let label = self.linkage().map(|linkage| linkage.label(joint));
+                TooFar::JointTurns { joint: label.unwrap_or(PartLabel { part: joint, name: None }), limit }
             }
             MotionOf::Slip(site) => TooFar::Slips { contact: contact(site), limit },
             MotionOf::Opening(site) => TooFar::Opens { contact: contact(site), limit },

@@ -174,8 +174,10 @@ impl Engine {
         }
         let there = state.as_ref().or_else(|| verdict.lost.as_ref()?.state.as_deref());
         let rest = rest.filter(|_| ramp.command_change.is_none() && ramp.joint_change.is_none());
-        verdict.left_out =
+        let by_the_load =
             rest.zip(there).and_then(|(rest, there)| self.left_out_by_small_motions(&rest, there));
+        let by_forces = there.and_then(|there| self.taken_by_forces(there));
+        verdict.left_out = by_the_load.into_iter().chain(by_forces).min_by(f64::total_cmp);
         verdict.caught = Caught::among(self.wholes(), &events);
         verdict.state = state.map(Box::new);
         Ok((verdict, OfThePath { farthest, at_rest }))

@@ -4,10 +4,16 @@
 //! the elastic one and `-Σ F_i · ∂²u_i/∂q²`. For a rotation θ and arms r_i of the contacts the second part is `Σ (F·r) |θ|² - (F·θ)(r·θ)`, in the
 //! plane `Σ F·r θ²`. Fingers that press against each other make it negative. It is compared with the work `W·q` of the load on the motion, which
 //! equals `q·Kq` with the secant stiffness K of the grasp.
+//!
+//! The forces may also be about to buckle the grasp in a motion that the load does not cause, such as a strut in line with its load. So the second part
+//! is compared with the elastic one in every motion, for one object and for several bodies.
 
-use crate::equilibrium::Equilibrium;
-use crate::grasp::Engine;
-use crate::numerics::{dot, summed};
+use nalgebra::{SMatrix, SVector};
+
+use crate::equilibrium::{ContactState, Equilibrium};
+use crate::grasp::{Engine, Hold, Site, size_of};
+use crate::numerics::{PositiveBand, Square, dot, summed};
+use crate::object::{tangent_stiffness, uses_band};
 
 impl Engine {
     /// The geometric stiffness as a fraction of the resistance to the motion q from rest to another equilibrium with the same commands:
@@ -42,4 +48,85 @@ impl Engine {
         // stability until it is near.
         (kept > 0.0).then(|| left_out / kept).filter(|part| part.abs() > 0.1)
     }
+
+    /// The largest fraction of the resistance of the springs that the forces of an equilibrium take in any motion, as a negative number: the inverse of
+    /// the least t for which `K + t K_g` is not positive definite. K is the stiffness if all closed contacts stick, and K_g the geometric stiffness.
+    ///
+    /// `None` if the fraction is below a half, where nothing resists some motion, and for many coordinates. Struts between two points count as if they
+    /// were infinitely long.
+    pub(super) fn taken_by_forces(&self, there: &Equilibrium<3>) -> Option<f64> {
+        let size = size_of(self.sites());
+        if uses_band(size) {
+            return None;
+        }
+        let is_open = |i: usize| {
+            there.contacts.get(i).is_some_and(|answer| matches!(answer.state, ContactState::Separated))
+        };
+        let springs =
+            |i: usize| if is_open(i) { SMatrix::zeros() } else { sticking_springs(&self.sites()[i]) };
+        let (elastic, geometric) =
+            (tangent_stiffness(self.sites(), springs), self.geometric_stiffness(there));
+        let count = size.count();
+        let is_stable = |times: f64| {
+            let mut sum = PositiveBand::zeros(count, count - 1);
+            for j in 0..count {
+                (j..count).for_each(|i| sum.add(i, j, elastic[(i, j)] + times * geometric[(i, j)]));
+            }
+            sum.factor().is_some()
+        };
+        let (mut stable, mut unstable) = (0.0, 1.0 / LEAST_TAKEN);
+        if !is_stable(stable) || is_stable(unstable) {
+            return None;
+        }
+        // Thirty bisections give nine digits, of which two are printed.
+        for _ in 0..30 {
+            let middle = 0.5 * (stable + unstable);
+            *(if is_stable(middle) { &mut stable } else { &mut unstable }) = middle;
+        }
+        Some(-1.0 / unstable)
+    }
+
+    /// The geometric stiffness of contact forces in the engine's coordinates: on the rotation θ of each body `Σ [(F·r) |θ|² - (F·θ)(r·θ)]`, with arms r
+    /// about the point to which the coordinates of the body refer.
+    fn geometric_stiffness(&self, there: &Equilibrium<3>) -> Square {
+        let mut stiffness = Square::zeros(size_of(self.sites()));
+        let (axes, object) = (self.space().axes(), self.space().of_the_object());
+        let bodies = self.bodies();
+        for body in 0..bodies.map_or(1, |bodies| bodies.places.len()) {
+            let place = bodies.map(|bodies| &bodies.places[body]).filter(|place| place.first > 0);
+            let (first, centre) = place.map_or((0, self.origin()), |place| (place.first, &place.centre));
+            let length = |k: usize| match (self.linkage(), first) {
+                (None, _) | (_, 0) => self.length(),
+                (Some(linkage), _) => linkage.lengths[first + axes + k],
+            };
+            let mut of_body: SMatrix<f64, 3, 3> = SMatrix::zeros();
+            for (i, (contact, answer)) in self.contacts().iter().zip(&there.contacts).enumerate() {
+                let sign = bodies.map_or(1.0, |bodies| bodies.sign(i, body));
+                let (force, arm): (_, SVector<f64, 3>) = (answer.force_world * sign, contact.point - centre);
+                of_body += SMatrix::<f64, 3, 3>::identity() * force.dot(&arm);
+                // In the plane the rotation is perpendicular to forces and arms.
+                if axes == 3 {
+                    of_body -= (force * arm.transpose() + arm * force.transpose()) * 0.5;
+                }
+            }
+            for (k, l) in (0..object - axes).flat_map(|k| (0..object - axes).map(move |l| (k, l))) {
+                stiffness[(first + axes + k, first + axes + l)] = of_body[(k, l)] / (length(k) * length(l));
+            }
+        }
+        stiffness
+    }
+}
+
+/// The least fraction of the resistance to any motion that [`Engine::taken_by_forces`] returns. A smaller one would add a caution to ordinary squeezes
+/// of soft fingers; a larger one would leave too little before the grasp buckles.
+const LEAST_TAKEN: f64 = 0.5;
+
+/// The stiffness of a contact that sticks, or of a drive that holds; without friction it resists along its normal alone.
+fn sticking_springs(site: &Site) -> SMatrix<f64, 3, 3> {
+    let resists = if site.hold != Hold::Bonded && site.friction.is_frictionless() { 1 } else { 3 };
+    let mut stiffness: SMatrix<f64, 3, 3> = SMatrix::zeros();
+    for axis in 0..resists {
+        stiffness.set_column(axis, &site.springs.force(&SVector::ith(axis, 1.0)));
+    }
+    stiffness
 }

@@ -50,8 +50,10 @@ pub struct Verdict<const C: usize> {
     /// Geometric stiffness, which small motions neglect, relative to the resistance to the motion from rest to the whole load, or to the loss.
     ///
     /// With the contact forces F under the base load, their arms r and the rotation θ it is `Σ [(F·r) |θ|² - (F·θ)(r·θ)]` divided by the work `ΔW·q`
-    /// of the load. Below 0 the squeeze lowers the resistance as its arms turn with the object; at -1 or less no resistance is left. `None` if its
-    /// size is at most a tenth, for several bodies, and where commands change.
+    /// of the load. Below 0 the squeeze lowers the resistance as its arms turn with the object; at -1 or less no resistance is left.
+    ///
+    /// Or the largest fraction of the resistance to any motion that the forces under the whole load take, as a negative number, if that is worse and at
+    /// least a half: near -1 a strut buckles. `None` if neither is returned: the first needs a tenth, one object, and commands that do not change.
     #[cfg_attr(
         feature = "serde",
         serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")

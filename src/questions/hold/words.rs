@@ -88,14 +88,14 @@ impl<const C: usize> fmt::Display for Verdict<C> {
             let times = words.number(-part);
             return write!(
                 f,
-                ". CAUTION, left out: as the squeeze turns with the object it takes {times} times what resists, so that nothing stays"
+                ". CAUTION, left out: as the forces turn with the parts they act on, they take {times} times what resists, so that nothing stays"
             );
         }
         let percent = words.number(100.0 * part.abs());
-        let does = if part < 0.0 { ("takes", "of") } else { ("adds", "to") };
+        let does = if part < 0.0 { ("take", "of") } else { ("add", "to") };
         write!(
             f,
-            ". CAUTION, left out: as the squeeze turns with the object it {} {percent} % {} what resists",
+            ". CAUTION, left out: as the forces turn with the parts they act on, they {} {percent} % {} what resists",
             does.0, does.1
         )
     }
