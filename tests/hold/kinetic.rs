@@ -2,7 +2,7 @@
 
 use grasp_lcp::hold::{Holding, WayOut};
 use grasp_lcp::need::Need;
-use grasp_lcp::planar::{Contact, Grasp, Leg, Outcome, Wrench};
+use grasp_lcp::planar::{Contact, Grasp, Leg, Outcome, Ramp, Wrench};
 use grasp_lcp::scene::Setup;
 use grasp_lcp::{Error, Field};
 
@@ -144,5 +144,29 @@ fn what_slides_at_rest_slides_with_less() -> Tested {
     let jump = events[0].jump.as_deref().unwrap();
     let forces = [&events[0].state, &jump.state].map(|state| state.contacts[0].force[1].abs());
     assert!((forces[0] - 5.0).abs() < 1e-5 && (forces[1] - 4.0).abs() < 1e-5, "{forces:?}");
+    Ok(())
+}
+
+/// The stiffer of two feet slides first, with kinetic friction. A contact that slides keeps it where everything else begins to slide, too: `P = (μ_k + μ_s) N`.
+#[test]
+fn what_slides_on_does_not_stick_again_at_the_limit() -> Tested {
+    let weight = 9.81;
+    for (mu, ratio) in [(0.6, 0.6), (0.5, 0.7), (0.3, 0.9), (0.4, 0.8)] {
+        for (stiff, height) in [(5e5, 0.0), (4e5, 0.0), (5e5, 0.01)] {
+            let foot =
+                |x: f64, k: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e5, k).friction(mu);
+            let plastic = foot(-0.05, stiff).kinetic(ratio * mu);
+            for feet in [[plastic.clone(), foot(0.05, 2e5)], [foot(0.05, 2e5), plastic.clone()]] {
+                // The pull at this height moves normal force from the plastic foot to the rubber one.
+                let limit =
+                    mu * weight * (1.0 + ratio) * 0.5 / (1.0 - mu * (1.0 - ratio) * 0.5 * height / 0.05);
+                let load = Wrench::force_at([2.0 * limit, 0.0], [0.0, height]);
+                let verdict = Grasp::new(feet)?.hold(Ramp::load(Wrench::force([0.0, -weight]), load))?;
+                assert_eq!(verdict.holds(), Some(false));
+                let lost = verdict.lost.as_ref().unwrap().factor * 2.0 * limit;
+                assert!((lost - limit).abs() < 1e-6 * limit, "{lost} {limit} {verdict}");
+            }
+        }
+    }
     Ok(())
 }

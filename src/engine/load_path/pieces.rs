@@ -224,7 +224,7 @@ impl<'g> Pieces<'g> {
 
     /// The stored piece that contains a place of the path. `None` between the load at which the object snaps over to another equilibrium and the
     /// slightly larger load under which it rests again.
-    fn stretch_behind(&self, leg: usize, fraction: f64) -> Option<&Stretch<'g>> {
+    pub(super) fn stretch_behind(&self, leg: usize, fraction: f64) -> Option<&Stretch<'g>> {
         self.behind.iter().find(|s| s.leg == leg && fraction >= s.from && fraction <= s.to)
     }
 

@@ -68,10 +68,13 @@ impl<'g> RestsAgain<'g> {
         };
         let damping = tangent_stiffness(problem.sites, |i| damper(&problem, i));
         let none = vec![ContactResponse::open(); problem.len()];
+        // At the start rounding decides, too, whether a contact that slides with kinetic friction sticks and has static friction again.
+        let cones = problem.cones.clone();
         // At the start rounding decides whether a contact on the edge of its cone sticks. So all contacts count as open in the matrix of the first
         // step, which has the dampers alone.
         let mut here =
             MovingObject { contacts: none.clone(), ..MovingObject::at(start.clone(), none, &mut problem) };
+        problem.cones = cones;
         let (at_first, mut length) = (here.left.norm(), 1.0);
         for _ in 0..MOST_SNAPPING_STEPS {
             if here.left.norm() <= AT_REST_AGAIN * at_first {
@@ -207,11 +210,16 @@ impl<'g> Pieces<'g> {
         jump.changes.clear();
         jump.run(&goal, journey).ok()?;
         let event = self.caught(journey, changes, state);
+        // A leg that begins with a snap has no piece yet that holds the state at its start.
+        let is_first = self.stretch_behind(journey.program.leg, self.factor).is_none();
+        let start = is_first.then(|| self.present_stretch(journey)).flatten();
         let end = core::mem::replace(&mut self.factor, beyond);
         let Ok(jump) = self.end_jump(journey, &goal, jump) else {
             self.factor = end;
             return None;
         };
+        let rests = self.behind.pop();
+        self.behind.extend(start.into_iter().chain(rests));
         self.at_node = true;
         self.snapped = Snapped { count: self.snapped.count + 1, at: beyond, step };
         Some(Event { jump: Some(Box::new(Jump { snaps: true, ..jump })), ..event })
