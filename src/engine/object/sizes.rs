@@ -54,6 +54,13 @@ impl Problem<'_> {
         sites.map(|((local, force), span)| local.force_size(force, span, largest)).list()
     }
 
+    /// Size of the terms of a twist, m, which scales its rounding: its norm, plus the stretch of the stiffest spring under the force `largest`, N.
+    /// Opposite commands cancel, so that the norm alone may be zero.
+    pub(crate) fn size_of_motion(&self, twist: &Vector, largest: f64) -> f64 {
+        let stiffest = self.sites.iter().fold(0.0, |most: f64, site| most.max(site.springs.stiffest()));
+        twist.norm() + largest / stiffest
+    }
+
     /// Size of the displacements at a contact, m, which scales the rounding of its stretch.
     #[inline]
     pub(crate) fn span(&self, contact: usize, twist: &Vector) -> f64 {
@@ -68,7 +75,7 @@ impl Problem<'_> {
         twist: &Vector,
         largest: f64,
     ) -> SpringState<'s> {
-        self.at_moved((contact, force), twist, twist.norm(), largest)
+        self.at_moved((contact, force), twist, self.size_of_motion(twist, largest), largest)
     }
 
     /// [`Self::at`] with a norm of the twist that the caller has computed once for all contacts.

@@ -112,7 +112,7 @@ pub(super) fn admit_regular(problem: &Problem, states: Vec<State>, state: PieceS
 /// The contacts that break a condition of their states by more than rounding.
 pub(super) fn breaking(problem: &Problem, states: &[State], at: &PieceState) -> Vec<usize> {
     let largest = problem.largest_force(&at.forces, &at.twist);
-    let norm = at.twist.norm();
+    let norm = problem.size_of_motion(&at.twist, largest);
     let breaks = |contact: &usize| {
         let force = &at.forces[*contact];
         let (mut holds, at) = (true, problem.at_moved((*contact, force), &at.twist, norm, largest));
@@ -132,7 +132,8 @@ pub(crate) fn for_each_condition(
     twist: &Vector,
     mut visit: impl FnMut(f64, f64),
 ) {
-    let (largest, norm) = (problem.largest_force(forces, twist), twist.norm());
+    let largest = problem.largest_force(forces, twist);
+    let norm = problem.size_of_motion(twist, largest);
     for (contact, (state, force)) in states.iter().zip(forces).enumerate() {
         let at = problem.at_moved((contact, force), twist, norm, largest);
         problem.local(contact).for_each_condition(state, &at, &mut visit);
