@@ -56,7 +56,8 @@ impl<const C: usize> FrictionProblem<C> {
         }
     }
 
-    /// Solves all islands and combines their solutions. If an island has no solution, neither has the whole problem.
+    /// Solves all islands and combines their solutions. The first proof that an island has no solution is returned at once: the whole problem then
+    /// has none. Otherwise the first failure is returned, if any.
     pub(super) fn solve_islands(
         &self,
         islands: &[Vec<usize>],

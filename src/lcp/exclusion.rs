@@ -112,7 +112,7 @@ fn solved(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
     if rhs.is_empty() { Some(rhs.clone()) } else { block.clone().full_piv_lu().solve(rhs) }
 }
 
-/// A condition that the point of a basis violates.
+/// A condition that the point of a basis violates: this z_j or w_i is negative.
 enum Broken {
     /// The condition z_j ≥ 0, for an element of α that is given by its position in α.
     Domain(usize),

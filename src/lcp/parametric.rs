@@ -149,7 +149,7 @@ impl<'a> Parametric<'a> {
         Ok(path)
     }
 
-    /// Prepares the dictionary of the solution at τ = 0, with τ as the entering variable.
+    /// Prepares the dictionary of the solution at τ = 0, with τ as the entering variable. The error is the reason why no path starts there.
     fn begin(&mut self, dq: &DVector<f64>) -> Result<(), PathEnd> {
         self.basis = self.start.solution().ok_or(PathEnd::NoStart)?.basis.clone();
         self.remembered.clone_from(&self.basis);
@@ -194,7 +194,7 @@ impl<'a> Parametric<'a> {
         (DVector::from_vec(rate), if tau.abs() <= noise { 0.0 } else { tau })
     }
 
-    /// Follows one piece of the path up to the breakpoint at its end.
+    /// Follows one piece of the path up to the breakpoint at its end. The error is the reason why there is no further breakpoint.
     fn step(&mut self) -> Result<Breakpoint, PathEnd> {
         if self.closed {
             return Err(PathEnd::Loop);

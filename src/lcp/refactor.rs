@@ -68,7 +68,8 @@ impl LemkePath {
         Ok(())
     }
 
-    /// Recomputes the dictionary in which `members` are basic and the slacks of the rows `leaving` are nonbasic.
+    /// Computes, from the data, the dictionary in which `members` are basic and the slacks of the rows `leaving` are nonbasic. The error is
+    /// [`BreakdownCause::SingularBasis`], if a pivot is only rounding.
     fn install(&mut self, m: &[f64]) -> Result<(), BreakdownCause> {
         self.start_from_slacks();
         for member in 0..self.members.len() {
@@ -104,7 +105,7 @@ impl LemkePath {
         self.terms = effect;
     }
 
-    /// Recomputes the basic values of the current dictionary from the right-hand side q.
+    /// Recomputes the basic values of the current dictionary from the right-hand side q, and `level`, the size of their terms.
     pub(super) fn recompute_values(&mut self) {
         let mut x = core::mem::take(&mut self.dictionary.x);
         self.dictionary.effect(&self.q, &mut x);
@@ -161,7 +162,7 @@ impl LemkePath {
         self.dictionary.enter(LemkeVariable::Covering, m, &self.scaling);
     }
 
-    /// Computes the dictionary of the complementary basis in which z_i is basic if `active(i)`.
+    /// Computes the dictionary of the complementary basis in which z_i is basic if `active(i)`, otherwise w_i. The error is a singular basis.
     pub(super) fn install_basis(
         &mut self,
         m: &[f64],

@@ -61,7 +61,7 @@ impl SolutionView<'_> {
     }
 }
 
-/// One line about a solution: the number of basic z, the largest residual and the number of pivots.
+/// Writes one line about a solution: the number of basic z, the largest residual and the number of pivots.
 pub(super) fn line(
     f: &mut fmt::Formatter<'_>,
     basis: &Basis,

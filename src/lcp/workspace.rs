@@ -34,12 +34,12 @@ pub struct Workspace {
     /// The point at the end of the last path; `spare` is another point, with which the first is compared.
     pub(super) point: LcpPoint,
     pub(super) spare: LcpPoint,
-    /// For each z, whether it is basic but zero up to rounding.
+    /// For each z, whether it is basic but zero up to rounding, at the end of the last path.
     pub(super) vanishing: Vec<bool>,
     pub(super) correction: Vec<f64>,
     pub(super) defect: Vec<f64>,
     pub(super) basis: Basis,
-    /// The residuals of the point, if it was accepted as a solution.
+    /// The residuals of `point`; `None` until it has been accepted as a solution.
     pub(super) residuals: Option<Residuals>,
     pub(super) degenerate: bool,
 }
