@@ -23,7 +23,7 @@ pub enum ContactMode {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Residuals {
-    /// The largest approach speed of a contact, −u_N for its normal velocity u_N, relative to the terms of W r + q that add up to its velocity.
+    /// The largest approach speed of a contact, −u_N for its normal velocity u_N. It is relative to the terms of W r + q that add up to its velocity.
     pub approach: f64,
     /// The largest distance of a contact force r from its friction cone ‖r_T‖ ≤ μ r_N, relative to ‖r‖.
     pub cone: f64,

@@ -22,8 +22,8 @@ pub(super) struct Polygons<'a, const C: usize> {
     angles: Vec<f64>,
     pub(super) pivots: usize,
     pub(super) steps: usize,
-    /// Of the forces at the end of each run of Newton's method so far, the least value of the largest residual over all contacts, and the contact
-    /// with this residual. Infinite before the first run.
+    /// At the end of each run of Newton's method, the largest residual over all contacts is computed. This is the smallest one so far, with its
+    /// contact; infinite before the first run.
     pub(super) least: (f64, usize),
 }
 

@@ -25,8 +25,8 @@ impl Workspace {
         self.conclude(lcp, residuals, settings)
     }
 
-    /// Checks the point of the dictionary's complementary basis against the given M and q, after z's that are zero up to rounding have left the basis
-    /// and the point has been refined. `None` if the point solves the problem.
+    /// Removes z's that are zero up to rounding from the dictionary's complementary basis, refines its point, and checks this point against the given
+    /// M and q. `None` if the point solves the problem.
     pub(super) fn finish(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         self.mark_vanishing(lcp);
         self.retire_vanishing(lcp);
@@ -194,8 +194,8 @@ impl Workspace {
         }
     }
 
-    /// Accepts the point (`None`) only if its residuals are within the tolerance of the settings and it does not also solve the problem for a very
-    /// different q. Otherwise returns the breakdown.
+    /// Accepts the point (`None`) if its residuals are within the tolerance of the settings, unless it also solves the problem for a very different
+    /// q. Otherwise returns the breakdown.
     fn conclude(&mut self, lcp: &Lcp, residuals: Residuals, settings: &Settings) -> Option<Unsolved> {
         let cause = if residuals == Residuals::UNUSABLE {
             BreakdownCause::Overflow

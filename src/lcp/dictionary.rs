@@ -149,8 +149,8 @@ impl Dictionary {
         wide(Combine::<false> { columns: &self.columns, n: self.n, c: &self.c, y });
     }
 
-    /// Sets `level` of each row to the sum of the magnitudes of the terms by which (1) computes its value from the right-hand side q: |q_i| if the
-    /// basic variable is the slack w_i, plus the entries of the stored columns D_{w_j} times q_j.
+    /// Recomputes `level` for values that (1) computes from the right-hand side q: for each row, the sum of the magnitudes of the terms of (1). These
+    /// are q_i if the slack w_i is basic in the row, and the entry of each stored column D_{w_j} times q_j.
     pub(super) fn sum_terms(&mut self, q: &[f64]) {
         self.c.clear();
         self.c.extend(self.kept.iter().map(|i| q[*i]));

@@ -88,8 +88,8 @@ impl Lcp {
         nearly.map(|y| Outcome::NearlyInfeasible(certificate(y)))
     }
 
-    /// Whether y ≥ 0 is a Farkas vector up to rounding: each (Mᵀy)_j is at most 8 (n + 2) ε times the magnitude of its terms, and qᵀy is below minus
-    /// this fraction of its own terms; ε = 2⁻⁵².
+    /// Whether y ≥ 0 is a Farkas vector up to rounding: each (Mᵀy)_j is at most c times the magnitude of its terms, and qᵀy less than −c times that
+    /// of its terms. Here c = 8 (n + 2) ε, ε = 2⁻⁵².
     fn nearly_proves(&self, y: &DVector<f64>) -> bool {
         let rounding = sum_rounding(self.len());
         let sums = |column: &[f64]| {

@@ -92,7 +92,7 @@ impl Workspace {
         self.answer(failure)
     }
 
-    /// [`Self::solve`] without its shortcut for q ≥ 0, so that the workspace holds the dictionary at the end of the path, even if that is the slack
+    /// [`Self::solve`] without its shortcut for q ≥ 0: the workspace then always holds the dictionary at the end of the path, even that of the slack
     /// basis. `None` if the problem is solved.
     pub(super) fn solve_first(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         if let Some(refused) = self.refuse(lcp, settings) {

@@ -12,7 +12,8 @@ use crate::object::largest_force;
 use crate::prelude::*;
 
 impl Engine {
-    /// Implements [`Grasp::distinct`](crate::ask::Grasp::distinct).
+    /// Implements [`Grasp::distinct`](crate::ask::Grasp::distinct): for each contact, without drives, whether its state is distinct. `None` if the
+    /// answer lacks the engine's solution.
     pub(crate) fn distinct(&self, equilibrium: &Equilibrium<3>) -> Option<Vec<bool>> {
         let problem = self.problem_of(equilibrium)?;
         let [force_error, displacement_error] =

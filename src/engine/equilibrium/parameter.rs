@@ -87,8 +87,8 @@ pub enum Parameter {
 }
 
 impl StickingResponse<'_> {
-    /// The derivative of a state by one datum; `None` if the grasp has no such datum, or if no equilibrium with the present contact states exists
-    /// after its change.
+    /// The derivatives of forces and twist of an equilibrium by one datum, per unit of the datum; `None` if the grasp has no such datum, or if after
+    /// a small change of the datum no forces balance in the present contact states.
     pub(crate) fn derivative(&self, state: &PieceState, by: Parameter) -> Option<PieceState> {
         let PieceState { forces, twist } = state;
         let mut offsets = self.at_rest();

@@ -67,7 +67,8 @@ impl fmt::Display for TooFar {
 }
 
 impl TooFar {
-    /// The motion with a verb, without the name of the body or contact: "turns by more than 5.7°". Limits have two significant digits.
+    /// The motion beyond its limit, with a verb, without the name of the body or contact: "turns by more than 5.7°". Limits have two significant
+    /// digits.
     #[must_use]
     pub fn does(&self, words: Words) -> String {
         let words = words.rounded_to(2);
@@ -110,7 +111,7 @@ impl CountedMotion {
     }
 }
 
-/// The motion that is farthest beyond its limit, or nearest to it.
+/// The motion whose length is the largest multiple of its limit, whether or not it is beyond the limit; `None` for an empty list.
 pub(crate) fn farthest(motions: &[CountedMotion]) -> Option<&CountedMotion> {
     motions.iter().max_by(|a, b| a.over_the_limit().total_cmp(&b.over_the_limit()))
 }
@@ -146,7 +147,7 @@ impl Engine {
         places.iter().map(|place| place.reach).fold(self.length(), f64::max)
     }
 
-    /// The rotation of each body, and the slip or opening of each contact.
+    /// The rotation of each body, and the slip or opening of each contact; cables, which may hang loose, are left out.
     pub(crate) fn counted_motions(
         &self,
         small: &SmallMotions,
@@ -188,7 +189,7 @@ impl Engine {
         motions
     }
 
-    /// The motion with the name of its body or contact, for an answer.
+    /// Describes a motion beyond its limit with the name of its body or contact, for an answer.
     pub(crate) fn too_far(&self, motion: &CountedMotion) -> TooFar {
         let limit = motion.limit;
         let contact = |site: usize| self.wholes().at(site).with(1);

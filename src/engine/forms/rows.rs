@@ -97,7 +97,7 @@ pub struct Form {
 }
 
 impl Form {
-    /// The index of the row with this meaning, if the form has it.
+    /// The index of the row with this meaning; `None` if the form has no such row.
     #[must_use]
     pub fn position(&self, row: Row) -> Option<usize> {
         self.rows.iter().position(|r| *r == row)

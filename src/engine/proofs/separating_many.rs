@@ -63,7 +63,8 @@ impl Pushing {
     }
 }
 
-/// The problem of the augmented Lagrangian: cones and load, in an order of coordinates that makes the band narrow.
+/// The problem of the augmented Lagrangian: cones and load, with the coordinates in an order (`numbers`) that makes the band of the Newton matrix
+/// narrow.
 struct PushedBack {
     contacts: Vec<Pushing>,
     numbers: Vec<usize>,
@@ -83,7 +84,8 @@ pub(super) enum Residual {
     Nothing,
 }
 
-/// The residual of the load, scaled to length one, after some rounds of the augmented Lagrangian; `is_proof` decides whether a residual is a proof.
+/// The residual of the load, scaled to length one, after some rounds of the augmented Lagrangian, or the reason why it proves nothing; `is_proof`
+/// decides whether a residual is a proof.
 pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> bool) -> Residual {
     let Some(mut pushed) = PushedBack::of(problem) else {
         return Residual::Nothing;
@@ -156,8 +158,8 @@ impl PushedBack {
         Some(Self { contacts, numbers, load, band, stiffness: 1e1 })
     }
 
-    /// One round: finds the residual v of `v - Σ G_i f_i = W` up to an error `enough`, and updates the multipliers. Returns |v|, the norm of the load
-    /// that contact forces do not balance.
+    /// One round: finds the residual v of `v - Σ G_i f_i = W` up to an error `enough`, and updates the multipliers. Returns the norm of the load that
+    /// contact forces do not balance; `None` if a factorisation fails.
     fn round(&mut self, v: &mut Vec<f64>, enough: f64) -> Option<f64> {
         let mut missing = self.missing(v);
         // Maximum number of Newton steps in a round.

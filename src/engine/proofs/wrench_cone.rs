@@ -48,7 +48,7 @@ impl Generator {
     }
 }
 
-/// The sum of admissible forces whose wrench is nearest to a target.
+/// The sum of admissible forces whose wrench is nearest to a target wrench.
 pub(crate) struct NearestForces {
     /// The wrench of the sum minus the target, as a motion: no generator works against it, except for rounding.
     pub(crate) motion: Vector,
@@ -145,12 +145,13 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
     }
 }
 
-/// The unit separating motion in the engine's coordinates, from the admissible forces nearest to the load, if there is a clear one.
+/// A unit motion that clearly separates the load from all admissible contact forces, in the engine's coordinates. It is computed from the admissible
+/// forces nearest to the load. `None` without a clear one.
 pub(crate) fn separating_motion_of_few(problem: &Problem) -> Option<Vector> {
     LoadAndCones::of(problem)?.separating_motion()
 }
 
-/// The unit separating motion in the engine's coordinates, if there is a clear one.
+/// A unit motion that clearly separates the load from all admissible contact forces, in the engine's coordinates; `None` without a clear one.
 ///
 /// With many coordinates the augmented Lagrangian searches for it. If its residual proves nothing, the nearest forces decide, for at most
 /// [`MOST_COORDINATES`] coordinates.

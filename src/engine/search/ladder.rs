@@ -76,7 +76,8 @@ pub(super) const LADDER: [Rung; 8] = [
     Rung { name: "every case", applies: |_| true, climb: every_case, finds: Some(FoundBy::Enumeration) },
 ];
 
-/// Tries the methods in order, starting with the elastic trial, until an equilibrium or a proof is found.
+/// Tries the methods in order, starting with the elastic trial, until an equilibrium, or a proof that none exists, is found. Otherwise the result is
+/// undecided.
 pub(crate) fn settle(problem: &Problem, settings: &Settings) -> (Settled, Effort) {
     let effort = Effort { facets: problem.polygon.normals.len(), ..Effort::default() };
     let mut log = Log { effort, doubt: Doubt::RayWithoutProof, is_infeasible: false };
@@ -158,8 +159,9 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     Attempt::of(found.or_else(|| twist_by_tresca(scene.problem).and_then(from)))
 }
 
-/// The equilibrium to which the stuck grasp relaxes. Newton's method starts from points of this relaxation. An equilibrium far from the starting
-/// point is returned only if Newton's method never ends at a near one.
+/// The equilibrium to which the grasp relaxes from the elastic trial, with the contacts taken as viscous (`ViscousRelaxation`). Newton's method
+/// starts from points of this relaxation. An equilibrium far from the starting point is returned only if Newton's method never ends at a near one.
+/// `None` if it ends at none.
 fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<Found> {
     let mut way = ViscousRelaxation::from_stuck(scene.problem, &scene.state.twist)?;
     let mut another = None;
@@ -179,13 +181,13 @@ fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(Settled::Contradicted { cases: 1, escape }))
 }
 
-/// A motion that separates the load from all admissible contact forces.
+/// The proof by a motion that separates the load from all admissible contact forces, found by the augmented Lagrangian or the nearest forces.
 fn separating_motion(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     let motion = proofs::separating_motion(scene.proposing());
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
 }
 
-/// A motion that separates the load from all admissible contact forces: the residual of the admissible forces nearest to the load.
+/// The proof by a motion that separates the load from all admissible contact forces: the residual of the admissible forces nearest to the load.
 fn separating_motion_of_few(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     let motion = proofs::separating_motion_of_few(scene.proposing());
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))

@@ -24,9 +24,9 @@ pub struct Settings {
     pub cone: PolygonCone,
     /// In space, whether equilibria and load paths are computed with the round cone (the default) or with the polygon itself. Ignored in the plane.
     pub round: bool,
-    /// Largest number of pivots of Lemke's method on one complementarity problem of a grasp. `None` allows about a second. A search over thousands of
-    /// contacts on which Newton's method has failed then gives up with [`Doubt::OutOfPivots`](super::Doubt::OutOfPivots). The quadratic programs of
-    /// [`energy`](crate::energy), whose matrices are dense, may take some ten seconds.
+    /// Largest number of pivots of Lemke's method on one complementarity problem of a grasp, all paths together. `None` allows about a second. A
+    /// search over thousands of contacts on which Newton's method has failed then gives up with [`Doubt::OutOfPivots`](super::Doubt::OutOfPivots).
+    /// The quadratic programs of [`energy`](crate::energy), whose matrices are dense, may take some ten seconds.
     pub max_pivots: Option<usize>,
     /// If Lemke's method finds no equilibrium, all combinations of contact states are tried, provided that there are at most this many. The default
     /// is 20 000, a few hundredths of a second: 7 contacts in the plane, 3 on 8 facets in space. On the round cone branch and bound divides the
@@ -83,7 +83,7 @@ impl Settings {
         self
     }
 
-    /// Whether equilibria are computed with the round cone.
+    /// Whether equilibria in this space are computed with the round cone; never in the plane.
     pub(crate) fn is_round(&self, space: Space) -> bool {
         space == Space::Spatial && self.round
     }
@@ -131,7 +131,7 @@ impl Settings {
         self
     }
 
-    /// These settings with a limit on the pivots of one run of Lemke's method.
+    /// These settings with a limit on the pivots of Lemke's method on one complementarity problem.
     #[must_use]
     pub fn with_max_pivots(mut self, max_pivots: usize) -> Self {
         self.max_pivots = Some(max_pivots);
