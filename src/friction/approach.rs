@@ -21,7 +21,7 @@ use crate::prelude::*;
 use core::ops::ControlFlow;
 use nalgebra::DVector;
 
-/// The starts: number of sweeps, and the initial parameter τ of the central path relative to the mean energy of a contact.
+/// The starts in order: number of sweeps, and the initial parameter τ of the central path as a multiple of the mean energy ‖r_i‖² / ρ_i of a contact.
 pub(super) const STARTS: [(usize, f64); 4] = [(200, 1e-2), (20, 1.0), (1000, 1e-4), (5, 1e-6)];
 
 /// The caller's function that receives the progress and may stop the solve.

@@ -10,7 +10,7 @@ use crate::numerics::tolerances::SUFFICIENT_DECREASE;
 use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
-/// Residuals at the forces r, and their derivatives.
+/// Residuals of the equations of all contacts at the forces r, and their derivatives.
 #[derive(Debug, Clone)]
 pub(super) struct Linearisation<const C: usize> {
     pub(super) r: DVector<f64>,
@@ -66,7 +66,7 @@ pub(super) trait Equations<const C: usize> {
 /// Limits of the iteration of [`descend`].
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Patience {
-    /// Largest number of steps.
+    /// Largest number of Newton steps.
     pub(super) steps: usize,
     /// Norms of the residuals at which the iteration has converged: absolute (`enough`), or relative to the norm of the terms (`rounding`).
     pub(super) enough: f64,

@@ -3,7 +3,7 @@
 use super::problem::{FrictionProblem, part};
 use nalgebra::{DVector, SVector};
 
-/// The state of a contact.
+/// The state of a contact by Coulomb's law.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum ContactMode {

@@ -9,7 +9,7 @@ use crate::numerics::tolerances::{FEW_ROUNDINGS, SOLVED_ROUNDING, SUFFICIENT_DEC
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector, SMatrix};
 
-/// An iterate: forces, and the residuals at these forces.
+/// An iterate of Newton's method: forces of all contacts, and the residuals at these forces.
 #[derive(Debug, Clone)]
 struct Iterate<const C: usize> {
     r: DVector<f64>,

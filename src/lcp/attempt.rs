@@ -22,7 +22,8 @@ impl Workspace {
         self.reserve(lcp.len());
     }
 
-    /// Follows the path of a prepared problem with the covering vector of the settings. `None` if it ends in a solution.
+    /// Follows Lemke's path of a prepared problem from the slack basis, with the covering vector and the pivot limit of the settings. `None` if it
+    /// ends in a solution.
     pub(super) fn first_path(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         self.cover(settings);
         self.follow(lcp, settings, settings.pivot_limit(lcp.len()))
@@ -76,7 +77,7 @@ impl Workspace {
         settings: &Settings,
         limit: usize,
     ) -> Option<Unsolved> {
-        // Each round costs one factorisation. A path whose end is infeasible three times has met a nearly singular basis.
+        // Each round costs one factorisation. A path whose end fails its check three times has met a nearly singular basis.
         for _ in 0..3 {
             let Some(failure) = self.finish(lcp, settings) else {
                 self.sharpen(lcp, settings, limit);

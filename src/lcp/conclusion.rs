@@ -1,4 +1,4 @@
-//! From the end of a path to a point whose residuals are computed from the given data.
+//! From the complementary basis at the end of a path to its point z: it is refined, and its residuals are computed from the given M and q.
 
 use super::dictionary::LemkeVariable;
 use super::memory::refill;
@@ -25,8 +25,8 @@ impl Workspace {
         self.conclude(lcp, residuals, settings)
     }
 
-    /// Removes z's that are zero up to rounding from the dictionary's complementary basis, refines its point, and checks this point against the given
-    /// M and q. `None` if the point solves the problem.
+    /// Removes z's that are zero up to rounding from the dictionary's complementary basis. Then refines its point and checks it against the given M
+    /// and q. `None` if the point solves the problem.
     pub(super) fn finish(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         self.mark_vanishing(lcp);
         self.retire_vanishing(lcp);
@@ -122,7 +122,8 @@ impl Workspace {
         }
     }
 
-    /// Iterative refinement of the point until its residuals are rounding or a step gains little. Returns the residuals of the best point.
+    /// At most three steps of iterative refinement of the point, until its residuals are rounding or a step does not halve the largest. Keeps the
+    /// point with the smallest largest residual and returns its residuals.
     fn refine(&mut self, lcp: &Lcp, mut residuals: Residuals) -> Residuals {
         let n = lcp.len();
         // Each step costs O(n²); a third step rarely gains anything.

@@ -56,7 +56,7 @@ pub(super) struct Dictionary {
     kept: Vec<usize>,
     /// For each w_i, its stored column; `None` if w_i is basic.
     slot: Vec<Option<usize>>,
-    /// The stored columns, one after another.
+    /// The stored columns D_v of the nonbasic slacks v, n entries each, one after another.
     columns: Vec<f64>,
     /// Value of the basic variable of each row.
     pub(super) x: Vec<f64>,
@@ -108,7 +108,7 @@ impl Dictionary {
         }
     }
 
-    /// Whether w_i is nonbasic, so that row i holds as an equation w_i = 0.
+    /// Whether w_i is nonbasic, so that row i of w = q + M z + d z₀ holds with w_i = 0.
     pub(super) fn is_active(&self, i: usize) -> bool {
         self.slot[i].is_some()
     }
@@ -315,7 +315,7 @@ impl Dictionary {
         self.level[r] = level;
     }
 
-    /// Removes a stored column; the last column takes its position in `columns`.
+    /// Removes the stored column with the index `slot`, whose slack becomes basic; the last column takes its position in `columns`.
     fn forget(&mut self, slot: usize) {
         let n = self.n;
         self.slot[self.kept[slot]] = None;

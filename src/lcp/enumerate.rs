@@ -164,8 +164,8 @@ impl Search<'_> {
         Some(Solution { z, w, basis, residuals, pivots: 0, degenerate })
     }
 
-    /// A point of the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }, by linear programming on balanced data: its z_α. `None` if the linear
-    /// program has no solution; it also returns a point if the piece is empty. The caller must check its residuals.
+    /// A point of the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }, by linear programming on balanced data. Returns its z_α. `None` if the
+    /// linear program has no solution; it also returns a point if the piece is empty. The caller must check its residuals.
     ///
     /// Here the scaling is not rounded to powers of two, so that the point chosen on a face does not depend on units.
     fn point_of_singular_piece(&self, alpha: &[usize]) -> Option<DVector<f64>> {

@@ -1,4 +1,4 @@
-//! Errors about malformed input.
+//! Errors in the input of a complementarity problem: shapes, lengths and entries that are not finite.
 
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
@@ -9,7 +9,7 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum LcpError {
-    /// M is not square.
+    /// The matrix M is not square.
     #[error(
         "the matrix of a complementarity problem must be square, but it has {rows} rows and {columns} columns"
     )]

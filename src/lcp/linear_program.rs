@@ -89,8 +89,8 @@ pub(super) fn of_piece(
     Some(LinearProgram { x: x * load, y: folded })
 }
 
-/// The solution of min { t − δ 1ᵀx : A x + b + t 1 ≥ 0, x, t ≥ 0 } and of its dual max { −bᵀy : Aᵀy ≤ −δ 1,
-/// 1ᵀy ≤ 1, y ≥ 0 }, with a margin δ.
+/// The solution, x and y, of min { t − δ 1ᵀx : A x + b + t 1 ≥ 0, x, t ≥ 0 } and of its dual max { −bᵀy : Aᵀy ≤ −δ 1, 1ᵀy ≤ 1, y ≥ 0 }, with a margin
+/// δ.
 pub(super) struct LinearProgram {
     pub(super) x: DVector<f64>,
     pub(super) y: DVector<f64>,

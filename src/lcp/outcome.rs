@@ -38,11 +38,11 @@ pub enum Outcome<S = Solution> {
         /// Number of pivots on all paths.
         pivots: usize,
     },
-    /// The computation failed in double precision.
+    /// The settings are invalid, or the computation failed in double precision; `cause` has the reason.
     Breakdown {
         /// Number of pivots before the breakdown.
         pivots: usize,
-        /// The reason for the breakdown.
+        /// The reason: invalid settings, or what failed.
         cause: BreakdownCause,
     },
 }
@@ -54,13 +54,14 @@ pub type OutcomeView<'a> = Outcome<SolutionView<'a>>;
 pub(super) type Unsolved = Outcome<Infallible>;
 
 impl<S> Outcome<S> {
-    /// The solution, if there is one.
+    /// The solution; `None` for every other outcome.
     #[must_use]
     pub fn solution(&self) -> Option<&S> {
         if let Self::Solved(solution) = self { Some(solution) } else { None }
     }
 
-    /// Whether the constraints are proved to contradict each other, exactly or up to rounding.
+    /// Whether a certificate proves that M z + q ≥ 0 and z ≥ 0 contradict each other, exactly or up to rounding. The result is false for
+    /// [`Self::NoBasis`].
     #[must_use]
     pub fn is_infeasible(&self) -> bool {
         matches!(self, Self::Infeasible(_) | Self::NearlyInfeasible(_))
@@ -103,7 +104,7 @@ impl Unsolved {
 }
 
 impl OutcomeView<'_> {
-    /// A copy that is independent of the workspace.
+    /// This outcome with a copy of the solution, independent of the memory of the workspace or series.
     #[must_use]
     pub fn into_outcome(self) -> Outcome {
         self.and_then(|view| Outcome::Solved(view.to_solution()))

@@ -28,7 +28,8 @@ pub(super) struct LemkePath {
 }
 
 impl LemkePath {
-    /// Balances M, q and the perturbation p. A dictionary must be computed afterwards, for example by [`Self::start_from_slacks`].
+    /// Computes the factors that balance M, and balances q and the perturbation p with them. A dictionary must be computed afterwards, for example by
+    /// [`Self::start_from_slacks`].
     pub(super) fn prepare(&mut self, m: &[f64], q: &[f64]) {
         self.scaling.balance(q.len(), m, q);
         self.p.clear();
@@ -53,7 +54,7 @@ impl LemkePath {
         self.q.extend(q.iter().zip(&self.scaling.row).map(|(q, row)| q * row));
     }
 
-    /// Starts the path from the slack basis with the current q, p and d.
+    /// Sets the dictionary to the slack basis with the current balanced q, p and d.
     pub(super) fn start_from_slacks(&mut self) {
         self.dictionary.reset(&self.q, &self.p, &self.d);
         self.age = 0;

@@ -17,7 +17,7 @@ pub(super) struct LcpPoint {
 }
 
 impl LcpPoint {
-    /// The point z of a problem, with its slacks.
+    /// The point z of a problem, with its slacks and the magnitudes of their terms.
     pub(super) fn new(z: Vec<f64>, lcp: &Lcp) -> Self {
         let mut point = Self { z, ..Self::default() };
         point.sum(lcp);

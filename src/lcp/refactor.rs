@@ -93,8 +93,7 @@ impl LemkePath {
         Ok(())
     }
 
-    /// Corrects the basic values by the effect of the defect that was computed last. Recomputes `level`, the magnitude of the terms from which each
-    /// value is computed.
+    /// Corrects the basic values by the effect of the defect that was computed last. Recomputes `level` from the terms of that defect.
     pub(super) fn correct(&mut self) {
         self.dictionary.sum_terms(&self.terms);
         let mut effect = core::mem::take(&mut self.terms);

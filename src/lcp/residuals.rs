@@ -1,4 +1,4 @@
-//! The residuals of a point, computed from the original data.
+//! The residuals of a point z, computed from the given M and q.
 
 use super::tolerances::{BACKWARD_ERROR, FAINT_ROW, LOST, residual_rounding};
 use crate::numerics::{Each, ExactSum, times_power_of_two};

@@ -47,7 +47,7 @@ pub struct SolutionView<'a> {
 }
 
 impl SolutionView<'_> {
-    /// A copy that is independent of the workspace.
+    /// A copy of the solution, independent of the memory of the workspace or series.
     #[must_use]
     pub fn to_solution(&self) -> Solution {
         Solution {

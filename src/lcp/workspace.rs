@@ -31,7 +31,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone, Default)]
 pub struct Workspace {
     pub(super) path: LemkePath,
-    /// The point at the end of the last path; `spare` is another point, with which the first is compared.
+    /// The point at the end of the last path; `spare` is another candidate, which replaces it if its residuals are smaller.
     pub(super) point: LcpPoint,
     pub(super) spare: LcpPoint,
     /// For each z, whether it is basic but zero up to rounding, at the end of the last path.

@@ -38,7 +38,7 @@ pub enum Outcome<const C: usize> {
 }
 
 impl<const C: usize> Outcome<C> {
-    /// The equilibrium, if there is one.
+    /// The equilibrium; `None` if there is none, or none was found.
     #[must_use]
     pub fn equilibrium(&self) -> Option<&Equilibrium<C>> {
         match self {
@@ -172,7 +172,7 @@ impl Equilibrium<3> {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct LocalAnswer {
     pub(crate) states: Vec<State>,
-    /// Forces of the drives of a hand.
+    /// Forces of the drives of a hand, in the form of contact forces; empty without a hand.
     pub(crate) drive_forces: Vec<SVector<f64, 3>>,
     /// The twist in the engine's coordinates.
     pub(crate) twist: Coordinates,

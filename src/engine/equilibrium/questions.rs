@@ -1,4 +1,4 @@
-//! The questions for one equilibrium and for all equilibria under a load.
+//! The user's questions for one equilibrium (`solve`) and for all equilibria (`equilibria`) under a load.
 
 use super::answer::{Equilibrium, Outcome, Undecided, WorkDone};
 use super::cone::{AnswerFor, Cone};

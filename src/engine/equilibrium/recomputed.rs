@@ -18,7 +18,7 @@ struct SiteAnswer<'a> {
     gap: f64,
     separated: bool,
     stretch: SVector<f64, 3>,
-    /// Slip since the contact's state was last decided, m; only this part of the slip obeys the contact law.
+    /// Slip since the contact's state was last decided along a load path, m; only this part of the slip obeys the contact law.
     slip: SVector<f64, 3>,
 }
 

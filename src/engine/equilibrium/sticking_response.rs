@@ -17,17 +17,17 @@ use crate::object::{Load, Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// The linear response of a grasp in known states of its contacts.
+/// The linear response of forces and twist to loads and finger offsets, while contacts and drives keep known states.
 pub(crate) struct StickingResponse<'g> {
     pub(crate) grasp: &'g Engine,
     pub(super) problem: Problem<'g>,
     pub(crate) states: Vec<State>,
     pub(crate) piece: Arc<Piece>,
-    /// The conditions under which each contact or drive keeps sticking, or stays open.
+    /// For each contact and drive, the conditions under which it keeps its state: sticking or open.
     pub(crate) edges: Vec<Edges>,
 }
 
-/// Forces contact by contact, and for each force the size of the terms of which it is the sum, which scales its rounding.
+/// Forces of all contacts and drives, N. For each force `sizes` has the size of the terms of which it is the sum, which scales its rounding.
 #[derive(Debug, Clone)]
 pub(crate) struct ContactForces {
     pub(crate) of: Vec<SVector<f64, 3>>,

@@ -84,7 +84,7 @@ impl TooFar {
 /// motion of the object, the forces and the commands.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct CountedMotion {
-    /// The rotation (rad) or slip (m). An opening has one component, along the normal, which counts where it is positive (m).
+    /// The vector of the rotation (rad) or slip (m). An opening has one component, along the normal, which counts where it is positive (m).
     pub(crate) shift: SVector<f64, 3>,
     /// The largest length of a small motion, rad or m.
     pub(crate) limit: f64,
@@ -105,7 +105,8 @@ impl CountedMotion {
         matches!(self.of, MotionOf::Opening(_))
     }
 
-    /// The length of the motion over its limit: above 1 the motion is not small.
+    /// The length of the motion divided by its limit: above 1 the motion is not small. Negative for an opening if the object has moved towards the
+    /// finger.
     pub(crate) fn over_the_limit(&self) -> f64 {
         if self.is_opening() { self.shift[0] / self.limit } else { self.shift.norm() / self.limit }
     }

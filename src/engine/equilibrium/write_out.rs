@@ -144,7 +144,7 @@ struct SolvedContact<'s> {
     /// Commanded displacement minus clearance and minus the accumulated slip `memory`, m.
     offset: SVector<f64, 3>,
     memory: SVector<f64, 3>,
-    /// Displacement of the body's core in the contact frame, minus that of the finger by its joints, m.
+    /// Displacement of the body's core at the contact, minus that of the finger by its joints, in the contact frame, m.
     moved: SVector<f64, 3>,
 }
 

@@ -76,9 +76,9 @@ struct PushedBack {
 
 /// The part of a load of many coordinates that no admissible contact forces balance.
 pub(super) enum Residual {
-    /// The residual is a separating motion.
+    /// The residual is a motion that separates the load from all admissible contact forces.
     Proof(Vector),
-    /// The residual proves nothing.
+    /// There is a residual, but the rounds of the method did not make it a proof.
     Unclear,
     /// There is no residual, since the load is balanced; or the method does not apply, since a law is not a cone.
     Nothing,

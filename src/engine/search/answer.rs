@@ -1,4 +1,4 @@
-//! The end of a search for an equilibrium, and its effort.
+//! The result of a search for an equilibrium under a load, and the work that it took.
 
 use nalgebra::SVector;
 
@@ -99,7 +99,7 @@ pub(crate) struct Kept {
 }
 
 impl Kept {
-    /// Converts a solution; `list` is the memory for its twist.
+    /// Converts a solution to lists of numbers; `list` is memory that its twist reuses.
     pub(crate) fn of(found: Found, list: Vec<f64>) -> Self {
         Self {
             states: found.states,
@@ -141,7 +141,7 @@ pub(crate) enum Settled {
         cases: usize,
         escape: f64,
     },
-    /// No equilibrium was found, and no proof that there is none.
+    /// No equilibrium was found, and no proof that there is none, for this reason.
     Undecided(Doubt),
 }
 

@@ -1,4 +1,4 @@
-//! Solves and checks proposed contact states, whichever method of the search proposes them.
+//! Solves the linear problem of proposed contact states and checks their conditions, whichever method of the search proposes them.
 
 use core::cell::OnceCell;
 

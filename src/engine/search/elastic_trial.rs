@@ -70,7 +70,7 @@ impl Attempt {
     }
 }
 
-/// Effort of the search so far, and the reason for an undecided result.
+/// Counts of the work of the search so far, and the reason that an undecided result would have.
 pub(super) struct Log {
     pub(super) effort: Effort,
     /// The reason that the search returns if no method decides.

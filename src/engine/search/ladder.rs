@@ -32,7 +32,7 @@ pub(super) struct Rung {
     pub(super) name: &'static str,
     pub(super) applies: fn(&ElasticTrial<'_, '_>) -> bool,
     pub(super) climb: fn(&ElasticTrial<'_, '_>, &mut Log) -> Attempt,
-    /// `None` for a method that can only prove that no equilibrium exists.
+    /// The [`FoundBy`] of its equilibria; `None` for a method that can only prove that no equilibrium exists.
     finds: Option<FoundBy>,
 }
 
@@ -135,7 +135,7 @@ fn may_be_dense(scene: &ElasticTrial<'_, '_>) -> bool {
     !has_many_contacts(scene) || dense_is_affordable(scene.proposing(), 1)
 }
 
-/// Tries the states in which contacts that would pull are open and all others stick.
+/// Tries the contact states in which contacts that would pull are open and all others stick.
 fn touching_contacts_stick(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     Attempt::of(touching_contacts(scene.problem, scene.unjumped.clone(), scene.state.clone()))
 }
@@ -175,7 +175,8 @@ fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<Found> {
     another
 }
 
-/// A proof for a rate problem at a limit load: if all contacts on the edge of their cones slide, nothing resists a motion on which the load works.
+/// Searches for a proof in a rate problem at a limit load: if all contacts on the edge of their cones slide, nothing resists a motion on which the
+/// load works.
 fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     let proof = proofs::yields(scene.problem);
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(Settled::Contradicted { cases: 1, escape }))
@@ -226,7 +227,7 @@ fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     Attempt::of(found)
 }
 
-/// Lemke's method on the force form.
+/// Proposes contact states by Lemke's method on the force form, and checks them.
 fn force_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     let propose = |problem: &Problem, log: &mut Log| {
         let form = forms::force_form(problem);

@@ -128,8 +128,8 @@ impl BalanceEquation {
         })
     }
 
-    /// Moves `nearest` to the point nearest to f⁰ of the elastic trial, in the cone spanned by the generators of these hulls, one hull for each
-    /// contact. Returns whether its distance contradicts the case.
+    /// Moves `nearest` to the point nearest to f⁰ of the elastic trial in the cone that the generators of these hulls span. Each contact has one
+    /// hull. Returns whether its distance contradicts the case.
     pub(super) fn relax(&self, hulls: &[impl AsRef<[HullRay]>], nearest: &mut NearestPoint<Tag>) -> Relaxed {
         let (mut column, mut projected) = (Vec::new(), Vec::new());
         nearest.move_to_closest(&self.target);

@@ -43,10 +43,10 @@ pub struct Settings {
     /// jumps from static to kinetic friction (default 20 000). A path that needs more ends [undecided](crate::load_path::PathEnd::Undecided) at the
     /// point reached.
     pub most_steps: usize,
-    /// Largest load factor up to which [`hold`](crate::ask::Grasp::hold) searches for the loss of the grasp, as a multiple of the load asked about
-    /// (default 100). With a value of at most 1 the search stops at the full load.
+    /// The multiple of the load asked about up to which [`hold`](crate::ask::Grasp::hold) searches for the loss of the grasp (default 100). With a
+    /// value of at most 1 the search stops at this load itself.
     pub most_load: f64,
-    /// Largest number of cycles of a repeated load (default 1 000), see [`shake`](crate::ask::Grasp::shake).
+    /// Largest number of cycles of a repeated load that are followed (default 1 000), see [`shake`](crate::ask::Grasp::shake).
     pub most_cycles: usize,
     /// Limits of small motions: by default a tenth of a radian, and slips of a tenth of the grasp's size.
     pub small_motions: SmallMotions,
@@ -69,7 +69,7 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// These settings with another polygonal cone.
+    /// These settings with another polygonal friction cone, see [`Settings::cone`].
     #[must_use]
     pub fn with_cone(mut self, cone: PolygonCone) -> Self {
         self.cone = cone;
@@ -88,7 +88,7 @@ impl Settings {
         space == Space::Spatial && self.round
     }
 
-    /// These settings with another limit on the combinations of contact states.
+    /// These settings with another limit on the combinations of contact states that are all tried, see [`Settings::most_states`].
     #[must_use]
     pub fn with_most_states(mut self, most_states: usize) -> Self {
         self.most_states = most_states;
