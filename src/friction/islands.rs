@@ -45,7 +45,7 @@ pub(super) fn islands<const C: usize>(blocks: &Blocks<C>) -> Vec<Vec<usize>> {
 }
 
 impl<const C: usize> FrictionProblem<C> {
-    /// The problem restricted to the given contacts.
+    /// The problem of the given contacts alone: their rows and columns of W, and their entries of q and μ.
     pub(super) fn of_contacts(&self, contacts: &[usize]) -> Self {
         let component = |k: usize| C * contacts[k / C] + k % C;
         let size = C * contacts.len();

@@ -24,8 +24,8 @@ pub struct AllSolutions {
     ///
     /// A point that belongs to several bases is listed once, with [`Solution::degenerate`] set. [`Solution::pivots`] is 0.
     pub solutions: Vec<Solution>,
-    /// The singular bases whose piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } is not empty. Such a piece may be a whole face of solutions;
-    /// one of its points is among `solutions`.
+    /// The singular bases for whose piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } a point was found. Such a piece may be a whole face of
+    /// solutions; only this point is among `solutions`.
     pub singular: Vec<Basis>,
 }
 

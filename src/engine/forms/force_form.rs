@@ -207,7 +207,7 @@ impl<'p, 'g> Builder<'p, 'g> {
         }
     }
 
-    /// Adds to `stiffness` and `load` a spring that acts both ways along this axis, with the force F = k (a - G_iᵀq) at the twist q.
+    /// Adds to `stiffness` and `load` a spring along this axis that acts both ways, with the force F = k (a - G_iᵀq).
     fn both_ways(&mut self, contact: usize, axis: usize) {
         let site = &self.problem.sites[contact];
         let g = site.map.column(axis);

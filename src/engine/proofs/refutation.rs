@@ -21,10 +21,12 @@ use crate::numerics::Vector;
 use crate::object::{Piece, Problem};
 use crate::prelude::*;
 
-/// A step of the proof. Steps are in depth-first order: a division is followed by all steps of its second case, then by those of its first.
+/// A step of the proof, for the present case. Steps are in depth-first order: a division is followed by all steps of its second case, then by those
+/// of its first.
 #[derive(Debug, Clone)]
 pub(crate) enum ProofStep {
-    /// The case is divided into two: the state of this contact lies in one of two halves.
+    /// The present case is divided into two. In each the label of this contact, which restricts its state, is one of the `halves`; together they
+    /// allow what its label did.
     Divided { contact: usize, halves: [Label; 2] },
     /// The present case is contradicted by a virtual motion and virtual forces.
     Contradicted { motion: Vector, forces: Vec<SVector<f64, 3>> },

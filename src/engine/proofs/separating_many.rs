@@ -24,13 +24,14 @@ use crate::numerics::{
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The friction cone of one contact, which in the augmented Lagrangian responds to a motion by a force.
+/// The round friction cone of a contact, or one generator of a cone that is not round. In the augmented Lagrangian it responds to a motion by a
+/// force.
 struct Pushing {
     /// The coordinates with entries in the contact's map, and these entries, scaled to length one.
     coupled: Vec<(usize, SVector<f64, 3>)>,
     /// μ of a round cone; `None` for a cone that is a single ray, along the first axis.
     cone: Option<f64>,
-    /// The multiplier λ_i: the force of this contact in the last round.
+    /// The multiplier λ_i: the force of this cone or generator in the last round.
     multiplier: SVector<f64, 3>,
 }
 

@@ -16,7 +16,7 @@ use crate::prelude::*;
 pub(crate) enum Judged {
     Holds(Found),
     Violated {
-        /// Whether the violation is small enough to be rounding.
+        /// Whether the violation is small enough to be rounding, so that it proves nothing.
         doubtful: bool,
     },
     /// No forces balance the load in these states.
@@ -42,7 +42,7 @@ pub(crate) fn try_states(problem: &Problem, states: Vec<State>) -> Judged {
 pub(super) struct Refused {
     pub(super) states: Vec<State>,
     pub(super) at: PieceState,
-    /// Whether the violation is small enough to be rounding.
+    /// Whether the violation is small enough to be rounding, so that it proves nothing.
     doubtful: bool,
 }
 

@@ -116,7 +116,7 @@ fn pivoted(
     None
 }
 
-/// The contacts in `among` and their neighbours, which share a coordinate with a contact in `among`, in order.
+/// The contacts in `among` and their neighbours, by ascending index. Neighbours share a coordinate with a contact in `among`.
 fn beside(problem: &Problem, among: &[usize]) -> Vec<usize> {
     let mut is_near = vec![false; problem.size().count()];
     for i in among {

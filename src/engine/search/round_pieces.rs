@@ -25,11 +25,11 @@ pub(super) struct RoundPieces {
 
 /// The size of the changes of forces and twist in a Newton step.
 struct Progress {
-    /// Forces and twist changed in their last digit at most.
+    /// The twist and each force changed by at most the fraction 1e-14 of itself, or a force by 1e-20 of the largest force.
     sharp: bool,
-    /// Forces and twist changed by at most the fraction 1e-8: the directions of friction have hardly turned.
+    /// The twist and each force changed by at most the fraction 1e-8 of itself: the directions of friction have hardly turned.
     near: bool,
-    /// Each force changed by at most the fraction 1e-8, or by the rounding error of the largest force.
+    /// Each force changed by at most the fraction 1e-8 of itself, plus 1e-15 of the largest force, its rounding error.
     settled: bool,
 }
 
