@@ -1,6 +1,6 @@
 //! One attempt: Lemke's path from the slack basis to its end, and the check of the point at this end.
 //!
-//! An attempt returns `None` if the workspace then holds a solution, otherwise the way in which it failed.
+//! An attempt returns `None` if the workspace then holds a solution, otherwise the outcome with which it failed.
 
 use super::certificate;
 use super::dictionary::LemkeVariable;

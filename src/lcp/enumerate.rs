@@ -24,7 +24,7 @@ pub struct AllSolutions {
     ///
     /// A point that belongs to several bases is listed once, with [`Solution::degenerate`] set. [`Solution::pivots`] is 0.
     pub solutions: Vec<Solution>,
-    /// The singular bases for whose piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } a point was found. Such a piece may be a whole face of
+    /// The singular bases with a solution, as a point of the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }. Such a piece may be a whole face of
     /// solutions; only this point is among `solutions`.
     pub singular: Vec<Basis>,
 }

@@ -91,8 +91,8 @@ impl Judge<'_> {
         })
     }
 
-    /// Whether the dual solution of { min t : the piece is violated by at most t }, taken as v, excludes the basis. It is computed once for each
-    /// margin.
+    /// Whether a dual solution of the linear program that minimises the largest violation of the constraints of the piece, taken as v, excludes the
+    /// basis. There is one for each margin.
     fn by_linear_program(&self, alpha: &[usize]) -> bool {
         let program = |margin| linear_program::of_piece((&self.m, &self.q), alpha, margin, self.settings);
         MARGINS.into_iter().filter_map(program).any(|program| self.proves(alpha, &program.y))

@@ -12,7 +12,7 @@ use super::workspace::Workspace;
 use crate::prelude::*;
 use nalgebra::DVector;
 
-/// Direction of τ along a piece of the path.
+/// Direction of τ along a piece of the path of solutions. On a piece the basis does not change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Trend {
     /// τ increases.
@@ -23,7 +23,7 @@ pub enum Trend {
     Still,
 }
 
-/// A point at which one piece of the path ends and the next begins.
+/// A point at which the basis of the path of solutions changes: one piece of the path ends and the next begins.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Breakpoint {

@@ -1,4 +1,4 @@
-//! Estimated error of an answer, and its sensitivity to the last digits of the question.
+//! Estimated errors of forces and displacements of an equilibrium, and the condition number of its contact forces.
 
 use nalgebra::SVector;
 
@@ -91,8 +91,8 @@ impl Engine {
     }
 }
 
-/// A variation of all data: every number of the question changes by plus or minus its own value, to first order. The fields hold the resulting
-/// changes: of stretches (m) and friction forces (N) at each contact, and of the load.
+/// A variation of all data: every number of grasp, commands and load changes by plus or minus its own value, to first order. The fields hold the
+/// resulting changes: of stretches (m) and friction forces (N) at each contact, and of the load.
 struct Variation {
     stretches: Vec<SVector<f64, 3>>,
     load: Vector,

@@ -1,4 +1,4 @@
-//! The answer to the question for an equilibrium, in physical quantities.
+//! The answer to `solve`, in physical quantities: an equilibrium of a grasp under a load, a proof that none exists, or undecided.
 
 use crate::numerics::mapped;
 use nalgebra::SVector;
@@ -152,8 +152,8 @@ impl<const C: usize> Equilibrium<C> {
         Self { work, local: LocalAnswer::default(), ..self }
     }
 
-    /// Whether the answer still has the engine's solution `local`, for `sites` contacts and drives together. Without it further questions about the
-    /// answer have no answer.
+    /// Whether the answer still has the engine's solution `local`, for `sites` contacts and drives together. Without it calls that start from the
+    /// answer, such as `accuracy`, return `None`.
     pub(crate) fn knows_all_of(&self, sites: usize) -> bool {
         self.local.states.len() == sites && self.contacts.len() + self.local.drive_forces.len() == sites
     }

@@ -1,4 +1,4 @@
-//! Residuals of an answer, recomputed from the question alone.
+//! Residuals of an equilibrium, recomputed from the data of grasp, commands and load, not from those of the solver.
 
 use nalgebra::SVector;
 

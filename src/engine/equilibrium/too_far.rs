@@ -1,7 +1,7 @@
 //! Motions that are no longer small: a body turns too far, or a contact slips or opens too far.
 //!
-//! Contact points and normals are those of the undeformed grasp. Beyond [`SmallMotions`] an equilibrium therefore solves the question as posed, but
-//! says little about the object. This file alone measures motions against the limits, for answers and along load paths.
+//! Contact points and normals are those of the undeformed grasp. Beyond [`SmallMotions`] an equilibrium therefore satisfies all equations, but says
+//! little about the real object. This file alone measures motions against the limits, for answers and along load paths.
 
 use core::fmt;
 
