@@ -185,7 +185,7 @@ impl Orthogonal {
     }
 }
 
-/// Adds the rows of `q`, each times its factor in `times`, to `sums`.
+/// Adds the rows of `q`, each times its factor in `times`, to `sums`; a row has d entries.
 #[inline(always)]
 fn add_rows(d: usize, q: &[f64], times: &[f64], sums: &mut [f64]) {
     let sums = &mut sums[..d];

@@ -17,7 +17,7 @@ use crate::words::opens;
 /// Largest number of curves in a chart: each colour has a solid and a dashed line. The note below the chart names further curves.
 pub(super) const MOST_CURVES: usize = 2 * PALETTE.len();
 
-/// A load program whose states along a chart's horizontal axis are drawn.
+/// A load program with its grasp, and the horizontal axis along which a chart draws the equilibria of the path.
 pub(super) struct Drawn<'a, const C: usize> {
     pub(super) grasp: &'a Grasp<C>,
     pub(super) start: Wrench<C>,
@@ -200,7 +200,7 @@ fn coincide(a: &ChartSeries, b: &ChartSeries) -> bool {
     a.points.iter().zip(&b.points).all(near)
 }
 
-/// The reason why a contact has no curve.
+/// The reason why a contact has no curve: glued, no friction, infinite friction, or else never touching.
 fn no_curve<const C: usize>(contact: &Contact<C>) -> &'static str {
     let friction = contact.friction_coefficient();
     if contact.hold == Hold::Bonded {

@@ -192,7 +192,7 @@ impl Setup<3> {
     }
 }
 
-/// A warning about a load that acts far outside of a grasp of this size.
+/// A warning about a load that acts farther away than 1 m and than a hundred times the size of the grasp, m.
 pub(super) fn far_load(distance: f64, size: f64) -> Option<Warning> {
     let what = "a load acts at a distance of".to_owned();
     let is_far = size > 0.0 && distance > 1.0 && distance > 100.0 * size;

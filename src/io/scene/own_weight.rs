@@ -99,7 +99,8 @@ impl Setup<3> {
         Ok(Some(Turn::new(constant, cosine, sine).up_to(turn.angle())))
     }
 
-    /// The grasp for a question in which gravity turns. It has no gravity, since the turning load of the question is the weight.
+    /// The grasp for a question in which gravity turns, without gravity, since the turning load of the question is the weight. `None` for any other
+    /// question.
     pub(super) fn tilted_grasp(&self, question: &Question<3>) -> Result<Option<Grasp<3>>, Error> {
         let turn = match question {
             Question::OnsetOfTurn(turn) => Some(turn),

@@ -16,7 +16,8 @@ use super::tolerances::{WEIGHTLESS, ZERO_SLACK};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
-/// The edges of the friction cone that the contact force has reached, or its apex.
+/// The edges of the friction cone that the force of a contact has reached, or the apex of the cone. An open contact with a gap of zero is also at the
+/// apex.
 #[derive(Debug, Clone)]
 pub(crate) struct ActiveSet {
     /// Normals of the active facets: those on which the contact slides, and those on which the margin of its force is zero.
@@ -44,7 +45,7 @@ impl ActiveSet {
         force.norm() <= WEIGHTLESS * force_size
     }
 
-    /// Adds to the active set the facet, or the apex, that each of these exits reaches.
+    /// Adds the facet, or the apex, that the force reaches at each of these exits. An open contact leaves its state at the apex, when its gap closes.
     pub(crate) fn add_exits(&mut self, axes: usize, state: &State, exits: &[Exit]) {
         for exit in exits {
             // A zero vector in `Exit::facet` marks an exit at which the normal force or the gap vanishes. Normals that differ only by rounding are
@@ -61,7 +62,8 @@ impl ActiveSet {
 }
 
 impl LocalLaw<'_> {
-    /// The law that the rates of a contact with this active set obey.
+    /// The law that the rates of force and stretch of a contact with this active set obey: bonded inside the cone, an edge on facets, the whole law
+    /// at the apex, and absent for an open contact with a gap.
     pub(crate) fn law_of_rates(&self, active: &ActiveSet, state: &State) -> Law {
         if !self.has_edges() {
             Law::Bonded
@@ -76,7 +78,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The active set of a closed contact under the force of `line`.
+    /// The active set of a closed contact under the force of `line`: the facets whose margin is zero up to rounding, and the apex if the force is.
+    /// Empty for a contact without edges.
     pub(crate) fn active_set(&self, line: &Line) -> ActiveSet {
         if !self.has_edges() {
             return ActiveSet::EMPTY;

@@ -24,7 +24,7 @@ pub(crate) struct SpringState<'s> {
     pub(crate) force: &'s SVector<f64, 3>,
     /// Size of the displacements whose difference is the stretch, m. The rounding error of the stretch is proportional to this size.
     pub(crate) span: f64,
-    /// The largest contact force of the grasp, N.
+    /// Magnitude of the largest contact force of the grasp, N.
     pub(crate) largest: f64,
 }
 
@@ -67,7 +67,8 @@ impl LocalLaw<'_> {
     }
 
     /// Slip components that must not be negative in a sliding state, each with the scale of its rounding error for a unit slip. On the round cone or
-    /// on a facet there is one component, along the slip direction or the facet normal. At a corner there are two, along both normals.
+    /// on a facet there is one component, along the slip direction or the facet normal. At a corner there are two, along both normals. An open or
+    /// sticking state has none.
     pub(super) fn slips_along(&self, state: &State, slip: &SVector<f64, 3>) -> [Option<[f64; 2]>; 2] {
         let facets = self.facets();
         match state {
@@ -89,7 +90,7 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// Visits the friction margin at every edge of the cone, except the edges on which the contact slides.
+    /// Calls `visit(margin, size)` with the friction margin (N) at every edge of the cone, except the edges on which the contact slides.
     fn for_each_margin(
         &self,
         state: &State,

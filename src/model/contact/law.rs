@@ -94,7 +94,7 @@ impl<'c> LocalLaw<'c> {
         !self.may_open() && !self.may_slide() && !self.is_absent()
     }
 
-    /// Whether the contact has a round friction cone.
+    /// Whether the whole round cone, with friction neither zero nor infinite, limits the contact.
     pub(crate) fn is_round(&self) -> bool {
         self.on_round_cone && self.may_slide()
     }
@@ -131,7 +131,7 @@ impl<'c> LocalLaw<'c> {
         }
     }
 
-    /// Whether two contacts with the same polygon have the same facets in energy units: equal springs and equal friction.
+    /// Whether two contacts with the same polygon have the same facets in energy units: equal springs, equal friction, and both the whole cone.
     pub(crate) fn has_the_facets_of(&self, other: &Self) -> bool {
         let alike = self.springs == other.springs && self.friction == other.friction;
         alike && self.has_a_whole_cone() && other.has_a_whole_cone()

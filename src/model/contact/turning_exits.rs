@@ -19,9 +19,9 @@ use crate::prelude::*;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Wave {
     pub(crate) of: Harmonic<SVector<f64, 3>>,
-    /// Size that scales the rounding error of the values.
+    /// Size of the vector, N or m, that scales the rounding error of its values.
     pub(crate) size: f64,
-    /// Size that scales the rounding error of the rates: the size of the terms with cos φ and sin φ.
+    /// Size of the terms with cos φ and sin φ, N or m, that scales the rounding error of the rates.
     pub(crate) turning_size: f64,
 }
 
@@ -42,8 +42,9 @@ pub(crate) enum TurningExit {
 }
 
 impl LocalLaw<'_> {
-    /// All exits from a state within the angle `most`, each at its first angle, from force and stretch as functions of the angle. A slide on the
-    /// round cone has no such exit, since its force does not respond linearly to the load.
+    /// All exits of a contact from a state at angles from 0 to `most`, rad, from its force and stretch as functions of the angle. Each condition of
+    /// the state has at most one exit, at the first angle where it fails. A slide on the round cone has no such exit, since its force does not
+    /// respond linearly to the load.
     pub(crate) fn turning_exits(
         &self,
         state: &State,
@@ -203,7 +204,8 @@ impl Start {
     }
 }
 
-/// The exit at which `component`, a linear function of the vector, becomes negative.
+/// The exit at the first angle up to `most` at which `component`, a linear function of the vector, becomes negative or touches zero; `None` without
+/// such an angle.
 fn linear_exit(
     wave: &Wave,
     component: impl Fn(&SVector<f64, 3>) -> f64,

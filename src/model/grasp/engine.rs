@@ -87,8 +87,8 @@ impl Engine {
         grasp
     }
 
-    /// Whether contacts may carry forces without a load from the caller. Causes are a command, a constant force or torque, a vacuum, or a constant
-    /// load on a body.
+    /// Whether contacts may carry forces without a load from the caller. Causes are a command that presses, a constant force or torque, a vacuum, or
+    /// a constant load on a body.
     pub(crate) fn presses(&self) -> bool {
         let by_force =
             self.linkage().is_some_and(|linkage| linkage.held_forces.iter().any(|force| *force != 0.0));
@@ -223,7 +223,7 @@ impl Engine {
         }
     }
 
-    /// Drives of an actuator, with their indices in the list of contacts and drives. Actuators are the joints, then the tendons.
+    /// Drives of an actuator, with their indices in the list of contacts and drives. Actuators are numbered joints first, then tendons.
     pub(crate) fn drives_of(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive)> {
         let first = self.len();
         self.linkage()

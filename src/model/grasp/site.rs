@@ -161,7 +161,7 @@ impl Site {
         }
     }
 
-    /// Stretch of the springs, `a - Gᵀq`, with the offset a (command less clearance), the grasp map G and the twist q.
+    /// Stretch of the springs, `a - Gᵀq`, with the offset a (command less clearance), the grasp map G and the displacements q of all coordinates.
     #[inline(always)]
     pub(crate) fn stretch(&self, offset: &SVector<f64, 3>, twist: &Vector) -> SVector<f64, 3> {
         offset - self.map.tr_mul(twist)
