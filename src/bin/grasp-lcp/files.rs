@@ -83,8 +83,7 @@ fn tell(path: &Path, warnings: &[Warning]) {
     }
 }
 
-/// The failure of the program for an error of the library about a scene or one of its questions; the message begins with the name of the scene's
-/// file.
+/// The failure of the program for an error of the library about a scene or a question. Its message begins with the name of the scene's file.
 pub(crate) fn refused(path: &Path, error: &grasp_lcp::Error) -> Failure {
     Failure::Scene(format!("{}: {error}", name(path)))
 }

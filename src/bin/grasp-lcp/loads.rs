@@ -69,8 +69,8 @@ impl Meaning {
         })
     }
 
-    /// Components of a moment, a rotation or an inertia about x, y and z, from the numbers of an option: one in the plane, about z; three in space.
-    /// Any other count is an error.
+    /// Components about x, y and z of a moment, a rotation or an inertia. The option has one number in the plane, about z, or three in space; any
+    /// other count is an error.
     pub(crate) fn about_axes(self, numbers: &Numbers, option: &str) -> Result<[f64; 3], Failure> {
         match (self.axes, &numbers.0[..]) {
             (2, [z]) => Ok([0.0, 0.0, *z]),

@@ -7,7 +7,7 @@ use super::window::Window;
 use crate::numerics::Each;
 use nalgebra::Vector2;
 
-/// A map with the same scale in both directions.
+/// A map from metres in a plane to pixels of a window, with the same scale in both directions.
 pub(super) struct EqualScales {
     window: Window,
     /// The point at the middle of the window, m.

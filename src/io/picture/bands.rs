@@ -1,4 +1,4 @@
-//! The bands of a map of values over directions: the values at which one band ends and the next begins (levels), and the colours of the bands.
+//! The bands of a map of values over directions, with their colours. A level is a value at which one band ends and the next begins.
 
 use super::palette::Rgb;
 use super::round_numbers::{in_steps, round_up, whole_above, whole_below};

@@ -15,8 +15,8 @@ use crate::need::Quantity;
 use crate::numerics::summed;
 
 impl Setup<3> {
-    /// Whether the scene has a question under which nothing presses on a contact: no command, no load at rest, and no load that the question applies,
-    /// be it a weight or a jamming load. A `solve` with a load, a `need` of an arm and an `identify` of forces at rest are skipped. Without a
+    /// Whether the scene has a question under which nothing presses on a contact: no command, no load at rest, and no applied load. An applied load
+    /// presses as a weight does, or by jamming. A `solve` with a load, a `need` of an arm and an `identify` of forces at rest are skipped. Without a
     /// question the commands alone decide; without contacts the result is false.
     pub(super) fn nothing_presses(&self, grasp: &Grasp<3>) -> Result<bool, Error> {
         // A grasp that has links but no contacts needs no squeeze.
@@ -127,7 +127,7 @@ impl Setup<3> {
     }
 }
 
-/// Whether a load that grows from zero is held up to some factor above zero if every friction coefficient above 0 is raised to at least 3.
+/// Whether a load that grows from zero is held up to some factor above zero with more friction: every coefficient above 0 is at least 3.
 fn jams(grasp: &Grasp<3>, load: Wrench<3>) -> Result<bool, Error> {
     if load == Wrench::ZERO {
         return Ok(false);

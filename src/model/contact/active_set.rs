@@ -1,5 +1,5 @@
-//! The active set of a contact at an event: the edges of its friction cone that the contact force has reached. The active set determines the law for
-//! the rates of force and stretch beyond the event.
+//! The active set of a contact at an event, a load at which some contact changes its state: the edges of its friction cone that the contact force has
+//! reached. The active set determines the law for the rates of force and stretch beyond the event.
 //!
 //! A contact with its force inside the cone keeps sticking in the next step. With its force on facets of the cone it sticks, or slides along the
 //! normals of these facets. At the apex, or with a gap that has just closed, every state is possible, so the rates obey the whole contact law again.
@@ -62,8 +62,8 @@ impl ActiveSet {
 }
 
 impl LocalLaw<'_> {
-    /// The law that the rates of force and stretch of a contact with this active set obey: bonded inside the cone, an edge on facets, the whole law
-    /// at the apex, and absent for an open contact with a gap.
+    /// The law for the rates of force and stretch of a contact with this active set. Inside the cone it is a bond, on facets an edge, at the apex the
+    /// whole law. An open contact with a gap is absent.
     pub(crate) fn law_of_rates(&self, active: &ActiveSet, state: &State) -> Law {
         if !self.has_edges() {
             Law::Bonded
@@ -78,8 +78,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The active set of a closed contact under the force of `line`: the facets whose margin is zero up to rounding, and the apex if the force is.
-    /// Empty for a contact without edges.
+    /// The active set of a closed contact under the force of `line`: the facets whose margin is zero up to rounding. If the force is zero up to
+    /// rounding, it has the apex, too.
     pub(crate) fn active_set(&self, line: &Line) -> ActiveSet {
         if !self.has_edges() {
             return ActiveSet::EMPTY;
@@ -114,7 +114,8 @@ impl LocalLaw<'_> {
         Some(self.slipping_state(&numbers.list()))
     }
 
-    /// Removes from the active set the facets whose margin grows at these rates, and the apex if the normal force or the gap grows.
+    /// Removes from the active set the facets whose margin grows at these rates, and the apex if the normal force or the gap grows. Facets on which
+    /// the contact slides stay. A force that leaves the apex keeps the facets along which it then moves.
     pub(crate) fn drop_by_rates(&self, active: &mut ActiveSet, state: &State, line: &Line, gap: &GapLine) {
         let falls_short = |margin_rate: f64, weight: f64| margin_rate <= ZERO_SLACK * line.rate_size * weight;
         let stays_at_the_apex = || line.rate[0].abs() <= ZERO_SLACK * line.rate_size;

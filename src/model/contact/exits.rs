@@ -1,4 +1,5 @@
-//! The load step at which a contact leaves its state, for forces that grow along a straight line.
+//! The step along a straight line of contact forces at which a contact leaves its state. The line is that of a growing load while all contacts keep
+//! their states.
 
 use crate::numerics::Each;
 use crate::numerics::IntoList;

@@ -78,7 +78,8 @@ impl<'c> LocalLaw<'c> {
         self.has_a_whole_cone() && self.friction.has_edges()
     }
 
-    /// Whether the contact cannot carry every force. A frictionless guide that is kept closed carries every force, like a bonded contact.
+    /// Whether conditions limit the force of the contact while it is closed. A bonded or absent contact has none, nor has a frictionless guide that
+    /// is kept closed.
     pub(crate) fn has_edges(&self) -> bool {
         !self.is_bonded() && (self.may_open() || !self.facets().is_empty())
     }
@@ -147,7 +148,8 @@ impl<'c> LocalLaw<'c> {
         if self.is_absent() { Mode::Open } else { Mode::Sticking }
     }
 
-    /// The state in which the contact has the least stiffness: sliding on an edge of the cone, or open at its apex.
+    /// The state in which the contact has the least stiffness: sliding if its law is an edge, open if it may open. Under any other law it is the
+    /// state of the elastic trial.
     pub(crate) fn yielding(&self) -> State {
         match self.law {
             Law::Edge(facets) if facets.len() == 2 => Mode::Corner(0),

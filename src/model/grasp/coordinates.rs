@@ -1,12 +1,12 @@
-//! Displacements of object, joints and bodies in the engine's coordinates (rotations times a length, see the module `inside`), in the form in which
-//! answers store them.
+//! Displacements of object, joints and bodies in the engine's coordinates, in the form in which answers store them. In these coordinates rotations
+//! are lengths, see the module `inside`.
 
 use nalgebra::SVector;
 
 use crate::numerics::{Vector, WHOLE};
 use crate::prelude::*;
 
-/// Coordinates of the object, then those of joints and of other bodies, all in the engine's units. Those of a single object are stored without
+/// Coordinates of the object, then those of joints and of other bodies, all in the engine's units. Up to six coordinates are stored without
 /// allocation.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Coordinates {

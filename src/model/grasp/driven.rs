@@ -90,7 +90,7 @@ impl Engine {
     }
 
     /// Commands of all contact points, from one command per point, or one per contact other than a link. In the second case all points of a soft
-    /// fingertip get the command of the fingertip, and the point with the index i, if a link has it, gets `links(i)`.
+    /// fingertip get the command of the fingertip. A point of a link, with the index i, gets `links(i)`.
     ///
     /// # Errors
     /// [`Error::Size`] for another number of commands; [`Error::Contact`] for a number that is not finite.

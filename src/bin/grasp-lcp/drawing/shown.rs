@@ -174,8 +174,7 @@ fn improved(grasp: &Grasp<3>, asked: &Improve<3>, improved: &Improved<3>) -> Res
     Ok(vec![Shown { grasp: Some(other), ..after }, before])
 }
 
-/// The equilibrium under the load. If none was found, the first state of a load that grows from rest up to it: under the whole load, or where it is
-/// lost.
+/// The equilibrium under the load. Without one, the load is put on from rest: the equilibrium under the whole load, or the one where it is lost.
 fn solved(
     grasp: &Grasp<3>,
     load: &Wrench<3>,

@@ -1,5 +1,5 @@
-//! The geometry of a spatial grasp that the HTML page and the still picture (SVG) share: points in the coordinates of the grasp, and the scales of
-//! forces, moments and displacements.
+//! The geometry of a spatial grasp for both its HTML page and its still picture (SVG). It has points in the coordinates of the grasp, and the scales
+//! of forces, moments and displacements.
 
 use crate::numerics::IntoList;
 use nalgebra::{Vector3, Vector6};

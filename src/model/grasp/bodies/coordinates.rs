@@ -71,8 +71,8 @@ impl Engine {
         moments
     }
 
-    /// A grasp of the same bodies without constant loads, in which all loads grow from zero together. Under a question's load with the first force
-    /// component f, N, each body carries f times the sum of its constant load and its share of `base`. `None` for a single object.
+    /// A grasp of the same bodies without constant loads, in which all loads grow from zero together. Let f, N, be the first force component of a
+    /// question's load. Each body then carries f times the sum of its constant load and its share of `base`. `None` for a single object.
     pub(crate) fn growing_from_nothing(&self, base: &Wrench<3>) -> Option<Self> {
         let bodies = self.bodies()?;
         let shared = bodies.shared(base);
@@ -107,8 +107,8 @@ impl Engine {
         self.bodies().map_or_else(|| self.clone(), |bodies| self.with_bodies(bodies.under(loads)))
     }
 
-    /// A copy of this grasp in which the bodies named in `loads` carry these loads of a load program, for further questions about the answer that
-    /// lists them. All other bodies carry no such load.
+    /// A copy of this grasp in which the bodies named in `loads` carry these loads of a load program, and no other body does. It serves further
+    /// questions about the answer that lists these loads.
     pub(crate) fn with_body_loads(&self, loads: &[BodyLoad<3>]) -> Result<Self, Error> {
         let mut all = vec![Wrench::ZERO; self.bodies().map_or(0, |bodies| bodies.names.len())];
         for BodyLoad { body, load } in loads {
@@ -166,8 +166,8 @@ impl Engine {
         lengths
     }
 
-    /// A copy of the coordinates in which only those of one body are kept, all others zero: the body into which the contact's normal points, or the
-    /// single object. For the force of a drive all coordinates are kept.
+    /// A copy of the coordinates in which only those of one body are kept, all others zero. It is the body into which the contact's normal points, or
+    /// the single object. For the force of a drive all coordinates are kept.
     pub(crate) fn body_alone(&self, contact: usize, coordinates: &Vector) -> Vector {
         let Some(bodies) = self.bodies() else { return self.space.object_alone(coordinates) };
         let Some((on, _)) = bodies.sides.get(contact) else { return coordinates.clone() };
