@@ -29,8 +29,9 @@ pub(crate) struct SpringState<'s> {
 }
 
 impl LocalLaw<'_> {
-    /// Size that scales the rounding error of the contact's force, N. For a stiff contact it is the largest force of the grasp, since its stretch is
-    /// a difference of large displacements. For a soft contact it is the rounding scale of its displacements times its stiffness.
+    /// Size that scales the rounding error of the contact's force, N. It is the size of the force plus the lesser of two bounds. One is the largest
+    /// force of the grasp, for stiff contacts, whose stretches are differences of large displacements. The other, for soft contacts, is the stiffness
+    /// times the size of the displacements.
     #[inline(always)]
     pub(crate) fn force_size(&self, force: &SVector<f64, 3>, span: f64, largest: f64) -> f64 {
         SMALLEST + force.norm() + largest.min(self.springs.stiffest() * span)

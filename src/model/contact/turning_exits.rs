@@ -100,7 +100,8 @@ impl LocalLaw<'_> {
         })
     }
 
-    /// The exit of a force from the round cone: the first angle at which `(μF_n)² - |F_t|²` becomes negative, or F_n at the apex.
+    /// The exit of a force from the round cone: the first angle up to `most` at which `(μF_n)² - |F_t|²` becomes negative, or F_n at the apex. `None`
+    /// without such an angle.
     fn round_turning_exit(&self, wave: &Wave, most: f64) -> Option<TurningExit> {
         let cone = self.cone();
         let weight = cone.round_weight();
@@ -133,7 +134,8 @@ impl LocalLaw<'_> {
         Some(TurningExit::Leaves(Exit { step, uncertainty, facet }))
     }
 
-    /// The first angle at which `(μF_n)² - |F_t|²` becomes negative, or touches zero.
+    /// The first angle up to `most` at which `(μF_n)² - |F_t|²` becomes negative, or touches zero. `None` without such an angle, and if the
+    /// difference is not positive just after the start.
     fn fall_of_the_square(&self, wave: &Wave, most: f64) -> Option<FirstZero> {
         let limit = self.cone().limit(1.0);
         let margin = Turning { number: wave.of.map(|x| limit * x[0]), vector: wave.of.map(tangential) };
