@@ -1,5 +1,5 @@
-//! Jumps along the load path. Contacts begin to slide with lower kinetic friction, the object jumps, and other contacts catch it; or the object snaps
-//! over from the end of a path to another equilibrium.
+//! Jumps along the load path under constant load. The object slips because kinetic friction is lower, or snaps over from an unstable equilibrium,
+//! until other contacts catch it.
 
 use core::fmt;
 
@@ -84,7 +84,7 @@ impl MovesTo {
     }
 }
 
-/// "the object slides 0.4 mm to stop", "lid turns 0.1° to hinge".
+/// Writes the motion: "the object slides 0.4 mm to stop", "lid turns 0.1° to hinge".
 impl fmt::Display for MovesTo {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
@@ -98,7 +98,7 @@ impl fmt::Display for MovesTo {
 }
 
 impl Engine {
-    /// The multiple of the load that is held with kinetic friction from the start; `None` if the path with kinetic friction does not end in a loss.
+    /// The load factor up to which the grasp holds if all contacts have kinetic friction from the start. `None` if that path does not end in a loss.
     pub(super) fn carried_while_it_slides(&self, ramp: &Ramp<3>, settings: &Settings) -> Option<f64> {
         let sliding = self.with_friction_of_sliding().ok()?;
         let mut path = sliding.follow(&ramp.base, &[Leg::along(ramp)], settings).ok()?;
@@ -108,8 +108,8 @@ impl Engine {
 }
 
 impl Caught {
-    /// The clause about all jumps, with data of the last one: ", caught at 7.5 N of 12 N after slipping 0.4 mm at left". `size` is the magnitude of
-    /// the whole load with its unit, if the load has one.
+    /// Writes the clause about all jumps, with the load and the motion of the last one: ", caught at 7.5 N of 12 N after slipping 0.4 mm at left".
+    /// `size`: magnitude and unit of the whole load, if one number describes it.
     pub(super) fn write_clause(
         all: &[Self],
         size: Option<(f64, &str)>,
@@ -134,7 +134,7 @@ impl Caught {
         }
     }
 
-    /// The jumps among the events of one leg. The leg applies the whole load, so that its fraction is the multiple of the load.
+    /// The jumps among the events of the leg that applies the whole load. The fraction of this leg is therefore the load factor.
     pub(super) fn among(parts: &WholeContacts, events: &[Event<3>]) -> Vec<Self> {
         let jumps = events.iter().filter_map(|event| Some((event.fraction, event.jump.as_deref()?)));
         let caught = |(factor, jump): (f64, &Jump<3>)| {
@@ -152,12 +152,12 @@ impl Caught {
     }
 }
 
-/// "after slipping 0.4 mm at left", "snaps over, slipping 0.4 mm at left".
+/// Writes the slips of the jump: "after slipping 0.4 mm at left", "snaps over, slipping 0.4 mm at left".
 impl fmt::Display for Caught {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
         let longest = largest(&self.slips, &|slip| slip.distance);
-        // Slips below this fraction of the longest one count as rounding. A larger fraction would hide contacts that matter.
+        // Slips below this fraction of the longest slip of the jump count as rounding. A larger fraction would hide contacts that matter.
         let slips = self.slips.iter().filter(|slip| slip.distance > 1e-6 * longest);
         let slips = slips.map(|slip| format!("{} at {}", words.length(slip.distance), slip.contact.text()));
         let slips: Vec<_> = slips.collect();

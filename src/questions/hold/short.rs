@@ -1,4 +1,4 @@
-//! A verdict as one row of a table of many verdicts: numbers and words, without lists and equilibria.
+//! A verdict as one row of a table of many verdicts: numbers and words, without contacts and equilibria.
 
 use core::fmt;
 
@@ -80,7 +80,7 @@ pub enum LossVerb {
 }
 
 impl ShortVerdict {
-    /// The verdict where everything sticks up to the whole load.
+    /// The verdict where every contact sticks up to the whole load, and the path was not followed further.
     pub(crate) const fn sticks(first_slip: Option<f64>) -> Self {
         let (everything_slides, motion, doubt) = (None, None, None);
         Self { how: How::Sticks, first_slip, held_to: 1.0, everything_slides, motion, doubt }
@@ -123,7 +123,7 @@ impl<const C: usize> From<&Verdict<C>> for ShortVerdict {
 }
 
 impl<const C: usize> Lost<C> {
-    /// The verb for this loss; `words` has the space, plane or three-dimensional.
+    /// The verb for this loss; `words` has the space, plane or three-dimensional, for the vertical direction.
     pub(crate) fn verb(&self, words: Words) -> LossVerb {
         match &self.way_out {
             _ if self.too_far.is_some() => {
@@ -151,7 +151,7 @@ impl<const C: usize> Lost<C> {
     }
 }
 
-/// "SLIPS OUT", as the sentence of the verdict begins.
+/// Writes the verb as the sentence of the verdict begins: "SLIPS OUT".
 impl fmt::Display for LossVerb {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {

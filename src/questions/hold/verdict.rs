@@ -1,4 +1,4 @@
-//! The verdict on a load that is put on from rest.
+//! The verdict on a load that grows from zero beside the base load.
 
 use crate::equilibrium::{Equilibrium, NoEquilibrium, TooFar};
 use crate::grasp::{Motion, PartLabel, WholeContact, Wrench};
