@@ -1,4 +1,4 @@
-//! Answer of the search for better finger places.
+//! The answer of the search for better finger places.
 
 use nalgebra::SVector;
 
@@ -175,7 +175,7 @@ pub enum SearchEnd {
 }
 
 impl<const C: usize> Improved<C> {
-    /// Whether it is proved that to first order no place and squeeze nearby is better.
+    /// Whether multipliers prove that, to first order, no place and squeeze nearby is better.
     #[must_use]
     pub fn is_locally_best(&self) -> bool {
         self.search == SearchEnd::Optimum
