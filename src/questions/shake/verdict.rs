@@ -1,4 +1,4 @@
-//! The verdict about a repeated load.
+//! The behaviour of a grasp under a repeated load, and the data of the cycles.
 
 use crate::equilibrium::Equilibrium;
 use crate::grasp::{BodyMotion, Motion, WholeContact, Wrench};
@@ -122,7 +122,7 @@ fn is_once(every: &usize) -> bool {
 }
 
 impl<const C: usize> Shaken<C> {
-    /// The motion of a walking object per period.
+    /// The motion per period of the object or of the bodies if it walks; else `None`.
     #[must_use]
     pub fn drift(&self) -> Option<Motion<C>> {
         let Repeats::Walks { by, .. } = &self.repeats else { return None };
@@ -130,7 +130,7 @@ impl<const C: usize> Shaken<C> {
         by.first().map(|first| Motion { object: first.twist, joints: Vec::new(), bodies })
     }
 
-    /// Whether the grasp comes to rest; `None` if it is not known.
+    /// Whether the grasp comes to rest, at once or in the limit; `None` if it is not known.
     #[must_use]
     pub fn rests(&self) -> Option<bool> {
         match self.repeats {
