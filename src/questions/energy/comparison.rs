@@ -1,4 +1,4 @@
-//! The equilibrium under Coulomb's law compared with the minimum of energy under friction constraints, for one load.
+//! Equilibrium under Coulomb's law and minimum of energy under friction constraints, compared for one load.
 
 #[cfg(feature = "serde")]
 use super::minimum::Inside;
@@ -61,7 +61,7 @@ pub struct Difference {
 
 #[cfg(feature = "serde")]
 impl<const C: usize> Comparison<C> {
-    /// This comparison without data that are not written to JSON (motions in the engine's coordinates), so that it equals one that was read.
+    /// This comparison without the data that JSON does not contain (motions in the engine's coordinates), so that it equals one read back from JSON.
     pub(crate) fn written(mut self) -> Self {
         if let MinimumOutcome::Minimum(minimum) = &mut self.minimum {
             minimum.inside = Inside::default();
@@ -71,8 +71,8 @@ impl<const C: usize> Comparison<C> {
 }
 
 impl Difference {
-    /// The largest of the three relative differences, each difference divided by the size of its quantity. A difference of zero counts as 0 whatever
-    /// the size.
+    /// The largest of three relative differences: of displacement, force and energy, each divided by its `_size`. A difference of zero counts as 0
+    /// whatever the size.
     #[must_use]
     pub fn relative(&self) -> f64 {
         let part = |difference: f64, size: f64| if difference == 0.0 { 0.0 } else { difference / size };
@@ -112,7 +112,7 @@ pub enum ComparisonVerdict {
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         moment: f64,
     },
-    /// The minimum is out of balance; it is not known whether an equilibrium exists.
+    /// At the minimum of energy contact forces and load do not balance. It is not known whether an equilibrium exists.
     Unknown {
         /// The size of the sum of contact forces and load at this minimum, `|Σ F + W|`, N.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
@@ -134,14 +134,15 @@ impl Difference {
 }
 
 impl<const C: usize> MinimumEnergy<C> {
-    /// Whether the minimum is in equilibrium: no multiplier of a friction constraint pushes the object. [`MinimumEnergy::imbalance`] may be up to
-    /// 1e-12 of the largest force, with moments divided by the size of the grasp.
+    /// Whether the object is in equilibrium at the minimum: no multiplier of a friction constraint pushes it. [`MinimumEnergy::imbalance`] may be up
+    /// to 1e-12 of the largest force, with moments divided by the size of the grasp.
     #[must_use]
     pub fn is_equilibrium(&self) -> bool {
         self.balanced
     }
 
-    /// The sizes of the sum of contact forces and load, `|Σ F + W|`, N, and of the sum of all moments about the origin, N m.
+    /// The magnitudes at the minimum of the sum of contact forces and load, `|Σ F + W|`, N, and of the sum of all moments about the origin,
+    /// `|Σ r × F + M|`, N m.
     #[must_use]
     pub fn out_of_balance(&self) -> (f64, f64) {
         let (mut force, mut moment) = (0.0_f64, 0.0_f64);
@@ -194,7 +195,7 @@ impl Engine {
             force_size: 0.0,
             energy_size: equilibrium.stored_energy,
         };
-        // Free motions are removed from the difference of the twists. In the engine's coordinates they are orthonormal.
+        // Motions that no spring resists are removed from the difference of the twists; in the engine's coordinates they are orthonormal.
         let mut apart: Vector = equilibrium.local.twist.to() - minimum.inside.twist.to();
         for _ in 0..2 {
             for v in equilibrium.local.free_motions.iter().chain(&minimum.inside.free_motions) {

@@ -1,8 +1,8 @@
-//! The minimum of energy under friction constraints, computed such that large ratios of stiffnesses do not cost digits.
+//! The minimum of potential energy under friction constraints, computed such that large ratios of stiffnesses do not cost digits.
 //!
-//! The program is solved through its optimality conditions (`optimality`). Lemke's method finds the open gaps and the binding friction constraints.
-//! The remaining springs then determine the minimum. The multipliers of the constraints are forces on the **object** that no contact exerts: the
-//! minimum is an equilibrium exactly if the sum of these forces is zero.
+//! The quadratic program is solved through its optimality conditions (`optimality`). Lemke's method finds the open gaps and the binding friction
+//! constraints. The remaining springs then determine the minimum. The multipliers of the constraints are forces on the **object** that no contact
+//! exerts: the minimum is an equilibrium exactly if the resultant force and moment of these forces are zero.
 
 use nalgebra::{Matrix, SVector};
 
@@ -45,7 +45,7 @@ pub enum MinimumOutcome<const C: usize> {
 }
 
 impl<const C: usize> MinimumOutcome<C> {
-    /// The minimum, if there is one.
+    /// The minimum, if the quadratic program has one and it was found; else `None`.
     #[must_use]
     pub fn minimum(&self) -> Option<&MinimumEnergy<C>> {
         match self {
@@ -103,7 +103,7 @@ pub struct MinimumEnergy<const C: usize> {
     pub(super) inside: Inside,
 }
 
-/// Motion and free motions of a minimum in the engine's coordinates, where free motions are orthonormal.
+/// Motion and motions without resistance of a minimum, in the engine's coordinates, in which the latter are orthonormal.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Inside {
     pub(super) twist: Coordinates,
@@ -167,8 +167,8 @@ impl Engine {
             }
             Err(Unbalanced { motion: None }) => return Ok(MinimumOutcome::Unsolved),
         };
-        // If the state in which everything sticks satisfies all constraints up to rounding, no pivot is needed. This also avoids ties, which are
-        // common in symmetric grasps.
+        // If the state in which everything sticks satisfies all conditions up to rounding, it is the minimum and no pivot is needed. This also avoids
+        // ties, which are common in symmetric grasps.
         let sticking = Faces { open: vec![false; self.sites().len()], binding: Vec::new() };
         let mut pivots = 0;
         let mut point = Some(program.sticking(&stuck)).filter(|point| program.holds(point, &sticking));
