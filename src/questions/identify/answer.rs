@@ -105,14 +105,14 @@ pub enum Ending {
 }
 
 impl Identified {
-    /// The largest relative decrease from an estimate to the low end of its interval, among all coefficients of friction; 0 if no interval is known.
-    /// It is the argument of [`Need::if_lower_by`](crate::need::Need::if_lower_by).
+    /// The largest relative decrease from an estimated coefficient of friction to the low end of its interval; 0 if no interval is known. It is the
+    /// argument of [`Need::if_lower_by`](crate::need::Need::if_lower_by).
     #[must_use]
     pub fn friction_less(&self) -> f64 {
         self.less(UnknownKind::Friction)
     }
 
-    /// The largest relative decrease from an estimated squeeze to the low end of its interval; 0 if no interval is known.
+    /// The largest relative decrease from an estimated squeeze factor to the low end of its interval; 0 if no interval is known.
     #[must_use]
     pub fn squeeze_less(&self) -> f64 {
         self.less(UnknownKind::Squeeze)
