@@ -14,24 +14,24 @@ use crate::search::Settings;
 use crate::serial::AsComputed;
 use crate::words::{Words, listed, printable};
 
-/// A jump under constant load that ends in another equilibrium: the object slips and contacts catch it.
+/// A jump under constant load that ends in another equilibrium: the object slips or snaps over, and contacts catch it.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Caught {
-    /// The load at the jump, as a multiple of the load asked about.
+    /// The load factor of the jump: the multiple of the load that grows.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub factor: f64,
-    /// The contacts that slip, with distances.
+    /// The contacts that slip in the jump, each with the length of its slip.
     pub slips: Vec<SlippedBy>,
-    /// The motion of the object without resistance, until gaps close; `None` where contacts that are closed already catch it.
+    /// The motion in the jump of the body that moves farthest, if it closes gaps. `None` where contacts that are closed already catch the object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub moves: Option<MovesTo>,
-    /// Whether the object snaps over from one equilibrium to another ([`Jump::snaps`]).
+    /// Whether the object snaps over from the end of its path (a fold, a corner or an asymptote) to another equilibrium ([`Jump::snaps`]).
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub snaps: bool,
-    /// Energy lost in the jump, J.
+    /// Energy dissipated in the jump, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub energy_lost: f64,
 }
@@ -42,34 +42,35 @@ pub struct Caught {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SlippedBy {
-    /// The contact that slips.
+    /// The contact that slips in the jump.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: WholeContact,
-    /// Length of the slip in the jump, m; of a soft fingertip that of the point that slips farthest.
+    /// Length of the slip in the jump, m; for a soft fingertip that of its point that slips farthest.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub distance: f64,
 }
 
-/// The motion of the object without resistance until gaps close; of several bodies that of the body that moves farthest.
+/// The motion in a jump, until gaps close, of the body that moves farthest.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct MovesTo {
-    /// The contacts that close.
+    /// The contacts whose gaps close at the end of the motion.
     pub contacts: Vec<WholeContact>,
-    /// The name of the body that moves.
+    /// The name of the body that moves farthest.
     pub body: String,
-    /// Displacement of the centroid of the body's contact points, m.
+    /// Displacement in the jump of the centroid of this body's contact points, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub distance: f64,
-    /// Rotation, rad.
+    /// Rotation of this body in the jump, rad.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub angle: f64,
-    /// Displacement of the body's contact points by the rotation, m: the angle times their root mean square distance from the centroid.
+    /// Root mean square displacement of the body's contact points by the rotation, m: the angle times their root mean square distance from the
+    /// centroid.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub turning: f64,
-    /// Whether contacts slide during the motion.
+    /// Whether any contact slips in the jump.
     pub slides: bool,
 }
 

@@ -14,7 +14,7 @@ use crate::words::Words;
 /// of a motion. A larger fraction calls slow contacts fixed; a smaller one finds no contact to tip over.
 const STANDS: f64 = 0.05;
 
-/// The kind of motion with which an object leaves, in everyday words.
+/// The kind of motion with which an object leaves at a loss, in everyday words.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -24,26 +24,26 @@ const STANDS: f64 = 0.05;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum WayOut<const C: usize> {
-    /// All contacts that touch open.
+    /// All contacts that touch open: their points move away from the finger by more than 45° above its surface.
     LiftsOff {
         /// Unit direction in which the centroid of the contacts moves.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
-    /// The object moves and hardly turns: rotation moves its contacts by at most a twentieth of the translation.
+    /// The object moves and hardly turns: the rotation moves no contact by more than a twentieth of the displacement of their centroid.
     SlidesOut {
-        /// Unit direction of the translation.
+        /// Unit direction in which the centroid of the contacts moves.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
     /// The object turns about contacts that stay in place, and other contacts open.
     TipsOver {
-        /// The contacts that stay in place.
+        /// The contacts that stay in place; of a soft fingertip the points that stay.
         about: Vec<WholeContact>,
-        /// The contacts that open.
+        /// The contacts that open, also those that were open and move away.
         opens: Vec<WholeContact>,
     },
-    /// The object turns about contacts that stay in place, and other contacts slide.
+    /// The object turns about contacts that stay in place; no other contact opens, so that the others slide or stay.
     TurnsAbout {
         /// The contacts that stay in place; in space two of them define the axis.
         about: Vec<WholeContact>,
@@ -53,32 +53,32 @@ pub enum WayOut<const C: usize> {
         /// Point of the axis nearest to the contacts that touch, m. In the plane it is fixed; in space it moves at most along the axis.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         centre: SVector<f64, C>,
-        /// Unit vector along the axis; zero in the plane.
+        /// Unit vector along the axis of rotation; zero in the plane.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         axis: SVector<f64, C>,
     },
-    /// Several bodies move.
+    /// One or several of the bodies of a grasp with several bodies move.
     Apart {
-        /// The bodies that move, each with its own motion.
+        /// The bodies that move at the loss, each with its own motion.
         bodies: Vec<BodyWay<C>>,
     },
-    /// The lips of suction cups are open all around: their vacuum is gone.
+    /// The lips of suction cups are open all around, so that their vacuum is lost.
     LetsGo {
-        /// The cups without vacuum.
+        /// The cups that have lost their vacuum.
         cups: Vec<WholeContact>,
     },
-    /// The motion is not determined.
+    /// The motion of the object at the loss is not determined.
     NotKnown,
 }
 
-/// One of several bodies and its motion: [`WayOut::SlidesOut`] or [`WayOut::Turns`]. Bodies that all move as one may also tip over or turn about
-/// contacts.
+/// One of several bodies and its motion: [`WayOut::SlidesOut`], [`WayOut::Turns`] or [`WayOut::NotKnown`]. If all moving bodies move as one rigid
+/// body, they may also tip over or turn about contacts.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct BodyWay<const C: usize> {
-    /// Name of the body.
+    /// Name of the body that moves.
     pub body: String,
     /// Kind of this body's motion at the loss, with its direction, axis or contacts.
     #[cfg_attr(feature = "serde", serde(flatten))]

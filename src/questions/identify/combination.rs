@@ -8,18 +8,18 @@ use nalgebra::DMatrix;
 use crate::prelude::*;
 use crate::words::listed;
 
-/// Unknowns that may change together without changing any predicted slip. To first order this is so if each unknown is multiplied by a common factor
-/// to its power in [`powers`](Self::powers).
+/// Unknowns that may change together without changing any predicted slip. To first order no slip changes if each unknown is multiplied by a common
+/// factor to its power in [`powers`](Self::powers).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct FreeCombination {
-    /// The names of the unknowns.
+    /// The names of the unknowns in this combination.
     pub unknowns: Vec<String>,
-    /// The power of each unknown; the largest is 1.
+    /// The power of each unknown; the largest in size is 1 or -1.
     pub powers: Vec<f64>,
-    /// The meaning of the combination in a sentence.
+    /// A sentence about the combination: which function of its unknowns the slips determine.
     pub says: String,
 }
 

@@ -23,41 +23,43 @@ use crate::search::Settings;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// The factor on repeated loads up to which constant slips exist that keep all contacts from sliding; see
+/// The greatest factor on repeated loads at which constant slips exist that keep all contacts from sliding; see
 /// [`Statics::shakedown`](crate::ask::Statics::shakedown).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Shakedown<const C: usize> {
-    /// The factor on the loads; infinite if nothing slides however large they are. With a larger factor the grasp never comes to rest, in any order
-    /// of the loads, as long as no contact opens. This is a proof, by linear programming, up to 1e-9.
+    /// The greatest factor on the loads; infinite if contacts stick even as forces by the loads reach a million times those at rest. With a larger
+    /// factor the grasp never comes to rest, in any order of the loads, as long as no contact opens. This is a proof, by linear programming, up to
+    /// 1e-9.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub factor: f64,
     /// Slips of the contacts with which no contact slides under the loads times `factor`, m, in contact frames; their normal components are zero.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Vec<SVector<f64, C>>>"))]
     pub slips: Vec<SVector<f64, C>>,
-    /// The contacts that would slide first if the loads grew beyond `factor`, each with the load under which it slides.
+    /// The contacts at their limit of friction with these slips, which would slide if the loads grew beyond `factor`, each with its load.
     pub binding: Vec<BindingContact>,
-    /// Whether slips change normal forces. If not, the grasp comes to rest under loads up to `factor`; otherwise it may not.
+    /// Whether slips change normal forces. If not, the grasp comes to rest under loads up to `factor`, unless friction falls; if so, it may not.
     pub slips_change_normal_forces: bool,
-    /// Whether some contacts have [less friction](crate::grasp::Contact::kinetic) once they slide. Such a contact may slide past the slips at which
-    /// it would stay at rest.
+    /// Whether some contacts have [less friction](crate::grasp::Contact::kinetic) once they slide. Such a contact may slide past the slips with which
+    /// the grasp would be at rest.
     pub friction_falls: bool,
-    /// Whether friction is that of a polygon around its round cone. The factor is then only an upper bound, even if slips change no normal force.
+    /// Whether the round friction cones were replaced by polygons around them. The factor is then only an upper bound, even if slips change no normal
+    /// force.
     pub around_the_round_cone: bool,
 }
 
-/// A contact that would slide if the loads grew beyond [`Shakedown::factor`].
+/// A contact that would slide under one of the loads if they grew beyond [`Shakedown::factor`].
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct BindingContact {
-    /// The number of the load, from 0; `None` for the load at rest.
+    /// The number of the load, from 0; `None` for the base load alone.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub load: Option<usize>,
-    /// The contact at its limit of friction.
+    /// The contact that is at its limit of friction under this load.
     pub contact: WholeContact,
 }
 
