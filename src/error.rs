@@ -1,15 +1,15 @@
-//! Malformed input. That no equilibrium exists is not an error but an answer, [`crate::equilibrium::Outcome`].
+//! Errors for malformed input. That no equilibrium exists is not an error but an answer, [`crate::equilibrium::Outcome`].
 
 use core::fmt;
 
 use crate::prelude::*;
 pub use crate::words::ContactLabel;
 
-/// Largest accepted magnitude of an input. The square of a product of three larger numbers could overflow, and a norm that is infinite makes
+/// Largest accepted magnitude of an input number. The square of a product of three larger numbers could overflow, and a norm that is infinite makes
 /// every relative residual look small. No unit of length or force brings a real grasp near this limit.
 pub(crate) const LARGEST: f64 = 1e50;
 
-/// Wording of this range in error messages.
+/// The wording of the range of [`is_moderate`] in error messages.
 pub(crate) const MODERATE: &str = "finite and at most 1e50 in size";
 
 /// Whether a number is finite and at most [`LARGEST`] in size.
@@ -17,7 +17,7 @@ pub(crate) fn is_moderate(x: f64) -> bool {
     x.abs() <= LARGEST
 }
 
-/// Returns an error if the index of a contact is not below `count`, the number of contacts.
+/// An error if the number of a contact is not below `count`, the number of contacts.
 pub(crate) fn check_contact(contact: usize, count: usize) -> Result<(), Error> {
     if contact < count {
         return Ok(());
@@ -52,27 +52,27 @@ pub enum Error {
         contact: ContactLabel,
         /// The quantity that is out of range.
         field: Field,
-        /// The value that was given: the component at fault, or the length of the vector at fault.
+        /// The given value: the component at fault, or the length of the vector at fault.
         value: f64,
-        /// The allowed values.
+        /// The allowed values, as the end of the message.
         allowed: &'static str,
     },
-    /// The curve or surface along which a contact may be moved is degenerate, or the contact does not lie on it.
+    /// The curve or surface along which the search for finger places may move a contact is degenerate, or the contact does not lie on it.
     #[error("contact {contact}: {field} is {value}, must be {allowed}")]
     Surface {
         /// The contact at fault.
         contact: ContactLabel,
-        /// The quantity of the surface that is out of range.
+        /// The quantity that is out of range: of the surface, or of the contact against it.
         field: &'static str,
         /// The value that was given.
         value: f64,
         /// The allowed values.
         allowed: &'static str,
     },
-    /// A component of a wrench is not finite, or absurdly large.
+    /// A component of a wrench is not finite, or larger than 1e50 in size.
     #[error("{what}: component {component} is {value}, must be finite and at most 1e50 in size")]
     Wrench {
-        /// Which wrench of the question, such as "load", "base load" or "load direction".
+        /// The wrench at fault, such as "load", "base load" or "load direction".
         what: &'static str,
         /// Index of the component: forces first, then moments, then the torques on the joints of a hand.
         component: usize,
@@ -82,14 +82,14 @@ pub enum Error {
     /// A list that goes with the contacts has another length than the list of contacts.
     #[error("{what}: {given} given, must be {expected}, one a contact")]
     Size {
-        /// Which list, such as "commands" or "command changes".
+        /// The list, such as "commands" or "command changes".
         what: &'static str,
         /// The length that was given.
         given: usize,
         /// The number of contacts.
         expected: usize,
     },
-    /// A polygonal friction cone has too few facets to be a polygon, or needlessly many.
+    /// A polygonal friction cone has fewer than three facets, or more than is allowed.
     #[error("friction cone: {given} facets, must be from 3 to {most}")]
     Facets {
         /// The number of facets that was given.
@@ -107,43 +107,43 @@ pub enum Error {
         /// The allowed values.
         allowed: &'static str,
     },
-    /// A mesh file is missing, cannot be read, or encloses no volume.
+    /// A mesh file is missing or cannot be read, or the mesh encloses no volume where it has to.
     #[cfg(feature = "mesh")]
     #[error("mesh: {fault}")]
     Mesh {
-        /// The fault, and the requirement.
+        /// The fault, and the requirement, in words.
         fault: String,
     },
     /// The description of a robot cannot be read, or has no link or joint of the given name.
     #[cfg(feature = "urdf")]
     #[error("robot: {fault}")]
     Robot {
-        /// The fault, and the requirement.
+        /// The fault, and the requirement, in words.
         fault: String,
     },
     /// A pad does not meet the part on which it closes, or starts inside the part.
     #[cfg(feature = "mesh")]
     #[error("contact {contact}: {fault}")]
     Misses {
-        /// The contact of the pad.
+        /// The contact that the pad should make.
         contact: ContactLabel,
-        /// The fault, and the requirement.
+        /// The fault, and the requirement, in words.
         fault: &'static str,
     },
-    /// A number of a question is out of range, other than a number of a contact, a load or a hand.
+    /// An argument of a method, or a number of a question, is out of range; numbers of a contact, a wrench or a hand have errors of their own.
     #[error("{what} is {value}, must be {allowed}")]
     Argument {
-        /// Which number, such as "angle of the turn".
+        /// The number, such as "angle of the turn".
         what: &'static str,
         /// The value that was given.
         value: f64,
         /// The allowed values.
         allowed: &'static str,
     },
-    /// A number of an observed slip, or of an unknown parameter to be identified, is out of range.
+    /// A number of an observed slip, of an unknown to be identified or of a known sum is out of range.
     #[error("{what}: {field} is {value}, must be {allowed}")]
     Identify {
-        /// The slip or the unknown parameter, by number.
+        /// The slip, unknown or known sum, with its number from 0.
         what: String,
         /// The quantity that is out of range.
         field: &'static str,
@@ -152,69 +152,69 @@ pub enum Error {
         /// The allowed values.
         allowed: &'static str,
     },
-    /// The library panicked on this question: a fault of the library, not of the question. In a batch the other questions are still answered.
+    /// The library panicked on this item: a fault of the library, not of the input. In a batch the other items are still answered.
     #[error("internal: this question made the library fail, which is a fault of the library ({fault})")]
     Internal {
         /// The message of the panic.
         fault: String,
     },
-    /// Commands or held torques change on a leg whose load turns. They must stay constant, since only then do the angles of events have closed
-    /// forms.
+    /// Commands or joint torques change on a leg of a load path whose load turns. They must stay constant, since only then do the angles of events
+    /// have closed forms.
     #[error("commands or torques of a leg: change while the load turns, must stay")]
     CommandsWhileTurning,
-    /// A scene asks for the onset of sliding along a ramp whose load and commands do not change.
+    /// The first slip along a ramp is sought whose load and commands do not change, or loads are to grow in proportion to a load of zero.
     #[error("onset: direction, command_change and joint_change are zero, one of them must change something")]
     NothingChanges,
     /// The legs of a load cycle do not return to the load or the commands at its beginning.
     #[error("cycle: the {what} at its end is {off} away from that at its beginning, must be the same")]
     NotClosed {
-        /// The quantity that differs.
+        /// The quantity that differs: the load or the commands.
         what: &'static str,
         /// The largest difference of this quantity, in its own unit.
         off: f64,
     },
-    /// The question limits contact forces by limiting normal forces. This contact pulls, is bonded or has infinite friction, so its force has no
-    /// such limit.
+    /// The method limits contact forces by a budget of normal forces. This contact may pull, is bonded or has infinite friction, so a budget does not
+    /// limit its force.
     #[error("{question} bounds normal forces: contact {contact} pulls, is bonded or has infinite friction")]
     Unlimited {
-        /// Name of the method.
+        /// Name of the method that gave the error.
         question: &'static str,
-        /// The contact at fault.
+        /// The contact whose force a budget does not limit.
         contact: ContactLabel,
     },
-    /// The question asks whether the contacts can resist loads of any size. Without their vacuum they cannot, and with it they resist only
-    /// limited loads.
+    /// The method decides whether contacts can balance loads of any size. Without the vacuum of suction cups they cannot, and with it they may
+    /// balance limited loads.
     #[error(
         "{question} asks for loads of any size: the vacuum of contact {contact} is limited, ask load_limit or ferrari_canny"
     )]
     Vacuum {
-        /// Name of the method.
+        /// Name of the method that gave the error.
         question: &'static str,
-        /// The contact with the vacuum.
+        /// The first contact with a vacuum.
         contact: ContactLabel,
     },
-    /// A field of a question is missing, or does not belong to this question.
+    /// A field of a scene's question is missing, or does not fit the other fields.
     #[error("{question}: {field} {fault}")]
     Question {
-        /// Name of the question.
+        /// Name of the question, such as "improve".
         question: &'static str,
-        /// The field at fault.
+        /// Name of the field at fault.
         field: &'static str,
-        /// The fault, and the allowed values.
+        /// The fault and the allowed values, in words.
         fault: &'static str,
     },
-    /// One of several bodies is not well posed, or a named body does not exist.
+    /// One of several bodies is not well posed, or a body of this name does not exist.
     #[error("body {name:?} {fault}")]
     Body {
-        /// The name that was given.
+        /// The name of the body.
         name: String,
-        /// The fault, and the allowed values.
+        /// The fault and the allowed values, in words.
         fault: String,
     },
-    /// The part whose force is sought has no load, command or force to scale, or does not exist.
+    /// The part whose force is sought has no load, command or force that can be multiplied, or does not exist.
     #[error("part {name:?} has no load, command or force of its own, must be one of {allowed}")]
     Part {
-        /// The name that was given.
+        /// The name of the part that was given.
         name: String,
         /// Names of the parts with a load, command or force.
         allowed: String,
@@ -222,9 +222,9 @@ pub enum Error {
     /// One datum of a link between bodies is out of range.
     #[error("{kind} {name:?}: {field} is {value}, must be {allowed}")]
     Link {
-        /// Kind of the link.
+        /// Kind of the link: "hinge", "cable", …
         kind: &'static str,
-        /// Name of the link.
+        /// Name of the link at fault.
         name: String,
         /// The quantity that is out of range.
         field: &'static str,
@@ -236,7 +236,7 @@ pub enum Error {
     /// One number of one joint, tendon or finger is out of range.
     #[error("{what}: {field} is {value}, must be {allowed}")]
     Hand {
-        /// The joint, tendon or finger, by number and name.
+        /// The joint, tendon or finger, by kind, number and name.
         what: String,
         /// The quantity that is out of range.
         field: &'static str,
@@ -252,11 +252,11 @@ pub enum Error {
     Matrix {
         /// The finger, by number.
         what: String,
-        /// Name of the matrix.
+        /// Name of the matrix at fault.
         field: &'static str,
-        /// The fault in words, followed by the value in the message.
+        /// The fault in words; the value follows it in the message.
         fault: &'static str,
-        /// Size of the fault: the largest difference across the diagonal, or the least eigenvalue.
+        /// Size of the fault: the largest difference between entries across the diagonal, or the least eigenvalue.
         value: f64,
     },
     /// A matrix of a hand has the wrong shape.
@@ -269,38 +269,36 @@ pub enum Error {
         /// Required rows and columns.
         expected: (usize, usize),
     },
-    /// The question supports only one object held by contacts with springs of their own. It was asked of a hand with joints or of several
-    /// bodies.
+    /// The method supports only one object, held by contacts with springs of their own. The grasp has joints or several bodies.
     #[error(
         "{question} knows neither joints nor several bodies: ask it of one object that no hand with joints holds"
     )]
     NotForHands {
-        /// Name of the method.
+        /// Name of the method that gave the error.
         question: &'static str,
     },
-    /// The question names sliding contacts in its answer but does not support kinetic friction lower than static friction, which this contact has.
+    /// The method finds contacts that slide but does not support kinetic friction lower than static friction, which this contact has.
     #[error(
         "{question} does not know that the friction of contact {contact} is lower once it slides: ask hold, follow or shake, which do, or leave kinetic friction out"
     )]
     KineticFriction {
-        /// Name of the method.
+        /// Name of the method that gave the error.
         question: &'static str,
         /// The contact with lower kinetic friction.
         contact: ContactLabel,
     },
-    /// The question supports several bodies but no joints. A contact with a given pressing force counts as a joint, since its finger moves on a
-    /// slide.
+    /// The method supports several bodies but no joints. A contact with a given pressing force counts as a joint, since its finger moves on a slide.
     #[error(
         "{question} knows no joints: ask it of bodies that no hand with joints holds, and no contact presses with a given force"
     )]
     NotForJoints {
-        /// Name of the method.
+        /// Name of the method that gave the error.
         question: &'static str,
     },
     /// A list of joint commands has another length than there are joints and tendons.
     #[error("{what}: {given} given, must be {expected}, one a joint and one a tendon")]
     JointCommands {
-        /// Name of the list.
+        /// Name of the list, such as "joint commands".
         what: &'static str,
         /// The length that was given.
         given: usize,
@@ -312,9 +310,9 @@ pub enum Error {
     TooManyStates {
         /// Number of contacts of the grasp.
         contacts: usize,
-        /// Number of combinations of their states.
+        /// Number of combinations of the states of all contacts.
         combinations: f64,
-        /// The largest number of combinations that is allowed.
+        /// The largest number of combinations that the settings allow.
         most: usize,
     },
 }
@@ -329,33 +327,33 @@ pub enum Field {
     Normal,
     /// Direction of the first tangent.
     Tangent,
-    /// Stiffness of the object at the contact, N/m.
+    /// Stiffness of the object at the contact, N/m, by axis of the contact frame.
     BodyStiffness,
-    /// Stiffness of the finger, N/m.
+    /// Stiffness of the finger at the contact, N/m, by axis of the contact frame.
     FingerStiffness,
-    /// Stiffness of object and finger in series, N/m.
+    /// Stiffness of object and finger in series, N/m, by axis of the contact frame.
     SeriesStiffness,
-    /// Coefficient of friction at rest.
+    /// Coefficient of friction of a contact that sticks.
     Friction,
     /// Coefficient of friction of a contact that slides.
     KineticFriction,
-    /// Commanded finger displacement, contact frame, m.
+    /// Commanded finger displacement, in the contact frame, m.
     Command,
-    /// Change of the commanded finger displacement along a ramp or a leg, contact frame, m. For a leg given by its end it is the command at that
+    /// Change of the commanded finger displacement along a ramp or a leg, in the contact frame, m. For a leg given by its end, the command at that
     /// end.
     CommandChange,
-    /// Force with which the finger is commanded to press, N.
+    /// Normal force with which the finger is commanded to press, N.
     Press,
     /// [`Contact::force`](crate::grasp::Contact::force), N.
     Force,
     /// [`Contact::suction`](crate::grasp::Contact::suction), N.
     Suction,
-    /// Initial clearance along the normal, m.
+    /// Initial clearance between finger and object along the normal, m.
     Clearance,
 }
 
 impl Field {
-    /// The words between a datum and its value in an error message. The value for a tangent is its length.
+    /// The words between a datum and its value in an error message. For a tangent "of length", since its value is its length; else "is".
     pub(crate) fn is(self) -> &'static str {
         if self == Self::Tangent { "of length" } else { "is" }
     }

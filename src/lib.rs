@@ -1,8 +1,9 @@
 //! Does the grasp hold?
 //!
 //! A multifingered hand holds an object. Each contact is a point with Coulomb friction. Finger and object are elastic at each contact, like springs
-//! in series. Small displacements of the fingers are commanded, and a load acts on the object. This crate computes the motion of the object, the
-//! contact forces, and **the load at which a contact starts to slide**. It also decides whether an equilibrium exists beyond that load.
+//! in series. Small displacements of the fingers are commanded, and a load (force and moment) acts on the object. This crate computes the motion of
+//! the object, the contact forces, and **the load at which a contact starts to slide**. It also decides whether an equilibrium exists beyond that
+//! load.
 //!
 //! ```
 //! use grasp_lcp::need::Need;
@@ -49,11 +50,11 @@
 //! | [`load_path`] | first slip and the behaviour just beyond it; load programs followed with slip memory, for a few contacts ([`load_path::LoadPath`]) or thousands ([`load_path::SteppedPath`]); sensitivities |
 //! | [`shake`] | loads that repeat: rest, alternating slip, slip that accumulates (walking), or loss |
 //! | [`identify`] | friction, loads of supports, squeeze and stiffness from observed slips, with their errors |
-//! | [`improve`] | finger places on given surfaces, and squeezes, that delay first slip |
-//! | [`squeeze`] | the least squeeze for a set of loads, the weakest direction, and the least onset within bounds of commands and loads |
+//! | [`improve`] | finger places on given surfaces, and squeezes, with the latest first slip |
+//! | [`squeeze`] | the least squeeze for a set of loads, the weakest direction, and the least first slip within error bounds |
 //! | [`statics`] | force closure and form closure: which loads contact forces could balance |
-//! | [`energy`] | the paper's quadratic program, its comparison with complementarity, stability |
-//! | [`sweep`] | many questions at once, in parallel (feature `parallel`, on by default); grasps with uncertain data |
+//! | [`energy`] | the quadratic program of the paper (minimum energy), and its comparison with the complementarity problem |
+//! | [`sweep`] | the same question for many grasps or loads, in parallel (feature `parallel`, on by default); grasps with uncertain data |
 //! | [`screening`] | first slip as a load grows or turns, with its gradient, and the least squeeze, for millions of grasps of two to five contacts; monitoring of measured forces |
 //!
 //! # Solvers
@@ -61,7 +62,7 @@
 //! | module | contents |
 //! |---|---|
 //! | [`lcp`] | `0 <= z ⟂ M z + q >= 0` by Lemke's method; independent of contacts |
-//! | [`friction`] | frictional contact problems (W, q, μ) as simulators pose them, on the round cone |
+//! | [`friction`] | frictional contact problems given by a matrix W, a vector q and coefficients μ, as simulators pose them, on the round cone |
 //! | [`forms`] | kinematic and force form of a grasp as linear complementarity problems, and the meaning of their rows |
 //!
 //! # Files and pictures

@@ -48,7 +48,7 @@ pub(super) fn answer<const C: usize>(
     (answer, change)
 }
 
-/// The equations of all contacts, with the matrix W in blocks and a proximal term at an anchor.
+/// The equations of all contacts with a proximal term in δ (`delta`) that holds forces near an anchor; the matrix W is stored in blocks.
 pub(super) struct Anchored<'a, const C: usize> {
     pub(super) problem: &'a FrictionProblem<C>,
     pub(super) blocks: &'a Blocks<C>,
@@ -56,13 +56,13 @@ pub(super) struct Anchored<'a, const C: usize> {
     pub(super) rho: Vec<f64>,
     pub(super) anchor: DVector<f64>,
     pub(super) delta: f64,
-    /// Weight of each contact's squared residual.
+    /// Weight of each contact's squared residual in the norm of the residuals that the line search reduces.
     pub(super) weight: Vec<f64>,
 }
 
 impl<'a, const C: usize> Anchored<'a, C> {
-    /// The equations with the anchor at these forces. Residuals are weighted as energy or, if `by_contact`, relative to the contact's own force
-    /// and velocity.
+    /// The equations with the anchor at these forces. Squared residuals are divided by ρ, as energy, or, if `by_contact`, by the squared size of the
+    /// contact's own force and velocity.
     pub(super) fn with_anchor(
         problem: &'a FrictionProblem<C>,
         blocks: &'a Blocks<C>,

@@ -21,13 +21,13 @@ use crate::prelude::*;
 use core::ops::ControlFlow;
 use nalgebra::DVector;
 
-/// The starts: number of sweeps, and the initial parameter τ of the central path relative to the mean energy of a contact.
+/// The starts in order: number of sweeps, and the initial parameter τ of the central path as a multiple of the mean energy ‖r_i‖² / ρ_i of a contact.
 pub(super) const STARTS: [(usize, f64); 4] = [(200, 1e-2), (20, 1.0), (1000, 1e-4), (5, 1e-6)];
 
 /// The caller's function that receives the progress and may stop the solve.
 pub(super) type Watcher<'a> = dyn FnMut(&SolveProgress<'_>) -> ControlFlow<()> + 'a;
 
-/// A solve in progress, and the best forces so far.
+/// A solve by the methods of this file, for one island of contacts, with the best forces so far.
 pub(super) struct Approach<'a, 'w, const C: usize> {
     problem: &'a FrictionProblem<C>,
     blocks: &'a Blocks<C>,
@@ -40,14 +40,14 @@ pub(super) struct Approach<'a, 'w, const C: usize> {
     pub(super) best: Best,
 }
 
-/// The forces with the smallest residual so far.
+/// The best forces so far: those whose largest residual over all contacts is smallest, of all forces that the methods have produced.
 #[derive(Debug, Clone)]
 pub(super) struct Best {
     pub(super) r: DVector<f64>,
     pub(super) residual: f64,
-    /// The contact with the largest residual.
+    /// The contact with the largest residual at these forces.
     pub(super) worst: usize,
-    /// Number of Newton steps.
+    /// Number of Newton steps of all starts so far.
     pub(super) steps: usize,
     /// Whether the watcher has stopped the solve.
     pub(super) stopped: bool,
@@ -73,7 +73,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         }
     }
 
-    /// Runs start number `nth`. Returns whether the residual of the best forces is within the tolerance.
+    /// Runs the start number `nth` of [`STARTS`]. Returns whether the residual of the best forces is then within the tolerance.
     pub(super) fn run_start(&mut self, nth: usize) -> bool {
         let (sweeps, tau) = STARTS[nth];
         let mut r = DVector::zeros(self.problem.q.len());
@@ -94,7 +94,8 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         self.anchored_rounds(r)
     }
 
-    /// Runs a start that follows the central path around its folds, for a few contacts.
+    /// Runs a start that follows the central path around its folds, for a few contacts. Returns whether the residual of the best forces is then
+    /// within the tolerance; false if the path has no starting point.
     pub(super) fn around_folds(&mut self) -> bool {
         let Some(r) = around_folds(self.problem, self.blocks) else { return false };
         if self.record_if_best(&r) <= WORTH_POLISHING && self.polish() || self.best.stopped {
@@ -103,14 +104,15 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         self.anchored_rounds(r)
     }
 
-    /// Returns the best forces after Newton steps from the given forces (see [`Self::polish`]).
+    /// Returns the forces with the smallest residual, after Newton steps from the given forces (see [`Self::polish`]).
     pub(super) fn polished(mut self, r: &DVector<f64>) -> DVector<f64> {
         self.record_if_best(r);
         self.polish();
         self.best.r
     }
 
-    /// Runs rounds of anchored Newton steps, in each of which the anchor moves to the forces of the last round.
+    /// Runs rounds of anchored Newton steps. After a round that converges, the anchor moves to its forces; after one that fails, to the old anchor
+    /// improved by sweeps. Returns whether the residual of the best forces is within the tolerance.
     fn anchored_rounds(&mut self, mut r: DVector<f64>) -> bool {
         // Weight of the proximal term in the first round.
         let mut delta = 1e-3;
@@ -139,7 +141,8 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         self.is_converged()
     }
 
-    /// Makes Newton steps from the best forces while they reduce the residual; sweeps replace a step that fails.
+    /// Makes at most twenty Newton steps from the best forces while they reduce the residual; sweeps replace a step that fails. Returns whether the
+    /// residual of the best forces is within the tolerance.
     fn polish(&mut self) -> bool {
         for _ in 0..20 {
             // A residual of a hundredth of the tolerance needs no further polish.
@@ -165,7 +168,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         self.is_converged()
     }
 
-    /// Makes `count` sweeps, or fewer if the forces no longer change.
+    /// Makes `count` sweeps over the contacts, or fewer if a sweep changes the forces only by rounding.
     fn run_sweeps(&self, r: &mut DVector<f64>, count: usize) {
         for _ in 0..count {
             if sweep(self.problem, self.blocks, r) < FEW_ROUNDINGS {
@@ -185,8 +188,8 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         Anchored::with_anchor(self.problem, self.blocks, self.rho.clone(), anchor, weights)
     }
 
-    /// Keeps these forces if their residual is the smallest so far, and calls the watcher with the progress. Returns the largest residual of these
-    /// forces.
+    /// Moves these forces onto the cones, keeps them if their residual is the smallest so far, and calls the watcher with the progress. Returns their
+    /// largest residual over all contacts; infinite if a force is not finite.
     fn record_if_best(&mut self, r: &DVector<f64>) -> f64 {
         if r.iter().any(|r| !r.is_finite()) {
             return f64::INFINITY;

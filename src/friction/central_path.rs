@@ -21,7 +21,7 @@ use crate::prelude::*;
 use core::ops::ControlFlow;
 use nalgebra::{DVector, SVector};
 
-/// The smoothed equations for one value of τ.
+/// The smoothed equations r' = P(r' − ρ û') of all contacts (see the top of the file) for one value of τ.
 pub(super) struct Smoothed<'a, const C: usize> {
     pub(super) problem: &'a FrictionProblem<C>,
     pub(super) blocks: &'a Blocks<C>,
@@ -51,8 +51,8 @@ fn tangent_block<const C: usize>(own: &ContactBlock<C>) -> ContactBlock<C> {
     block
 }
 
-/// Follows the path from the forces r; the first τ is `begin` times the mean energy of r. `judge` returns the residual of forces, or stops the
-/// path. Returns the best forces found and the number of Newton steps.
+/// Follows the path from the forces r; the first τ is `begin` times the mean of ‖r_i‖² / ρ_i over the contacts. `judge` returns the residual of
+/// forces, or stops the path. Returns the forces with the smallest residual, and the number of Newton steps.
 pub(super) fn follow<const C: usize>(
     problem: &FrictionProblem<C>,
     blocks: &Blocks<C>,
@@ -130,7 +130,7 @@ impl<const C: usize> Equations<C> for Smoothed<'_, C> {
     }
 }
 
-/// The residual of a contact, and its derivatives with respect to force and velocity.
+/// The residual r' − P(r' − ρ û') of a contact's smoothed law, and its derivatives with respect to the contact's force and velocity.
 fn contact<const C: usize>(
     force: &SVector<f64, C>,
     velocity: &SVector<f64, C>,

@@ -39,7 +39,8 @@ impl<const C: usize> FrictionProblem<C> {
         r
     }
 
-    /// The solution with these forces; `None` if its residuals exceed the tolerance.
+    /// The solution with these forces, after forces of open contacts are set to zero and, if needed, forces are moved onto their cones. `None` if its
+    /// residuals exceed the tolerance, or if q is so small beside W r that rounding hides it.
     pub(super) fn checked_solution(
         &self,
         mut r: DVector<f64>,
@@ -77,8 +78,8 @@ impl<const C: usize> FrictionProblem<C> {
         Some(Solution { r, u, states: found, residuals, pivots: 0, steps: 0 })
     }
 
-    /// Whether friction exceeds μ r_N by more than rounding. For a steep cone the excess may be small relative to the force but large relative
-    /// to its normal component.
+    /// Whether some contact's friction exceeds its limit μ r_N by more than rounding. For a steep cone the excess may be small relative to the force
+    /// but large relative to its normal component.
     fn leaves_cones(&self, r: &DVector<f64>) -> bool {
         (0..self.len()).any(|i| {
             let force: SVector<f64, C> = part(r, i);
@@ -86,7 +87,7 @@ impl<const C: usize> FrictionProblem<C> {
         })
     }
 
-    /// These forces, in which a force is set to zero if it contributes only rounding to every velocity.
+    /// These forces, in which a contact's force is set to zero if it contributes only rounding to the velocities of all contacts.
     fn without_noise(&self, mut r: DVector<f64>) -> DVector<f64> {
         let terms = self.w.abs() * r.abs() + self.q.abs();
         for i in 0..self.len() {

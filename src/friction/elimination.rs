@@ -82,7 +82,7 @@ fn inverse<const C: usize>(mut block: ContactBlock<C>) -> Option<ContactBlock<C>
     inverse.iter().all(|x| x.is_finite()).then_some(inverse)
 }
 
-/// A block row: pairs of a contact and its block.
+/// A block row of a matrix: pairs of a contact, whose block column it is, and a nonzero block.
 pub(super) type SparseRow<const C: usize> = Vec<(usize, ContactBlock<C>)>;
 
 /// Solves a linear system, given its block rows by contact and its right-hand side. `None` if a pivot is singular.

@@ -10,17 +10,18 @@ use crate::numerics::tolerances::SUFFICIENT_DECREASE;
 use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
-/// Residuals at the forces r, and their derivatives.
+/// Residuals of the equations of all contacts at the forces r, and their derivatives.
 #[derive(Debug, Clone)]
 pub(super) struct Linearisation<const C: usize> {
     pub(super) r: DVector<f64>,
-    /// Residual of each contact.
+    /// Residual of each contact: C components each, in the order of contacts.
     pub(super) residual: DVector<f64>,
     /// Derivative of a contact's residual with respect to its force, at constant velocity.
     pub(super) by_force: Vec<ContactBlock<C>>,
     /// Derivative of a contact's residual with respect to its velocity.
     pub(super) by_velocity: Vec<ContactBlock<C>>,
-    /// Norm of the residuals. Each residual is a small difference of large terms, and `terms` is the norm of these terms.
+    /// Norm of the residuals of all contacts, weighted. Each residual is a small difference of large terms, and `terms` is the norm of these terms (0
+    /// along the central path).
     pub(super) size: f64,
     pub(super) terms: f64,
 }
@@ -65,18 +66,19 @@ pub(super) trait Equations<const C: usize> {
 /// Limits of the iteration of [`descend`].
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Patience {
-    /// Largest number of steps.
+    /// Largest number of Newton steps.
     pub(super) steps: usize,
     /// Norms of the residuals at which the iteration has converged: absolute (`enough`), or relative to the norm of the terms (`rounding`).
     pub(super) enough: f64,
     pub(super) rounding: f64,
-    /// Shortest fraction of a step that the line search tries.
+    /// Shortest fraction of a Newton step that the line search tries.
     pub(super) shortest: f64,
-    /// Number of full steps that are accepted although the line search fails.
+    /// Number of times that a full Newton step is taken although the line search has found no shorter one that reduces the residuals enough.
     pub(super) leaps: usize,
 }
 
-/// Newton's method with line search, from the forces r. Returns the last point and the number of steps. `order` is the elimination order.
+/// Newton's method with line search, from the forces r, within the limits of `patience`. Returns the last point, converged or not, and the number of
+/// steps. `order` is the elimination order.
 pub(super) fn descend<const C: usize>(
     equations: &impl Equations<C>,
     order: &[usize],
@@ -109,7 +111,7 @@ pub(super) fn descend<const C: usize>(
     (point, made)
 }
 
-/// The Newton step at a point; `None` if the elimination fails.
+/// The Newton step at a point, a change of the forces of all contacts; `None` if a diagonal block is singular in the elimination.
 pub(super) fn newton_step<const C: usize>(
     equations: &impl Equations<C>,
     order: &[usize],

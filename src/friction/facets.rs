@@ -64,7 +64,8 @@ pub struct FacetedProblem<const C: usize> {
 }
 
 impl<const C: usize> FacetedProblem<C> {
-    /// The entries for the normal forces (or their slacks, the normal velocities) from a vector of the complementarity problem.
+    /// From a vector with an entry for each unknown (or slack) of the complementarity problem, the entry of each contact's normal force (or normal
+    /// velocity).
     pub(super) fn normals(&self, z: &DVector<f64>) -> DVector<f64> {
         vector_of(self.facets.0.len(), &|i| z[self.facets.width() * i])
     }

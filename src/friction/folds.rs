@@ -18,7 +18,7 @@ use nalgebra::{DMatrix, DVector};
 /// Largest number of Newton corrections per step. If at most half of them were needed, the next step is longer.
 const MOST_FOLD_CORRECTIONS: usize = 6;
 
-/// Forces at the end of the path, or where its steps become too short. `None` if no starting point or no tangent is found.
+/// Forces at the end of the path, or where its steps become too short or too many. `None` if no starting point or no tangent is found.
 pub(super) fn around_folds<const C: usize>(
     problem: &FrictionProblem<C>,
     blocks: &Blocks<C>,
@@ -74,7 +74,8 @@ struct Path<'a, const C: usize> {
 }
 
 impl<const C: usize> Path<'_, C> {
-    /// Forces and the logarithm of the path's parameter τ at the starting point of the path, far inside the cones.
+    /// Forces, followed by the logarithm of the path's parameter τ, at the starting point of the path, far inside the cones. `None` if Newton's
+    /// method does not reach the path there.
     fn starting_point(&self, energy: f64) -> Option<DVector<f64>> {
         let size = self.problem.q.len();
         // Initial τ, as a multiple of the mean energy of a contact.
@@ -127,7 +128,8 @@ impl<const C: usize> Path<'_, C> {
         vector_of(size + 1, &|k| if k == size { 1.0 } else { 1.0 / (self.rho[k / C] * energy) })
     }
 
-    /// The unit tangent of the path, oriented like the previous one.
+    /// The unit tangent of the path, oriented like the previous one, `before`. Its length is one in the metric `measure`. `None` if the equations are
+    /// singular.
     fn tangent(
         &self,
         x: &DVector<f64>,
@@ -146,8 +148,8 @@ impl<const C: usize> Path<'_, C> {
         tangent.iter().all(|x| x.is_finite()).then_some(tangent)
     }
 
-    /// Newton correction of x back to the path, within the hyperplane through x normal to `ahead`. Returns the point and the number of
-    /// corrections.
+    /// Newton correction of x back to the path, within the hyperplane through x normal to `ahead`. Returns the point and the number of corrections,
+    /// or `None` after more than [`MOST_FOLD_CORRECTIONS`] of them.
     fn corrected(
         &self,
         mut x: DVector<f64>,

@@ -45,7 +45,7 @@ pub(super) fn islands<const C: usize>(blocks: &Blocks<C>) -> Vec<Vec<usize>> {
 }
 
 impl<const C: usize> FrictionProblem<C> {
-    /// The problem restricted to the given contacts.
+    /// The problem of the given contacts alone: their rows and columns of W, and their entries of q and μ.
     pub(super) fn of_contacts(&self, contacts: &[usize]) -> Self {
         let component = |k: usize| C * contacts[k / C] + k % C;
         let size = C * contacts.len();
@@ -56,7 +56,8 @@ impl<const C: usize> FrictionProblem<C> {
         }
     }
 
-    /// Solves all islands and combines their solutions. If an island has no solution, neither has the whole problem.
+    /// Solves all islands and combines their solutions. The first proof that an island, and so the problem, has no solution is returned at once, and
+    /// so is a stop by the watcher. Otherwise the first failure is returned, if any.
     pub(super) fn solve_islands(
         &self,
         islands: &[Vec<usize>],

@@ -3,7 +3,7 @@
 use super::problem::{FrictionProblem, part};
 use nalgebra::{DVector, SVector};
 
-/// The state of a contact.
+/// The state of a contact by Coulomb's law.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum ContactMode {
@@ -23,12 +23,13 @@ pub enum ContactMode {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Residuals {
-    /// The largest speed with which a contact approaches, −u_N for the normal velocity u_N.
+    /// The largest approach speed of a contact, −u_N for its normal velocity u_N. It is relative to the terms of W r + q that add up to its velocity.
     pub approach: f64,
-    /// The largest distance of a contact force r from its friction cone ‖r_T‖ ≤ μ r_N.
+    /// The largest distance of a contact force r from its friction cone ‖r_T‖ ≤ μ r_N, relative to ‖r‖.
     pub cone: f64,
-    /// The largest distance between a contact force r and the projection of r − ρ û onto its friction cone, which vanishes where Coulomb's law holds.
-    /// Here û = u + μ ‖u_T‖ n for the velocity u and the normal n. ρ is ‖r‖ divided by the size of the terms W r + q that add up to the velocity.
+    /// The largest distance between a contact force r and the projection of r − ρ û onto its friction cone, relative to ‖r‖; it vanishes where
+    /// Coulomb's law holds. Here û = u + μ ‖u_T‖ n for the velocity u and the normal n. ρ is ‖r‖ divided by the size of the terms W r + q that add up
+    /// to the velocity.
     pub law: f64,
 }
 
@@ -104,7 +105,7 @@ impl<const C: usize> FrictionProblem<C> {
         self.worst_residuals(r).0
     }
 
-    /// The residuals, and the contact with the largest one.
+    /// The residuals of the forces r, each the largest over all contacts, and the contact with the largest of them.
     pub(super) fn worst_residuals(&self, r: &DVector<f64>) -> (Residuals, usize) {
         if r.len() != self.q.len() || r.iter().any(|r| !r.is_finite()) {
             return (INFINITE_RESIDUALS, 0);
@@ -117,7 +118,8 @@ impl<const C: usize> FrictionProblem<C> {
         self.residuals_from(r, &u, &terms)
     }
 
-    /// The residuals for forces, velocities and magnitudes of the velocities' terms, and the contact with the largest one.
+    /// The residuals for forces, velocities and magnitudes of the velocities' terms, each the largest over all contacts, and the contact with the
+    /// largest of them.
     pub(super) fn residuals_from(
         &self,
         r: &DVector<f64>,

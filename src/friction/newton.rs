@@ -9,7 +9,7 @@ use crate::numerics::tolerances::{FEW_ROUNDINGS, SOLVED_ROUNDING, SUFFICIENT_DEC
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector, SMatrix};
 
-/// An iterate: forces, and the residuals at these forces.
+/// An iterate of Newton's method: forces of all contacts, and the residuals at these forces.
 #[derive(Debug, Clone)]
 struct Iterate<const C: usize> {
     r: DVector<f64>,
@@ -40,7 +40,8 @@ impl<'a, const C: usize> Newton<'a, C> {
         Self { problem, rho: numbered(problem.len(), &rho) }
     }
 
-    /// Forces after at most `steps` Newton steps, and the number of steps made.
+    /// Newton's method from the forces r, until the residual is rounding or `steps` steps are made. Returns the last forces, converged or not, and
+    /// the number of steps made.
     pub(super) fn run(&self, r: DVector<f64>, steps: usize) -> (DVector<f64>, usize) {
         let mut point = self.place(r);
         let mut made = 0;
@@ -84,7 +85,7 @@ impl<'a, const C: usize> Newton<'a, C> {
         Iterate { r, residual, changes, size: size.sqrt(), terms: terms.sqrt() }
     }
 
-    /// The Newton step; its components along forces that the equations do not determine are zero.
+    /// The Newton step; its components along forces that the equations do not determine are zero. `None` if it is not finite.
     fn step(&self, point: &Iterate<C>) -> Option<DVector<f64>> {
         let size = point.r.len();
         let mut jacobian = DMatrix::zeros(size, size);

@@ -16,7 +16,7 @@ use crate::numerics::regula_falsi;
 use nalgebra::SVector;
 
 /// The force of a contact with the diagonal block A of the matrix W and friction μ; b is its velocity without its own force. `None` if A is not
-/// definite enough for a force to stop the approach.
+/// definite enough for a force to stop the approach, or if numbers overflow.
 pub(super) fn answer<const C: usize>(
     a: &ContactBlock<C>,
     b: &SVector<f64, C>,
@@ -101,7 +101,7 @@ impl<const C: usize> Slide<C> {
     }
 }
 
-/// The solution of the tangential part of a linear system, by Cramer's rule.
+/// The solution of the tangential part of a linear system, by Cramer's rule. `None` if it is not finite.
 fn solved<const C: usize>(a: &ContactBlock<C>, b: &SVector<f64, C>) -> Option<SVector<f64, C>> {
     let mut x = SVector::<f64, C>::zeros();
     if C == 2 {

@@ -13,7 +13,7 @@ use crate::lcp::{BreakdownCause, Certificate, Outcome};
 use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
-/// State of the search: facet angles, step counts, and the smallest residual.
+/// State of the search: the angles of the facets, counts of pivots and Newton steps, and the smallest residual after a run of Newton's method.
 pub(super) struct Polygons<'a, const C: usize> {
     problem: &'a FrictionProblem<C>,
     newton: Newton<'a, C>,
@@ -22,7 +22,8 @@ pub(super) struct Polygons<'a, const C: usize> {
     angles: Vec<f64>,
     pub(super) pivots: usize,
     pub(super) steps: usize,
-    /// The smallest residual that Newton's method has reached, and the contact to which it belongs.
+    /// At the end of each run of Newton's method, the largest residual over all contacts is computed. This is the smallest one so far, with its
+    /// contact; infinite before the first run.
     pub(super) least: (f64, usize),
 }
 
@@ -39,7 +40,8 @@ impl<'a, const C: usize> Polygons<'a, C> {
         }
     }
 
-    /// A solution, or the outcome of the problem with the first polygons. Facets are rotated up to `turns` times.
+    /// A solution or, if none is found, the outcome of the first try. After a failure the facets of each contact are rotated and 1.5 times as many
+    /// are used, up to `turns` times; in the plane there is only one try.
     pub(super) fn solve(&mut self, turns: usize) -> Outcome<Solution> {
         let mut count = self.settings.facets.clamp(3, MOST_CONE_FACETS);
         let mut first = None;
@@ -53,8 +55,8 @@ impl<'a, const C: usize> Polygons<'a, C> {
         first.unwrap_or_else(|| self.no_convergence())
     }
 
-    /// Newton's method from the forces of the problem with polygons. If that problem has no solution and `from_zero` is set, Newton's method starts
-    /// from zero forces.
+    /// One try: solves the problem with polygons of `count` facets, and continues with Newton's method from its forces. If the polygons give no
+    /// solution and `from_zero` is set, Newton's method starts from zero forces, in space only.
     fn by_facets(&mut self, count: usize, from_zero: bool) -> Outcome<Solution> {
         let Ok(polygon) = self.problem.polygon(Facets::regular(count, &self.angles)) else {
             return Outcome::Breakdown { pivots: self.pivots, cause: BreakdownCause::Overflow };
@@ -75,7 +77,8 @@ impl<'a, const C: usize> Polygons<'a, C> {
         }
     }
 
-    /// A solution from these forces, directly or after Newton's method.
+    /// A solution from these forces, as they are or after Newton's method. Without a solution the outcome is `NoConvergence`. In any case facets are
+    /// rotated for the next try.
     fn solution_from(&mut self, start: DVector<f64>) -> Outcome<Solution> {
         self.turn(&start);
         if let Some(solution) = self.checked_solution(start.clone()) {
@@ -98,7 +101,7 @@ impl<'a, const C: usize> Polygons<'a, C> {
         Some(Solution { pivots: self.pivots, steps: self.steps, ..solution })
     }
 
-    /// Rotates the facets of each contact that moves tangentially, so that one direction opposes the slip.
+    /// Rotates the facets of each contact that moves tangentially under the forces r, so that its first facet direction opposes its slip.
     fn turn(&mut self, r: &DVector<f64>) {
         let u = self.problem.velocities(r);
         for (i, angle) in self.angles.iter_mut().enumerate() {
@@ -115,7 +118,8 @@ impl<'a, const C: usize> Polygons<'a, C> {
     }
 }
 
-/// Converts the certificate of the problem with polygons, which has a weight for each of its rows, to one with a weight for each contact.
+/// Converts a certificate of the problem with polygons, which has a weight for each row, to one with a weight for each contact: that of its normal
+/// row. Other outcomes are returned unchanged.
 fn weighed<const C: usize>(outcome: Outcome<Solution>, polygon: &FacetedProblem<C>) -> Outcome<Solution> {
     let weigh =
         |certificate: Certificate| Certificate::new(polygon.normals(&certificate.y), certificate.pivots);

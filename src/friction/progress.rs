@@ -6,14 +6,14 @@ use nalgebra::DVector;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct SolveProgress<'a> {
-    /// Indices of the contacts that are being solved: an island, or all contacts.
+    /// Indices, in the caller's problem, of the contacts that are being solved: an island, or all contacts.
     pub contacts: &'a [usize],
-    /// The best forces of these contacts so far: for each contact the normal component, then the tangential ones.
+    /// The forces of these contacts with the smallest residual so far: for each contact the normal component, then the tangential ones.
     pub forces: &'a DVector<f64>,
-    /// The largest of the [`Residuals`](super::Residuals) of these forces.
+    /// The largest of the [`Residuals`](super::Residuals) at these forces, over these contacts.
     pub residual: f64,
-    /// Index of the contact with this residual.
+    /// Index, in the caller's problem, of the contact with this residual.
     pub worst: usize,
-    /// Number of Newton steps made for these contacts.
+    /// Number of Newton steps made for these contacts, without those of the method that starts from polygons.
     pub steps: usize,
 }

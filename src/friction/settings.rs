@@ -13,14 +13,15 @@ pub struct Settings {
     /// Number of facets of the polygon from which Newton's method starts in space (default 8; at least 3, at most 128). More facets start closer
     /// to the round cone, but make the complementarity problem larger.
     pub facets: usize,
-    /// Number of restarts of Newton's method after it did not converge (default 4). Each restart uses 1.5 times as many facets, rotated towards the
-    /// slip directions.
+    /// Largest number of restarts from another polygon after Newton's method did not converge, in space (default 4). Each uses 1.5 times as many
+    /// facets, rotated towards the slip directions.
     pub turns: usize,
-    /// Newton steps from each start, and in each round of anchored steps (default 30).
+    /// Largest number of Newton steps from the forces of each polygon, and in each round of anchored steps (default 30).
     pub steps: usize,
-    /// Number of starts for many contacts, or if facets have failed: Gauss–Seidel, central path and anchored steps (default and maximum 4).
+    /// Largest number of starts for many contacts, or if facets have failed (default and maximum 4). Each makes Gauss–Seidel sweeps, follows the
+    /// central path and makes anchored steps.
     pub starts: usize,
-    /// Rounds of anchored steps in each of these starts (default 30). They take most of the time if no solution is found.
+    /// Largest number of rounds of anchored Newton steps in each of these starts (default 30). They take most of the time if no solution is found.
     pub rounds: usize,
     /// Largest [`Residuals`](super::Residuals) with which forces are accepted as a solution (default 1e-12).
     pub tolerance: f64,

@@ -19,11 +19,11 @@ pub struct Solution {
     pub u: DVector<f64>,
     /// State of each contact (n entries). On the border of two states, rounding decides.
     pub states: Vec<ContactMode>,
-    /// Residuals of the law, recomputed from the given data.
+    /// Residuals of Coulomb's law for these forces, recomputed from the given W, q and μ.
     pub residuals: Residuals,
-    /// Number of pivots of Lemke's method.
+    /// Number of pivots of Lemke's method on polygons, over all islands.
     pub pivots: usize,
-    /// Number of Newton steps.
+    /// Number of Newton steps of all methods, over all islands.
     pub steps: usize,
 }
 

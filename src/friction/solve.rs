@@ -1,4 +1,4 @@
-//! Choice and order of the methods for a problem.
+//! Choice and order of the methods for a frictional contact problem: facets, sweeps, central path, proof.
 
 use super::approach::{Approach, STARTS, Watcher};
 use super::blocks::Blocks;
@@ -150,7 +150,7 @@ impl<const C: usize> FrictionProblem<C> {
         }
     }
 
-    /// Whether the outcome of a polygon also holds for the round cones.
+    /// Whether the outcome of the problem with polygons also holds for the round cones: a checked solution, or a proof that is valid for them.
     fn is_known(&self, polygon: &Outcome<Solution>) -> bool {
         match polygon {
             Outcome::Solved(_) => true,
@@ -162,7 +162,7 @@ impl<const C: usize> FrictionProblem<C> {
         }
     }
 
-    /// The outcome of a polygon. It is infeasible only if the certificate also holds for the round cones.
+    /// The outcome of the problem with polygons, in which infeasible becomes nearly infeasible unless the certificate also holds for the round cones.
     fn proved(&self, polygon: Outcome<Solution>) -> Outcome<Solution> {
         match polygon {
             Outcome::Infeasible(certificate) | Outcome::NearlyInfeasible(certificate) => {

@@ -1,6 +1,6 @@
 //! One attempt: Lemke's path from the slack basis to its end, and the check of the point at this end.
 //!
-//! An attempt returns `None` if the workspace then holds a solution, otherwise the way in which it failed.
+//! An attempt returns `None` if the workspace then holds a solution, otherwise the outcome with which it failed.
 
 use super::certificate;
 use super::dictionary::LemkeVariable;
@@ -15,27 +15,30 @@ use crate::numerics::tolerances::ROUNDED_SUM;
 use crate::prelude::*;
 
 impl Workspace {
-    /// Balances rows and columns of the problem, and clears the results of the previous one.
+    /// Balances rows and columns of the problem, and resets the path and the residuals of the previous problem.
     pub(super) fn prepare(&mut self, lcp: &Lcp) {
         self.residuals = None;
         self.path.prepare(lcp.m.as_slice(), lcp.q.as_slice());
         self.reserve(lcp.len());
     }
 
-    /// Follows the path of a prepared problem with the covering vector of the settings. `None` if it ends in a solution.
+    /// Follows Lemke's path of a prepared problem from the slack basis, with the covering vector and the pivot limit of the settings. `None` if it
+    /// ends in a solution.
     pub(super) fn first_path(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         self.cover(settings);
         self.follow(lcp, settings, settings.pivot_limit(lcp.len()))
     }
 
-    /// Returns the breakdown of a solve whose settings do not fit the problem, before any path is followed.
+    /// Clears the residuals and the number of pivots of the previous problem. Returns a breakdown if the settings do not fit this problem, otherwise
+    /// `None`.
     pub(super) fn refuse(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         self.residuals = None;
         self.path.pivots = 0;
         settings.check(&lcp.q).err().map(|cause| Outcome::Breakdown { pivots: 0, cause })
     }
 
-    /// Stores the covering vector d in the path, multiplied by the factors that balance the rows.
+    /// Stores the covering vector d in the path: that of the settings, multiplied by the factors that balance the rows, or one balanced unit for each
+    /// row.
     fn cover(&mut self, settings: &Settings) {
         let path = &mut self.path;
         match &settings.covering {
@@ -47,7 +50,8 @@ impl Workspace {
         }
     }
 
-    /// Follows Lemke's path from the slack basis and checks its end. `None` if the end is a solution.
+    /// Follows Lemke's path from the slack basis with the stored covering vector, up to `limit` pivots of all paths, and checks its end. `None` if
+    /// the end is a solution.
     pub(super) fn follow(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) -> Option<Unsolved> {
         let m = lcp.m.as_slice();
         self.path.start_from_slacks();
@@ -65,14 +69,15 @@ impl Workspace {
         })
     }
 
-    /// Checks the end of a path. If rounding has led to an infeasible basis, the path is resumed from that basis. `None` if the end is a solution.
+    /// Checks the complementary point at the end of a path. If rounding has led to a point that fails, the path is resumed from its basis, up to
+    /// three times. `None` if an end is a solution.
     pub(super) fn finish_or_resume(
         &mut self,
         lcp: &Lcp,
         settings: &Settings,
         limit: usize,
     ) -> Option<Unsolved> {
-        // Each round costs one factorisation. A path whose end is infeasible three times has met a nearly singular basis.
+        // Each round costs one factorisation. A path whose end fails its check three times has met a nearly singular basis.
         for _ in 0..3 {
             let Some(failure) = self.finish(lcp, settings) else {
                 self.sharpen(lcp, settings, limit);
@@ -87,7 +92,8 @@ impl Workspace {
     }
 
     /// Improves a solution whose w is more negative than rounding explains: its path has treated nearly equal ratios as ties, or small values as
-    /// noise. A second path from this solution does neither, and the better of both points is kept. Settings without retries skip this step.
+    /// noise. A second path from this solution does neither, and the point with the smaller largest residual is kept. Settings without retries skip
+    /// this step.
     fn sharpen(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) {
         let coarse = match self.residuals {
             Some(r) if r.negative_w > residual_rounding(lcp.len()) && settings.retries > 0 => r,

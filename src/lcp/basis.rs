@@ -35,12 +35,12 @@ impl Basis {
         self.basic_z.resize(n, false);
     }
 
-    /// Makes z_i basic.
+    /// Makes z_i basic and w_i nonbasic.
     pub(super) fn insert(&mut self, i: usize) {
         self.basic_z[i] = true;
     }
 
-    /// Makes z_i basic and w_i nonbasic, or the reverse.
+    /// Exchanges w_i and z_i: makes z_i basic if w_i is, otherwise w_i.
     pub(super) fn toggle(&mut self, i: usize) {
         self.basic_z[i] = !self.basic_z[i];
     }
@@ -51,24 +51,24 @@ impl Basis {
         self.basic_z.get(i).copied().unwrap_or(false)
     }
 
-    /// The elements of α in increasing order.
+    /// The elements of α, the indices of the basic z_i, in increasing order.
     pub fn iter(&self) -> impl Iterator<Item = usize> + Clone + '_ {
         self.basic_z.iter().enumerate().filter(|(_, basic)| **basic).map(|(i, _)| i)
     }
 
-    /// Number of elements of α.
+    /// Number of elements of α, the basic z_i.
     #[must_use]
     pub fn count(&self) -> usize {
         self.basic_z.iter().filter(|basic| **basic).count()
     }
 
-    /// Number n of pairs.
+    /// Number n of pairs (w_i, z_i).
     #[must_use]
     pub fn len(&self) -> usize {
         self.basic_z.len()
     }
 
-    /// Whether n = 0.
+    /// Whether there are no pairs, n = 0.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.basic_z.is_empty()

@@ -1,4 +1,4 @@
-//! From the end of a path to a point whose residuals are computed from the given data.
+//! From the complementary basis at the end of a path to its point z: it is refined, and its residuals are computed from the given M and q.
 
 use super::dictionary::LemkeVariable;
 use super::memory::refill;
@@ -14,7 +14,8 @@ use crate::numerics::IntoList;
 use crate::prelude::*;
 
 impl Workspace {
-    /// Checks the point z = 0, for a problem with q ≥ 0. `None` if it is a solution.
+    /// Makes z = 0 the point of the workspace, for a problem with q ≥ 0, and checks it. `None` if it is accepted as a solution, otherwise the
+    /// breakdown.
     pub(super) fn accept_slack_basis(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         let n = lcp.len();
         self.basis.clear(n);
@@ -24,15 +25,15 @@ impl Workspace {
         self.conclude(lcp, residuals, settings)
     }
 
-    /// Refines the point of the complementary basis in the dictionary, and checks it against the given M and q. `None` if the point solves the
-    /// problem.
+    /// Removes z's that are zero up to rounding from the dictionary's complementary basis. Then refines its point and checks it against the given M
+    /// and q. `None` if the point solves the problem.
     pub(super) fn finish(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         self.mark_vanishing(lcp);
         self.retire_vanishing(lcp);
         self.finish_basis(lcp, settings)
     }
 
-    /// [`Self::finish`] without setting small basic variables to zero.
+    /// [`Self::finish`] without removing z's that are zero up to rounding from the basis.
     pub(super) fn finish_as_it_is(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         refill(&mut self.vanishing, lcp.len(), false);
         self.finish_basis(lcp, settings)
@@ -67,7 +68,7 @@ impl Workspace {
         self.conclude(lcp, residuals, settings)
     }
 
-    /// Replaces the workspace's point by its `spare` point if `accept` holds for the largest residual of the spare point.
+    /// Replaces the workspace's point and `residuals` by those of its `spare` point if `accept` holds for the largest residual of the spare point.
     fn take_spare(&mut self, lcp: &Lcp, residuals: &mut Residuals, accept: impl Fn(f64) -> bool) {
         let spare = self.spare.evaluate(lcp);
         if accept(spare.max()) {
@@ -78,8 +79,8 @@ impl Workspace {
 
     /// Marks the basic z's that are zero up to rounding.
     ///
-    /// Such a z is small relative to the terms from which it was computed. It may also be small relative to the largest z, if the residuals stay as
-    /// small with all such z's set to zero. The second test finds z's that were computed from noise alone.
+    /// Such a z is at most [`ZERO_VALUE`] times the size of the terms from which it was computed. It may also be small relative to the largest z, if
+    /// the residuals stay as small with all such z's set to zero. The second test finds z's that were computed from noise alone.
     fn mark_vanishing(&mut self, lcp: &Lcp) {
         let n = lcp.len();
         refill(&mut self.vanishing, n, false);
@@ -108,9 +109,9 @@ impl Workspace {
         }
     }
 
-    /// Exchanges each vanishing z_j with w_j if the pivot is large enough.
+    /// Exchanges each z_j that [`Self::mark_vanishing`] has marked with w_j, unless the pivot is too small.
     ///
-    /// The point then belongs to a smaller principal block, and the noise of z_j does not affect its rows. Variables are processed by index, since
+    /// The remaining basic z then have a smaller principal block, and the noise of z_j does not affect them. Variables are processed by index, since
     /// the order of rows depends on rounding.
     fn retire_vanishing(&mut self, lcp: &Lcp) {
         let LemkePath { dictionary, scaling, .. } = &mut self.path;
@@ -121,7 +122,8 @@ impl Workspace {
         }
     }
 
-    /// Iterative refinement of the point until its residuals are rounding or a step gains little. Returns the residuals of the best point.
+    /// At most three steps of iterative refinement of the point, until its residuals are rounding or a step does not halve the largest. Keeps the
+    /// point with the smallest largest residual and returns its residuals.
     fn refine(&mut self, lcp: &Lcp, mut residuals: Residuals) -> Residuals {
         let n = lcp.len();
         // Each step costs O(n²); a third step rarely gains anything.
@@ -141,8 +143,8 @@ impl Workspace {
         residuals
     }
 
-    /// One step of refinement: corrects the basic values by the effect of the defect. The defect of a row with basic z_i is its w_i, which should
-    /// vanish.
+    /// One step of refinement: adds to the basic values the effect of the defect at the present point. The defect of a row with basic z_i is its w_i,
+    /// which should vanish.
     fn correct_values(&mut self) {
         let path = &mut self.path;
         self.defect.clear();
@@ -159,8 +161,8 @@ impl Workspace {
         }
     }
 
-    /// Sets z_i to zero if z_i is basic but w_i is not zero, although the residuals are small. Such a z_i contributes less than rounding to every
-    /// row. Returns whether any z_i was set.
+    /// Sets to zero, and removes from the basis, each basic z_i whose w_i exceeds the residual tolerance relative to its terms. If the residuals are
+    /// small, such a z_i contributes less than rounding to every row. Returns whether any z_i was set.
     fn settle_pairs(&mut self, settings: &Settings) -> bool {
         let mut changed = false;
         for i in 0..self.point.z.len() {
@@ -173,8 +175,8 @@ impl Workspace {
         changed
     }
 
-    /// Factorises the block of the basis anew, first without its vanishing variables, then with them. Replaces the point if the new one has smaller
-    /// residuals.
+    /// Factorises the block of the basis anew, first without its vanishing variables, then with them. Replaces the point if the largest residual of
+    /// the new one is smaller.
     fn finish_by_factorisation(&mut self, lcp: &Lcp, best: &mut Residuals) {
         let alpha: Vec<usize> = self.basis.iter().list();
         let support: Vec<usize> = alpha.iter().copied().filter(|i| !self.vanishing[*i]).list();
@@ -193,7 +195,8 @@ impl Workspace {
         }
     }
 
-    /// Accepts the point (`None`) only if its residuals are within the tolerance and it does not also solve the problem for a very different q.
+    /// Accepts the point (`None`) if its residuals are within the tolerance of the settings, unless it also solves the problem for a very different
+    /// q. Otherwise returns the breakdown.
     fn conclude(&mut self, lcp: &Lcp, residuals: Residuals, settings: &Settings) -> Option<Unsolved> {
         let cause = if residuals == Residuals::UNUSABLE {
             BreakdownCause::Overflow

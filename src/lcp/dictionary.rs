@@ -46,7 +46,7 @@ impl LemkeVariable {
     }
 }
 
-/// The dictionary of one basis. Its vectors are reused from problem to problem.
+/// The dictionary of one basis, on balanced data. The memory of its vectors is reused from problem to problem.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Dictionary {
     n: usize,
@@ -56,24 +56,26 @@ pub(super) struct Dictionary {
     kept: Vec<usize>,
     /// For each w_i, its stored column; `None` if w_i is basic.
     slot: Vec<Option<usize>>,
-    /// The stored columns, one after another.
+    /// The stored columns D_v of the nonbasic slacks v, n entries each, one after another.
     columns: Vec<f64>,
-    /// Values of the basic variables, row by row.
+    /// Value of the basic variable of each row.
     pub(super) x: Vec<f64>,
     /// The column of p, which breaks ties: the effect on the basic variables of adding the perturbation p to q.
     pub(super) p: Vec<f64>,
-    /// For each row, the magnitude of the largest term from which its value in `x` was computed.
+    /// For each row, the size of the terms from which its value in `x` was computed: their sum after [`Self::sum_terms`]. Each later pivot raises it
+    /// to the term that the pivot adds, if that is larger.
     pub(super) level: Vec<f64>,
-    /// The column of the entering variable.
+    /// The column of the entering variable: for each row, the change of the basic variable per unit of the entering one.
     pub(super) u: Vec<f64>,
-    /// The covering vector d.
+    /// The balanced covering vector d.
     pub(super) d: Vec<f64>,
     /// The column of M, or d, from which (1) computes the entering column. A zero follows it, for rows whose basic variable is no slack.
     entering: Vec<f64>,
     /// For each row, the index i of its basic slack w_i; n if its basic variable is no slack.
     slack: Vec<usize>,
     next: Vec<f64>,
-    /// For each stored column D_v, its factor in the update `D_v += g u`, and its factor in the sum of the next entering column.
+    /// For each stored column D_v, its factor in the update `D_v += g u`. The next field `c` holds its factor in the sum (1) for the next entering
+    /// column.
     g: Vec<f64>,
     c: Vec<f64>,
 }
@@ -106,12 +108,12 @@ impl Dictionary {
         }
     }
 
-    /// Whether w_i is nonbasic, so that row i holds as an equation w_i = 0.
+    /// Whether w_i is nonbasic, so that row i of w = q + M z + d z₀ holds with w_i = 0.
     pub(super) fn is_active(&self, i: usize) -> bool {
         self.slot[i].is_some()
     }
 
-    /// The stored column of a variable; `None` unless it is a nonbasic slack.
+    /// The index of the stored column of a variable; `None` unless the variable is a nonbasic slack.
     fn slot_of(&self, variable: LemkeVariable) -> Option<usize> {
         if let LemkeVariable::W(i) = variable { self.slot[i] } else { None }
     }
@@ -129,12 +131,12 @@ impl Dictionary {
         }
     }
 
-    /// The largest entry of the loaded column of M or d, from which (1) computes the entering column.
+    /// The magnitude of the largest entry of the loaded column of M or d, from which (1) computes the entering column.
     pub(super) fn entering_size(&self) -> f64 {
         largest(&self.entering)
     }
 
-    /// The effect on the basic variables of adding r to the right-hand side, by equation (1).
+    /// Writes into `effect` the changes of the basic variables if r is added to the right-hand side, by equation (1).
     pub(super) fn effect(&mut self, r: &[f64], effect: &mut [f64]) {
         self.entering[..self.n].copy_from_slice(r);
         self.spread();
@@ -147,7 +149,8 @@ impl Dictionary {
         wide(Combine::<false> { columns: &self.columns, n: self.n, c: &self.c, y });
     }
 
-    /// Sets `level` for values that were computed as the effect of the right-hand side q: to the sum of the magnitudes of all terms of each value.
+    /// Recomputes `level` for values that (1) computes from the right-hand side q: for each row, the sum of the magnitudes of the terms of (1). These
+    /// are q_i if the slack w_i is basic in the row, and the entry of each stored column D_{w_j} times q_j.
     pub(super) fn sum_terms(&mut self, q: &[f64]) {
         self.c.clear();
         self.c.extend(self.kept.iter().map(|i| q[*i]));
@@ -240,7 +243,8 @@ impl Dictionary {
         wide(Update { columns: &mut self.columns, n: self.n, g: &self.g, u: &self.u });
     }
 
-    /// Exchanges z_j, basic in row r, with w_j, unless the pivot is too small.
+    /// Exchanges z_j, basic in row r, with w_j. Nothing is changed if w_j is basic too, or if the pivot is below [`RETIRING_PIVOT`] times the largest
+    /// entry of its column.
     pub(super) fn retire(&mut self, j: usize, r: usize, scaling: &Scaling, m: &[f64]) {
         if !self.is_active(j) {
             return;
@@ -311,7 +315,7 @@ impl Dictionary {
         self.level[r] = level;
     }
 
-    /// Removes a stored column; the last column takes its position in `columns`.
+    /// Removes the stored column with the index `slot`, whose slack becomes basic; the last column takes its position in `columns`.
     fn forget(&mut self, slot: usize) {
         let n = self.n;
         self.slot[self.kept[slot]] = None;

@@ -24,8 +24,8 @@ pub struct AllSolutions {
     ///
     /// A point that belongs to several bases is listed once, with [`Solution::degenerate`] set. [`Solution::pivots`] is 0.
     pub solutions: Vec<Solution>,
-    /// The singular bases whose piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } is not empty. Such a piece may be a whole face of solutions;
-    /// one of its points is among `solutions`.
+    /// The singular bases with a solution, as a point of the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }. Such a piece may be a whole face of
+    /// solutions; only this point is among `solutions`.
     pub singular: Vec<Basis>,
 }
 
@@ -58,7 +58,7 @@ impl Lcp {
     }
 }
 
-/// Tries all 2ⁿ complementary bases; n is at most [`MOST_ENUMERATED`].
+/// Tries all 2ⁿ complementary bases of a problem with n of at most [`MOST_ENUMERATED`].
 pub(super) fn all_solutions(lcp: &Lcp, settings: &Settings) -> AllSolutions {
     let n = lcp.len();
     let mut scaling = Scaling::default();
@@ -86,8 +86,8 @@ pub(super) fn all_solutions(lcp: &Lcp, settings: &Settings) -> AllSolutions {
     search.found
 }
 
-/// A solution at a vertex of the solution set of a singular basis, for problems in which linear programming has found no solution. The size n is at
-/// most [`MOST_ROWS_WITH_VERTICES`](super::tolerances::MOST_ROWS_WITH_VERTICES).
+/// The first solution found at a vertex of the solution set of a singular basis, for problems in which linear programming has found none. `None` if
+/// no vertex is a solution. The size n is at most [`MOST_ROWS_WITH_VERTICES`](super::tolerances::MOST_ROWS_WITH_VERTICES).
 pub(super) fn at_corner(lcp: &Lcp, settings: &Settings) -> Option<Solution> {
     let n = lcp.len();
     let mut scaling = Scaling::default();
@@ -111,7 +111,8 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Adds the point with the values `basic` of z_α if it is a new solution. Returns its basis if it is a solution, new or not.
+    /// Adds the point with the values `basic` of z_α if it solves the problem and is not known yet. Returns its basis if it is a solution, new or
+    /// known, otherwise `None`.
     fn offer(&mut self, alpha: &[usize], basic: &DVector<f64>) -> Option<Basis> {
         let solution = self
             .solution_at(alpha, basic)
@@ -135,7 +136,7 @@ impl Search<'_> {
         vector_of(alpha.len(), &|j| if size(j) <= ZERO_VALUE * largest { 0.0 } else { basic[j] })
     }
 
-    /// The solution with the values `basic` of z_α; `None` if they do not solve the problem.
+    /// The solution with the values `basic` of z_α and z = 0 elsewhere; `None` if its residuals exceed the tolerance or it does not depend on q.
     fn solution_at(&self, alpha: &[usize], basic: &DVector<f64>) -> Option<Solution> {
         let (lcp, tolerance) = (self.lcp, self.settings.residual_tolerance);
         let mut z = vec![0.0; lcp.len()];
@@ -163,8 +164,8 @@ impl Search<'_> {
         Some(Solution { z, w, basis, residuals, pivots: 0, degenerate })
     }
 
-    /// A point of the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }, by linear programming on balanced data. The caller must check its
-    /// residuals.
+    /// A point of the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }, by linear programming on balanced data. Returns its z_α. `None` if the
+    /// linear program has no solution; it also returns a point if the piece is empty. The caller must check its residuals.
     ///
     /// Here the scaling is not rounded to powers of two, so that the point chosen on a face does not depend on units.
     fn point_of_singular_piece(&self, alpha: &[usize]) -> Option<DVector<f64>> {
@@ -179,7 +180,7 @@ impl Search<'_> {
     }
 }
 
-/// Whether two points differ only by rounding, entry by entry or relative to the largest entry.
+/// Whether two points differ only by rounding: in each entry, relative to this entry or to the largest entry of both.
 fn is_one_point(a: &DVector<f64>, b: &DVector<f64>) -> bool {
     let size = a.amax().max(b.amax());
     a.iter().zip(b).all(|(a, b)| {

@@ -1,4 +1,4 @@
-//! Errors about malformed input.
+//! Errors in the input of a complementarity problem: shapes, lengths and entries that are not finite.
 
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
@@ -9,7 +9,7 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum LcpError {
-    /// M is not square.
+    /// The matrix M is not square.
     #[error(
         "the matrix of a complementarity problem must be square, but it has {rows} rows and {columns} columns"
     )]
@@ -29,26 +29,26 @@ pub enum LcpError {
         /// The required length.
         needed: usize,
     },
-    /// A vector does not have one entry per row of M.
+    /// A vector does not have the required number of entries, such as q without one entry for each row of M.
     #[error("{what} has {given} entries, but the problem has {needed} rows")]
     Length {
-        /// Name of the vector.
+        /// Name of the vector, for example q.
         what: &'static str,
         /// Length of this vector.
         given: usize,
         /// The required length.
         needed: usize,
     },
-    /// The shape of a block of a mixed problem does not match the other blocks.
+    /// A matrix does not have the required shape, such as the matrix W of a [frictional contact problem](crate::friction).
     #[error(
         "block {what} has {rows} rows and {columns} columns, but must have {needed_rows} and {needed_columns}"
     )]
     BlockShape {
-        /// Name of the block.
+        /// Name of the matrix.
         what: &'static str,
-        /// Number of rows of the block.
+        /// Number of rows of this matrix.
         rows: usize,
-        /// Number of columns of the block.
+        /// Number of columns of this matrix.
         columns: usize,
         /// The required number of rows.
         needed_rows: usize,
@@ -80,7 +80,7 @@ pub enum LcpError {
 }
 
 impl LcpError {
-    /// Checks that a matrix is square and all its entries are finite.
+    /// Checks that a matrix is square and all its entries are finite; `what` names the matrix in the error.
     pub(super) fn check_square(what: &'static str, m: &DMatrix<f64>) -> Result<(), Self> {
         let (rows, columns) = m.shape();
         if rows != columns {
@@ -89,7 +89,7 @@ impl LcpError {
         Self::check_entries(what, m)
     }
 
-    /// Checks that a block has the shape (rows, columns) and all its entries are finite.
+    /// Checks that a matrix has the shape (rows, columns) and all its entries are finite; `what` names the matrix in the error.
     pub(crate) fn check_block(
         what: &'static str,
         block: &DMatrix<f64>,
@@ -102,7 +102,7 @@ impl LcpError {
         Self::check_entries(what, block)
     }
 
-    /// Checks that a vector has `needed` entries, all of them finite.
+    /// Checks that a vector has `needed` entries, all of them finite; `what` names the vector in the error.
     pub(crate) fn check_vector(what: &'static str, v: &DVector<f64>, needed: usize) -> Result<(), Self> {
         if v.len() != needed {
             return Err(Self::Length { what, given: v.len(), needed });

@@ -91,8 +91,8 @@ impl Judge<'_> {
         })
     }
 
-    /// Whether the dual solution of { min t : the piece is violated by at most t }, taken as v, excludes the basis. It is computed once for each
-    /// margin.
+    /// Whether a dual solution of the linear program that minimises the largest violation of the constraints of the piece, taken as v, excludes the
+    /// basis. There is one for each margin.
     fn by_linear_program(&self, alpha: &[usize]) -> bool {
         let program = |margin| linear_program::of_piece((&self.m, &self.q), alpha, margin, self.settings);
         MARGINS.into_iter().filter_map(program).any(|program| self.proves(alpha, &program.y))
@@ -112,7 +112,7 @@ fn solved(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
     if rhs.is_empty() { Some(rhs.clone()) } else { block.clone().full_piv_lu().solve(rhs) }
 }
 
-/// A condition that the point of a basis violates.
+/// A condition that the point of a basis violates: this z_j or w_i is negative.
 enum Broken {
     /// The condition z_j ≥ 0, for an element of α that is given by its position in α.
     Domain(usize),

@@ -25,8 +25,8 @@ impl Lcp {
         self.contradicts(y, |_| false, |_| Domain::NotNegative)
     }
 
-    /// Whether y proves that some constraints contradict each other. Rows of M z + q are required to be zero or nonnegative, and each unknown has one
-    /// of the two kinds of [`Domain`]. The proof needs y_i ≥ 0 in nonnegative rows, (Mᵀy)_j ≤ 0 for z_j ≥ 0, and qᵀy < 0.
+    /// Whether y proves that constraints on M z + q and z contradict each other. Rows i with `vanishes(i)` must be zero, all others nonnegative; z_j
+    /// has the values of `domain(j)`. The proof needs y_i ≥ 0 in nonnegative rows, (Mᵀy)_j ≤ 0 for z_j ≥ 0, and qᵀy < 0.
     pub(super) fn contradicts(
         &self,
         y: &DVector<f64>,
@@ -77,7 +77,7 @@ impl Lcp {
     }
 
     /// The certificate with the vector y, as computed or [`cleaned`]: exact if y proves infeasibility without rounding, otherwise nearly infeasible.
-    /// `None` if y proves nothing.
+    /// `None` if y does not even prove infeasibility up to rounding.
     pub(super) fn farkas_proof(&self, y: &DVector<f64>) -> Option<Unsolved> {
         let certificate = |y| Certificate { y, pivots: 0 };
         if let Some(y) = cleaned(y).find(|y| self.proves_infeasible(y)) {
@@ -88,7 +88,8 @@ impl Lcp {
         nearly.map(|y| Outcome::NearlyInfeasible(certificate(y)))
     }
 
-    /// Whether y is a Farkas vector up to rounding: (Mᵀy)_j is at most 8 (n + 2) ε times the magnitude of its terms, ε = 2⁻⁵².
+    /// Whether y ≥ 0 is a Farkas vector up to rounding: each (Mᵀy)_j is at most c times the magnitude of its terms, and qᵀy less than −c times that
+    /// of its terms. Here c = 8 (n + 2) ε, ε = 2⁻⁵².
     fn nearly_proves(&self, y: &DVector<f64>) -> bool {
         let rounding = sum_rounding(self.len());
         let sums = |column: &[f64]| {
@@ -161,8 +162,8 @@ pub(super) fn cleaned(y: &DVector<f64>) -> impl Iterator<Item = DVector<f64>> {
     all.into_iter()
 }
 
-/// The integer vector whose ratios are those of y up to `rounding`, if any. The common denominator is built entry by entry, each time multiplied by
-/// the smallest factor that makes the entry an integer.
+/// The integer vector whose ratios are those of y up to `rounding`; `None` if its entries would exceed [`LARGEST_WHOLE`]. The common denominator is
+/// built entry by entry, each time multiplied by the smallest factor that makes the entry an integer.
 fn whole_within(y: &DVector<f64>, rounding: f64) -> Option<DVector<f64>> {
     let largest = y.amax();
     let mut denominator = 1.0;
@@ -175,7 +176,8 @@ fn whole_within(y: &DVector<f64>, rounding: f64) -> Option<DVector<f64>> {
     Some(y.map(|y| (y / largest * denominator).round()))
 }
 
-/// The denominator, in lowest terms, of a fraction that equals x within `rounding`, found by continued fractions.
+/// The denominator, in lowest terms, of a fraction that equals x within `rounding`, found by continued fractions. `None` if it exceeds
+/// [`LARGEST_WHOLE`].
 fn denominator_of(x: f64, rounding: f64) -> Option<f64> {
     let (mut rest, mut before, mut denominator) = (x, 0.0, 1.0);
     while denominator <= LARGEST_WHOLE {

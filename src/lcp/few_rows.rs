@@ -14,7 +14,7 @@ use nalgebra::DVector;
 const BINARY_DIGITS: [i32; 4] = [1, 3, 8, 20];
 
 impl Lcp {
-    /// A Farkas vector with one or two nonzero entries, if one exists.
+    /// A Farkas vector with one or two nonzero entries, if one is found. Pairs of rows are only tried up to [`MOST_PAIRED_ROWS`] rows.
     pub(super) fn few_rows(&self) -> Option<DVector<f64>> {
         let n = self.len();
         if let Some(row) = (0..n).find(|row| self.is_hopeless(*row, 1.0, 0..n)) {
@@ -38,7 +38,7 @@ impl Lcp {
     }
 
     /// A Farkas vector y whose nonzero entries are in the rows i and k. The ratio y_k / y_i must lie between bounds, one from each column of M and
-    /// from q.
+    /// from q. `None` if no ratio that is tried gives an exact proof.
     fn two_rows(&self, i: usize, k: usize) -> Option<DVector<f64>> {
         let n = self.len();
         // Each bound is stored as a pair (y_i, y_k) of two matrix entries. Products of y with M that must cancel then cancel exactly.
@@ -83,7 +83,8 @@ impl Lcp {
         None
     }
 
-    /// A simpler Farkas vector: without entries that the proof does not need, the others with as few digits as suffice.
+    /// A simpler Farkas vector: without entries that the proof does not need, the others with as few binary digits as suffice. With more than
+    /// [`MOST_PAIRED_ROWS`] rows y is returned unchanged.
     pub(super) fn plainer(&self, mut y: DVector<f64>) -> DVector<f64> {
         if self.len() > MOST_PAIRED_ROWS {
             return y;

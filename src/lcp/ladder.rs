@@ -19,7 +19,8 @@ use crate::prelude::*;
 use nalgebra::DVector;
 
 impl Workspace {
-    /// Makes the attempts in turn for a prepared problem. `None` if one of them solves it, otherwise the outcome of the attempt that decides.
+    /// Makes the attempts in turn for a prepared problem. `None` if one of them solves it. Otherwise returns the proof that no solution exists or,
+    /// without one, the outcome of the first path.
     pub(super) fn climb(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         let first = self.first_path(lcp, settings)?;
         match first {
@@ -110,9 +111,10 @@ impl Workspace {
     }
 }
 
-/// A basis in which one or two z's are basic, as the start of a path, for problems whose paths from the slack basis end in rays.
+/// A basis for the start of a path, for problems whose paths from the slack basis end in rays: z_i and z_j are basic, or one z_i alone if M_ii ≠ 0.
+/// `None` if no j has nonzero M_ij and M_ji.
 ///
-/// The matrix [0, A; Bᵀ, 0] of a bimatrix game has no other regular bases with few basic z's. Each attempt uses another index of the first z.
+/// The matrix [0, A; Bᵀ, 0] of a bimatrix game has no other regular bases with few basic z's. Each attempt uses another index i.
 fn small_basis(lcp: &Lcp, attempt: usize) -> Option<[usize; 2]> {
     let n = lcp.len();
     let i = attempt.wrapping_mul(7).wrapping_add(attempt / n) % n;

@@ -11,7 +11,7 @@ use super::settings::Settings;
 use super::tolerances::{DOUBTFUL_PIVOT, DRIFTED, ZERO_VALUE};
 use crate::numerics::tolerances::FEW_ROUNDINGS;
 
-/// The ways in which a path ends.
+/// The ways in which a path of Lemke's method ends.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum LemkeEnd {
     /// z₀ has left, so the basis is complementary.
@@ -23,8 +23,8 @@ pub(super) enum LemkeEnd {
 }
 
 impl LemkePath {
-    /// Lets z₀, whose column is in the dictionary, enter an infeasible basis. Then follows the path until z₀ leaves again, and returns the end of the
-    /// path.
+    /// Lets z₀, whose column is in the dictionary, enter an infeasible basis. Then follows the path until z₀ leaves again or the path ends otherwise,
+    /// and returns its end. A basis without negative values is `Complementary` at once.
     pub(super) fn cover_and_run(&mut self, m: &[f64], settings: &Settings, limit: usize) -> LemkeEnd {
         let row = match most_violated_row(&self.dictionary, settings) {
             Ok(Some(row)) => row,
@@ -43,7 +43,7 @@ impl LemkePath {
 
     /// Follows a path from the complementary basis in which z_i is basic if `active(i)`.
     ///
-    /// Returns whether the path ended in another complementary basis; a singular or feasible start has no path.
+    /// Returns whether the path ended in another complementary basis. Without a path, from a singular or feasible start, the result is false.
     pub(super) fn run_from(
         &mut self,
         m: &[f64],
@@ -75,7 +75,8 @@ impl LemkePath {
         }
     }
 
-    /// Makes one exchange and returns the leaving variable. Afterwards the dictionary holds the column of the complement of the leaving variable.
+    /// Exchanges the entering variable with the basic variable of the row, and returns the leaving variable. Afterwards the dictionary holds the
+    /// column of the complement of the leaving variable, unless z₀ has left.
     pub(super) fn pivot(&mut self, entering: LemkeVariable, row: usize, m: &[f64]) -> LemkeVariable {
         self.pivots += 1;
         self.age += 1;

@@ -12,7 +12,8 @@ use super::settings::Settings;
 use crate::numerics::{IntoList, matrix_of, vector_of};
 use nalgebra::{DMatrix, DVector};
 
-/// A proof that the constraints contradict each other: from a single row, or from the dual solution of the linear program.
+/// A proof that M z + q ≥ 0 and z ≥ 0 contradict each other, exactly or up to rounding: from a single row, or from the dual solution of the linear
+/// program. `None` if none is found.
 pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option<Unsolved> {
     let n = lcp.len();
     if let Some(row) = (0..n).find(|row| lcp.is_hopeless(*row, 1.0, 0..n)) {
@@ -65,8 +66,8 @@ impl Lcp {
 /// vertex stays inside, if the constraints leave room for the margin.
 pub(super) const MARGINS: [f64; 4] = [0.0, 1e-3, 1e-6, 1e-9];
 
-/// The program for the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } of a balanced problem. In its solution, x holds the z_α. The dual y has
-/// one entry per row of M, of either sign in the rows α, where (M z + q)_i = 0.
+/// The program for the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } of a balanced problem. `None` if it cannot be solved. In its solution, x
+/// holds the z_α. The dual y has one entry per row of M, of either sign in the rows α, where (M z + q)_i = 0.
 pub(super) fn of_piece(
     (m, q): (&DMatrix<f64>, &DVector<f64>),
     alpha: &[usize],
@@ -88,8 +89,8 @@ pub(super) fn of_piece(
     Some(LinearProgram { x: x * load, y: folded })
 }
 
-/// The solution of min { t − δ 1ᵀx : A x + b + t 1 ≥ 0, x, t ≥ 0 } and of its dual max { −bᵀy : Aᵀy ≤ −δ 1,
-/// 1ᵀy ≤ 1, y ≥ 0 }, with a margin δ.
+/// The solution, x and y, of min { t − δ 1ᵀx : A x + b + t 1 ≥ 0, x, t ≥ 0 } and of its dual max { −bᵀy : Aᵀy ≤ −δ 1, 1ᵀy ≤ 1, y ≥ 0 }, with a margin
+/// δ.
 pub(super) struct LinearProgram {
     pub(super) x: DVector<f64>,
     pub(super) y: DVector<f64>,

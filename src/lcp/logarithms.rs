@@ -45,7 +45,7 @@ impl Logarithms {
         columns.finish();
     }
 
-    /// Adds q as one more column of the matrix.
+    /// Adds q as one more column of the matrix; its sums become the last of `columns`.
     pub(super) fn append(q: &[f64], rows: &mut Self, columns: &mut Self) {
         let (mut sum, mut count) = (0.0, 0.0);
         for (i, q) in q.iter().enumerate().filter(|(_, q)| is_nonzero(**q)) {

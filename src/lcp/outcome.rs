@@ -33,16 +33,16 @@ pub enum Outcome<S = Solution> {
     /// The path ended in a secondary ray, along which z₀ never reaches zero. The ray proves nothing, and all further attempts that the
     /// [`Settings`](super::Settings) allow have failed.
     Ray(Ray),
-    /// The limit on the number of pivots was reached.
+    /// The pivot limit of the settings was reached before the solve ended.
     PivotLimit {
         /// Number of pivots on all paths.
         pivots: usize,
     },
-    /// The computation failed in double precision.
+    /// The settings are invalid, or the computation failed in double precision; `cause` has the reason.
     Breakdown {
         /// Number of pivots before the breakdown.
         pivots: usize,
-        /// The reason for the breakdown.
+        /// The reason: invalid settings, or what failed.
         cause: BreakdownCause,
     },
 }
@@ -54,13 +54,14 @@ pub type OutcomeView<'a> = Outcome<SolutionView<'a>>;
 pub(super) type Unsolved = Outcome<Infallible>;
 
 impl<S> Outcome<S> {
-    /// The solution, if there is one.
+    /// The solution; `None` for every other outcome.
     #[must_use]
     pub fn solution(&self) -> Option<&S> {
         if let Self::Solved(solution) = self { Some(solution) } else { None }
     }
 
-    /// Whether the constraints are proved to contradict each other, exactly or up to rounding.
+    /// Whether a certificate proves that M z + q ≥ 0 and z ≥ 0 contradict each other, exactly or up to rounding. The result is false for
+    /// [`Self::NoBasis`].
     #[must_use]
     pub fn is_infeasible(&self) -> bool {
         matches!(self, Self::Infeasible(_) | Self::NearlyInfeasible(_))
@@ -80,7 +81,7 @@ impl<S> Outcome<S> {
         }
     }
 
-    /// This outcome with its number of pivots set to `made`. A solution is returned unchanged.
+    /// This outcome with its number of pivots replaced by `made`, the number on all paths. A solution is returned unchanged.
     pub(super) fn after(mut self, made: usize) -> Self {
         match &mut self {
             Self::Solved(_) => {}
@@ -103,7 +104,7 @@ impl Unsolved {
 }
 
 impl OutcomeView<'_> {
-    /// A copy that is independent of the workspace.
+    /// This outcome with a copy of the solution, independent of the memory of the workspace or series.
     #[must_use]
     pub fn into_outcome(self) -> Outcome {
         self.and_then(|view| Outcome::Solved(view.to_solution()))
@@ -176,7 +177,7 @@ pub struct Ray {
     /// Direction ẑ (n entries, none negative, the largest 1), in the caller's units.
     #[cfg_attr(feature = "serde", serde(serialize_with = "super::written::list"))]
     pub direction: DVector<f64>,
-    /// Rate ẑ₀ ≥ 0 of the covering variable, on the scale of the direction.
+    /// Rate ẑ₀ ≥ 0 of the covering variable, for the direction as scaled here.
     pub covering_rate: f64,
     /// Number of pivots on all paths.
     pub pivots: usize,
@@ -219,22 +220,21 @@ pub enum BreakdownCause {
     /// The principal block of the final basis is singular, or so close to singular that q is smaller than the rounding error of M z.
     #[error("the final basis is singular")]
     SingularBasis,
-    /// Newton's method, started from a solution with polygonal cones, reached no residual smaller than this one; see
-    /// [`FrictionProblem`](crate::friction::FrictionProblem).
+    /// The methods for a [`FrictionProblem`](crate::friction::FrictionProblem) ended without a solution.
     #[error("Newton's method came no closer than {residual:.1e}, at contact {contact}")]
     NoConvergence {
-        /// The smallest residual that was reached.
+        /// The largest residual over all contacts, at the best forces found; the best forces are those for which it is smallest.
         residual: f64,
-        /// The contact with this residual, counted from 0.
+        /// The contact with this residual at the best forces, counted from 0.
         contact: usize,
     },
-    /// The caller's watch function stopped the solve at this residual; see
+    /// The caller's watch function stopped the solve when the best forces had this residual; see
     /// [`FrictionProblem::solve_watched`](crate::friction::FrictionProblem::solve_watched).
     #[error("stopped on request at a residual of {residual:.1e}, at contact {contact}")]
     Stopped {
-        /// The smallest residual that was reached.
+        /// The largest residual over all contacts, at the best forces found until then.
         residual: f64,
-        /// The contact with this residual, counted from 0.
+        /// The contact with this residual at these forces, counted from 0.
         contact: usize,
     },
     /// The final basis was reached, but the residuals of its point, given here, exceed the tolerance.

@@ -12,7 +12,7 @@ use super::workspace::Workspace;
 use crate::prelude::*;
 use nalgebra::DVector;
 
-/// Direction of τ along a piece of the path.
+/// Direction of τ along a piece of the path of solutions. On a piece the basis does not change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Trend {
     /// τ increases.
@@ -23,7 +23,7 @@ pub enum Trend {
     Still,
 }
 
-/// A point at which one piece of the path ends and the next begins.
+/// A point at which the basis of the path of solutions changes: one piece of the path ends and the next begins.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Breakpoint {
@@ -149,7 +149,7 @@ impl<'a> Parametric<'a> {
         Ok(path)
     }
 
-    /// Prepares the dictionary of the solution at τ = 0, with τ as the entering variable.
+    /// Prepares the dictionary of the solution at τ = 0, with τ as the entering variable. The error is the reason why no path starts there.
     fn begin(&mut self, dq: &DVector<f64>) -> Result<(), PathEnd> {
         self.basis = self.start.solution().ok_or(PathEnd::NoStart)?.basis.clone();
         self.remembered.clone_from(&self.basis);
@@ -194,7 +194,7 @@ impl<'a> Parametric<'a> {
         (DVector::from_vec(rate), if tau.abs() <= noise { 0.0 } else { tau })
     }
 
-    /// Follows one piece of the path up to the breakpoint at its end.
+    /// Follows one piece of the path up to the breakpoint at its end. The error is the reason why there is no further breakpoint.
     fn step(&mut self) -> Result<Breakpoint, PathEnd> {
         if self.closed {
             return Err(PathEnd::Loop);

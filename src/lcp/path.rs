@@ -16,9 +16,9 @@ pub(super) struct LemkePath {
     pub(super) p: Vec<f64>,
     pub(super) d: Vec<f64>,
     pub(super) pivots: usize,
-    /// Number of pivots since the dictionary was last computed from M, q and d.
+    /// Number of pivots since the dictionary was last computed from M, q and d by elimination.
     pub(super) age: usize,
-    /// The perturbation of each variable, kept while the dictionary is recomputed.
+    /// The perturbation p of each variable that is basic, by variable; kept while the dictionary is recomputed.
     pub(super) saved: Vec<f64>,
     pub(super) members: Vec<LemkeVariable>,
     /// Rows whose slacks become nonbasic as the dictionary is recomputed from the slack basis.
@@ -28,7 +28,8 @@ pub(super) struct LemkePath {
 }
 
 impl LemkePath {
-    /// Balances M, q and the perturbation p. A dictionary must be computed afterwards, for example by [`Self::start_from_slacks`].
+    /// Computes the factors that balance M, and balances q and the perturbation p with them. A dictionary must be computed afterwards, for example by
+    /// [`Self::start_from_slacks`].
     pub(super) fn prepare(&mut self, m: &[f64], q: &[f64]) {
         self.scaling.balance(q.len(), m, q);
         self.p.clear();
@@ -53,14 +54,14 @@ impl LemkePath {
         self.q.extend(q.iter().zip(&self.scaling.row).map(|(q, row)| q * row));
     }
 
-    /// Starts the path from the slack basis with the current q, p and d.
+    /// Sets the dictionary to the slack basis with the current balanced q, p and d.
     pub(super) fn start_from_slacks(&mut self) {
         self.dictionary.reset(&self.q, &self.p, &self.d);
         self.age = 0;
     }
 
     /// Converts numbers that belong to the basic variables, one for each row, to a vector z in the caller's units. Returns the number that belongs to
-    /// z₀ if z₀ is basic.
+    /// z₀, or `None` if z₀ is not basic.
     pub(super) fn unknowns(&self, rows: &[f64], z: &mut Vec<f64>) -> Option<f64> {
         refill(z, self.q.len(), 0.0);
         let mut covering = None;
@@ -74,7 +75,7 @@ impl LemkePath {
         covering
     }
 
-    /// Writes the current z into `z`, and returns z₀ if it is basic. Negative entries of z are noise and are set to zero.
+    /// Writes the current z into `z`, and returns the value of z₀, or `None` if z₀ is not basic. Negative entries of z are noise and are set to zero.
     pub(super) fn read_point(&self, z: &mut Vec<f64>) -> Option<f64> {
         let covering = self.unknowns(&self.dictionary.x, z);
         for z in z.iter_mut() {

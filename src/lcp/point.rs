@@ -17,7 +17,7 @@ pub(super) struct LcpPoint {
 }
 
 impl LcpPoint {
-    /// The point z of a problem, with its slacks.
+    /// The point z of a problem, with its slacks and the magnitudes of their terms.
     pub(super) fn new(z: Vec<f64>, lcp: &Lcp) -> Self {
         let mut point = Self { z, ..Self::default() };
         point.sum(lcp);
@@ -42,12 +42,13 @@ impl LcpPoint {
         self.residuals(lcp)
     }
 
-    /// Whether w_i exceeds the tolerance. Callers use this for basic z_i, whose w_i should vanish.
+    /// Whether w_i exceeds `tolerance` times the magnitude of its terms. Callers use this for basic z_i, whose w_i should vanish.
     pub(super) fn has_slack(&self, i: usize, tolerance: f64) -> bool {
         self.w[i] > tolerance * self.terms[i]
     }
 
-    /// Sets w_i to zero where z_i is basic, and negative w_i to zero elsewhere. Returns whether a basic variable is zero.
+    /// Sets w_i to zero where z_i is basic, and negative w_i to zero elsewhere. Returns whether a basic variable is zero: a z_i exactly, a w_i up to
+    /// rounding.
     pub(super) fn settle_slacks(&mut self, basis: &Basis) -> bool {
         let mut degenerate = false;
         for (i, w) in self.w.iter_mut().enumerate() {

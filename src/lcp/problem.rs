@@ -25,7 +25,7 @@ impl Lcp {
         Ok(Self { m, q })
     }
 
-    /// The problem with the rows of M, each of n entries, and q.
+    /// The problem with the given n rows of M, each of n entries, and the n entries of q.
     ///
     /// ```
     /// use grasp_lcp::lcp::Lcp;
@@ -37,7 +37,7 @@ impl Lcp {
     ///
     /// # Errors
     ///
-    /// [`LcpError::RowLength`] for a row whose length differs from the number of rows. Otherwise as for [`Lcp::new`].
+    /// [`LcpError::RowLength`] for the first row whose length differs from the number of rows. Otherwise as for [`Lcp::new`].
     pub fn from_rows<R: AsRef<[f64]>>(rows: &[R], q: &[f64]) -> Result<Self, LcpError> {
         let n = rows.len();
         if let Some(row) = rows.iter().position(|row| row.as_ref().len() != n) {
@@ -57,13 +57,13 @@ impl Lcp {
         &self.q
     }
 
-    /// Number n of pairs (w_i, z_i).
+    /// Number n of complementary pairs (w_i, z_i): the rows of M.
     #[must_use]
     pub fn len(&self) -> usize {
         self.q.len()
     }
 
-    /// Whether n = 0.
+    /// Whether the problem has no rows, n = 0.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.q.is_empty()

@@ -20,9 +20,11 @@ pub(super) enum Covering {
     Parameter,
 }
 
-/// The row whose basic variable reaches zero first as the entering variable increases; `None` if none ever does.
+/// The row whose basic variable reaches zero first as the entering variable increases; `None` if none ever does. If z₀ is `Artificial` and reaches
+/// zero together with others, its row is returned; if it is a `Parameter`, its row never blocks.
 ///
-/// u is the entering column. Only rows with u_i < −`noise` are considered. Among tied rows, those with u_i < −`certain` are preferred.
+/// u is the entering column. Only rows with u_i < −`noise` are considered. Among tied rows, those with u_i < −`certain` come first, then the smallest
+/// p_i / −u_i decides.
 pub(super) fn blocking_row(
     dictionary: &Dictionary,
     noise: f64,
@@ -138,7 +140,8 @@ impl Loop for ShortestStep<'_> {
     }
 }
 
-/// The row with the smallest (x_i + ε p_i) / u_i among those with x_i < 0. Its variable leaves when z₀ enters an infeasible basis.
+/// The row with the smallest (x_i + ε p_i) / u_i among those with x_i < 0. Its variable leaves when z₀ enters an infeasible basis. `Ok(None)` if no
+/// x_i is negative.
 ///
 /// `Err(row)` if x_i < 0 but u_i is not positive: then no z₀ makes that row feasible.
 pub(super) fn most_violated_row(

@@ -68,7 +68,8 @@ impl LemkePath {
         Ok(())
     }
 
-    /// Recomputes the dictionary in which `members` are basic and the slacks of the rows `leaving` are nonbasic.
+    /// Computes, from the data, the dictionary in which `members` are basic and the slacks of the rows `leaving` are nonbasic. The error is
+    /// [`BreakdownCause::SingularBasis`], if a pivot is only rounding.
     fn install(&mut self, m: &[f64]) -> Result<(), BreakdownCause> {
         self.start_from_slacks();
         for member in 0..self.members.len() {
@@ -92,8 +93,7 @@ impl LemkePath {
         Ok(())
     }
 
-    /// Corrects the basic values by the effect of the defect that was computed last. Recomputes `level`, the magnitude of the terms from which each
-    /// value is computed.
+    /// Corrects the basic values by the effect of the defect that was computed last. Recomputes `level` from the terms of that defect.
     pub(super) fn correct(&mut self) {
         self.dictionary.sum_terms(&self.terms);
         let mut effect = core::mem::take(&mut self.terms);
@@ -104,7 +104,7 @@ impl LemkePath {
         self.terms = effect;
     }
 
-    /// Recomputes the basic values of the current dictionary from the right-hand side q.
+    /// Recomputes the basic values of the current dictionary from the right-hand side q, and `level`, the size of their terms.
     pub(super) fn recompute_values(&mut self) {
         let mut x = core::mem::take(&mut self.dictionary.x);
         self.dictionary.effect(&self.q, &mut x);
@@ -161,7 +161,7 @@ impl LemkePath {
         self.dictionary.enter(LemkeVariable::Covering, m, &self.scaling);
     }
 
-    /// Computes the dictionary of the complementary basis in which z_i is basic if `active(i)`.
+    /// Computes the dictionary of the complementary basis in which z_i is basic if `active(i)`, otherwise w_i. The error is a singular basis.
     pub(super) fn install_basis(
         &mut self,
         m: &[f64],

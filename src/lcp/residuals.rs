@@ -1,4 +1,4 @@
-//! The residuals of a point, computed from the original data.
+//! The residuals of a point z, computed from the given M and q.
 
 use super::tolerances::{BACKWARD_ERROR, FAINT_ROW, LOST, residual_rounding};
 use crate::numerics::{Each, ExactSum, times_power_of_two};
@@ -54,8 +54,8 @@ impl fmt::Display for Residuals {
     }
 }
 
-/// Whether a point with these residuals and terms also solves a problem with a very different q. Such a point does not count as a solution. `row`
-/// holds the factors that balance the rows.
+/// Whether a point with these residuals and terms a_i of its rows also solves, up to rounding, a problem with a very different q. Such a point does
+/// not count as a solution. `row` holds the factors that balance the rows.
 pub(super) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f64]) -> bool {
     let balanced = |v: &[f64]| v.iter().zip(row).fold(0.0_f64, |size, (v, row)| size.max(v.abs() * row));
     let missed = residuals.max();
@@ -65,7 +65,7 @@ pub(super) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f
     q.iter().any(|q| *q != 0.0) && (0..q.len()).all(|i| is_lost(q[i], terms[i]))
 }
 
-/// Whether q_i is smaller than the rounding of the terms of its row.
+/// Whether q_i is at most the fraction [`LOST`] of the magnitude of the terms of its row.
 fn is_lost(q: f64, terms: f64) -> bool {
     q.abs() <= LOST * terms
 }

@@ -32,7 +32,7 @@ pub(super) struct Scaling {
     gamma: Vec<f64>,
     rows: Logarithms,
     columns: Logarithms,
-    /// Row indices of the nonzero entries of [M, q] that scaling uses, column after column.
+    /// Row indices of the nonzero entries of [M, q], column after column, if they are few enough to be listed. Its memory is reused.
     pattern: Vec<u32>,
     residual: Vec<f64>,
     direction: Vec<f64>,

@@ -35,10 +35,10 @@ pub struct Settings {
     /// d finds a solution. `None` means the vector of ones on the balanced problem, which makes the path independent of the units of rows, columns
     /// and q.
     pub covering: Option<DVector<f64>>,
-    /// Number of pivots after which the solve ends with [`Outcome::PivotLimit`](super::Outcome::PivotLimit).
+    /// Limit on the number of pivots. A solve that reaches a given limit ends with [`Outcome::PivotLimit`](super::Outcome::PivotLimit).
     ///
     /// The limit guards against problems on which Lemke's method takes about 2ⁿ pivots (Murty, Fathi); the tie rule excludes cycling. A given limit
-    /// bounds the sum over all paths.
+    /// bounds the sum over all paths of a solve.
     ///
     /// `None` allows 10000 + 100 n pivots for the first path, and 100 + 10 n for each retry. Ordinary problems need n to 3 n pivots, and those with
     /// about 2ⁿ pivots are solved up to n = 13. A smaller limit stops solvable problems. A larger one only lengthens the solves that need about 2ⁿ
@@ -70,8 +70,8 @@ pub struct Settings {
     /// a path of a problem of 2 n + 1 rows. Without this search most infeasible problems end in [`Outcome::Ray`](super::Outcome::Ray), after all
     /// retries.
     pub prove_infeasible: bool,
-    /// Number of other covering vectors, and of other starting bases, that are tried (default 8). They are tried after a ray that proves
-    /// nothing, a breakdown, or a first path that reached its default limit.
+    /// Number of retries (default 8). Each follows a path with another covering vector and, if that fails, a path from another starting basis. They
+    /// come after a ray that proves nothing, a breakdown, or a first path that reached its default limit.
     ///
     /// With at least one retry, a solution whose slacks are negative by more than rounding is improved as well: its path is continued with ties
     /// resolved more finely.
@@ -133,7 +133,8 @@ impl Settings {
         self
     }
 
-    /// Checks that the covering vector fits a problem with this q, and that the tolerances are finite and not negative.
+    /// Checks that the tolerances are finite and not negative, and that the covering vector, if one is set, fits a problem with this q. The error is
+    /// the first fault.
     pub(super) fn check(&self, q: &DVector<f64>) -> Result<(), BreakdownCause> {
         for (name, value) in [
             ("pivot_tolerance", self.pivot_tolerance),
@@ -155,18 +156,19 @@ impl Settings {
         }
     }
 
-    /// Settings with which a single path is followed: for problems on which Lemke's method cannot fail, and for callers that have a better
-    /// alternative.
+    /// Settings with which a single path is followed: without a linear program for a proof, without retries and without enumeration. They are for
+    /// problems on which Lemke's method cannot fail, and for callers that have a better alternative.
     pub(crate) fn one_path() -> Self {
         Self { prove_infeasible: false, retries: 0, enumerate_up_to: 0, ..Self::default() }
     }
 
-    /// The pivot limit for a problem of n rows.
+    /// The limit on the pivots of a first path of a problem of n rows: the caller's limit, otherwise 10000 + 100 n.
     pub(crate) fn pivot_limit(&self, n: usize) -> usize {
         self.max_pivots.unwrap_or_else(|| 10_000_usize.saturating_add(n.saturating_mul(100)))
     }
 
-    /// The limit on the total number of pivots once one more path is followed, if `made` pivots were made before. The problem has n rows.
+    /// For a retry of a problem of n rows, the limit on the pivots of all paths together: the caller's limit, otherwise 100 + 10 n more than the
+    /// `made` pivots of all paths before.
     ///
     /// A path of exponential length is thus not followed to its end a second time.
     pub(super) fn retry_limit(&self, n: usize, made: usize) -> usize {

@@ -47,7 +47,7 @@ pub struct SolutionView<'a> {
 }
 
 impl SolutionView<'_> {
-    /// A copy that is independent of the workspace.
+    /// A copy of the solution, independent of the memory of the workspace or series.
     #[must_use]
     pub fn to_solution(&self) -> Solution {
         Solution {
@@ -61,7 +61,7 @@ impl SolutionView<'_> {
     }
 }
 
-/// One line about a solution: the number of basic z, the largest residual and the number of pivots.
+/// Writes one line about a solution: the number of basic z, the largest residual and the number of pivots.
 pub(super) fn line(
     f: &mut fmt::Formatter<'_>,
     basis: &Basis,

@@ -92,7 +92,8 @@ impl Workspace {
         self.answer(failure)
     }
 
-    /// Solves a problem by [`Self::solve`], and keeps the dictionary of the final basis, even if this is the slack basis.
+    /// [`Self::solve`] without its shortcut for q ≥ 0: the workspace then always holds the dictionary at the end of the path, even that of the slack
+    /// basis. `None` if the problem is solved.
     pub(super) fn solve_first(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         if let Some(refused) = self.refuse(lcp, settings) {
             return Some(refused);
@@ -101,7 +102,8 @@ impl Workspace {
         self.climb(lcp, settings)
     }
 
-    /// Solves the problem for a new right-hand side, starting from the dictionary that the path holds for the same matrix.
+    /// Solves the problem for a new right-hand side q, starting from the dictionary that the path holds for the same matrix M. `None` if the problem
+    /// is solved.
     pub(super) fn solve_next(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         if let Some(refused) = self.refuse(lcp, settings) {
             return Some(refused);
@@ -111,7 +113,8 @@ impl Workspace {
         self.resume(lcp, settings)
     }
 
-    /// Follows the path from the current complementary basis. If this path does not end in a solution, the solve starts again from the slack basis.
+    /// Follows the path from the complementary basis that the dictionary holds. If this path does not end in a solution, the solve starts again from
+    /// the slack basis. `None` if a solution is found.
     fn resume(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         let limit = settings.pivot_limit(lcp.len());
         let m = lcp.m.as_slice();

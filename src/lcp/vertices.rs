@@ -13,7 +13,8 @@ use crate::numerics::{mapped, matrix_of, vector_of};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// The vertices of a piece, as values of z_α.
+/// Candidates for the vertices of the piece of the basis α, as values of z_α: points where as many rows are zero as z are nonzero. The caller must
+/// check the inequalities.
 pub(super) fn of_piece<'a>(lcp: &'a Lcp, alpha: &'a [usize]) -> impl Iterator<Item = DVector<f64>> + 'a {
     let n = lcp.len();
     subsets(alpha.len()).filter(|columns| !columns.is_empty()).flat_map(move |columns| {
@@ -31,7 +32,8 @@ pub(super) fn of_piece<'a>(lcp: &'a Lcp, alpha: &'a [usize]) -> impl Iterator<It
     })
 }
 
-/// A Farkas vector among the edges of the cone { y ≥ 0, Mᵀy ≤ 0 }, as computed or moved inside the cone by a margin that covers rounding.
+/// A Farkas vector among the edges of the cone { y ≥ 0, Mᵀy ≤ 0 }, as computed or moved inside the cone by a margin that covers rounding. `None` if
+/// no edge gives an exact proof.
 pub(super) fn farkas(lcp: &Lcp, scaling: &Scaling) -> Option<DVector<f64>> {
     let n = lcp.len();
     let (m, q) = scaling.balanced(&lcp.m, &lcp.q);
@@ -55,8 +57,8 @@ pub(super) fn farkas(lcp: &Lcp, scaling: &Scaling) -> Option<DVector<f64>> {
     })
 }
 
-/// Solves a square system. Rows and columns with a single nonzero entry are eliminated first: these cannot be balanced against the others, and could
-/// make the system appear singular.
+/// Solves a square system; `None` if it is singular. Rows and columns with a single nonzero entry are eliminated first: these cannot be balanced
+/// against the others, and could make the system appear singular.
 fn peeled(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
     let size = rhs.len();
     let alone = |line: &mut dyn Iterator<Item = f64>| {

@@ -7,7 +7,7 @@ use super::tolerances::BAND_PIVOT;
 use crate::numerics::{dot, mapped};
 use crate::prelude::*;
 
-/// A band matrix whose entries are at most `reach` positions from the diagonal.
+/// A square matrix whose nonzero entries are at most `reach` positions from the diagonal.
 #[derive(Debug, Clone)]
 pub(crate) struct Band {
     reach: usize,

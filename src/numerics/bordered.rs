@@ -81,7 +81,8 @@ impl Bordered {
         Some(())
     }
 
-    /// Eliminates column k below its pivot, the largest entry of the column.
+    /// Eliminates column k below its pivot, the largest entry of the column in the remaining rows. `None` if the pivot is zero, subnormal or not
+    /// finite.
     fn eliminate(&mut self, k: usize) -> Option<()> {
         let size = self.rows.size();
         let d = size.count();
@@ -138,7 +139,7 @@ impl Bordered {
         solution
     }
 
-    /// Solves the bordered system for several right-hand sides.
+    /// Solves the bordered system for several right-hand sides, each given by its balance rows and its border row. Returns y and z₀ for each.
     pub(crate) fn solve_each<const R: usize>(&self, sides: [(&Vector, f64); R]) -> [(Vector, f64); R] {
         sides.map(|(balance, last)| self.solved(balance, last))
     }

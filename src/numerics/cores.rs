@@ -30,7 +30,7 @@ pub(crate) fn in_order<T: Sync, R: Send>(items: &[T], f: &(impl Fn(&T) -> R + Sy
     all
 }
 
-/// Calls `f` with each item by value.
+/// Calls `f` with each item by value, in parallel.
 pub(crate) fn each_taken<T: Send>(items: impl Iterator<Item = T>, f: &(impl Fn(T) + Sync)) {
     let items: Vec<Mutex<Option<T>>> = items.map(|item| Mutex::new(Some(item))).list();
     for_each(items.len(), &|k| {

@@ -109,12 +109,13 @@ const TABLEAU: Tableau = Tableau {
 pub(crate) struct Stepped {
     /// Change of the variables in the step.
     pub(crate) change: Vec<f64>,
-    /// Estimated error, in the measure given by the caller.
+    /// Estimated error of this change, as measured by the caller's function `size`.
     pub(crate) error: f64,
 }
 
 /// One step of this length. The variables are changes since the start of the step, where they are zero and their rate is `first`. `rate` computes
-/// f(y), or returns `None` where f is not defined; `size` measures an error of the variables.
+/// f(y), or returns `None` where f is not defined; `size` measures an error of the variables. `None` if f is not defined at a stage, or the error is
+/// not finite.
 pub(crate) fn explicit_step(
     length: f64,
     first: &[f64],

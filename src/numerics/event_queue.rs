@@ -92,7 +92,8 @@ impl EventQueue {
         longer
     }
 
-    /// The next item whose time is at most `time` after the present clock, with its stamp.
+    /// Removes the earliest item if its time is at most `time` after the present clock, and returns its number and stamp; `None` if no item is due by
+    /// then.
     pub(crate) fn next_within(&mut self, time: f64) -> Option<(u32, u32)> {
         let until = self.clock + time;
         loop {
@@ -111,7 +112,7 @@ impl EventQueue {
         }
     }
 
-    /// Moves the first part of the earliest nonempty tier to the next tier, and so on, until some items are sorted.
+    /// Moves the earliest eighth of the earliest nonempty tier to the next tier, and so on down to the sorted items. `None` if all tiers are empty.
     fn refill_next(&mut self) -> Option<()> {
         let nearest = self.later.iter().rposition(|tier| !tier.waiting.is_empty())?;
         for at in nearest..TIERS {
@@ -147,7 +148,7 @@ fn last_of_first_part(waiting: &[Entry]) -> Option<Entry> {
     Some(sample[SAMPLED / 8])
 }
 
-/// Computes the stamp and the time of each item.
+/// Computes the stamp and the time of each item, and stores them in its entry.
 fn each_time(entries: &mut [Entry], time: &(impl Fn(u32) -> (u32, f64) + Sync)) {
     let fill = |entries: &mut [Entry]| {
         for slot in entries {

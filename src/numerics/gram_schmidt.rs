@@ -1,6 +1,6 @@
 //! Gram–Schmidt orthogonalisation with column pivoting, each column twice, on a matrix stored row by row.
 //!
-//! All functions are inlined with the number of columns d, so that the compiler knows the length of the loops for a single object.
+//! All functions are inlined with the number of columns d, so that the compiler knows the length of the loops where d is 3 or 6.
 
 use crate::numerics::Each;
 use core::ops::Range;
@@ -10,7 +10,8 @@ use super::tolerances::{FEW_ROUNDINGS, LINEARLY_DEPENDENT};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Factorises the rows in `q`, which are overwritten with those of Q. Returns the rank.
+/// Factorises the rows in `q`, which are overwritten with those of Q. Writes R, the reciprocals of its diagonal and the order of columns; returns the
+/// rank.
 #[inline(always)]
 pub(super) fn factorise(
     d: usize,
@@ -155,7 +156,7 @@ fn add_products(d: usize, q: &[f64], k: usize, (products, over): (&mut [f64], Ra
     }
 }
 
-/// Range of columns for a loop that must cover the columns `needed`. For a single object the loop runs over all columns, a length that the compiler
+/// Range of columns for a loop that must cover the columns `needed`. For up to six columns the loop runs over all columns, a length that the compiler
 /// knows; the additional columns have zero coefficients.
 #[inline(always)]
 fn looped(d: usize, needed: Range<usize>) -> Range<usize> {

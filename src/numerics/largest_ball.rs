@@ -133,7 +133,7 @@ impl Polytope {
         self.ridges = ridges;
     }
 
-    /// Distance and unit normal of the face closest to the origin.
+    /// Distance and unit normal of the face closest to the origin; `None` without a face.
     fn nearest(&mut self) -> Option<(f64, Vector)> {
         while let Some(first) = self.queue.peek() {
             let face = &self.faces[first.face];
@@ -147,7 +147,7 @@ impl Polytope {
 }
 
 /// Bounds of the largest ball about the origin. They differ by at most `closeness` times the size of the set, unless `most_points` points do not
-/// suffice.
+/// suffice. `None` if the polytope has no face.
 pub(crate) fn largest_ball(
     support: &SupportFunction<'_>,
     simplex: &[Vertex],

@@ -60,7 +60,7 @@ impl Orthogonal {
             let row = row.as_slice();
             to[..row.len()].copy_from_slice(row);
         }
-        // For a single object the compiler knows the length of the loops.
+        // For three and for six columns the compiler knows the length of the loops.
         self.rank = match d {
             3 => factorise(3, &mut self.q, &mut self.r, &mut self.over_diagonal, self.order.as_mut()),
             6 => factorise(6, &mut self.q, &mut self.r, &mut self.over_diagonal, self.order.as_mut()),
@@ -185,7 +185,7 @@ impl Orthogonal {
     }
 }
 
-/// Adds the rows of `q`, each times its factor in `times`, to `sums`.
+/// Adds the rows of `q`, each times its factor in `times`, to `sums`; a row has d entries.
 #[inline(always)]
 fn add_rows(d: usize, q: &[f64], times: &[f64], sums: &mut [f64]) {
     let sums = &mut sums[..d];

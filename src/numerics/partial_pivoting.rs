@@ -23,7 +23,7 @@ impl PartialPivoting {
         let mut row_order = size.in_order();
         let (entries, reciprocal, order) =
             (lu.as_mut_slice(), reciprocal_pivots.as_mut_slice(), row_order.as_mut());
-        // For a single object the compiler knows the length of the loops.
+        // For three and for six rows the compiler knows the length of the loops.
         match d {
             3 => eliminate(3, entries, reciprocal, order, least)?,
             6 => eliminate(6, entries, reciprocal, order, least)?,

@@ -82,7 +82,8 @@ impl Trigonometric {
         Self { constant: self.constant, first: [b, -a], second: [-a2, -b2] }
     }
 
-    /// The first angle in (0, `most`] at which the polynomial becomes negative, or touches zero; `most` is at most a full turn.
+    /// The first angle in (0, `most`] at which the polynomial becomes negative, or touches zero; `most` is at most a full turn. `None` if there is no
+    /// such angle.
     ///
     /// A value is zero within `rounding`. The first `roots_here` roots at φ = 0 do not count: the polynomial is zero there and increases.
     pub(crate) fn first_fall(&self, most: f64, rounding: f64, roots_here: usize) -> Option<FirstZero> {
@@ -114,7 +115,7 @@ impl Trigonometric {
     }
 
     /// cot(φ/2) of the first angle φ in a full turn at which the polynomial becomes negative or touches zero. It is computed without trigonometric
-    /// functions, hence with the same bits on every processor. The polynomial must be positive at φ = 0.
+    /// functions, hence with the same bits on every processor. The polynomial must be positive at φ = 0. `None` if it stays positive.
     pub(crate) fn first_cotangent(&self) -> Option<f64> {
         let mut shifted = *self;
         for quarter in 0_u8..4 {
@@ -140,7 +141,8 @@ impl Trigonometric {
     }
 }
 
-/// The first zero in (0, end] at which the polynomial changes from positive to negative, or else touches zero to within `rounding`.
+/// The first zero in (0, end] at which the polynomial changes from positive to negative, or else touches zero to within `rounding`; `None` without
+/// such a zero.
 fn fall_of(p: &[f64; 5], end: f64, rounding: f64) -> Option<FirstZero> {
     // No zero exists if the constant exceeds the sum of all negative coefficients.
     if p[0] + summed(&p[1..], &|p| p.min(0.0)) > rounding {

@@ -1,4 +1,4 @@
-//! Objects that are checked as a whole after they are read.
+//! Objects of a text, that is, sets of named fields, which are checked as a whole after they are read.
 
 use std::fmt;
 use std::marker::PhantomData;
@@ -6,8 +6,9 @@ use std::marker::PhantomData;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 
-/// Reads an object as `W` and converts it to a `T`. An error of the conversion is returned before the deserializer has left the object. A format with
-/// lines and columns then adds the position of the object's end; later it would add a position after the object.
+/// Reads an object of the text as `W` and converts it by `make` to a `T`; messages about any other text expect a `what`. An error of the conversion
+/// is returned before the deserializer has left the object. A format with lines and columns then adds the position of the object's end; later it
+/// would add a position after the object.
 pub(crate) fn read<'de, W, T, D>(
     deserializer: D,
     what: &'static str,

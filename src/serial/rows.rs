@@ -102,7 +102,7 @@ impl<'de, K: Kind, T, const MOST: usize> Visitor<'de> for FewVisitor<K, T, MOST>
     }
 }
 
-/// A row with one number per axis.
+/// A row of a text with one number for each axis, two in the plane and three in space.
 pub(crate) struct AxisRow<K, const C: usize>(pub(crate) SVector<f64, C>, PhantomData<K>);
 
 impl<K, const C: usize> AxisRow<K, C> {

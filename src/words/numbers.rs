@@ -134,7 +134,7 @@ impl Words {
         if in_mm { self.in_unit(Unit::Millimetre).reach(metres) } else { self.reach(metres) }
     }
 
-    /// A length in the unit of lengths, however short: "0.05 m".
+    /// A length in the unit of lengths, without a change to mm for short lengths: "0.05 m".
     pub(crate) fn reach(self, metres: f64) -> String {
         format!("{} {}", self.number(self.unit.of_metres(metres)), self.unit)
     }

@@ -45,7 +45,7 @@ impl Unit {
         }
     }
 
-    /// The unit of this abbreviation: m, cm, mm or in.
+    /// The unit of this abbreviation: m, cm, mm or in; `None` for any other text.
     #[must_use]
     pub fn of(abbreviation: &str) -> Option<Self> {
         match abbreviation {

@@ -83,7 +83,7 @@ fn tell(path: &Path, warnings: &[Warning]) {
     }
 }
 
-/// The error of a scene whose question is refused.
+/// The failure of the program for an error of the library about a scene or a question. Its message begins with the name of the scene's file.
 pub(crate) fn refused(path: &Path, error: &grasp_lcp::Error) -> Failure {
     Failure::Scene(format!("{}: {error}", name(path)))
 }
@@ -91,7 +91,7 @@ pub(crate) fn refused(path: &Path, error: &grasp_lcp::Error) -> Failure {
 /// The folder and the file names of a scene's pictures.
 pub(crate) struct Pictures {
     folder: PathBuf,
-    /// The beginning of every file name.
+    /// The beginning of every file name, before the ending that `save` appends.
     stem: String,
 }
 

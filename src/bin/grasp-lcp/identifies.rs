@@ -98,7 +98,8 @@ impl FromStr for Sum {
 }
 
 impl Meaning {
-    /// The question about observed slips.
+    /// The question `identify` with the table of observed slips; `None` without a table, so that the scene's own questions are asked. An error for
+    /// options that need the table.
     pub(crate) fn identify(
         self,
         given: &Identifies,
@@ -249,7 +250,7 @@ impl Meaning {
     }
 }
 
-/// The error of a row.
+/// The error of a row of the table.
 enum Fault {
     Cell(String),
     Usage(Failure),

@@ -69,7 +69,8 @@ impl Meaning {
         })
     }
 
-    /// Components about the three axes: one given number in the plane, about z, or three in space.
+    /// Components about x, y and z of a moment, a rotation or an inertia. The option has one number in the plane, about z, or three in space; any
+    /// other count is an error.
     pub(crate) fn about_axes(self, numbers: &Numbers, option: &str) -> Result<[f64; 3], Failure> {
         match (self.axes, &numbers.0[..]) {
             (2, [z]) => Ok([0.0, 0.0, *z]),
@@ -81,7 +82,7 @@ impl Meaning {
         }
     }
 
-    /// The force of a load, N, including the weight of its mass.
+    /// The force of a load, N: `--force` plus the pull of `--mass`. An error without both, or with an option about a turning arm.
     pub(crate) fn total_force(self, load: &LoadArguments) -> Result<[f64; 3], Failure> {
         let moves = [
             ("angular-velocity", &load.angular_velocity),
@@ -101,7 +102,7 @@ impl Meaning {
         Ok(std::array::from_fn(|a| pull.components()[a] + force[a]))
     }
 
-    /// A direction, of any length but zero.
+    /// The direction that an option gives, of any length; an error if all its numbers are zero.
     pub(crate) fn direction(self, numbers: &Numbers, option: &str) -> Result<[f64; 3], Failure> {
         let direction = numbers.along_axes(self.axes, option)?;
         if direction == [0.0; 3] {
@@ -110,7 +111,7 @@ impl Meaning {
         Ok(direction)
     }
 
-    /// The load alone, or together with a force of size `any_force` in any direction.
+    /// The load alone, or the load and in addition a force of the size `any_force`, N, that acts at the point `at` in any direction.
     pub(crate) fn loads(
         self,
         load: Option<Wrench>,

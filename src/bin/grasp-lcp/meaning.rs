@@ -129,7 +129,8 @@ fn of_the_scene(setup: &Setup<3>, asked: &Command) -> Vec<Question<3>> {
     }
 }
 
-/// The question whether the object is in equilibrium without any load, if neither the command line nor the scene has a question.
+/// The question whether the object is in equilibrium without any load, if neither the command line nor the scene has a question. `None` unless the
+/// command is `hold` or `solve`.
 fn at_rest(asked: &Command) -> Option<Question<3>> {
     let (load, together_with) = (Wrench::ZERO, BTreeMap::new());
     match asked {
@@ -157,7 +158,8 @@ fn is_of_kind(question: &Question<3>, asked: &Command) -> bool {
 }
 
 impl Meaning {
-    /// The load of the command line, if there is one. `beside` says whether another force acts at the same point, for which `--at` may be given alone.
+    /// The sum of `--force`, the pull of `--mass` and `--moment`, as a wrench about the origin; `None` if none of them is given. If another option
+    /// gives a force at the point `--at` (`beside`), `--at` is allowed without `--force` and `--mass`; otherwise it is an error.
     pub(crate) fn wrench(self, load: &LoadArguments, beside: bool) -> Result<Option<Wrench>, Failure> {
         let LoadArguments { force, moment, at, mass, .. } = load;
         if force.is_none() && mass.is_none() && at.is_some() && !beside {
@@ -218,7 +220,7 @@ impl Meaning {
         Ok(wrench.map(|load| Question::Hold { base, load: load * times, together_with }))
     }
 
-    /// The question for better places of the fingers.
+    /// The question `improve`; `None` without any load, so that the scene's own questions are asked. An error for options that need a load.
     fn improve(
         self,
         load: &LoadArguments,

@@ -14,7 +14,7 @@ use crate::own_masses::{accelerated, of_own_masses, tilted};
 use grasp_lcp::scene::{Question, Setup};
 
 impl Meaning {
-    /// The question for the quantity that the command line names; `None` if it names none.
+    /// The question for the quantity that the command line names, with its loads or else those of the scene; `None` if it names none.
     pub(crate) fn need(self, wanted: &Wanted, setup: &mut Setup<3>) -> Result<Option<Need>, Failure> {
         let Some(sought) = wanted.quantity else { return Ok(None) };
         refuse_others(wanted, sought)?;
@@ -49,7 +49,8 @@ impl Meaning {
         }))
     }
 
-    /// The sought quantity with its loads, and the constant weight that acts in addition to accelerations to and fro.
+    /// The sought quantity with its loads, and a constant load beside these: the weight beside accelerations to and fro, or the base load of the
+    /// scene. `None` for other loads.
     fn sought(
         self,
         wanted: &Wanted,
@@ -132,7 +133,8 @@ impl Meaning {
     }
 }
 
-/// The size of accelerations to and fro along every axis, if `--acceleration` is one number. A vector is the constant acceleration of the arm.
+/// The size of accelerations to and fro along every axis, if `--acceleration` is one number. `None` without it, and for a vector, the constant
+/// acceleration of the arm.
 fn to_and_fro(wanted: &Wanted) -> Option<&Numbers> {
     wanted.load.acceleration.as_ref().filter(|acceleration| acceleration.0.len() == 1)
 }

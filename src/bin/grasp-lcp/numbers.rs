@@ -44,7 +44,7 @@ impl Numbers {
         }
     }
 
-    /// Components along two or three axes, as many as there are; the third is zero in the plane.
+    /// Components along the axes, two in the plane and three in space; the third is zero in the plane. Any other count of numbers is an error.
     pub(crate) fn along_axes(&self, axes: usize, option: &str) -> Result<[f64; 3], Failure> {
         if self.0.len() != axes {
             let space = if axes == 3 { "three numbers in space" } else { "two numbers in the plane" };

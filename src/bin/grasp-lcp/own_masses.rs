@@ -14,7 +14,7 @@ pub(crate) struct TurnedWeight {
     pub(crate) at: Numbers,
 }
 
-/// If bodies have masses, removes the scene's gravity and returns their weight, which the caller turns as a load.
+/// If the scene's gravity acts on bodies with masses, removes it and returns their total weight, which the caller turns as a load. `None` otherwise.
 pub(crate) fn tilted(setup: &mut Setup<3>) -> Option<TurnedWeight> {
     let (mass, centre) = setup.own_mass()?;
     let gravity = setup.gravity?;
@@ -36,7 +36,7 @@ pub(crate) fn accelerated(setup: &mut Setup<3>, option: &str) -> Result<(f64, [f
     Ok(own)
 }
 
-/// The common centre of mass of bodies that share loads by mass, with gravity or without.
+/// The common centre of mass of the bodies, with gravity or without; `None` unless the bodies share loads by mass and have masses.
 pub(crate) fn shared_centre(setup: &Setup<3>) -> Option<Vec<f64>> {
     let mut setup = setup.shared_by_mass.then(|| setup.clone())?;
     setup.gravity = Some([1.0; 3].into());

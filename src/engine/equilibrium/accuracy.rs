@@ -1,4 +1,4 @@
-//! Estimated error of an answer, and its sensitivity to the last digits of the question.
+//! Estimated errors of forces and displacements of an equilibrium, and the condition number of its contact forces.
 
 use nalgebra::SVector;
 
@@ -37,7 +37,8 @@ pub struct Accuracy {
 }
 
 impl Engine {
-    /// Implements [`Grasp::accuracy`](crate::ask::Grasp::accuracy).
+    /// Implements [`Grasp::accuracy`](crate::ask::Grasp::accuracy). `None` if the answer lacks the engine's solution, or for slides along a load path
+    /// on the round cone.
     pub(crate) fn accuracy(&self, equilibrium: &Equilibrium<3>) -> Option<Accuracy> {
         let problem = self.problem_of(equilibrium)?;
         // Slips along a load path on the round cone are integrated over its history: the present state does not determine them.
@@ -76,8 +77,8 @@ impl Engine {
         })
     }
 
-    /// The equilibrium problem (contact laws, finger offsets and load) that an equilibrium solves; `None` for an equilibrium with another number of
-    /// contacts.
+    /// The equilibrium problem (contact laws, finger offsets and load) that an equilibrium solves; `None` if its answer lacks the engine's solution,
+    /// for example because it was read from a file.
     pub(crate) fn problem_of(&self, equilibrium: &Equilibrium<3>) -> Option<Problem<'_>> {
         if !equilibrium.knows_all_of(self.sites().len()) {
             return None;
@@ -90,8 +91,8 @@ impl Engine {
     }
 }
 
-/// A variation of all data: every number of the question changes by plus or minus its own value, to first order. The fields have the resulting
-/// changes of stretches, load and friction forces.
+/// A variation of all data: every number of grasp, commands and load changes by plus or minus its own value, to first order. The fields hold the
+/// resulting changes: of stretches (m) and friction forces (N) at each contact, and of the load.
 struct Variation {
     stretches: Vec<SVector<f64, 3>>,
     load: Vector,

@@ -1,4 +1,4 @@
-//! The answer to the question for an equilibrium, in physical quantities.
+//! The answer to `solve`, in physical quantities: an equilibrium of a grasp under a load, a proof that none exists, or undecided.
 
 use crate::numerics::mapped;
 use nalgebra::SVector;
@@ -38,7 +38,7 @@ pub enum Outcome<const C: usize> {
 }
 
 impl<const C: usize> Outcome<C> {
-    /// The equilibrium, if there is one.
+    /// The equilibrium; `None` if there is none, or none was found.
     #[must_use]
     pub fn equilibrium(&self) -> Option<&Equilibrium<C>> {
         match self {
@@ -131,7 +131,8 @@ pub struct Equilibrium<const C: usize> {
 }
 
 impl<const C: usize> Equilibrium<C> {
-    /// Whether a motion is [too far](Self::too_far) to be small.
+    /// Whether a body turns, or a contact slips or opens, by more than [small motions](crate::Settings::small_motions) allow. [`Self::too_far`] then
+    /// has the motion that is farthest beyond its limit.
     #[must_use]
     pub fn is_beyond_small_motions(&self) -> bool {
         self.too_far.is_some()
@@ -144,21 +145,22 @@ impl<const C: usize> Equilibrium<C> {
         self.contacts.iter().map(|contact| contact.force.norm()).fold(load, f64::max)
     }
 
-    /// This answer as written and read back: without `local`, and of `work` only with the pivots.
+    /// This answer as written to a file and read back: without the engine's solution `local`, and of `work` only with the number of pivots.
     #[cfg(feature = "serde")]
     pub(crate) fn written(self) -> Self {
         let work = WorkDone { pivots: self.work.pivots, ..WorkDone::default() };
         Self { work, local: LocalAnswer::default(), ..self }
     }
 
-    /// Whether the answer still has the engine's solution, for this number of contacts and drives: further questions need it.
+    /// Whether the answer still has the engine's solution `local`, for `sites` contacts and drives together. Without it calls that start from the
+    /// answer, such as `accuracy`, return `None`.
     pub(crate) fn knows_all_of(&self, sites: usize) -> bool {
         self.local.states.len() == sites && self.contacts.len() + self.local.drive_forces.len() == sites
     }
 }
 
 impl Equilibrium<3> {
-    /// Forces of all contacts, followed by those of the drives of a hand.
+    /// Forces of all contacts, N, in their contact frames, followed by the forces of the drives of a hand.
     pub(crate) fn site_forces(&self) -> Vec<SVector<f64, 3>> {
         let mut all = mapped(&self.contacts, &|contact| contact.force);
         all.extend_from_slice(&self.local.drive_forces);
@@ -166,11 +168,11 @@ impl Equilibrium<3> {
     }
 }
 
-/// The engine's solution behind an answer; empty if the answer was read from text.
+/// The engine's solution behind an answer, in the order of contacts and then drives of a hand. Empty if the answer was read from text.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct LocalAnswer {
     pub(crate) states: Vec<State>,
-    /// Forces of the drives of a hand.
+    /// Forces of the drives of a hand, in the form of contact forces; empty without a hand.
     pub(crate) drive_forces: Vec<SVector<f64, 3>>,
     /// The twist in the engine's coordinates.
     pub(crate) twist: Coordinates,

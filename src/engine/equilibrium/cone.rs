@@ -16,7 +16,7 @@ pub(crate) struct AnswerFor {
 }
 
 impl AnswerFor {
-    /// The friction cone and the limits of small motions to which answers with these settings refer.
+    /// The friction cone and the limits of small motions of equilibria that are computed with these settings.
     pub(crate) fn of(space: Space, settings: &Settings) -> Self {
         Self { cone: Cone::of(space, settings), small: settings.small_motions }
     }
@@ -37,7 +37,7 @@ pub enum Cone {
 }
 
 impl Cone {
-    /// The friction cone of answers with these settings.
+    /// The friction cone of equilibria that are computed with these settings: planar, round or polygonal.
     pub(crate) fn of(space: Space, settings: &Settings) -> Self {
         if settings.is_round(space) { Self::Round } else { Self::polygonal(space, settings) }
     }

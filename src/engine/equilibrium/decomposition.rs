@@ -11,7 +11,7 @@ use crate::numerics::{IntoList, Map, paired};
 use crate::object::least_forces;
 use crate::prelude::*;
 
-/// Contact forces in two parts, each along the coordinate axes, contact by contact (N).
+/// The contact forces of an equilibrium in two parts that add up to them. Each part has one force for each contact, along the coordinate axes, N.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Decomposition<const C: usize> {

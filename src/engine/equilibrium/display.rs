@@ -24,8 +24,8 @@ impl<const C: usize> fmt::Display for Outcome<C> {
     }
 }
 
-/// One line for the object, then one for each contact: its state, its force in the contact frame and the margin to the edge of its cone. The points
-/// of a soft fingertip share a line.
+/// Writes one line for the object's motion, then one for each contact: its state, its force in the contact frame and the margin to the edge of its
+/// cone. The points of a soft fingertip share a line. Joints and tendons of a hand follow, one line each.
 impl<const C: usize> fmt::Display for Equilibrium<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);

@@ -1,7 +1,7 @@
 //! Contact states that working precision distinguishes from their neighbours.
 //!
 //! Neighbouring states – open and touching, sticking and sliding, sliding in two directions – meet where a gap, a force, the friction in reserve or a
-//! slip vanishes. Next to such an edge the last digits of the question decide.
+//! slip vanishes. Next to such an edge the last digits of the data of grasp and load decide.
 
 use super::answer::Equilibrium;
 use crate::contact::{Mode, State};
@@ -12,7 +12,8 @@ use crate::object::largest_force;
 use crate::prelude::*;
 
 impl Engine {
-    /// Implements [`Grasp::distinct`](crate::ask::Grasp::distinct).
+    /// Implements [`Grasp::distinct`](crate::ask::Grasp::distinct): for each contact, without drives, whether its state is distinct. `None` if the
+    /// answer lacks the engine's solution.
     pub(crate) fn distinct(&self, equilibrium: &Equilibrium<3>) -> Option<Vec<bool>> {
         let problem = self.problem_of(equilibrium)?;
         let [force_error, displacement_error] =

@@ -14,7 +14,8 @@ use nalgebra::{SMatrix, SVector};
 use crate::grasp::{Site, Space};
 use crate::numerics::Map;
 
-/// The change of the grasp map of a contact whose point moves along a coordinate axis, per metre. The engine measures arms in units of `length`.
+/// The change of the grasp map of a contact per metre by which its point moves along a coordinate axis. The engine measures arms in units of
+/// `length`.
 pub(super) fn map_by_point(site: &Site, axis: usize, length: f64) -> Map {
     let mut arm = SVector::<f64, 3>::zeros();
     arm[axis] = 1.0 / length;
@@ -24,8 +25,8 @@ pub(super) fn map_by_point(site: &Site, axis: usize, length: f64) -> Map {
     map
 }
 
-/// The change of the grasp map of a contact whose frame turns, per radian. For axis 0, in space only, the frame turns about its normal from t₁ to t₂;
-/// otherwise the normal tilts towards the tangent with this axis. `None` for an axis that does not exist.
+/// The change of the grasp map of a contact per radian by which its frame turns. For axis 0, in space only, the frame turns about its normal from t₁
+/// to t₂; otherwise the normal tilts towards the tangent with this axis. `None` for an axis that does not exist.
 pub(super) fn map_by_normal(site: &Site, axis: usize) -> Option<Map> {
     let (from, to) = match axis {
         0 if site.space == Space::Spatial => (1, 2),

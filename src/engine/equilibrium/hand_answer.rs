@@ -149,7 +149,8 @@ impl Engine {
     }
 }
 
-/// The margin of a drive to its limit at the force `carried`, N m or N; infinite without a limit.
+/// The margin of a joint or tendon to the limit of its drive at the force `carried`, N m or N: bound minus magnitude. Zero while it yields, infinite
+/// without a limit.
 fn margin(named: &Named, carried: f64, state: DriveState) -> f64 {
     match named.limit {
         None => f64::INFINITY,
@@ -158,7 +159,8 @@ fn margin(named: &Named, carried: f64, state: DriveState) -> f64 {
     }
 }
 
-/// State of a drive, and the displacement by which it has yielded.
+/// State of a drive, and the displacement by which it has yielded, m, in the drive's contact frame. While it holds, this is only the earlier slip of
+/// a clutch.
 fn drive_state(
     drive: &Drive,
     state: &State,

@@ -10,7 +10,7 @@ use crate::prelude::*;
 /// The influence matrix of a contact: column k is its contact force if a force of 1 N along coordinate axis k acts at a given point.
 pub(crate) struct Influence {
     pub(crate) of: SMatrix<f64, 3, 3>,
-    /// Sum of the force sizes under the three unit loads, which scales rounding.
+    /// Sum over the three unit forces of the size of the terms of the contact force, N. It scales the rounding of `of`.
     pub(crate) size: f64,
 }
 
@@ -23,7 +23,8 @@ impl Influence {
 }
 
 impl StickingResponse<'_> {
-    /// The influence matrix of each contact for forces at a point. The error is a motion that nothing resists and on which such a force does work.
+    /// The influence matrix of each contact and drive for forces at a point. The error is a motion that nothing resists and on which one of the unit
+    /// forces does work.
     pub(crate) fn influences(&self, point: &[f64; 3]) -> Result<Vec<Influence>, Motion<3>> {
         let mut influences = Vec::new();
         influences.resize_with(self.edges.len(), || Influence { of: SMatrix::zeros(), size: 0.0 });

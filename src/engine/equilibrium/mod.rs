@@ -13,8 +13,8 @@
 //! touches sticks; Newton's method, in space and with many contacts; Lemke's method on the kinematic form, then on the force form (see
 //! [`forms`](crate::forms)); every combination of states, with few contacts. In space Newton's method goes to the round cone, from the trial state
 //! and then from proposals of Lemke's method on a polygonal cone. If both fail, branch and bound over states and directions of friction decides.
-//! Proposed states are solved for again, every condition is checked, and residuals are recomputed from the question, before the answer is called an
-//! [`Equilibrium`].
+//! Proposed states are solved for again, and every condition is checked. Residuals are recomputed from the data of grasp and load before the answer
+//! is called an [`Equilibrium`].
 //!
 //! If no equilibrium is found, the answer is a [`Proof`] that none exists, or [`Undecided`], with the reason. A proof is one of four: a motion that
 //! nothing resists, a motion that separates the load from all admissible contact forces, all states tried, or all cases contradicted

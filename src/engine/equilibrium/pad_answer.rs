@@ -101,7 +101,7 @@ impl<const C: usize> WholeAnswer<'_, C> {
         }
     }
 
-    /// The kind of link between bodies, if this is a link and no contact.
+    /// The kind of link between bodies; `None` for a contact, which is no link.
     #[must_use]
     pub fn link(&self) -> Option<LinkKind> {
         match self {
@@ -110,7 +110,8 @@ impl<const C: usize> WholeAnswer<'_, C> {
         }
     }
 
-    /// Forces of a link in a sentence without its name, "carries 12 N"; forces that are rounding beside `largest` are zero.
+    /// Forces of a link in a sentence without its name, "carries 12 N"; forces that are rounding beside the force `largest`, N, are written as zero.
+    /// `None` for a contact, which is no link.
     #[must_use]
     pub fn carries(&self, words: Words, largest: f64) -> Option<String> {
         let force = |x: f64| words.beside(x, largest);
@@ -171,7 +172,7 @@ impl<const C: usize> Equilibrium<C> {
 }
 
 impl Engine {
-    /// The soft fingertips among the contacts of a solution.
+    /// The soft fingertips among the contacts, with the states and forces of their points in `solved`, which has one entry for each contact.
     pub(super) fn pads(&self, solved: &[ContactAnswer<3>]) -> Vec<PadAnswer<3>> {
         let contacts = self.contacts();
         picked(self.wholes(), &|whole| {
@@ -192,7 +193,8 @@ impl Engine {
         })
     }
 
-    /// The resultant of the forces of a fingertip's points, and their moment about the point `about`, along the axes of the contact frame.
+    /// The resultant of the forces of a fingertip's points, and their moment about the point `about`. Both are along the axes of the contact frame of
+    /// point `first`. Sums that are rounding of their terms are zero.
     fn wrench_of_pad(&self, of: &[ContactAnswer<3>], first: usize, about: &SVector<f64, 3>) -> Wrench<3> {
         let frame = &self.sites()[first].frame;
         let (space, axes) = (self.space(), self.space().axes());

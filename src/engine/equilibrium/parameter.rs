@@ -24,7 +24,7 @@ use crate::numerics::{Map, Vector, numbered};
 use crate::object::PieceState;
 use crate::prelude::*;
 
-/// One datum of a grasp or its load.
+/// One datum of a grasp or its load, by which forces and motions of an equilibrium are differentiated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Parameter {
@@ -79,7 +79,7 @@ pub enum Parameter {
         /// The joint, from 0, finger by finger; tendons follow.
         joint: usize,
     },
-    /// Component of the load: forces first (N), then moments about the origin (N m), then torques on joints.
+    /// Component of the load on the object: forces first (N), then moments about the origin (N m).
     Load {
         /// The component, from 0.
         component: usize,
@@ -87,8 +87,8 @@ pub enum Parameter {
 }
 
 impl StickingResponse<'_> {
-    /// The derivative of a state by one datum; `None` if the grasp has no such datum, or if no equilibrium with the present contact states exists
-    /// after its change.
+    /// The derivatives of forces and twist of an equilibrium by one datum, per unit of the datum; `None` if the grasp has no such datum, or if after
+    /// a small change of the datum no forces balance in the present contact states.
     pub(crate) fn derivative(&self, state: &PieceState, by: Parameter) -> Option<PieceState> {
         let PieceState { forces, twist } = state;
         let mut offsets = self.at_rest();
@@ -152,9 +152,9 @@ impl StickingResponse<'_> {
         Some(solved)
     }
 
-    /// The change of the grasp map of one contact by a change of its point or frame. `None` if the axis is out of range, and for the position of a
-    /// contact of a hand. `None` also if a motion that is free at present would be resisted in the changed geometry: the derivative of that motion is
-    /// then not defined.
+    /// The derivative of the grasp map of one contact by the position of its point (per metre) or the direction of its normal (per radian). `None` if
+    /// the axis is out of range, and for the position of a contact of a hand. `None` also if a motion that is free at present would be resisted in
+    /// the changed geometry: the derivative of that motion is then not defined.
     fn map_change(&self, contact: usize, by: Parameter) -> Option<Map> {
         let site = &self.problem.sites[contact];
         let change = match by {

@@ -1,4 +1,4 @@
-//! The questions for one equilibrium and for all equilibria under a load.
+//! The user's questions for one equilibrium (`solve`) and for all equilibria (`equilibria`) under a load.
 
 use super::answer::{Equilibrium, Outcome, Undecided, WorkDone};
 use super::cone::{AnswerFor, Cone};
@@ -30,7 +30,7 @@ impl Engine {
         Ok(outcome)
     }
 
-    /// Refuses sliding contacts with kinetic friction, since an equilibrium is computed with static friction.
+    /// Returns an error if a contact with kinetic friction slides in the equilibrium `state`, which was computed with static friction.
     fn refuse_kinetic_slides(&self, question: &'static str, state: &Equilibrium<3>) -> Result<(), Error> {
         let slides = |i: &usize| matches!(state.contacts[*i].state, ContactState::Sliding { .. });
         match self.weaker_once_they_slide().find(slides) {
@@ -82,7 +82,8 @@ impl Engine {
         Ok(list)
     }
 
-    /// The equilibrium problem of this grasp under a load.
+    /// The equilibrium problem of this grasp under a load, with the friction cone of the settings. The error is an invalid load, or invalid limits of
+    /// small motions.
     pub(super) fn problem_under(&self, load: &Wrench<3>, settings: &Settings) -> Result<Problem<'_>, Error> {
         settings.small_motions.check()?;
         let polygon = Polygon::shared(self.space(), &settings.cone);
@@ -132,14 +133,14 @@ impl Engine {
     }
 }
 
-/// Whether the residuals are small enough for an equilibrium.
+/// Whether no residual exceeds the tolerance of an equilibrium: 1e-12 on the round cone, otherwise [`ACCURATE`].
 fn accurate(equilibrium: &Equilibrium<3>) -> bool {
     // Largest allowed residual on the round cone; a larger one means that Newton's method has not converged.
     let most = if equilibrium.cone == Cone::Round { 1e-12 } else { ACCURATE };
     equilibrium.residuals.worst() <= most
 }
 
-/// Whether two solutions are the same equilibrium. Positions along a free motion may differ.
+/// Whether two solutions are the same equilibrium: forces and twist agree. If both have free motions, their twists may differ.
 fn same(problem: &Problem, a: &Found, b: &Found) -> bool {
     let size = |found: &Found| problem.largest_force(&found.forces, &found.twist);
     // Solutions are the same if forces and motions differ by less than this fraction of the largest force or motion.

@@ -1,4 +1,4 @@
-//! Residuals of an answer, recomputed from the question alone.
+//! Residuals of an equilibrium, recomputed from the data of grasp, commands and load, not from those of the solver.
 
 use nalgebra::SVector;
 
@@ -12,13 +12,13 @@ use crate::object::{NO_FORCE, Problem, least_spring_force};
 use crate::prelude::*;
 use crate::search::Found;
 
-/// Values of one contact, or of one drive of a hand, whose residuals are computed.
+/// The force and displacements of one contact, or of one drive of a hand, from which its residuals are computed.
 struct SiteAnswer<'a> {
     force: &'a SVector<f64, 3>,
     gap: f64,
     separated: bool,
     stretch: SVector<f64, 3>,
-    /// Slip since the contact's state was last decided, m; only this part of the slip obeys the contact law.
+    /// Slip since the contact's state was last decided along a load path, m; only this part of the slip obeys the contact law.
     slip: SVector<f64, 3>,
 }
 
@@ -33,7 +33,8 @@ struct ContactLaw<'c> {
 }
 
 impl Residuals {
-    /// Raises each residual to that of one contact or drive, if that is larger.
+    /// Raises each residual to that of one contact or drive, if that is larger. The residual of equilibrium is not a residual of a single contact,
+    /// and stays.
     fn note(&mut self, law: &ContactLaw<'_>, site_answer: &SiteAnswer<'_>) {
         let ContactLaw { site, friction, polygon, cone, force_size, travel } = *law;
         let SiteAnswer { force: f, gap: g, separated, stretch, slip: s } = *site_answer;
@@ -150,7 +151,8 @@ impl Engine {
         r
     }
 
-    /// Displacement of a contact by the joints of its finger, along the coordinate axes, and the sum of the sizes of its terms.
+    /// The displacement of a contact by the joints of its finger, along the coordinate axes, and the sum of the sizes of its terms, m. Both are zero
+    /// without a hand.
     fn displacement_by_joints(&self, contact: usize, twist: &Vector) -> (SVector<f64, 3>, f64) {
         let (mut sum, mut size) = (SVector::zeros(), 0.0);
         let Some(linkage) = self.linkage() else { return (sum, size) };
@@ -162,7 +164,8 @@ impl Engine {
         (sum, size)
     }
 
-    /// The values at each drive of a hand whose residuals are computed: drives obey contact laws, too.
+    /// The force and displacements of each drive of a hand, from which its residuals are computed: drives obey contact laws, too. Empty without a
+    /// hand.
     fn drive_site_answers<'a>(
         &self,
         problem: &Problem,
@@ -184,7 +187,8 @@ impl Engine {
         found.forces.iter().enumerate().skip(self.len()).map(site_answer).list()
     }
 
-    /// The largest imbalance of torques at a joint, over the sum of the sizes of its terms, but at least over `force_size`.
+    /// The largest imbalance of torques at any joint. It is divided by the sum of the sizes of its terms, but at least by `force_size`. Zero without
+    /// a hand.
     fn joints_out_of_balance(
         &self,
         load: &Wrench<3>,
@@ -220,8 +224,8 @@ impl Engine {
         (object..count).map(|k| sums[k].abs() / sizes[k].max(force_size)).fold(0.0, f64::max)
     }
 
-    /// Relative imbalance of the forces and moments on the object: divided by the sum of the absolute values of its terms, plus `spring_force`, which
-    /// is at least the force that the displacements of the contacts could cause in a spring.
+    /// Relative imbalance of the forces and moments on the object: divided by the sum of the absolute values of its terms, plus `spring_force`, the
+    /// force that displacements could cause in a spring. The larger of the ratios for force and for moment.
     fn out_of_balance(&self, load: &Wrench<3>, answers: &[ContactAnswer<3>], spring_force: f64) -> f64 {
         let (space, axes) = (self.space(), self.space().axes());
         let mut sum = load.coordinates(space);

@@ -26,7 +26,7 @@ face_of_struct! {
 }
 
 impl<const C: usize> Refutation<C> {
-    /// Number of cases, including those that were divided further.
+    /// Number of cases of the proof, including those that were divided further.
     #[must_use]
     pub fn cases(&self) -> usize {
         self.cases

@@ -17,17 +17,17 @@ use crate::object::{Load, Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// The linear response of a grasp in known states of its contacts.
+/// The linear response of forces and twist to loads and finger offsets, while contacts and drives keep known states.
 pub(crate) struct StickingResponse<'g> {
     pub(crate) grasp: &'g Engine,
     pub(super) problem: Problem<'g>,
     pub(crate) states: Vec<State>,
     pub(crate) piece: Arc<Piece>,
-    /// The conditions under which each contact or drive keeps sticking, or stays open.
+    /// For each contact and drive, the conditions under which it keeps its state: sticking or open.
     pub(crate) edges: Vec<Edges>,
 }
 
-/// Forces contact by contact, and for each force the size of the terms of which it is the sum, which scales its rounding.
+/// Forces of all contacts and drives, N. For each force `sizes` has the size of the terms of which it is the sum, which scales its rounding.
 #[derive(Debug, Clone)]
 pub(crate) struct ContactForces {
     pub(crate) of: Vec<SVector<f64, 3>>,
@@ -35,7 +35,7 @@ pub(crate) struct ContactForces {
 }
 
 impl<'g> StickingResponse<'g> {
-    /// The linear response of the grasp while every contact that is present sticks.
+    /// The linear response of the grasp while every contact and drive sticks, except those that are absent, with the friction cone of the settings.
     pub(crate) fn new(grasp: &'g Engine, settings: &Settings) -> Self {
         let problem = Self::at_rest_on(grasp, Cone::of(grasp.space(), settings));
         let states = problem.unjumped();
@@ -63,13 +63,13 @@ impl<'g> StickingResponse<'g> {
         self.problem.local(contact)
     }
 
-    /// Zero finger offsets of all contacts and drives: no commands.
+    /// Finger offsets of zero for all contacts and drives, as without commands and clearances.
     pub(crate) fn at_rest(&self) -> Vec<SVector<f64, 3>> {
         vec![SVector::zeros(); self.problem.len()]
     }
 
-    /// Contact forces at these finger offsets (commands minus clearances) and this load, in the engine's coordinates. The error is a motion that
-    /// nothing resists and on which the load does work.
+    /// Forces of contacts and drives in the given contact states, at these finger offsets (commands minus clearances) and this load in the engine's
+    /// coordinates. The error is a motion that nothing resists and on which the load does work.
     pub(crate) fn forces(
         &self,
         offsets: &[SVector<f64, 3>],
@@ -87,7 +87,7 @@ impl<'g> StickingResponse<'g> {
         }
     }
 
-    /// Forces under a load alone, without commands.
+    /// Forces of contacts and drives under a load alone, without commands; the error as in [`Self::forces`].
     pub(crate) fn by_load(&self, load: &Wrench<3>) -> Result<ContactForces, Motion<3>> {
         self.forces(&self.at_rest(), &self.grasp.inside_unchecked(load))
     }
@@ -100,8 +100,8 @@ impl<'g> StickingResponse<'g> {
 }
 
 impl Engine {
-    /// The least margin of any contact to opening or sliding under a load, divided by the largest contact force. It is computed as if every contact
-    /// stuck, and may be negative. `None` if nothing resists the load, or if all contact forces are zero.
+    /// The least margin, N, of any contact to opening or sliding under a load, divided by the largest contact force. It is computed as if every
+    /// contact stuck, and may be negative. `None` if the load is invalid, if nothing resists it, or if all contact forces are zero.
     pub(crate) fn sticking_margin(&self, load: &Wrench<3>, settings: &Settings) -> Option<f64> {
         let sticking = StickingResponse::new(self, settings);
         let forces = sticking.forces(&self.offsets(), &self.load_alone(load, "load").ok()?).ok()?.of;

@@ -1,7 +1,7 @@
 //! Motions that are no longer small: a body or a joint turns too far, or a contact slips or opens too far.
 //!
-//! Contact points and normals are those of the undeformed grasp. Beyond [`SmallMotions`] an equilibrium therefore solves the question as posed, but
-//! says little about the object. This file alone measures motions against the limits, for answers and along load paths.
+//! Contact points and normals are those of the undeformed grasp. Beyond [`SmallMotions`] an equilibrium therefore satisfies all equations, but says
+//! little about the real object. This file alone measures motions against the limits, for answers and along load paths.
 
 use core::fmt;
 
@@ -76,7 +76,8 @@ impl fmt::Display for TooFar {
 }
 
 impl TooFar {
-    /// The motion with a verb, without the name of the body or contact: "turns by more than 5.7°". Limits have two significant digits.
+    /// The motion beyond its limit, with a verb, without the name of the body or contact: "turns by more than 5.7°". Limits have two significant
+    /// digits.
     #[must_use]
     pub fn does(&self, words: Words) -> String {
         let words = words.rounded_to(2);
@@ -94,7 +95,7 @@ impl TooFar {
 /// motion of the object, the forces and the commands.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct CountedMotion {
-    /// The rotation (rad) or slip (m). An opening has one component, along the normal, which counts where it is positive (m).
+    /// The vector of the rotation (rad) or slip (m). An opening has one component, along the normal, which counts where it is positive (m).
     pub(crate) shift: SVector<f64, 3>,
     /// The largest length of a small motion, rad or m.
     pub(crate) limit: f64,
@@ -117,13 +118,14 @@ impl CountedMotion {
         matches!(self.of, MotionOf::Opening(_))
     }
 
-    /// The length of the motion over its limit: above 1 the motion is not small.
+    /// The length of the motion divided by its limit: above 1 the motion is not small. Negative for an opening if the object has moved towards the
+    /// finger.
     pub(crate) fn over_the_limit(&self) -> f64 {
         if self.is_opening() { self.shift[0] / self.limit } else { self.shift.norm() / self.limit }
     }
 }
 
-/// The motion that is farthest beyond its limit, or nearest to it.
+/// The motion whose length is the largest multiple of its limit, whether or not it is beyond the limit; `None` for an empty list.
 pub(crate) fn farthest(motions: &[CountedMotion]) -> Option<&CountedMotion> {
     motions.iter().max_by(|a, b| a.over_the_limit().total_cmp(&b.over_the_limit()))
 }
@@ -159,7 +161,7 @@ impl Engine {
         places.iter().map(|place| place.reach).fold(self.length(), f64::max)
     }
 
-    /// The rotation of each body, and the slip or opening of each contact.
+    /// The rotation of each body, and the slip or opening of each contact; cables, which may hang loose, are left out.
     pub(crate) fn counted_motions(
         &self,
         small: &SmallMotions,
@@ -224,7 +226,7 @@ impl Engine {
         }
     }
 
-    /// The motion with the name of its body or contact, for an answer.
+    /// Describes a motion beyond its limit with the name of its body or contact, for an answer.
     pub(crate) fn too_far(&self, motion: &CountedMotion) -> TooFar {
         let limit = motion.limit;
         let contact = |site: usize| self.wholes().at(site).with(1);

@@ -114,7 +114,7 @@ impl Engine {
     }
 }
 
-/// States of all contacts in a solution, then of the drives of a hand, which are handled like contacts.
+/// States of all contacts in a solution, then of the drives of a hand, which obey contact laws, too.
 pub(crate) fn site_states(problem: &Problem, found: &Found) -> Vec<ContactState<3>> {
     solved_sites(problem, found).map(|solved| solved.state().0).list()
 }
@@ -134,7 +134,7 @@ fn solved_sites<'s>(problem: &'s Problem<'s>, found: &'s Found) -> impl Iterator
     })
 }
 
-/// One contact or drive in a solution, in its own frame.
+/// One contact or drive in a solution, with vectors in its own contact frame.
 struct SolvedContact<'s> {
     local: LocalLaw<'s>,
     frame: &'s SMatrix<f64, 3, 3>,
@@ -144,12 +144,13 @@ struct SolvedContact<'s> {
     /// Commanded displacement minus clearance and minus the accumulated slip `memory`, m.
     offset: SVector<f64, 3>,
     memory: SVector<f64, 3>,
-    /// Displacement of the body's core in the contact frame, minus that of the finger by its joints, m.
+    /// Displacement of the body's core at the contact, minus that of the finger by its joints, in the contact frame, m.
     moved: SVector<f64, 3>,
 }
 
 impl SolvedContact<'_> {
-    /// State of the contact, and its slip beyond `memory`.
+    /// State of the contact, and its slip beyond `memory`, m: zero where it sticks. For an open or frictionless contact this is the displacement of
+    /// the surfaces past each other.
     fn state(&self) -> (ContactState<3>, SVector<f64, 3>) {
         let slip = self.local.springs.slip(&(self.offset - self.moved), &self.force);
         match self.state {
@@ -168,7 +169,8 @@ impl SolvedContact<'_> {
         }
     }
 
-    /// The answer of the contact. `moved_with_joints` is the part of `moved` that joints cause: it belongs to the finger, not to the body.
+    /// The answer for the contact with this index, in physical quantities. `moved_with_joints` is the part of `moved` that joints cause: it belongs
+    /// to the finger, not to the body.
     fn answer(
         &self,
         (contact, index): (&Contact<3>, usize),

@@ -12,8 +12,8 @@ use crate::numerics::{IntoList, Map, Square, Vector};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Returns the force form of a problem. `None` if a number overflows, or if the unknowns are rates and a contact is on the edge of its cone: the
-/// matrix would not be copositive.
+/// The force form of a problem. `None` if a number overflows, or if in a rate problem a contact is on the edge of its cone: the matrix would not be
+/// copositive.
 pub(crate) fn force_form(problem: &Problem) -> Option<Form> {
     if problem.locals().any(|local| local.is_on_an_edge()) {
         return None;
@@ -48,7 +48,7 @@ pub(crate) fn force_form(problem: &Problem) -> Option<Form> {
     Some(Form { lcp: Lcp::new(m, q).ok()?, rows: b.rows, z_unit: b.z_unit, w_unit: b.w_unit })
 }
 
-/// The contact states that a complementary basis of the force form describes.
+/// The state of each contact and drive that a complementary basis of the force form describes.
 pub(crate) fn force_states(problem: &Problem, form: &Form, basis: &Basis) -> Vec<State> {
     let n = problem.len();
     let (mut pressed, mut slips) = (vec![true; n], vec![false; n]);
@@ -80,7 +80,8 @@ pub(crate) fn force_states(problem: &Problem, form: &Form, basis: &Basis) -> Vec
     problem.locals().enumerate().map(state).list()
 }
 
-/// Units of the twist components: a motion by one unit along a component stores a spring energy of order one.
+/// For each component of the twist, the unit by which it is scaled: a motion by one unit stores a spring energy of order one. Unit 1 where no spring
+/// resists.
 fn twist_units(problem: &Problem) -> Vector {
     let mut sums = Vector::all_zero(problem.size());
     for site in problem.sites {
@@ -206,7 +207,7 @@ impl<'p, 'g> Builder<'p, 'g> {
         }
     }
 
-    /// Adds a spring that acts both ways, with the force F = k (a - G_iᵀq) along this axis at the twist q.
+    /// Adds to `stiffness` and `load` a spring along this axis that acts both ways, with the force F = k (a - G_iᵀq).
     fn both_ways(&mut self, contact: usize, axis: usize) {
         let site = &self.problem.sites[contact];
         let g = site.map.column(axis);

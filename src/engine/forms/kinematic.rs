@@ -52,7 +52,8 @@ fn jumps(problem: &Problem, contacts: &[usize]) -> (Vec<Row>, Vec<Jump>) {
     (rows, jumps)
 }
 
-/// The kinematic form on the elastic trial state, in which every contact sticks; `None` if no contact may open or slide, or if a number overflows.
+/// The kinematic form of all contacts on the elastic trial `trial` with solution `state`, in which every contact sticks. `None` if no contact may
+/// open or slide, or if a number overflows.
 pub(crate) fn kinematic_form(problem: &Problem, trial: &Piece, state: &PieceState) -> Option<Form> {
     let (rows, jumps) = jumps(problem, &numbered(problem.len(), &|contact| contact));
     if jumps.is_empty() {
@@ -78,12 +79,13 @@ pub(crate) fn kinematic_form(problem: &Problem, trial: &Piece, state: &PieceStat
     form(problem, state, rows, &jumps, &|i, j| transformed[i][0].dot(&transformed[j][1]))
 }
 
-/// Displacements of all coordinates under unit jumps (gaps or slips), stored for each contact: a later kinematic form of another set of contacts
-/// reuses the stored displacements.
+/// Displacements of all coordinates under a unit of each jump (gap or slip) of a contact; `None` for contacts not yet computed. They are stored by
+/// contact: a later kinematic form of another set of contacts reuses the stored displacements.
 #[derive(Debug, Default)]
 pub(crate) struct Moved(Vec<Option<Vec<Vec<f64>>>>);
 
-/// The kinematic form of a few contacts in a problem with many coordinates. All other contacts stick, as in the elastic trial state.
+/// The kinematic form of the given contacts in a problem with many coordinates. All other contacts keep the states of `trial`. Displacements under
+/// jumps are taken from `known`, or computed and stored there. `None` if a number overflows or the factorisation fails.
 pub(crate) fn kinematic_form_among(
     problem: &Problem,
     trial: &Piece,
@@ -119,7 +121,8 @@ pub(crate) fn kinematic_form_among(
     })
 }
 
-/// Assembles the kinematic form. `coupling(i, j)` returns by how much the unknown of jump j reduces the slack of jump i because the object gives way.
+/// Assembles the kinematic form from its jumps; `None` if a number overflows. `coupling(i, j)` returns by how much the unknown of jump j reduces the
+/// slack of jump i because the object gives way.
 fn form(
     problem: &Problem,
     state: &PieceState,
@@ -144,7 +147,8 @@ fn form(
     Some(Form { lcp: Lcp::new(m, q).ok()?, rows, z_unit, w_unit })
 }
 
-/// The contact states that a complementary basis of the kinematic form describes.
+/// The state of each contact and drive that a complementary basis of the kinematic form describes. Contacts without a pair in the form keep the state
+/// of the elastic trial.
 pub(crate) fn kinematic_states(problem: &Problem, form: &Form, basis: &Basis) -> Vec<State> {
     let mut slipping: Vec<Vec<u16>> = vec![Vec::new(); problem.len()];
     let mut open = vec![false; problem.len()];

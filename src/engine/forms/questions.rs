@@ -1,4 +1,4 @@
-//! The two forms of a grasp under a load, for callers with a solver of their own.
+//! The kinematic and the force form of a grasp under a load, for callers with a solver of their own.
 
 use super::force_form::force_form;
 use super::kinematic::kinematic_form;

@@ -56,13 +56,13 @@ pub enum Row {
 pub struct LeftOut {
     /// Index of the contact, from 0.
     pub contact: usize,
-    /// The number of complementary pairs of a kinematic form that are saved: 1 for the gap, 1 for each facet.
+    /// The number of complementary pairs that a kinematic form saves at this contact: 1 for the gap, 1 for each facet.
     pub rows: usize,
     /// The reason why the pairs are not needed.
     pub why: Why,
 }
 
-/// The reason why a contact needs fewer complementary pairs.
+/// The reason why a contact needs fewer complementary pairs than a gap and its facets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Why {
@@ -88,7 +88,7 @@ pub enum Why {
 pub struct Form {
     /// The problem in scaled variables, `0 <= ẑ ⟂ ŵ = M ẑ + q >= 0`.
     pub lcp: Lcp,
-    /// The meaning of each row.
+    /// The meaning of each complementary pair (row) of the problem.
     pub rows: Vec<Row>,
     /// Physical value of ẑ = 1 for each unknown z, N or m according to its [`Row`].
     pub z_unit: Vec<f64>,
@@ -97,7 +97,7 @@ pub struct Form {
 }
 
 impl Form {
-    /// The index of the row with this meaning, if the form has it.
+    /// The index of the row with this meaning; `None` if the form has no such row.
     #[must_use]
     pub fn position(&self, row: Row) -> Option<usize> {
         self.rows.iter().position(|r| *r == row)

@@ -1,9 +1,12 @@
-//! Proofs that no equilibrium exists, without a search among contact states.
+//! Proofs that a grasp has no equilibrium under a load. Each rests on virtual motions of the object: the load works on them more than the contacts
+//! can work against them.
+//!
+//! No proof solves for the forces of all combinations of contact states; the search for such solutions is in `search`.
 //!
 //! | file | idea |
 //! |---|---|
 //! | `wrench_cone` | the load lies outside the cone of all contact forces: a separating motion |
-//! | `separating_many` | the same proof with many coordinates, in a band |
+//! | `separating_many` | the same proof with many coordinates, by narrow band matrices |
 //! | `escape` | the margin of a proof: rounding may hide only forces far larger than the data |
 //! | `refutation` | case by case on the round cone, as a certificate that can be checked |
 //! | `nothing_near` | a radius around a lost equilibrium within which no other exists |

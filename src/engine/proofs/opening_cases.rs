@@ -22,7 +22,8 @@ use crate::numerics::{Vector, chosen, largest, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Whether it is proved that no load on the line from the load of `here` (not included) to that of `past`, a little beyond, can be balanced.
+/// Whether it is proved that no load on the line from the load of `here` to that of `past`, a little beyond, can be balanced. Loads within the
+/// fraction 1e-6 of the start of the line are not included.
 pub(crate) fn nothing_holds(here: &Problem, past: &Problem) -> bool {
     let free: Vec<usize> = chosen(here.len(), &|&i| here.local(i).may_open());
     let whole = !here.locals().any(|local| local.is_absent() || local.is_on_an_edge());
@@ -38,8 +39,8 @@ pub(crate) fn nothing_holds(here: &Problem, past: &Problem) -> bool {
         })
 }
 
-/// Whether a contact has a normal condition, an inequality. In the linear system the equations of equilibrium come first, then these conditions in
-/// the order of contacts.
+/// Whether a contact may open or has friction, and so has an inequality in the linear system. There the equations of equilibrium come first, then
+/// these inequalities in the order of contacts.
 fn has_row(local: &LocalLaw<'_>) -> bool {
     local.pairs() > 0
 }
@@ -48,7 +49,8 @@ fn rows(problem: &Problem) -> usize {
     problem.size().count() + problem.locals().filter(has_row).count()
 }
 
-/// Number of axes along which the force of a closed contact follows from its springs. Friction is a separate unknown.
+/// Number of axes along which the force of a closed contact follows from its springs: all of a bonded contact, otherwise the normal alone. Friction
+/// is then a separate unknown.
 fn springs(local: &LocalLaw<'_>) -> usize {
     if local.is_bonded() { local.springs.axes() } else { 1 }
 }

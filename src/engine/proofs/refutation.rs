@@ -21,17 +21,19 @@ use crate::numerics::Vector;
 use crate::object::{Piece, Problem};
 use crate::prelude::*;
 
-/// A step of the proof. Steps are in depth-first order: a division is followed by all steps of its second case, then by those of its first.
+/// A step of the proof, for the present case. Steps are in depth-first order: a division is followed by all steps of its second case, then by those
+/// of its first.
 #[derive(Debug, Clone)]
 pub(crate) enum ProofStep {
-    /// The case is divided into two: the state of this contact lies in one of two halves.
+    /// The present case is divided into two. In each the label of this contact, which restricts its state, is one of the `halves`; together they
+    /// allow what its label did.
     Divided { contact: usize, halves: [Label; 2] },
     /// The present case is contradicted by a virtual motion and virtual forces.
     Contradicted { motion: Vector, forces: Vec<SVector<f64, 3>> },
 }
 
-/// Checks a proof. An equilibrium that rounding may have hidden from it is larger than the data by at least the returned factor (both measured in
-/// √J). `None` if the steps omit a case, or contradict one too weakly to count.
+/// Checks a proof without searching. Returns a factor: an equilibrium that rounding may have hidden from the proof is larger than the data by at
+/// least this factor (both measured in √J). `None` if the steps omit a case, or contradict one by less than the factor [`ESCAPE`].
 pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     let trial = problem.trial();
     let state = trial.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
@@ -62,9 +64,9 @@ pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     (open.is_empty() && least >= ESCAPE).then_some(least)
 }
 
-/// A proof, with a single case, that no contact forces balance offsets and load. In a rate problem let every contact that may slide or open do so.
-/// Then a virtual motion y may be in the left null space of the tangent stiffness: the virtual forces `-C_iᵀG_iᵀy` balance one another. In any other
-/// contact state, the contacts do no more work against y.
+/// Searches for a proof, with a single case, that no contact forces balance offsets and load. Returns the factor of [`check`]; `None` without a
+/// proof. In a rate problem let every contact that may slide or open do so. Then a virtual motion y may be in the left null space of the tangent
+/// stiffness: the virtual forces `-C_iᵀG_iᵀy` balance one another. In any other contact state, the contacts do no more work against y.
 pub(crate) fn yields(problem: &Problem) -> Option<f64> {
     let states = problem.yielding();
     let motion = Piece::new(problem, &states).motion_without_response(&problem.offsets, &problem.wrench)?;
@@ -78,8 +80,8 @@ pub(crate) fn yields(problem: &Problem) -> Option<f64> {
     [-1.0, 1.0].into_iter().find_map(|sign| check(problem, &[step(sign)]))
 }
 
-/// The least size of stretches and forces, in √J, that an equilibrium of the case must have if rounding hides it from the contradiction. `None` if
-/// there is no contradiction.
+/// The least size that an equilibrium of one case must have if rounding hides it from the contradiction, in √J: of stretches and forces of all
+/// contacts together. `None` if there is no contradiction.
 fn escape(problem: &Problem, labels: &[Label], motion: &Vector, forces: &[SVector<f64, 3>]) -> Option<f64> {
     if forces.len() != problem.len() {
         return None;

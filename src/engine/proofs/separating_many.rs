@@ -24,13 +24,14 @@ use crate::numerics::{
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The friction cone of one contact, which in the augmented Lagrangian responds to a motion by a force.
+/// The round friction cone of a contact, or one generator of a cone that is not round. In the augmented Lagrangian it responds to a motion by a
+/// force.
 struct Pushing {
     /// The coordinates with entries in the contact's map, and these entries, scaled to length one.
     coupled: Vec<(usize, SVector<f64, 3>)>,
     /// μ of a round cone; `None` for a cone that is a single ray, along the first axis.
     cone: Option<f64>,
-    /// The multiplier λ_i: the force of this contact in the last round.
+    /// The multiplier λ_i: the force of this cone or generator in the last round.
     multiplier: SVector<f64, 3>,
 }
 
@@ -63,7 +64,8 @@ impl Pushing {
     }
 }
 
-/// The problem of the augmented Lagrangian: cones and load, in an order of coordinates that makes the band narrow.
+/// The problem of the augmented Lagrangian: cones and load, with the coordinates in an order (`numbers`) that makes the band of the Newton matrix
+/// narrow.
 struct PushedBack {
     contacts: Vec<Pushing>,
     numbers: Vec<usize>,
@@ -75,15 +77,16 @@ struct PushedBack {
 
 /// The part of a load of many coordinates that no admissible contact forces balance.
 pub(super) enum Residual {
-    /// The residual is a separating motion.
+    /// The residual is a motion that separates the load from all admissible contact forces.
     Proof(Vector),
-    /// The residual proves nothing.
+    /// There is a residual, but the rounds of the method did not make it a proof.
     Unclear,
     /// There is no residual, since the load is balanced; or the method does not apply, since a law is not a cone.
     Nothing,
 }
 
-/// The residual of the load, scaled to length one, after some rounds of the augmented Lagrangian; `is_proof` decides whether a residual is a proof.
+/// The residual of the load, scaled to length one, after some rounds of the augmented Lagrangian, or the reason why it proves nothing; `is_proof`
+/// decides whether a residual is a proof.
 pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> bool) -> Residual {
     let Some(mut pushed) = PushedBack::of(problem) else {
         return Residual::Nothing;
@@ -156,8 +159,8 @@ impl PushedBack {
         Some(Self { contacts, numbers, load, band, stiffness: 1e1 })
     }
 
-    /// One round: finds the residual v of `v - Σ G_i f_i = W` up to an error `enough`, and updates the multipliers. Returns |v|, the norm of the load
-    /// that contact forces do not balance.
+    /// One round: finds the residual v of `v - Σ G_i f_i = W` up to an error `enough`, and updates the multipliers. Returns the norm of the load that
+    /// contact forces do not balance; `None` if a factorisation fails.
     fn round(&mut self, v: &mut Vec<f64>, enough: f64) -> Option<f64> {
         let mut missing = self.missing(v);
         // Maximum number of Newton steps in a round.

@@ -48,11 +48,11 @@ impl Generator {
     }
 }
 
-/// The sum of admissible forces whose wrench is nearest to a target.
+/// The sum of admissible forces whose wrench is nearest to a target wrench.
 pub(crate) struct NearestForces {
     /// The wrench of the sum minus the target, as a motion: no generator works against it, except for rounding.
     pub(crate) motion: Vector,
-    /// The most work of a generator against the motion.
+    /// The most work of any generator, a unit wrench, against the motion.
     pub(crate) against: f64,
     /// The generators that carry the sum, with their coefficients β.
     pub(crate) shares: Vec<(Generator, f64)>,
@@ -107,7 +107,7 @@ pub(crate) fn nearest_forces(
     NearestForces { motion, against, shares }
 }
 
-/// A load, and the friction cones that might balance it.
+/// A load, and the friction cones of all contacts, whose forces might balance it.
 struct LoadAndCones<'p, 'g> {
     problem: &'p Problem<'g>,
     straight: Vec<Generator>,
@@ -125,7 +125,8 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
         Some(Self { problem, straight, load, data: load + squeeze(problem) })
     }
 
-    /// The residual of the load and the nearest admissible forces, as a unit motion, if it clearly separates them.
+    /// The residual of the load and the nearest admissible forces, as a unit motion; `None` unless it clearly separates the load from all admissible
+    /// forces.
     fn separating_motion(&self) -> Option<Vector> {
         let target = -&self.problem.wrench / self.load;
         let round = |v: &Vector| round_generators(self.problem, v).list();
@@ -145,12 +146,13 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
     }
 }
 
-/// The unit separating motion in the engine's coordinates, from the admissible forces nearest to the load, if there is a clear one.
+/// A unit motion that clearly separates the load from all admissible contact forces, in the engine's coordinates. It is computed from the admissible
+/// forces nearest to the load. `None` without a clear one.
 pub(crate) fn separating_motion_of_few(problem: &Problem) -> Option<Vector> {
     LoadAndCones::of(problem)?.separating_motion()
 }
 
-/// The unit separating motion in the engine's coordinates, if there is a clear one.
+/// A unit motion that clearly separates the load from all admissible contact forces, in the engine's coordinates; `None` without a clear one.
 ///
 /// With many coordinates the augmented Lagrangian searches for it. If its residual proves nothing, the nearest forces decide, for at most
 /// [`MOST_COORDINATES`] coordinates.
@@ -173,7 +175,7 @@ fn squeeze(problem: &Problem) -> f64 {
     problem.sites.iter().zip(&problem.offsets).map(pushed).sum()
 }
 
-/// For every round cone, the unit wrench with the most work against a motion.
+/// For every contact with a round cone, the generator (a unit wrench) with the most work against a motion.
 pub(crate) fn round_generators(problem: &Problem, v: &Vector) -> impl Iterator<Item = Generator> {
     let contacts = problem.locals().zip(problem.sites).enumerate();
     contacts.filter(|(_, (local, _))| local.is_round()).map(move |(contact, (local, site))| {

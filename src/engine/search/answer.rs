@@ -1,4 +1,4 @@
-//! The end of a search for an equilibrium, and its effort.
+//! The result of a search for an equilibrium under a load, and the work that it took.
 
 use nalgebra::SVector;
 
@@ -55,7 +55,7 @@ pub enum Doubt {
     OutOfSteps,
 }
 
-/// A solution of a problem: states, forces and motion.
+/// A solution of an equilibrium problem, in the engine's units: states and forces of contacts and drives, twist of the object.
 #[derive(Debug, Clone)]
 pub(crate) struct Found {
     pub(crate) states: Vec<State>,
@@ -64,14 +64,15 @@ pub(crate) struct Found {
     pub(crate) free_motions: Vec<Vector>,
     pub(crate) neutral_motions: Vec<Vector>,
     /// On a load path the solution is a sum of changes along the path. These are the sizes of the summed forces, N, and displacements, m, which scale
-    /// its rounding where terms cancel. Zero for a solution that was not reached along a path.
+    /// its rounding where terms cancel. Both are zero for a solution that was not reached along a path.
     pub(crate) sizes: [f64; 2],
-    /// With round cones, the largest difference of a contact force from that of the solution on polygonal cones, N.
+    /// On the round cone, the largest difference of a contact force from that of the solution on polygonal cones from which Newton's method started,
+    /// N. `None` if there was no such solution.
     pub(crate) from_polygon: Option<f64>,
 }
 
 impl Found {
-    /// A solution of a single search: no load path led to it, and every motion is resisted.
+    /// A solution of a single search: no load path or polygonal cones led to it, and every motion of the object is resisted.
     pub(crate) fn new(states: Vec<State>, forces: Vec<SVector<f64, 3>>, twist: Vector) -> Self {
         Self {
             states,
@@ -85,7 +86,7 @@ impl Found {
     }
 }
 
-/// A [`Found`] whose twist is a list of numbers, as answers store it.
+/// A [`Found`] whose motions (twist, free and neutral motions) are lists of numbers, as answers store them.
 #[derive(Debug, Clone)]
 pub(crate) struct Kept {
     pub(crate) states: Vec<State>,
@@ -98,7 +99,7 @@ pub(crate) struct Kept {
 }
 
 impl Kept {
-    /// Converts a solution; `list` is the memory for its twist.
+    /// Converts a solution to lists of numbers; `list` is memory that its twist reuses.
     pub(crate) fn of(found: Found, list: Vec<f64>) -> Self {
         Self {
             states: found.states,
@@ -124,35 +125,36 @@ impl Kept {
     }
 }
 
-/// The result of a search.
+/// The result of a search for an equilibrium under a load.
 #[derive(Debug, Clone)]
 pub(crate) enum Settled {
     Found(Found, FoundBy),
-    /// The load works on a motion that no spring resists.
+    /// No equilibrium exists: the load works on this motion, which no spring resists when every contact sticks.
     FreeMotion(Vector),
-    /// No admissible forces balance the load: this motion separates it from the friction wrench cone.
+    /// No equilibrium exists, since no admissible forces balance the load: this motion separates the load from the friction wrench cone.
     Separating(Vector),
-    /// Every combination of contact states violates a condition clearly; this is the number of combinations.
+    /// No equilibrium exists: every combination of contact states, this many, violates a condition by more than rounding.
     NoneOf(usize),
-    /// On the round cone, each case was proved to have no equilibrium. An equilibrium that rounding hides from this proof would be larger than the
-    /// data by the factor `escape`.
+    /// No equilibrium exists on the round cone: each of the cases of contact states was proved to have none. An equilibrium that rounding hides from
+    /// this proof would be larger than the data by at least the factor `escape`.
     Contradicted {
         cases: usize,
         escape: f64,
     },
-    /// No equilibrium was found, and no proof that there is none.
+    /// No equilibrium was found, and no proof that there is none, for this reason.
     Undecided(Doubt),
 }
 
-/// Effort of a search.
+/// Counts of the work of one search for an equilibrium.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Effort {
     pub(crate) pivots: usize,
-    /// Number of rows of the largest complementarity problem.
+    /// Number of rows of the largest complementarity problem solved.
     pub(crate) rows: usize,
     pub(crate) combinations: usize,
     /// Number of facets of a contact's polygonal cone.
     pub(crate) facets: usize,
-    /// Whether Farkas' lemma excludes every choice of slips and gaps of the kinematic form, up to its rounding. Always false with round cones.
+    /// Whether the dense kinematic form was proved, up to rounding, to have no solution, so that no choice of slips and gaps solves it. Always false
+    /// with round cones.
     pub(crate) no_slips: bool,
 }

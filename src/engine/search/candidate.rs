@@ -1,4 +1,4 @@
-//! Solves and checks proposed contact states, whichever method of the search proposes them.
+//! Solves the linear problem of proposed contact states and checks their conditions, whichever method of the search proposes them.
 
 use core::cell::OnceCell;
 
@@ -11,19 +11,19 @@ use crate::numerics::{IntoList, Vector, chosen, least_distance, mapped};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
-/// Result of checking proposed contact states.
+/// Result of checking proposed contact states: an equilibrium, a violated condition, or no balance.
 #[derive(Debug, Clone)]
 pub(crate) enum Judged {
     Holds(Found),
     Violated {
-        /// Whether the violation is small enough to be rounding.
+        /// Whether the violation is small enough to be rounding, so that it proves nothing.
         doubtful: bool,
     },
     /// No forces balance the load in these states.
     Unbalanced,
 }
 
-/// Solves the linear problem of these states and checks every inequality.
+/// Solves the linear problem of these contact states for forces and twist, and checks every inequality of the states.
 pub(crate) fn try_states(problem: &Problem, states: Vec<State>) -> Judged {
     if problem.locals().zip(&states).any(|(local, state)| local.excludes(state)) {
         return Judged::Violated { doubtful: false };
@@ -38,15 +38,16 @@ pub(crate) fn try_states(problem: &Problem, states: Vec<State>) -> Judged {
     }
 }
 
-/// Proposed contact states whose solution `at` breaks a condition.
+/// Proposed contact states whose solution `at` breaks a condition, or does not balance the load.
 pub(super) struct Refused {
     pub(super) states: Vec<State>,
     pub(super) at: PieceState,
-    /// Whether the violation is small enough to be rounding.
+    /// Whether the violation is small enough to be rounding, so that it proves nothing.
     doubtful: bool,
 }
 
-/// Checks every inequality for `at`, the solution of the linear problem `piece` with these contact states.
+/// Checks every inequality for `at`, the solution of the linear problem `piece` with these contact states. If the solution is not unique and breaks
+/// one, another solution that satisfies all is returned where there is one.
 pub(super) fn admit(
     problem: &Problem,
     states: Vec<State>,
@@ -109,7 +110,7 @@ pub(super) fn admit_regular(problem: &Problem, states: Vec<State>, state: PieceS
     holds.then(|| Found::new(states, state.forces, state.twist))
 }
 
-/// The contacts that break a condition of their states by more than rounding.
+/// The contacts and drives that break a condition of their states by more than rounding, by index in ascending order.
 pub(super) fn breaking(problem: &Problem, states: &[State], at: &PieceState) -> Vec<usize> {
     let largest = problem.largest_force(&at.forces, &at.twist);
     let norm = problem.size_of_motion(&at.twist, largest);
@@ -124,7 +125,7 @@ pub(super) fn breaking(problem: &Problem, states: &[State], at: &PieceState) -> 
     chosen(problem.len(), &breaks)
 }
 
-/// Calls `visit(value, size)` for every condition `value >= 0` of all contacts.
+/// Calls `visit(value, size)` for every condition `value >= 0` of the states of all contacts and drives; `size` is the size of the terms of `value`.
 pub(crate) fn for_each_condition(
     problem: &Problem,
     states: &[State],
@@ -140,16 +141,16 @@ pub(crate) fn for_each_condition(
     }
 }
 
-/// The norm of the imbalance `Σ G_i F_i + W` of contact forces and load, relative to the sum of the norms of its terms. If commands alone move a
-/// statically determinate grasp, its exact forces are zero and the computed ones are rounding errors. The sum therefore includes the fraction
-/// `NO_FORCE` of the least force that its springs could have.
+/// The norm of the imbalance `Σ G_i F_i + W` of contact forces and load, relative to the sum of the norms of its terms plus the largest force. If
+/// commands alone move a statically determinate grasp, its exact forces are zero and the computed ones are rounding errors. The largest force
+/// therefore counts as at least the fraction `NO_FORCE` of the least force that its springs could have.
 fn out_of_balance(problem: &Problem, forces: &[SVector<f64, 3>], twist: &Vector) -> f64 {
     let (left, carried) = problem.imbalance(forces);
     let size = problem.largest_force(forces, twist) + carried;
     if size > 0.0 { left / size } else { 0.0 }
 }
 
-/// Values of all inequalities, and the sizes of their terms.
+/// Values of the inequalities of all contacts and drives, and for each value the size of its terms.
 fn slacks(problem: &Problem, states: &[State], at: &PieceState) -> (Vec<f64>, Vec<f64>) {
     let (mut values, mut sizes) = (Vec::new(), Vec::new());
     for_each_condition(problem, states, &at.forces, &at.twist, |value, size| {
@@ -159,7 +160,7 @@ fn slacks(problem: &Problem, states: &[State], at: &PieceState) -> (Vec<f64>, Ve
     (values, sizes)
 }
 
-/// The worst violation of an inequality, relative to its size; infinite where a value is NaN.
+/// The largest violation of an inequality by any contact or drive, relative to the size of its terms; zero if all hold, infinite if a value is NaN.
 fn violation(problem: &Problem, states: &[State], at: &PieceState) -> f64 {
     let mut worst = 0.0;
     for_each_condition(problem, states, &at.forces, &at.twist, |value, size| {
@@ -172,8 +173,8 @@ fn worse(worst: f64, value: f64, size: f64) -> f64 {
     if value.is_nan() { f64::INFINITY } else { worst.max(-value / size) }
 }
 
-/// The smallest coefficients τ of motions for which, after the object has moved along them, every inequality holds. The motions are orthonormal in
-/// the engine's coordinates; each comes with its change of forces.
+/// The coefficients τ of least norm, one for each motion, for which every inequality holds after the object has moved along the motions. `None` if
+/// there are none. The motions are orthonormal in the engine's coordinates; each comes with its change of forces.
 fn least_admissible_shift(
     problem: &Problem,
     states: &[State],

@@ -1,4 +1,4 @@
-//! Input and result of one method (rung) of the search ladder.
+//! Input and result of one method (rung) of the ladder, the sequence of methods that search for an equilibrium.
 
 use alloc::sync::Arc;
 use core::cell::OnceCell;
@@ -12,7 +12,8 @@ use crate::numerics::mapped;
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
-/// A search for an equilibrium: the problem, and the solution of its elastic trial, in which every contact sticks.
+/// Input of a method: the equilibrium problem, and the solution of its elastic trial, in which every contact sticks. That solution breaks a
+/// condition.
 pub(super) struct ElasticTrial<'s, 'g> {
     pub(super) problem: &'s Problem<'g>,
     pub(super) settings: &'s Settings,
@@ -44,8 +45,8 @@ impl<'s, 'g> ElasticTrial<'s, 'g> {
         self.proposing.get_or_init(|| on_polygons(self.problem, self.settings.cone, &self.state.forces))
     }
 
-    /// The problem of [`Self::proposing`] with friction-cone facets for infinite friction, if any contact has infinite friction. Such a contact loses
-    /// its tangential force when it opens. In the complementarity problem only facets can express this.
+    /// The problem of [`Self::proposing`] with friction-cone facets for infinite friction, `None` unless some contact has infinite friction. Such a
+    /// contact loses its tangential force when it opens. In the complementarity problem only facets can express this.
     pub(super) fn with_edges(&self) -> Option<&Problem<'g>> {
         let infinite = || self.problem.locals().any(|local| local.never_slides());
         let make =
@@ -54,7 +55,7 @@ impl<'s, 'g> ElasticTrial<'s, 'g> {
     }
 }
 
-/// Result of one method (rung) of the ladder.
+/// Result of one method (rung) of the ladder for one problem.
 pub(super) enum Attempt {
     Found(Found),
     /// A proof that no equilibrium exists.
@@ -69,7 +70,7 @@ impl Attempt {
     }
 }
 
-/// Effort of the search so far, and the reason for an undecided result.
+/// Counts of the work of the search so far, and the reason that an undecided result would have.
 pub(super) struct Log {
     pub(super) effort: Effort,
     /// The reason that the search returns if no method decides.

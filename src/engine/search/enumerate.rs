@@ -8,7 +8,7 @@ use crate::numerics::paired;
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The number of combinations of contact states. It is a floating-point number, since integers would overflow with few contacts.
+/// The number of combinations of states of all contacts and drives. It is a floating-point number, since integers would overflow with few contacts.
 pub(crate) fn combinations(problem: &Problem) -> f64 {
     problem.locals().map(|local| local.states().len() as f64).product()
 }
@@ -29,17 +29,18 @@ pub(crate) fn for_each_combination(problem: &Problem, visit: &mut dyn FnMut(Vec<
     }
 }
 
-/// Result of an enumeration.
+/// Result of trying combinations of contact states.
 #[derive(Debug, Clone)]
 pub(crate) struct Enumerated {
     pub(crate) found: Vec<Found>,
-    /// Number of combinations tried.
+    /// Number of combinations tried: without those that a caller's test has excluded.
     pub(crate) tried: usize,
-    /// Whether some combination broke a condition so narrowly that rounding may be the cause.
+    /// Whether some combination that was tried broke a condition so narrowly that rounding may be the cause.
     pub(crate) doubtful: bool,
 }
 
-/// Tries all combinations of contact states; with `first_only` only up to the first equilibrium.
+/// Tries all combinations of contact states; with `first_only` only up to the first equilibrium. On the round cone each is the start of Newton's
+/// method.
 pub(crate) fn search(problem: &Problem, first_only: bool) -> Enumerated {
     search_among(problem, first_only, &|_| true)
 }

@@ -32,7 +32,7 @@ pub(super) struct Rung {
     pub(super) name: &'static str,
     pub(super) applies: fn(&ElasticTrial<'_, '_>) -> bool,
     pub(super) climb: fn(&ElasticTrial<'_, '_>, &mut Log) -> Attempt,
-    /// `None` for a method that can only prove that no equilibrium exists.
+    /// The [`FoundBy`] of its equilibria; `None` for a method that can only prove that no equilibrium exists.
     finds: Option<FoundBy>,
 }
 
@@ -76,7 +76,8 @@ pub(super) const LADDER: [Rung; 8] = [
     Rung { name: "every case", applies: |_| true, climb: every_case, finds: Some(FoundBy::Enumeration) },
 ];
 
-/// Tries the methods in order, starting with the elastic trial, until an equilibrium or a proof is found.
+/// Tries the methods in order, starting with the elastic trial, until an equilibrium, or a proof that none exists, is found. Otherwise the result is
+/// undecided.
 pub(crate) fn settle(problem: &Problem, settings: &Settings) -> (Settled, Effort) {
     let effort = Effort { facets: problem.polygon.normals.len(), ..Effort::default() };
     let mut log = Log { effort, doubt: Doubt::RayWithoutProof, is_infeasible: false };
@@ -134,7 +135,7 @@ fn may_be_dense(scene: &ElasticTrial<'_, '_>) -> bool {
     !has_many_contacts(scene) || dense_is_affordable(scene.proposing(), 1)
 }
 
-/// Tries the states in which contacts that would pull are open and all others stick.
+/// Tries the contact states in which contacts that would pull are open and all others stick.
 fn touching_contacts_stick(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     Attempt::of(touching_contacts(scene.problem, scene.unjumped.clone(), scene.state.clone()))
 }
@@ -158,8 +159,9 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     Attempt::of(found.or_else(|| twist_by_tresca(scene.problem).and_then(from)))
 }
 
-/// The equilibrium to which the stuck grasp relaxes. Newton's method starts from points of this relaxation. An equilibrium far from the starting
-/// point is returned only if Newton's method never ends at a near one.
+/// The equilibrium to which the grasp relaxes from the elastic trial, with the contacts taken as viscous (`ViscousRelaxation`). Newton's method
+/// starts from points of this relaxation. An equilibrium far from the starting point is returned only if Newton's method never ends at a near one.
+/// `None` if it ends at none.
 fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<Found> {
     let mut way = ViscousRelaxation::from_stuck(scene.problem, &scene.state.twist)?;
     let mut another = None;
@@ -173,19 +175,20 @@ fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<Found> {
     another
 }
 
-/// A proof for a rate problem at a limit load: if all contacts on the edge of their cones slide, nothing resists a motion on which the load works.
+/// Searches for a proof in a rate problem at a limit load: if all contacts on the edge of their cones slide, nothing resists a motion on which the
+/// load works.
 fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     let proof = proofs::yields(scene.problem);
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(Settled::Contradicted { cases: 1, escape }))
 }
 
-/// A motion that separates the load from all admissible contact forces.
+/// The proof by a motion that separates the load from all admissible contact forces, found by the augmented Lagrangian or the nearest forces.
 fn separating_motion(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     let motion = proofs::separating_motion(scene.proposing());
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
 }
 
-/// A motion that separates the load from all admissible contact forces: the residual of the admissible forces nearest to the load.
+/// The proof by a motion that separates the load from all admissible contact forces: the residual of the admissible forces nearest to the load.
 fn separating_motion_of_few(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     let motion = proofs::separating_motion_of_few(scene.proposing());
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
@@ -224,7 +227,7 @@ fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     Attempt::of(found)
 }
 
-/// Lemke's method on the force form.
+/// Proposes contact states by Lemke's method on the force form, and checks them.
 fn force_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     let propose = |problem: &Problem, log: &mut Log| {
         let form = forms::force_form(problem);

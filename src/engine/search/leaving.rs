@@ -18,7 +18,7 @@ use crate::numerics::chosen;
 use crate::object::{Piece, PieceState, Problem, states_by_tresca};
 use crate::prelude::*;
 
-/// The start of a path of Lemke's method: states in which the contacts that pivot stick, with the solution of the linear problem.
+/// The start of a path of Lemke's method: states in which the contacts that pivot stick, with the solution `at` of the linear problem `piece`.
 struct Base {
     states: Vec<State>,
     piece: Arc<Piece>,
@@ -47,7 +47,8 @@ impl Base {
     }
 }
 
-/// Contact states in which no contact breaks a condition; `None` if Lemke's method finds no such states.
+/// Contact states in which no contact breaks a condition, from Lemke's method on the contacts that break one in the elastic trial. `None` if it finds
+/// no such states.
 pub(super) fn propose_of_the_leaving(
     scene: &ElasticTrial<'_, '_>,
     problem: &Problem,
@@ -73,7 +74,8 @@ pub(super) fn propose_of_the_leaving(
     pivoted(problem, scene.settings, (Base { states, piece, at }, leaving, 0), log)
 }
 
-/// States from Lemke's path on the contacts `among`. If a path finds no solution, their neighbours pivot as well, up to `most` contacts altogether.
+/// Contact states in which no contact breaks a condition, from Lemke's path on the contacts `among`, to which contacts are added that break one. If a
+/// path finds no solution, their neighbours pivot as well, up to `most` contacts altogether. `None` if no path succeeds.
 fn pivoted(
     problem: &Problem,
     settings: &Settings,
@@ -114,7 +116,7 @@ fn pivoted(
     None
 }
 
-/// The contacts in `among` and their neighbours, which share a coordinate with a contact in `among`, in order.
+/// The contacts in `among` and their neighbours, by ascending index. Neighbours share a coordinate with a contact in `among`.
 fn beside(problem: &Problem, among: &[usize]) -> Vec<usize> {
     let mut is_near = vec![false; problem.size().count()];
     for i in among {

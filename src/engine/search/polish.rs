@@ -13,8 +13,8 @@ use crate::numerics::{IntoList, PartialPivoting, Vector, paired};
 use crate::object::{Piece, PieceState, Problem, balance, tangent_stiffness};
 use crate::prelude::*;
 
-/// Accepts proposed contact states if their solution with polygonal friction cones satisfies every condition. With round cones Newton's method
-/// continues from that solution.
+/// Checks proposed contact states: their solution with polygonal friction cones must satisfy every condition. With round cones Newton's method
+/// continues from that solution, and must converge.
 pub(super) fn accept(problem: &Problem, states: Vec<State>) -> Judged {
     if !problem.round {
         return try_states(problem, states);
@@ -29,7 +29,7 @@ pub(super) fn accept(problem: &Problem, states: Vec<State>) -> Judged {
 }
 
 /// The solution of the linear problem with these contact states on polygonal friction cones, from which Newton's method starts. It may break
-/// inequalities.
+/// inequalities. `None` if no forces in these states balance the load.
 pub(crate) fn solution_near(problem: &Problem, states: &[State]) -> Option<PieceState> {
     if let Some(near) = regular_solution(problem, states) {
         return Some(near);
@@ -43,7 +43,7 @@ pub(crate) fn solution_near(problem: &Problem, states: &[State]) -> Option<Piece
     }
 }
 
-/// The solution of the linear problem with these states, if the tangent stiffness is regular.
+/// The solution of the linear problem with these contact states; `None` if the tangent stiffness is singular, or too ill-conditioned for balance.
 fn regular_solution(problem: &Problem, states: &[State]) -> Option<PieceState> {
     let springs: Vec<_> =
         problem.locals().zip(states).map(|(local, state)| local.tangent(state).matrix()).list();
@@ -55,12 +55,13 @@ fn regular_solution(problem: &Problem, states: &[State]) -> Option<PieceState> {
     Some(near)
 }
 
-/// The solution on the round cone at which Newton's method ends if it starts from a twist.
+/// The solution on the round cone at which Newton's method ends if it starts from a twist; `None` if it does not converge.
 pub(super) fn polish_from(problem: &Problem, twist: Vector) -> Option<Found> {
     RoundPieces::by_newton(problem, twist)?.solve(problem)
 }
 
-/// The solution with round friction cones near the one with polygonal cones and these contact states, if Newton's method finds it.
+/// The solution with round friction cones near the one with polygonal cones and these contact states, started from the twist, then from the states.
+/// `None` if Newton's method does not converge.
 pub(crate) fn polish(problem: &Problem, states: &[State], near: &PieceState) -> Option<Found> {
     let found = RoundPieces::by_newton(problem, near.twist.clone())
         .and_then(|arrived| arrived.solve(problem))

@@ -22,7 +22,7 @@ pub(crate) fn dense_is_affordable(problem: &Problem, times: usize) -> bool {
     (times * rows).pow(3) <= MOST_WORK
 }
 
-/// Whether there are few enough combinations of contact states to try all of them.
+/// Whether there are at most [`Settings::most_states`] combinations of contact states, so that all of them may be tried.
 pub(super) fn enumerable(problem: &Problem, settings: &Settings) -> bool {
     combinations(problem) <= settings.most_states as f64
 }
@@ -30,7 +30,8 @@ pub(super) fn enumerable(problem: &Problem, settings: &Settings) -> bool {
 /// A method that proposes contact states, or `None` if it finds none.
 type Propose<'p> = dyn Fn(&Problem, &mut Log) -> Option<Vec<State>> + 'p;
 
-/// Proposes states, solves the linear problem with them and checks the solution; on the round cone Newton's method continues from there.
+/// Proposes contact states by `propose`, solves the linear problem with them and checks the solution; on the round cone Newton's method continues
+/// from there. `None` if no solution passes.
 pub(super) fn climb(problem: &Problem, propose: &Propose<'_>, log: &mut Log) -> Option<Found> {
     let proposed = propose(problem, log)?;
     if !problem.round {
@@ -47,7 +48,8 @@ pub(super) fn climb(problem: &Problem, propose: &Propose<'_>, log: &mut Log) -> 
     polish(problem, &proposed, &near)
 }
 
-/// Contact states from the solver `structured`: Lemke's method, whose pivots change a list of contact states instead of a dense matrix.
+/// Contact states from the solver `structured`: Lemke's method, whose pivots change a list of contact states instead of a dense matrix. `None` if no
+/// path ends in a solution.
 pub(super) fn propose_structured(
     scene: &ElasticTrial<'_, '_>,
     problem: &Problem,
@@ -64,7 +66,8 @@ pub(super) fn propose_structured(
     proposal.states
 }
 
-/// Contact states from Lemke's method on a complementarity problem with a dense matrix.
+/// Contact states from Lemke's method on `form`, a complementarity problem with a dense matrix. It makes about `most_work` multiplications at most,
+/// unless the settings limit the pivots. `states` translates the final basis. `None` without a form, or if no path ends in a solution.
 pub(super) fn propose_dense(
     problem: &Problem,
     settings: &Settings,

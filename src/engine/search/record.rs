@@ -12,7 +12,7 @@ use super::ladder::LADDER;
 /// The result of one method (rung) of the search ladder in one search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RungResult {
-    /// The method does not apply to the search.
+    /// The method was not tried: its condition on the problem, such as round cones or many contacts, is not met.
     Untried,
     /// The method found neither an equilibrium nor a proof.
     Nothing,
@@ -22,12 +22,12 @@ pub enum RungResult {
     Proved,
 }
 
-/// One search for an equilibrium, with the result of each method (rung) of the ladder, tried by itself.
+/// One search for an equilibrium that the elastic trial did not decide, with the result of each method (rung) of the ladder, tried by itself.
 #[derive(Debug, Clone)]
 pub struct RecordedSearch {
-    /// The index of the method that decided; `None` if the search stayed undecided.
+    /// The index, in [`names`], of the method that decided; `None` if the search stayed undecided.
     pub decided: Option<usize>,
-    /// The result of each method, and the time that it took, s.
+    /// For each method, in the order of [`names`], its result and the time that it took, s. Methods after the deciding one are included.
     pub rungs: Vec<(RungResult, f64)>,
 }
 

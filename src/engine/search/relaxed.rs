@@ -26,7 +26,7 @@ use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::proofs::{ESCAPE, LEAST_WORK};
 
-/// A hull generator: the index of its contact, and its index among the generators of that contact.
+/// A generator of the hull of a contact law: the index of its contact, and its index among the generators of that contact.
 pub(super) type Tag = (usize, usize);
 
 /// The equation `e + P (f - e) = f⁰`, which expresses balance of forces f and compatibility of stretches e.
@@ -128,7 +128,8 @@ impl BalanceEquation {
         })
     }
 
-    /// Moves `nearest` to the point of the cone spanned by the generators of these hulls that is nearest to the elastic trial state.
+    /// Moves `nearest` to the point nearest to f⁰ of the elastic trial in the cone that the generators of these hulls span. Each contact has one
+    /// hull. Returns whether its distance contradicts the case.
     pub(super) fn relax(&self, hulls: &[impl AsRef<[HullRay]>], nearest: &mut NearestPoint<Tag>) -> Relaxed {
         let (mut column, mut projected) = (Vec::new(), Vec::new());
         nearest.move_to_closest(&self.target);
@@ -193,7 +194,7 @@ impl BalanceEquation {
         Relaxed::Met(stretches, forces)
     }
 
-    /// The residual as a proof that a case has no equilibrium: a virtual motion and self-balanced virtual forces.
+    /// The residual as a proof that a case has no equilibrium: a virtual motion, and virtual forces of the contacts that balance one another.
     pub(super) fn contradiction(
         &self,
         trial: &Piece,
@@ -214,7 +215,8 @@ impl BalanceEquation {
         (motion, forces.list())
     }
 
-    /// The norm of a difference of two forces at a contact in energy units, as a fraction of the norm of the elastic trial state.
+    /// The norm, in energy units, of the difference of two forces at a contact. It is a fraction of the norm of all contact forces of the elastic
+    /// trial.
     pub(super) fn part(&self, contact: usize, difference: &SVector<f64, 3>) -> f64 {
         let root = &self.roots[contact];
         let square: f64 = (0..3)

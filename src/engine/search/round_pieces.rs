@@ -25,11 +25,11 @@ pub(super) struct RoundPieces {
 
 /// The size of the changes of forces and twist in a Newton step.
 struct Progress {
-    /// Forces and twist changed in their last digit at most.
+    /// The twist and each force changed by at most the fraction 1e-14 of itself, or a force by 1e-20 of the largest force.
     sharp: bool,
-    /// Forces and twist changed by at most the fraction 1e-8: the directions of friction have hardly turned.
+    /// The twist and each force changed by at most the fraction 1e-8 of itself: the directions of friction have hardly turned.
     near: bool,
-    /// Each force changed by at most the fraction 1e-8, or by the rounding error of the largest force.
+    /// Each force changed by at most the fraction 1e-8 of itself, plus 1e-15 of the largest force, its rounding error.
     settled: bool,
 }
 
@@ -95,7 +95,7 @@ impl RoundPieces {
         None
     }
 
-    /// Whether friction forces equal their limit wherever contacts slide; false if a contact that is kept closed pulls.
+    /// Whether friction forces equal their limit at all contacts that slide on the round cone; false if a contact that is kept closed pulls.
     fn on_cones(&self, problem: &Problem) -> bool {
         let largest = problem.largest_force(&self.forces, &self.twist.value());
         problem.locals().zip(&self.states).zip(&self.forces).all(|((local, state), force)| {
@@ -106,7 +106,7 @@ impl RoundPieces {
         })
     }
 
-    /// One Newton step: solves the linear problem for corrections of forces and twist.
+    /// One Newton step: adds corrections of forces and twist from the linear problem `piece`. Returns their sizes.
     fn step(&mut self, problem: &Problem, piece: &Piece) -> Progress {
         let twist = self.twist.value();
         let largest = problem.largest_force(&self.forces, &twist);
@@ -131,7 +131,7 @@ impl RoundPieces {
         Progress { sharp, near, settled }
     }
 
-    /// The solution, if every inequality holds.
+    /// The solution with the present states, if every inequality holds and forces balance the load; otherwise `None`.
     fn admitted(&self, problem: &Problem, piece: &Piece) -> Option<Found> {
         let Self { states, forces, twist } = self.clone();
         let at = PieceState { forces, twist: twist.value() };
@@ -223,8 +223,8 @@ fn next_state(
     }
 }
 
-/// Whether forces balance the load, relative to load and forces. Without a load the forces may be mere rounding; the scale then includes the fraction
-/// `NO_FORCE` of the least force that springs could have. With a load this scale would accept a huge twist.
+/// Whether contact forces balance the load up to rounding, relative to load and forces. Without a load the forces may be mere rounding; the scale
+/// then includes the fraction `NO_FORCE` of the least force that springs could have. With a load this scale would accept a huge twist.
 fn balanced(problem: &Problem, at: &PieceState) -> bool {
     let (left, carried) = problem.imbalance(&at.forces);
     let load = problem.wrench.norm();

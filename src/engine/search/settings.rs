@@ -24,9 +24,9 @@ pub struct Settings {
     pub cone: PolygonCone,
     /// In space, whether equilibria and load paths are computed with the round cone (the default) or with the polygon itself. Ignored in the plane.
     pub round: bool,
-    /// Largest number of pivots of Lemke's method on one complementarity problem of a grasp. `None` allows about a second. A search over thousands of
-    /// contacts on which Newton's method has failed then gives up with [`Doubt::OutOfPivots`](super::Doubt::OutOfPivots). The quadratic programs of
-    /// [`energy`](crate::energy), whose matrices are dense, may take some ten seconds.
+    /// Largest number of pivots of Lemke's method on one complementarity problem of a grasp, all paths together. `None` allows about a second. A
+    /// search over thousands of contacts on which Newton's method has failed then gives up with [`Doubt::OutOfPivots`](super::Doubt::OutOfPivots).
+    /// The quadratic programs of [`energy`](crate::energy), whose matrices are dense, may take some ten seconds.
     pub max_pivots: Option<usize>,
     /// If Lemke's method finds no equilibrium, all combinations of contact states are tried, provided that there are at most this many. The default
     /// is 20 000, a few hundredths of a second: 7 contacts in the plane, 3 on 8 facets in space. On the round cone branch and bound divides the
@@ -43,10 +43,10 @@ pub struct Settings {
     /// jumps from static to kinetic friction (default 20 000). A path that needs more ends [undecided](crate::load_path::PathEnd::Undecided) at the
     /// point reached.
     pub most_steps: usize,
-    /// Largest load factor up to which [`hold`](crate::ask::Grasp::hold) searches for the loss of the grasp, as a multiple of the load asked about
-    /// (default 100). With a value of at most 1 the search stops at the full load.
+    /// The multiple of the load asked about up to which [`hold`](crate::ask::Grasp::hold) searches for the loss of the grasp (default 100). With a
+    /// value of at most 1 the search stops at this load itself.
     pub most_load: f64,
-    /// Largest number of cycles of a repeated load (default 1 000), see [`shake`](crate::ask::Grasp::shake).
+    /// Largest number of cycles of a repeated load that are followed (default 1 000), see [`shake`](crate::ask::Grasp::shake).
     pub most_cycles: usize,
     /// Limits of small motions: by default a tenth of a radian, and slips of a tenth of the grasp's size.
     pub small_motions: SmallMotions,
@@ -69,7 +69,7 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// These settings with another polygonal cone.
+    /// These settings with another polygonal friction cone, see [`Settings::cone`].
     #[must_use]
     pub fn with_cone(mut self, cone: PolygonCone) -> Self {
         self.cone = cone;
@@ -83,12 +83,12 @@ impl Settings {
         self
     }
 
-    /// Whether equilibria are computed with the round cone.
+    /// Whether equilibria in this space are computed with the round cone; never in the plane.
     pub(crate) fn is_round(&self, space: Space) -> bool {
         space == Space::Spatial && self.round
     }
 
-    /// These settings with another limit on the combinations of contact states.
+    /// These settings with another limit on the combinations of contact states that are all tried, see [`Settings::most_states`].
     #[must_use]
     pub fn with_most_states(mut self, most_states: usize) -> Self {
         self.most_states = most_states;
@@ -131,7 +131,7 @@ impl Settings {
         self
     }
 
-    /// These settings with a limit on the pivots of one run of Lemke's method.
+    /// These settings with a limit on the pivots of Lemke's method on one complementarity problem.
     #[must_use]
     pub fn with_max_pivots(mut self, max_pivots: usize) -> Self {
         self.max_pivots = Some(max_pivots);

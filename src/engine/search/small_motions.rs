@@ -31,7 +31,7 @@ impl Default for SmallMotions {
 }
 
 impl SmallMotions {
-    /// Refuses limits that are not positive or exceed 1e50.
+    /// Returns an error for the first limit, rotation or slip, that is not positive or exceeds 1e50.
     pub(crate) fn check(&self) -> Result<(), Error> {
         let allowed = "more than 0 and at most 1e50";
         let limits = [("rotation of small motions", self.rotation), ("slip of small motions", self.slip)];

@@ -14,8 +14,8 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The same forces in other states, which show the free motions: contacts on the edge of their cone slide, and contacts without force are open.
-/// Returns `found` itself if these states break a condition.
+/// In the plane, the same forces in other states, which show the free motions: contacts on the edge of their cone slide, and contacts without force
+/// are open. Returns `found` itself in space, and if these states break a condition, change forces or have no further free motion.
 pub(crate) fn on_the_solution_interval(problem: &Problem, found: Found) -> Found {
     // In space a sliding contact still resists motions perpendicular to its slip, so that no motion stays free.
     if problem.space() == Space::Spatial {

@@ -1,4 +1,4 @@
-//! The limits of size and of work that several searches for equilibria share.
+//! Limits that several methods of the search for an equilibrium share: numbers of contacts, paths and multiplications.
 
 /// Covering vectors tried after a ray, where all combinations of states are tried next. Each path costs as much as the first.
 ///

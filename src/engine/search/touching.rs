@@ -7,7 +7,7 @@ use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
 /// Opens contacts that pull and closes contacts that penetrate, starting from these states and their solution, until no contact does either. The
-/// result is accepted if it satisfies every condition. So a finger far from the object does not change the equilibrium.
+/// result is returned if it satisfies every condition, otherwise `None`. So a finger far from the object does not change the equilibrium.
 pub(super) fn touching_contacts(
     problem: &Problem,
     mut states: Vec<State>,

@@ -19,12 +19,12 @@ use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::proofs::ProofStep;
 
-/// The result of branch and bound.
+/// The result of branch and bound over the states of contacts on the round cone.
 #[derive(Debug, Clone)]
 pub(super) enum Tree {
     Found(Found),
-    /// Each case was proved to have no equilibrium. An equilibrium that rounding hides from this proof would be larger than the data by the factor
-    /// `escape`.
+    /// Each case was proved to have no equilibrium. An equilibrium that rounding hides from this proof would be larger than the data by at least the
+    /// factor `escape`.
     Contradicted {
         cases: usize,
         escape: f64,
@@ -61,7 +61,8 @@ pub(super) fn most_cases(problem: &Problem, settings: &Settings) -> usize {
     by_size.min(settings.most_states / 5)
 }
 
-/// Searches case by case, at most `most_cases`; `record` receives the steps of a proof.
+/// Searches case by case, at most `most_cases`, from the solution `state` of the elastic trial `trial`. If the result is `Contradicted`, `record` has
+/// received the steps of the proof.
 pub(super) fn search_tree(
     problem: &Problem,
     trial: &Piece,
@@ -133,7 +134,8 @@ pub(super) fn search_tree(
     }
 }
 
-/// The steps of a proof that there is no equilibrium, if the tree finds one, with the number of cases.
+/// Searches for a proof that no equilibrium exists on the round cone. Returns its steps (divisions into cases, and contradictions) and the number of
+/// all cases. `None` if the search finds an equilibrium, decides nothing within its limit of cases, or does not apply.
 pub(crate) fn refute(problem: &Problem, settings: &Settings) -> Option<(Vec<ProofStep>, usize)> {
     let most = most_cases(problem, settings);
     if most == 0 {
@@ -148,7 +150,8 @@ pub(crate) fn refute(problem: &Problem, settings: &Settings) -> Option<(Vec<Proo
     }
 }
 
-/// The contact whose force is farthest from its law at its stretch, and that distance.
+/// The contact to divide next: that whose force is farthest from its law at its stretch, where contacts not yet restricted count three times. Also
+/// returns the largest distance of all contacts. Distances are norms in energy units, as fractions of the norm of the elastic trial state.
 fn farthest_from_the_law(
     problem: &Problem,
     balance: &BalanceEquation,

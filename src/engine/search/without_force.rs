@@ -15,7 +15,7 @@ use crate::numerics::largest;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::{Piece, PieceState, Problem};
 
-/// [`settle`] for a static problem: in the solution all contacts without force are open.
+/// [`settle`] for a static problem: in a solution that is found, all contacts without force that may open are open.
 pub(crate) fn settle_at_rest(problem: &Problem, settings: &Settings) -> (Settled, Effort) {
     match settle(problem, settings) {
         (Settled::Found(found, rung), effort) => {
@@ -29,16 +29,16 @@ pub(crate) fn settle_at_rest(problem: &Problem, settings: &Settings) -> (Settled
     }
 }
 
-/// The solution in the form in which a static problem returns it: contacts without force are open, and motions that nothing resists are listed. Twist
-/// and sizes are those of `found`.
+/// The solution in the form in which a static problem returns it: contacts without force are open, and motions that nothing resists are listed. Only
+/// the twist and the `sizes` of `found` are kept as they are.
 pub(crate) fn reported_at_rest(problem: &Problem, found: Found) -> Found {
     let open = opened(problem, &found).unwrap_or_else(|| found.clone());
     let shown = on_the_solution_interval(problem, open);
     Found { twist: found.twist, sizes: found.sizes, ..shown }
 }
 
-/// The solution with the same forces in which all contacts without force are open; `None` if there is no such contact. `None` also if no contact
-/// carries a force, since then there is no scale for a small force.
+/// The solution with the same forces in which all contacts without force are open; `None` if there is no such contact, or if its opening would change
+/// forces or leave a gap. `None` also if no contact carries a force, since then there is no scale for a small force.
 fn opened(problem: &Problem, found: &Found) -> Option<Found> {
     let largest = largest(&found.forces, &Matrix::norm);
     // Gaps are compared with the largest displacement of all contacts, since a contact may have no displacement as a scale.

@@ -7,7 +7,7 @@ use crate::equilibrium::{DriveState, Equilibrium};
 use crate::grasp::HandPart;
 use crate::numerics::{indexed, numbered};
 
-/// Names of joints and tendons, and the centres of the joints.
+/// Names of the joints and tendons of a hand, and the centres of the joints, m, where these are known.
 #[derive(Debug, Clone)]
 pub(super) struct Actuators {
     pub(super) joints: Vec<(String, Option<SVector<f64, 3>>)>,

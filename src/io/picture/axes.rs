@@ -7,7 +7,7 @@ use super::window::Window;
 use crate::numerics::Each;
 use nalgebra::Vector2;
 
-/// A map with the same scale in both directions.
+/// A map from metres in a plane to pixels of a window, with the same scale in both directions.
 pub(super) struct EqualScales {
     window: Window,
     /// The point at the middle of the window, m.
@@ -41,7 +41,7 @@ impl EqualScales {
         (x + away.x, y - away.y)
     }
 
-    /// The ends of the part of a straight line inside the window.
+    /// The two places, pixels, between which a straight line runs inside the window.
     pub(super) fn line_ends(&self, point: Vector2<f64>, along: Vector2<f64>) -> [Place; 2] {
         let half = Vector2::new(self.window.wide, self.window.high) / (2.0 * self.scale);
         let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);

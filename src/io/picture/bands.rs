@@ -1,4 +1,4 @@
-//! The bands of a map: the levels between them, and their colours.
+//! The bands of a map of values over directions, with their colours. A level is a value at which one band ends and the next begins.
 
 use super::palette::Rgb;
 use super::round_numbers::{in_steps, round_up, whole_above, whole_below};
@@ -77,7 +77,7 @@ impl Bands {
         self.levels.len() - 1
     }
 
-    /// The quantity that is interpolated linearly between directions: the value, or its logarithm if levels are spaced in ratios.
+    /// The number that is interpolated linearly between directions: the value itself, or its logarithm if levels are spaced in ratios.
     pub(super) fn measure(&self, value: f64) -> f64 {
         if self.step.is_some() { value } else { value.ln() }
     }

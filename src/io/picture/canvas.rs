@@ -5,7 +5,7 @@ use super::palette::{BLACK, GREY};
 use super::round_numbers::{in_steps, round_up, whole_above, whole_below};
 use super::sheet::{Place, Sheet};
 
-/// The edges of a chart's plane on the paper, and its window.
+/// The rectangle of a chart on the paper, pixels, and the range of numbers that it shows, its `window`.
 pub(super) struct Canvas {
     pub(super) left: f64,
     pub(super) top: f64,

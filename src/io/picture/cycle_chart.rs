@@ -95,7 +95,7 @@ pub fn charts_of_cycles<const C: usize>(
     Ok(vec![slips, loops].into_iter().filter(|chart| !chart.is_empty()).list())
 }
 
-/// Slip and friction of a contact along the direction of its largest slip.
+/// Slip and friction of a contact during all cycles, along the direction of its largest slip.
 struct Rubbing {
     /// Largest slip from the start, mm.
     farthest: f64,

@@ -17,13 +17,13 @@ pub(super) struct Resultant {
     pub(super) normal_force: f64,
     /// Displacement of the object at the point where the force acts, m.
     pub(super) displacement: SVector<f64, 3>,
-    /// If the whole fingertip slides, the direction in which the finger slides over the object.
+    /// The direction in which the finger slides over the object; `None` unless the whole fingertip slides.
     pub(super) slides: Option<SVector<f64, 3>>,
-    /// The state in a word: "sliding" if no point sticks, "separated" if no point touches.
+    /// The state in a word: the first of "sticking", "about to slide", "sliding", "frictionless" and "separated" in which some point is.
     pub(super) word: &'static str,
 }
 
-/// A force for pictures and tables, N; zero if it is only a rounding error of the largest force.
+/// A force for pictures and tables, N; zero if it is only a rounding error beside the largest contact force of the equilibrium.
 pub(super) fn without_rounding<const C: usize>(force: f64, state: &Equilibrium<C>) -> f64 {
     Words::default().beside(force, state.largest_force())
 }
@@ -45,7 +45,8 @@ impl ContactPoints {
         points.sum::<SVector<f64, 3>>() / self.range.len() as f64
     }
 
-    /// The ends of a link: those of a spring or cable, or else its first two points. A link with a single point has the same end twice.
+    /// The ends of a link: those of a spring or cable, or else its first two points. A link with a single point has the same end twice. `None` for a
+    /// contact that is no link.
     pub(super) fn ends_of_link(&self, contacts: &[Contact<3>]) -> Option<[SVector<f64, 3>; 2]> {
         let own = &contacts[self.range.clone()];
         let (first, second) = (own.first()?, own.get(1).or(own.first())?);

@@ -17,7 +17,7 @@ use crate::words::opens;
 /// Largest number of curves in a chart: each colour has a solid and a dashed line. The note below the chart names further curves.
 pub(super) const MOST_CURVES: usize = 2 * PALETTE.len();
 
-/// A load program whose states along a chart's horizontal axis are drawn.
+/// A load program with its grasp, and the horizontal axis along which a chart draws the equilibria of the path.
 pub(super) struct Drawn<'a, const C: usize> {
     pub(super) grasp: &'a Grasp<C>,
     pub(super) start: Wrench<C>,
@@ -28,7 +28,8 @@ pub(super) struct Drawn<'a, const C: usize> {
 }
 
 impl<const C: usize> Drawn<'_, C> {
-    /// The chart with one curve per contact, from the start to the end of the path. The first slip or opening and the end are marked.
+    /// The chart with one curve per contact, from the start to the end of the path. Marks are at the first slip, opening or yield of a drive, and at
+    /// the end.
     pub(super) fn chart(&self, title: &str) -> Result<Chart, Error> {
         let mut path = self.grasp.follow(self.start, self.legs)?;
         let events = path.run();
@@ -149,13 +150,13 @@ fn part_used<const C: usize>(tip: &ContactPoints, contacts: &[Contact<C>], state
     if all > 0.0 { used / all } else { f64::NAN }
 }
 
-/// The curves that a chart draws, and a sentence about the contacts without one.
+/// The curves that a chart draws, and texts that name the contacts without a curve, each with the reason.
 struct Shared {
     drawn: Vec<ChartSeries>,
     left_out: Vec<String>,
 }
 
-/// Selects the curves to draw: all, or the highest ones if there are more than [`MOST_CURVES`].
+/// Selects the curves to draw: those with a finite value or, if there are more than [`MOST_CURVES`], the highest of these.
 fn shared<const C: usize>(curves: Vec<(&ContactPoints, ChartSeries)>, contacts: &[Contact<C>]) -> Shared {
     let most = |series: &ChartSeries| series.points.iter().map(|(_, y)| *y).fold(f64::NEG_INFINITY, f64::max);
     let mut left_out = Vec::new();
@@ -200,7 +201,7 @@ fn coincide(a: &ChartSeries, b: &ChartSeries) -> bool {
     a.points.iter().zip(&b.points).all(near)
 }
 
-/// The reason why a contact has no curve.
+/// The reason why a contact has no curve: glued, no friction, infinite friction, or else never touching.
 fn no_curve<const C: usize>(contact: &Contact<C>) -> &'static str {
     let friction = contact.friction_coefficient();
     if contact.hold == Hold::Bonded {

@@ -81,7 +81,7 @@ impl Labels {
         Some(plate.0)
     }
 
-    /// The rectangle with the least cost among those that overlap no other name.
+    /// The rectangle with the least cost among those that overlap no other name; `None` if all of them do.
     fn best(&self, point: Place, plates: Vec<Plate>) -> Option<Plate> {
         let free = plates.into_iter().filter(|plate| !self.overlaps(plate));
         let best = free.map(|plate| (self.cost(point, &plate), plate)).min_by(|a, b| a.0.total_cmp(&b.0));

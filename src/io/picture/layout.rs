@@ -57,7 +57,7 @@ pub(super) const SPATIAL: SpatialLayout = SpatialLayout {
     moved_dashes: (5.0, 4.0),
 };
 
-/// A still picture of a grasp in space.
+/// Sizes in the still picture (SVG) of a grasp in space.
 pub(super) struct StillLayout {
     pub(super) margin: f64,
     /// Width and height of the area for the grasp, pixels.
@@ -71,7 +71,7 @@ pub(super) struct StillLayout {
 pub(super) const STILL: StillLayout =
     StillLayout { margin: 12.0, room: (600.0, 520.0), names: 15.0, axes_room: 110.0 };
 
-/// The legend beside a still picture.
+/// Sizes in the legend beside the still picture of a grasp in space.
 pub(super) struct LegendLayout {
     /// Left edge of the legend.
     pub(super) left: f64,

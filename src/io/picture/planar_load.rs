@@ -21,7 +21,8 @@ pub(super) struct PlanarLoad {
 }
 
 impl PlanarLoad {
-    /// The load on an object of size `size` (m) with this centre.
+    /// The load on an object of the size `size` (m) with this centre. The force acts at the point of its line that is nearest to the centre. If that
+    /// is farther away than half the size, it acts at the centre.
     pub(super) fn new(load: &Wrench<3>, middle: Vector2<f64>, size: f64) -> Self {
         let (force, about_origin) = (load.force_part().xy(), load.moment()[2]);
         let moment = about_origin - middle.perp(&force);

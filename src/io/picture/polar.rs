@@ -136,7 +136,8 @@ impl Polar {
         }
     }
 
-    /// Draws small arrows outside the arcs, with their names. If a name is long or two are too close, all have letters that the legend explains.
+    /// Draws the named directions as small arrows outside the arcs. If a name is long or two are too close, all have letters that the legend
+    /// explains.
     fn draw_rays(&self, paper: &mut Sheet) {
         let lettered = self.rays_have_letters();
         for (k, (angle, label)) in self.rays.iter().enumerate() {

@@ -207,7 +207,7 @@ impl SphereMap {
         filled
     }
 
-    /// Triangles that cover one hemisphere, all of the same orientation, with the values of `field` at their corners.
+    /// Triangles that cover one hemisphere, all of the same orientation. Each corner has the value `field(k)`, where k is the index of its direction.
     fn triangles(&self, side: usize, middle: Place, field: impl Fn(usize) -> f64) -> Vec<[Corner; 3]> {
         let SphereGrid { rings, around } = self.grid;
         let corner = |ring: usize, k: usize| {
@@ -261,7 +261,7 @@ impl SphereMap {
     }
 }
 
-/// The unit vector of a marked direction.
+/// The unit vector of a marked direction; an error if the direction has no finite, positive length.
 fn way(direction: [f64; 3], label: &str) -> Result<[f64; 3], PictureError> {
     let [x, y, z] = direction;
     let size = x.hypot(y).hypot(z);

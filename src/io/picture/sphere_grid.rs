@@ -31,7 +31,7 @@ impl SphereGrid {
         directions
     }
 
-    /// Angle from +z, rad.
+    /// Angle of the directions of a ring from +z, rad.
     pub(super) fn polar_angle(&self, ring: usize) -> f64 {
         FRAC_PI_2 * ring as f64 / self.rings as f64
     }
@@ -44,7 +44,7 @@ impl SphereGrid {
         2 + (2 * self.rings - 1) * self.around
     }
 
-    /// Index of a direction in [`Self::directions`].
+    /// Index in [`Self::directions`] of the k-th direction of a ring.
     pub(super) fn index(&self, ring: usize, k: usize) -> usize {
         match ring {
             0 => 0,

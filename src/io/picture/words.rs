@@ -64,7 +64,8 @@ pub(super) fn lines(text: &str, letters: usize) -> Vec<String> {
     lines
 }
 
-/// The caution about an equilibrium whose motion is not small, unless one of the sentences in `said` contains it.
+/// The caution about an equilibrium whose motion is not small; `None` if the motion is small, or if one of the sentences in `said` contains the
+/// caution.
 pub(super) fn caution<'w, const C: usize>(
     state: Option<&Equilibrium<C>>,
     mut said: impl Iterator<Item = &'w str>,

@@ -1,4 +1,4 @@
-//! Warnings about contacts and links that at rest press or pull with no force, or with another force than the scene states.
+//! Warnings about contacts and links that, in the equilibrium at rest, press or pull with no force or with another force than the scene states.
 
 use super::link::LinkSetup;
 use super::odd::applied_loads;
@@ -15,9 +15,9 @@ use crate::need::Quantity;
 use crate::numerics::summed;
 
 impl Setup<3> {
-    /// Whether nothing presses on contacts under some question of the scene. Contacts may be pressed by commands, by the question's load at rest, or
-    /// by a load that the question applies, such as a weight or a jamming load. A question that seeks the forces at rest does not count. Without a
-    /// question, the commands alone decide.
+    /// Whether the scene has a question under which nothing presses on a contact: no command, no load at rest, and no applied load. An applied load
+    /// presses as a weight does, or by jamming. A `solve` with a load, a `need` of an arm and an `identify` of forces at rest are skipped. Without a
+    /// question the commands alone decide; without contacts the result is false.
     pub(super) fn nothing_presses(&self, grasp: &Grasp<3>) -> Result<bool, Error> {
         // A grasp that has links but no contacts needs no squeeze.
         if grasp.presses() || self.entries().next().is_none() {
@@ -63,8 +63,8 @@ impl Setup<3> {
         self.entries().any(|entry| presses(entry.contact.normal.as_slice())) || self.links.iter().any(hangs)
     }
 
-    /// Contacts and links that at rest press or pull with another force than stated. The states at rest are without load, and under the base load of
-    /// each question; the state with the fewest warnings counts.
+    /// Warnings about contacts and links whose force at rest differs from the one that the scene states. At rest means without load, or under the
+    /// base load of a question: of these equilibria the one with the fewest warnings counts.
     pub(super) fn otherwise_at_rest(&self, grasp: &Grasp<3>) -> Result<Vec<Warning>, Error> {
         let is_pretensioned =
             |entry: &LinkSetup<3>| entry.link.tension.is_none() && entry.link.pretension != 0.0;
@@ -127,7 +127,7 @@ impl Setup<3> {
     }
 }
 
-/// Whether a load that grows from zero would be held at first if there were more friction, because it presses on contacts.
+/// Whether a load that grows from zero is held up to some factor above zero, if every friction coefficient above 0 is raised to 3 or more.
 fn jams(grasp: &Grasp<3>, load: Wrench<3>) -> Result<bool, Error> {
     if load == Wrench::ZERO {
         return Ok(false);
@@ -138,7 +138,7 @@ fn jams(grasp: &Grasp<3>, load: Wrench<3>) -> Result<bool, Error> {
     Ok(verdict.lost.map_or(verdict.held_to > 0.0, |lost| lost.factor > 0.0))
 }
 
-/// The load at rest, before a question applies its loads; zero for `solve`.
+/// The load at rest of a question, on which its loads are then added; zero for `solve`.
 fn at_rest(question: &Question<3>) -> Wrench<3> {
     match question {
         Question::Hold { base, .. }

@@ -28,7 +28,7 @@ impl SceneNames<'_> {
         state.written()
     }
 
-    /// An outcome in the form of a scene's answers, with the labels of the scene and without the work done by the solver.
+    /// An outcome of `solve` in the form of a scene's answers, with the labels of the scene. The solver's work in a doubt is set to zero.
     pub(super) fn outcome(&self, mut outcome: Outcome<3>) -> Outcome<3> {
         match &mut outcome {
             Outcome::Equilibrium(state) => **state = self.equilibrium(state.as_ref().clone()),

@@ -88,7 +88,7 @@ impl Setup<3> {
     }
 }
 
-/// Calls `look` with every list that a JSON field named `at` contains.
+/// Calls `look` with every list that is the value of a field `at`, anywhere within a JSON value.
 fn each_at(value: &Value, look: &mut dyn FnMut(&[Value])) {
     match value {
         Value::Array(list) => list.iter().for_each(|value| each_at(value, look)),
@@ -140,7 +140,7 @@ impl Lengths {
         }
     }
 
-    /// Converts the lengths of an object to m. `of` is the name of the field whose value the object is.
+    /// Converts those fields of a JSON object to m that are lengths. `of` is the name of the field that has this JSON object as its value, or "".
     fn object(&self, fields: &mut Map<String, Value>, of: &str) {
         let is_turning = of == "joints" && !fields.contains_key("prismatic");
         for (name, value) in fields {
@@ -178,7 +178,7 @@ impl Lengths {
         }
     }
 
-    /// Converts those entries of a list to m for which `is_length` returns true for the index.
+    /// Converts those entries of a JSON list to m for whose index `is_length` returns true.
     fn each(&self, list: &mut [Value], is_length: impl Fn(usize) -> bool) {
         for (index, value) in list.iter_mut().enumerate() {
             if is_length(index) {
@@ -187,7 +187,7 @@ impl Lengths {
         }
     }
 
-    /// Converts all numbers of a value to m.
+    /// Converts all numbers within a JSON value to m.
     fn all(&self, value: &mut Value) {
         match value {
             Value::Array(list) => list.iter_mut().for_each(|value| self.all(value)),

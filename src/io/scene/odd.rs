@@ -148,7 +148,8 @@ impl Setup<3> {
         (centre, spread(&points))
     }
 
-    /// A warning if all contacts press away from their centre and no outline of the object shows that they are in a hole.
+    /// A warning if several contacts all press away from their common centre. With an outline or with bodies there is none, since these show whether
+    /// contacts are in a hole.
     fn outwards(&self, entries: &[&Fingertip<3>]) -> Option<Warning> {
         let count = entries.len() as f64;
         let centre =
@@ -178,7 +179,8 @@ impl Setup<3> {
         self.links.is_empty() && self.bodies.is_empty() && entries.iter().all(is_bare)
     }
 
-    /// A warning if all normals point to the same side, so that no contact can press against another.
+    /// A warning if any two normals make less than 90°, so that no contact can press against another. `None` for a single contact, and with links or
+    /// bodies.
     pub(super) fn same_side(&self) -> Option<Warning> {
         let entries: Vec<_> = self.entries().list();
         if entries.len() < 2 || !self.links.is_empty() || !self.bodies.is_empty() {
@@ -192,7 +194,7 @@ impl Setup<3> {
     }
 }
 
-/// A warning about a load that acts far outside of a grasp of this size.
+/// A warning about a load that acts farther away than 1 m and than a hundred times the size of the grasp, m.
 pub(super) fn far_load(distance: f64, size: f64) -> Option<Warning> {
     let what = "a load acts at a distance of".to_owned();
     let is_far = size > 0.0 && distance > 1.0 && distance > 100.0 * size;

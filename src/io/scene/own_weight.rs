@@ -43,7 +43,7 @@ impl Setup<3> {
     }
 
     /// The name of the body on which a load acts, if this body has a mass: the body `named`, or else the loaded one. If all bodies share the load,
-    /// the first body with a mass.
+    /// the first body with a mass. `None` for a body without mass, and without gravity.
     #[must_use]
     pub fn weighty_body(&self, named: Option<&str>) -> Option<&str> {
         self.own_mass()?;
@@ -64,7 +64,8 @@ impl Setup<3> {
     /// The question as the grasp of [`Self::grasp_of`] answers it. If gravity turns, the turning load is the weight of the bodies.
     ///
     /// # Errors
-    /// [`Error::Question`] if gravity should turn but the bodies have no weight, or if a base load acts in addition to the turning gravity.
+    /// [`Error::Question`] if gravity should turn but the bodies have no weight, or if a base load acts in addition to the turning gravity and loads
+    /// are not shared by mass.
     pub fn meant<'q>(&self, question: &'q Question<3>) -> Result<Cow<'q, Question<3>>, Error> {
         Ok(match question {
             Question::OnsetOfTurn(turn) => match self.own_turn(turn)? {
@@ -99,7 +100,8 @@ impl Setup<3> {
         Ok(Some(Turn::new(constant, cosine, sine).up_to(turn.angle())))
     }
 
-    /// The grasp for a question in which gravity turns. It has no gravity, since the turning load of the question is the weight.
+    /// The grasp for a question in which gravity turns, without gravity, since the turning load of the question is the weight. `None` for any other
+    /// question.
     pub(super) fn tilted_grasp(&self, question: &Question<3>) -> Result<Option<Grasp<3>>, Error> {
         let turn = match question {
             Question::OnsetOfTurn(turn) => Some(turn),

@@ -41,7 +41,7 @@ impl Setup<3> {
         }
     }
 
-    /// The first field that counts a weight twice, and the message about it.
+    /// The path of the first field that counts a weight twice, and the message about it; `None` if no field does.
     fn weight_twice(&self, value: &Value, path: &str, body: Option<&str>) -> Option<(String, String)> {
         let fields = match value {
             Value::Array(list) => {

@@ -87,7 +87,7 @@ fn next(jobs: &Mutex<Receiver<Job>>) -> Option<Job> {
     jobs.lock().ok()?.recv().ok()
 }
 
-/// Reads lines into blocks, and returns the number of lines.
+/// Reads lines into blocks, sends each block to the workers, and returns the number of lines.
 fn read_blocks(
     input: impl Read,
     jobs: &Sender<Job>,
@@ -127,7 +127,7 @@ fn read_blocks(
     }
 }
 
-/// The next line without its newline; if it is too long, its beginning.
+/// The next line without its newline; if it is too long, its beginning. `None` at the end of the input.
 fn read_line(input: &mut BufReader<impl Read>, number: usize) -> io::Result<Option<InputLine>> {
     use io::BufRead;
     let mut line = InputLine { number, text: Vec::new(), too_long: false };

@@ -33,7 +33,7 @@ pub(crate) struct Reply {
 }
 
 impl Reply {
-    /// The reply to a line.
+    /// The reply to a line: that it is blank, the answers of its scene, or an error.
     pub(super) fn to(line: &InputLine, options: &StreamOptions) -> Self {
         let text = line.text.trim_ascii();
         let (answers, brief, warnings, error, begins) = (None, None, Vec::new(), None, None);
@@ -65,7 +65,7 @@ impl Reply {
         reply
     }
 
-    /// Reads a scene and answers it.
+    /// Reads a scene and puts its answers, or the fault of the text or of a question, into this reply.
     fn read(&mut self, text: &[u8], options: &StreamOptions) {
         match Scene::from_json(text) {
             Ok(mut scene) => {

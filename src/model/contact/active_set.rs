@@ -1,5 +1,5 @@
-//! The active set of a contact at an event: the edges of its friction cone that the contact force has reached. The active set determines the law for
-//! the rates of force and stretch beyond the event.
+//! The active set of a contact at an event, a load at which some contact changes its state: the edges of its friction cone that the contact force has
+//! reached. The active set determines the law for the rates of force and stretch beyond the event.
 //!
 //! A contact with its force inside the cone keeps sticking in the next step. With its force on facets of the cone it sticks, or slides along the
 //! normals of these facets. At the apex, or with a gap that has just closed, every state is possible, so the rates obey the whole contact law again.
@@ -16,7 +16,8 @@ use super::tolerances::{WEIGHTLESS, ZERO_SLACK};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
-/// The edges of the friction cone that the contact force has reached, or its apex.
+/// The edges of the friction cone that the force of a contact has reached, or the apex of the cone. An open contact with a gap of zero is also at the
+/// apex.
 #[derive(Debug, Clone)]
 pub(crate) struct ActiveSet {
     /// Normals of the active facets: those on which the contact slides, and those on which the margin of its force is zero.
@@ -44,7 +45,7 @@ impl ActiveSet {
         force.norm() <= WEIGHTLESS * force_size
     }
 
-    /// Adds to the active set the facet, or the apex, that each of these exits reaches.
+    /// Adds the facet, or the apex, that the force reaches at each of these exits. An open contact leaves its state at the apex, when its gap closes.
     pub(crate) fn add_exits(&mut self, axes: usize, state: &State, exits: &[Exit]) {
         for exit in exits {
             // A zero vector in `Exit::facet` marks an exit at which the normal force or the gap vanishes. Normals that differ only by rounding are
@@ -61,7 +62,8 @@ impl ActiveSet {
 }
 
 impl LocalLaw<'_> {
-    /// The law that the rates of a contact with this active set obey.
+    /// The law for the rates of force and stretch of a contact with this active set. Inside the cone it is a bond, on facets an edge, at the apex the
+    /// whole law. An open contact with a gap is absent.
     pub(crate) fn law_of_rates(&self, active: &ActiveSet, state: &State) -> Law {
         if !self.has_edges() {
             Law::Bonded
@@ -76,7 +78,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The active set of a closed contact under the force of `line`.
+    /// The active set of a closed contact under the force of `line`: the facets whose margin is zero up to rounding. If the force is zero up to
+    /// rounding, it has the apex, too.
     pub(crate) fn active_set(&self, line: &Line) -> ActiveSet {
         if !self.has_edges() {
             return ActiveSet::EMPTY;
@@ -111,7 +114,8 @@ impl LocalLaw<'_> {
         Some(self.slipping_state(&numbers.list()))
     }
 
-    /// Removes from the active set the facets whose margin grows at these rates, and the apex if the normal force or the gap grows.
+    /// Removes from the active set the facets whose margin grows at these rates, and the apex if the normal force or the gap grows. Facets on which
+    /// the contact slides stay. A force that leaves the apex keeps the facets along which it then moves.
     pub(crate) fn drop_by_rates(&self, active: &mut ActiveSet, state: &State, line: &Line, gap: &GapLine) {
         let falls_short = |margin_rate: f64, weight: f64| margin_rate <= ZERO_SLACK * line.rate_size * weight;
         let stays_at_the_apex = || line.rate[0].abs() <= ZERO_SLACK * line.rate_size;

@@ -70,8 +70,8 @@ impl LocalLaw<'_> {
         ContactResponse { state: Mode::Round(slide), force }
     }
 
-    /// Projects a trial force onto the friction disc of radius r. The friction direction is that of the trial traction after the slip per force λ has
-    /// softened the springs.
+    /// Replaces the tangential part of a trial force by friction of the size r, and returns the slide. Its direction is that of the trial traction
+    /// after the slip per force λ has softened the springs.
     fn slide_onto_the_cone(&self, force: &mut SVector<f64, 3>, r: f64, lambda: f64) -> Slide {
         let softened = by_axis(|a| if a == 0 { 0.0 } else { force[a] * self.springs.softening(a, lambda) });
         let slide = Slide::new(&softened, lambda);

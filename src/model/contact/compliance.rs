@@ -17,7 +17,7 @@ use crate::prelude::*;
 pub(crate) struct Compliance {
     /// Stiffness, N/m; zero along an axis without a spring.
     k: SVector<f64, 3>,
-    /// Axes with a spring: 1 without friction, else all axes of the plane or of space.
+    /// Number of axes with a spring: 1 without friction, else 2 in the plane and 3 in space.
     axes: usize,
 }
 
@@ -105,7 +105,7 @@ impl Compliance {
         self.axes < 3 || self.k[1] == self.k[2]
     }
 
-    /// Normal stiffness divided by the stiffness along the last tangent.
+    /// Normal stiffness divided by the stiffness along the last axis with a spring; 1 without tangential springs.
     pub(crate) fn ratio_to_the_last(&self) -> f64 {
         self.k[0] / self.k[self.axes - 1]
     }
@@ -121,7 +121,7 @@ impl Compliance {
         self.k.iter().take(self.axes).fold(f64::INFINITY, |least, k| least.min(*k))
     }
 
-    /// The softer and the stiffer of two tangential springs, N/m.
+    /// The softer and the stiffer of the tangential springs, N/m; in the plane both are the only one.
     pub(crate) fn tangential_range(&self) -> [f64; 2] {
         let last = self.k[self.axes - 1];
         [self.k[1].min(last), self.k[1].max(last)]

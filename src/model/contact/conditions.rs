@@ -24,13 +24,14 @@ pub(crate) struct SpringState<'s> {
     pub(crate) force: &'s SVector<f64, 3>,
     /// Size of the displacements whose difference is the stretch, m. The rounding error of the stretch is proportional to this size.
     pub(crate) span: f64,
-    /// The largest contact force of the grasp, N.
+    /// Magnitude of the largest contact force of the grasp, N.
     pub(crate) largest: f64,
 }
 
 impl LocalLaw<'_> {
-    /// Size that scales the rounding error of the contact's force, N. For a stiff contact it is the largest force of the grasp, since its stretch is
-    /// a difference of large displacements. For a soft contact it is the rounding scale of its displacements times its stiffness.
+    /// Size that scales the rounding error of the contact's force, N. It is the size of the force plus the lesser of two bounds. One is the largest
+    /// force of the grasp, for stiff contacts, whose stretches are differences of large displacements. The other, for soft contacts, is the stiffness
+    /// times the size of the displacements.
     #[inline(always)]
     pub(crate) fn force_size(&self, force: &SVector<f64, 3>, span: f64, largest: f64) -> f64 {
         SMALLEST + force.norm() + largest.min(self.springs.stiffest() * span)
@@ -67,7 +68,8 @@ impl LocalLaw<'_> {
     }
 
     /// Slip components that must not be negative in a sliding state, each with the scale of its rounding error for a unit slip. On the round cone or
-    /// on a facet there is one component, along the slip direction or the facet normal. At a corner there are two, along both normals.
+    /// on a facet there is one component, along the slip direction or the facet normal. At a corner there are two, along both normals. An open or
+    /// sticking state has none.
     pub(super) fn slips_along(&self, state: &State, slip: &SVector<f64, 3>) -> [Option<[f64; 2]>; 2] {
         let facets = self.facets();
         match state {
@@ -89,7 +91,7 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// Visits the friction margin at every edge of the cone, except the edges on which the contact slides.
+    /// Calls `visit(margin, size)` with the friction margin (N) at every edge of the cone, except the edges on which the contact slides.
     fn for_each_margin(
         &self,
         state: &State,

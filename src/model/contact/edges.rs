@@ -121,7 +121,8 @@ impl Edges {
         })
     }
 
-    /// For each condition the angle, up to `most`, at which the force of a turning load violates it most.
+    /// For each condition an angle from 0 to `most`, rad, at which its value under the force of a turning load has a negative minimum. A condition
+    /// without such an angle gives none.
     pub(crate) fn on_a_turn(&self, force: &Harmonic<SVector<f64, 3>>, most: f64) -> Vec<f64> {
         let nothing = Harmonic::new([SVector::zeros(); 3]);
         let margins = match self {

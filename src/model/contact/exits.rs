@@ -1,4 +1,5 @@
-//! The load step at which a contact leaves its state, for forces that grow along a straight line.
+//! The step along a straight line of contact forces at which a contact leaves its state. The line is that of a growing load while all contacts keep
+//! their states.
 
 use crate::numerics::Each;
 use crate::numerics::IntoList;
@@ -19,7 +20,7 @@ pub(crate) struct Exit {
     pub(crate) facet: SVector<f64, 3>,
 }
 
-/// A straight line of contact forces: force, rate, and the sizes that scale the rounding of both.
+/// A straight line of contact forces, `force + step rate`, with the sizes that scale the rounding errors of force and rate.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Line {
     pub(crate) force: SVector<f64, 3>,
@@ -39,7 +40,7 @@ impl Line {
     }
 }
 
-/// A gap and its rate, with the magnitudes of the displacements whose difference is the gap, m.
+/// A gap and its rate along a line of forces, with the magnitudes of the displacements whose differences these are, m.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GapLine {
     pub(crate) gap: f64,
@@ -76,7 +77,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The first exit of a sticking contact's force from its cone, and the step of the second exit. `None` if the force never leaves the cone.
+    /// The first exit of a sticking contact's force from its cone, and the step of the second exit. The second step is infinite without a second
+    /// exit; `None` if the force never leaves the cone.
     pub(crate) fn first_exit(&self, line: &Line) -> Option<(Exit, f64)> {
         let mut first: Option<Exit> = None;
         let mut next = f64::INFINITY;
@@ -135,7 +137,7 @@ impl LocalLaw<'_> {
     /// ```
     ///
     /// The root is computed as `s = c₀ / (√(c₁² - c₀c₂) - c₁)`, which avoids cancellation. A line that starts on the edge (c₀ = 0) and points inwards
-    /// can only return at `s = -2c₁/c₂`.
+    /// can only return at `s = -2c₁/c₂`. `None` if the line does not leave the cone.
     fn round_exit(&self, line: &Line) -> Option<Exit> {
         let cone = self.cone();
         let (t0, t1) = (tangential(&line.force), tangential(&line.rate));

@@ -32,7 +32,7 @@ pub(crate) struct Sector {
     pub(crate) to: f64,
 }
 
-/// A label: the part of a contact's state that is known in a branch of the search.
+/// A label: a restriction of the states of a contact, for one branch of the search over labels.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Label {
     Anything,

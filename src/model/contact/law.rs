@@ -78,7 +78,8 @@ impl<'c> LocalLaw<'c> {
         self.has_a_whole_cone() && self.friction.has_edges()
     }
 
-    /// Whether the contact cannot carry every force. A frictionless guide that is kept closed carries every force, like a bonded contact.
+    /// Whether conditions limit the force of the contact while it is closed. A bonded or absent contact has none, nor has a frictionless guide that
+    /// is kept closed.
     pub(crate) fn has_edges(&self) -> bool {
         !self.is_bonded() && (self.may_open() || !self.facets().is_empty())
     }
@@ -94,7 +95,7 @@ impl<'c> LocalLaw<'c> {
         !self.may_open() && !self.may_slide() && !self.is_absent()
     }
 
-    /// Whether the contact has a round friction cone.
+    /// Whether the whole round cone, with friction neither zero nor infinite, limits the contact.
     pub(crate) fn is_round(&self) -> bool {
         self.on_round_cone && self.may_slide()
     }
@@ -131,7 +132,7 @@ impl<'c> LocalLaw<'c> {
         }
     }
 
-    /// Whether two contacts with the same polygon have the same facets in energy units: equal springs and equal friction.
+    /// Whether two contacts with the same polygon have the same facets in energy units: equal springs, equal friction, and both the whole cone.
     pub(crate) fn has_the_facets_of(&self, other: &Self) -> bool {
         let alike = self.springs == other.springs && self.friction == other.friction;
         alike && self.has_a_whole_cone() && other.has_a_whole_cone()
@@ -147,7 +148,8 @@ impl<'c> LocalLaw<'c> {
         if self.is_absent() { Mode::Open } else { Mode::Sticking }
     }
 
-    /// The state in which the contact has the least stiffness: sliding on an edge of the cone, or open at its apex.
+    /// The state in which the contact has the least stiffness: sliding if its law is an edge, open if it may open. Under any other law it is the
+    /// state of the elastic trial.
     pub(crate) fn yielding(&self) -> State {
         match self.law {
             Law::Edge(facets) if facets.len() == 2 => Mode::Corner(0),

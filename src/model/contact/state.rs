@@ -51,7 +51,7 @@ impl<R> Mode<R> {
         }
     }
 
-    /// Numbers of the facets, among `count` facets of the cone, on which the contact slides.
+    /// Numbers of the facets, among `count` facets of the cone, on which the contact slides: one, or two at a corner. In any other state none.
     pub(crate) fn own_facets(&self, count: usize) -> [Option<usize>; 2] {
         match self {
             Self::Facet(j) => [Some(usize::from(*j)), None],

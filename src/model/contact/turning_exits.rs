@@ -19,9 +19,9 @@ use crate::prelude::*;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Wave {
     pub(crate) of: Harmonic<SVector<f64, 3>>,
-    /// Size that scales the rounding error of the values.
+    /// Size of the vector, N or m, that scales the rounding error of its values.
     pub(crate) size: f64,
-    /// Size that scales the rounding error of the rates: the size of the terms with cos φ and sin φ.
+    /// Size of the terms with cos φ and sin φ, N or m, that scales the rounding error of the rates.
     pub(crate) turning_size: f64,
 }
 
@@ -42,8 +42,9 @@ pub(crate) enum TurningExit {
 }
 
 impl LocalLaw<'_> {
-    /// All exits from a state within the angle `most`, each at its first angle, from force and stretch as functions of the angle. A slide on the
-    /// round cone has no such exit, since its force does not respond linearly to the load.
+    /// All exits of a contact from a state at angles from 0 to `most`, rad, from its force and stretch as functions of the angle. Each condition of
+    /// the state has at most one exit, at the first angle where it fails. A slide on the round cone has no such exit, since its force does not
+    /// respond linearly to the load.
     pub(crate) fn turning_exits(
         &self,
         state: &State,
@@ -73,8 +74,8 @@ impl LocalLaw<'_> {
         exits
     }
 
-    /// The angle at which a sliding contact stops. At this angle the rate of a slip component that must not decrease becomes negative. Up to this
-    /// angle the contact stays on its facets.
+    /// The angles at which a sliding contact stops, at most one for each facet on which it slides. At this angle the rate of the slip component along
+    /// the facet becomes negative. Until then the contact stays on its facets.
     fn stops(
         &self,
         state: &State,
@@ -99,7 +100,8 @@ impl LocalLaw<'_> {
         })
     }
 
-    /// The exit of a force from the round cone: the first angle at which `(μF_n)² - |F_t|²` becomes negative, or F_n at the apex.
+    /// The exit of a force from the round cone: the first angle up to `most` at which `(μF_n)² - |F_t|²` becomes negative, or F_n at the apex. `None`
+    /// without such an angle.
     fn round_turning_exit(&self, wave: &Wave, most: f64) -> Option<TurningExit> {
         let cone = self.cone();
         let weight = cone.round_weight();
@@ -132,7 +134,8 @@ impl LocalLaw<'_> {
         Some(TurningExit::Leaves(Exit { step, uncertainty, facet }))
     }
 
-    /// The first angle at which `(μF_n)² - |F_t|²` becomes negative, or touches zero.
+    /// The first angle up to `most` at which `(μF_n)² - |F_t|²` becomes negative, or touches zero. `None` without such an angle, and if the
+    /// difference is not positive just after the start.
     fn fall_of_the_square(&self, wave: &Wave, most: f64) -> Option<FirstZero> {
         let limit = self.cone().limit(1.0);
         let margin = Turning { number: wave.of.map(|x| limit * x[0]), vector: wave.of.map(tangential) };
@@ -203,7 +206,8 @@ impl Start {
     }
 }
 
-/// The exit at which `component`, a linear function of the vector, becomes negative.
+/// The exit at the first angle up to `most` at which `component`, a linear function of the vector, becomes negative or touches zero; `None` without
+/// such an angle.
 fn linear_exit(
     wave: &Wave,
     component: impl Fn(&SVector<f64, 3>) -> f64,

@@ -13,7 +13,7 @@ pub(crate) enum Rotation {
 }
 
 impl Twist<3> {
-    /// Translation of the origin, m, and rotation, rad.
+    /// Translation of the body's point at the origin, m, and rotation, rad.
     pub(crate) fn parts(&self) -> (SVector<f64, 3>, Rotation) {
         self.parts_in(Space::Spatial)
     }
@@ -59,7 +59,7 @@ impl Rotation {
         }
     }
 
-    /// The component along the axis of rotation of a point's displacement `moves`, as a vector.
+    /// The component along the axis of rotation of a point's displacement `moves`, as a vector; zero in the plane.
     pub(crate) fn along_axis(&self, moves: &SVector<f64, 3>) -> SVector<f64, 3> {
         let axis = self.axis();
         axis * axis.dot(moves)

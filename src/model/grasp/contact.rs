@@ -73,8 +73,8 @@ pub struct Contact<const C: usize> {
     pub(crate) command_axes: Axes,
     /// Pressing force that replaces the normal component of the command, N; converted to a command once the contact is part of a grasp.
     pub(crate) press: Option<f64>,
-    /// Normal force in the equilibrium without load, after all springs have yielded, N. When the grasp is made, it computes the command that leads to
-    /// this force.
+    /// Given normal force in the equilibrium without the load of a question, after all springs have yielded, N. When the grasp is made, it computes
+    /// the command that leads to this force.
     pub(crate) at_rest: Option<f64>,
     /// Constant normal force, independent of the object's motion, N.
     pub(crate) force: Option<f64>,
@@ -251,7 +251,8 @@ impl<const C: usize> Contact<C> {
         self.kinetic.unwrap_or(self.friction)
     }
 
-    /// Sets the coefficient of static friction and scales that of kinetic friction in proportion.
+    /// Sets the coefficient of static friction and scales that of kinetic friction in proportion. A kinetic coefficient that would be zero or
+    /// infinite is removed.
     pub(crate) fn set_friction(&mut self, mu: f64) {
         let proportion = mu / self.friction;
         self.kinetic = self

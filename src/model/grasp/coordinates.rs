@@ -1,11 +1,13 @@
-//! The engine's coordinates (defined in the module `inside`), in the form in which answers store them.
+//! Displacements of object, joints and bodies in the engine's coordinates, in the form in which answers store them. In these coordinates rotations
+//! are lengths, see the module `inside`.
 
 use nalgebra::SVector;
 
 use crate::numerics::{Vector, WHOLE};
 use crate::prelude::*;
 
-/// Coordinates of the object, then those of joints and other bodies. The coordinates of a single object are stored without allocation.
+/// Coordinates of the object, then those of joints and of other bodies, all in the engine's units. Up to six coordinates are stored without
+/// allocation.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Coordinates {
     count: usize,
@@ -30,7 +32,7 @@ impl Coordinates {
         Self { count: all.len(), first, more }
     }
 
-    /// The coordinates as a vector of the engine.
+    /// The coordinates as the vector type with which the engine computes.
     pub(crate) fn to(&self) -> Vector {
         let mut coordinates = Vector::zeros();
         let in_place = self.first.iter().take(self.count);

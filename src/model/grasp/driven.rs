@@ -89,11 +89,11 @@ impl Engine {
         Ok(grasp)
     }
 
-    /// Commands of all contact points, from one row per point or one row per contact. In the second case all points of a soft fingertip get the
-    /// row of the fingertip, and points of links get `links(i)`.
+    /// Commands of all contact points, from one command per point, or one per contact other than a link. In the second case all points of a soft
+    /// fingertip get the command of the fingertip. A point of a link, with the index i, gets `links(i)`.
     ///
     /// # Errors
-    /// [`Error::Size`] for another number of rows; [`Error::Contact`] for a number that is not finite.
+    /// [`Error::Size`] for another number of commands; [`Error::Contact`] for a number that is not finite.
     pub(crate) fn commands_of_points<'c>(
         &self,
         rows: &'c [SVector<f64, 3>],
@@ -195,7 +195,7 @@ impl Engine {
         }
     }
 
-    /// Change of the offsets for given changes of the commands; `None` means no change.
+    /// Changes of all offsets, m, for given changes of the commands of contacts and of joints; `None` means that these commands do not change.
     pub(crate) fn offset_changes(
         &self,
         commands: Option<&[SVector<f64, 3>]>,

@@ -31,9 +31,9 @@ pub(crate) struct Engine {
     /// Root mean square distance of the contact points from their centroid, m. The engine divides moment arms by this length, so that rotations and
     /// translations have comparable size for any unit of the caller.
     pub(super) length: f64,
-    /// The joints and drives behind the contacts, if any.
+    /// The joints, tendons and bodies behind the contacts; `None` for a single object that contacts without a hand hold.
     pub(super) linkage: Option<Box<Linkage>>,
-    /// Total pull of all vacuums on the object, which acts in addition to the caller's loads.
+    /// Total pull of all vacuums on the object, which acts in addition to the caller's loads; `None` without a vacuum.
     pub(super) vacuum: Option<Box<Vacuum>>,
     /// Factors of the stiffness matrix of the elastic trial, a state in which all contacts stick; computed on first use.
     trial: Remembered,
@@ -87,8 +87,8 @@ impl Engine {
         grasp
     }
 
-    /// Whether contacts may carry forces without a load from the caller. Causes are a command, a constant force or torque, a vacuum, or a constant
-    /// load on a body.
+    /// Whether contacts may carry forces without a load from the caller. Causes are a command that presses, a constant force or torque, a vacuum, or
+    /// a constant load on a body.
     pub(crate) fn presses(&self) -> bool {
         let by_force =
             self.linkage().is_some_and(|linkage| linkage.held_forces.iter().any(|force| *force != 0.0));
@@ -191,7 +191,7 @@ impl Engine {
         self.linkage.as_ref().map_or_else(String::new, |linkage| linkage.label(part).text())
     }
 
-    /// Returns an error for a hand, in questions that support no joints.
+    /// Returns an error for a grasp of a hand or of several bodies, in questions that accept only contacts on a single object.
     pub(crate) fn refuse_hands(&self, question: &'static str) -> Result<(), Error> {
         if self.linkage.is_some() { Err(Error::NotForHands { question }) } else { Ok(()) }
     }
@@ -223,7 +223,7 @@ impl Engine {
         }
     }
 
-    /// Drives of an actuator, with their indices in the list of contacts and drives. Actuators are the joints, then the tendons.
+    /// Drives of an actuator, with their indices in the list of contacts and drives. Actuators are numbered joints first, then tendons.
     pub(crate) fn drives_of(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive)> {
         let first = self.len();
         self.linkage()
@@ -232,7 +232,7 @@ impl Engine {
             .map(move |(k, offset)| (first + k, offset))
     }
 
-    /// The joints and drives behind the contacts, if any.
+    /// The joints, tendons and bodies behind the contacts; `None` for a single object that contacts without a hand hold.
     pub(crate) fn linkage(&self) -> Option<&Linkage> {
         self.linkage.as_deref()
     }

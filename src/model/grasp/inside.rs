@@ -64,7 +64,7 @@ impl Engine {
         self.length
     }
 
-    /// Converts a wrench from the engine's coordinates to the user's.
+    /// Converts a wrench from the engine's coordinates to the user's; if several bodies share the load, the sum of the wrenches on all of them.
     pub(crate) fn wrench_outside(&self, w: &Vector) -> Wrench<3> {
         let outside = self.times_length(w.clone());
         let on_object = Wrench::among(self.space, &self.space.moved_wrench(&self.origin, &outside));

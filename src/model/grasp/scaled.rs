@@ -20,7 +20,7 @@ pub(crate) struct PressOfPart {
 }
 
 impl Engine {
-    /// Whether this contact has a nonzero command, constant force or vacuum.
+    /// Whether this contact point has a nonzero command, constant force or vacuum.
     pub(crate) fn is_commanded(&self, point: usize) -> bool {
         let contact = &self.contacts[point];
         contact.command.amax() > 0.0 || contact.force.unwrap_or(0.0) != 0.0 || contact.suction != 0.0
@@ -43,7 +43,8 @@ impl Engine {
         self.is_driven() || (0..self.len()).any(|point| self.is_commanded(point))
     }
 
-    /// Whether all forces except the caller's loads scale with the squeeze. Twice the squeeze then carries twice the load.
+    /// Whether all forces except the caller's loads scale with the squeeze, so that twice the squeeze carries twice the load. Not so with constant
+    /// loads on bodies, external torques, tendons, joint limits or clearances.
     pub(crate) fn is_proportional(&self) -> bool {
         let stays = self.linkage().is_some_and(|linkage| {
             let loads = linkage.bodies.as_ref().map_or(&[][..], |bodies| &bodies.loads);
@@ -55,7 +56,7 @@ impl Engine {
         !stays && self.contacts.iter().all(|contact| contact.clearance == 0.0)
     }
 
-    /// Names of the bodies with a nonzero load of their own.
+    /// Names of the bodies to which the user gave a nonzero load; weights do not count.
     pub(crate) fn loaded_bodies(&self) -> Vec<String> {
         let Some(bodies) = self.bodies() else { return Vec::new() };
         let loaded = bodies.names.iter().zip(&bodies.user_loads).filter(|(_, load)| **load != Wrench::ZERO);

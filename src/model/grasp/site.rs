@@ -140,7 +140,7 @@ impl Site {
         (self.map.column_within(axis, range.clone()), self.map_rest.column_within(axis, range))
     }
 
-    /// A column of the grasp map and its rounding errors; `None` if the grasp has coordinates beside those of one object.
+    /// A column of the grasp map and its rounding errors; `None` if the grasp has more than six coordinates.
     #[inline]
     pub(crate) fn whole_column_in_twice(&self, axis: usize) -> Option<[&[f64; WHOLE]; 2]> {
         Some([self.map.whole_column(axis)?, self.map_rest.whole_column(axis)?])
@@ -161,7 +161,7 @@ impl Site {
         }
     }
 
-    /// Stretch of the springs, `a - Gᵀq`, with the offset a (command less clearance), the grasp map G and the twist q.
+    /// Stretch of the springs, `a - Gᵀq`, with the offset a (command less clearance), the grasp map G and the displacements q of all coordinates.
     #[inline(always)]
     pub(crate) fn stretch(&self, offset: &SVector<f64, 3>, twist: &Vector) -> SVector<f64, 3> {
         offset - self.map.tr_mul(twist)

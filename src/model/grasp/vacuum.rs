@@ -65,7 +65,7 @@ impl Engine {
         cups
     }
 
-    /// The first suction cup, if any.
+    /// Label of the first suction cup; `None` without a cup.
     pub(crate) fn first_cup(&self) -> Option<ContactLabel> {
         let cups = self.cups_open(|_| true);
         cups.first().map(|cup| self.wholes()[cup.contact].label.clone())

@@ -128,12 +128,12 @@ impl WholeContacts {
 }
 
 impl<const C: usize> Contact<C> {
-    /// Whether the contact is the first point of a soft fingertip, or a single point.
+    /// Whether the contact is the first point of a soft fingertip or of a link, or a single point.
     pub(crate) fn begins_a_whole(&self) -> bool {
         self.point_of_pad.unwrap_or(0) == 0
     }
 
-    /// The name of the contact; for a point of a soft fingertip the name of the fingertip.
+    /// The name of the contact; for a point of a soft fingertip or of a link the name of the whole. `None` without a name.
     pub(crate) fn whole_name(&self) -> Option<Arc<str>> {
         let name = self.name.as_ref()?;
         let of_the_pad = self.point_of_pad.and_then(|point| name.strip_suffix(&format!(" {point}")));

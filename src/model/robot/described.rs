@@ -62,7 +62,7 @@ impl RobotJoint {
         &self.name
     }
 
-    /// Lower and upper limit of the position in the file, rad or m.
+    /// Lower and upper limit of the position in the file, rad or m; both 0 if the file gives none.
     #[must_use]
     pub fn range(&self) -> [f64; 2] {
         self.range
@@ -74,7 +74,7 @@ impl RobotJoint {
         self.position
     }
 
-    /// Largest torque or force of the motor in the file, N m or N.
+    /// Largest torque or force of the motor in the file, N m or N; 0 if the file gives none.
     #[must_use]
     pub fn effort(&self) -> f64 {
         self.effort

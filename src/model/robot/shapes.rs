@@ -106,7 +106,8 @@ impl Robot {
         })
     }
 
-    /// Path of a mesh file.
+    /// Path of a mesh file that a link names: the first file found in the folder of the description file. A `package://` name is also searched in the
+    /// folders above it.
     fn found(&self, link: &str, filename: &str) -> Result<std::path::PathBuf, Error> {
         let name = filename.trim_start_matches("file://");
         let (name, package) = match name.strip_prefix("package://") {

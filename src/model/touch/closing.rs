@@ -110,7 +110,8 @@ impl Touch {
         Ok(Touched { contacts: points, missing: if missing <= FLUSH { 0.0 } else { missing }, steepest })
     }
 
-    /// The points of the pad that meet the part, with the hits of their rays.
+    /// The points of the pad that meet the part, each with the hit of its ray and its travel. An error if there is none, or if a point starts inside
+    /// the part.
     fn meetings(&self, index: usize, hits: Vec<Option<Hit>>) -> Result<Vec<Meeting<'_>>, Error> {
         let misses = |fault: &'static str| Err(Error::Misses { contact: self.contact.label(index), fault });
         let mut meetings = Vec::new();

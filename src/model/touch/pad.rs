@@ -122,7 +122,8 @@ impl Pad {
     /// A jaw with this surface, in the frame in which the contact is given. It consists of the foremost points along the contact's normal. `sides`
     /// limits it to a rectangle about the contact's point with sides along the tangents, m. Points are placed as for a rectangle. Points that miss
     /// the surface are omitted, and points where its normal is nearly across the closing direction. The position of the contact's point along the
-    /// normal is ignored.
+    /// normal is ignored: the returned contact lies at the foremost point of the surface. Without `sides` it also lies in the middle of the surface
+    /// across the normal.
     ///
     /// # Errors
     /// [`Error::Fingertip`] as for a rectangle, [`Error::Misses`] if the surface has no point within the rectangle, and [`Error::Contact`] with index

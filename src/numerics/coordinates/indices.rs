@@ -4,7 +4,7 @@ use super::size::WHOLE;
 use crate::numerics::IntoList;
 use crate::prelude::*;
 
-/// One index per coordinate, for example a permutation; stored in place for a single object.
+/// One index per coordinate, for example a permutation; up to six are stored in place.
 #[derive(Debug, Clone)]
 pub(crate) enum Indices {
     Few(usize, [usize; WHOLE]),

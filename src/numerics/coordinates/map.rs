@@ -64,7 +64,7 @@ impl Map {
         column
     }
 
-    /// A column as an array, for the coordinates of a single object with zeros beyond the last one; `None` for more coordinates.
+    /// A column as an array of six numbers, with zeros beyond the last coordinate; `None` for more than six coordinates.
     #[inline]
     pub(crate) fn whole_column(&self, a: usize) -> Option<&[f64; WHOLE]> {
         match &self.entries {

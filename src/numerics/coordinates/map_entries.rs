@@ -1,4 +1,5 @@
-//! Entries of the grasp map of a contact, from its force to the coordinates of the grasp: all rows for a single object, otherwise the nonzero rows.
+//! Entries of the grasp map of a contact, from its force to the coordinates of the grasp: all rows for up to six coordinates, otherwise the nonzero
+//! rows.
 //!
 //! With several bodies a contact acts on two of them, so its map has entries in few rows. Sums over these rows equal sums over all rows bit for bit,
 //! since adding zeros changes nothing.
@@ -181,7 +182,7 @@ impl MapEntries {
         }
     }
 
-    /// The product `G f` of this matrix G and a force, for a single object.
+    /// The product `G f` of this matrix G and a force, if all rows are stored; otherwise zero.
     #[inline]
     fn mapped(&self, f: &SVector<f64, 3>) -> [f64; WHOLE] {
         let mut sum = [0.0; WHOLE];

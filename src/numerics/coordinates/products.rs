@@ -26,7 +26,7 @@ pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     (sums[0] + sums[2]) + (sums[1] + sums[3]) + rest
 }
 
-/// The dot product over the coordinates of a single object; pairs of products are added independently.
+/// The dot product of two arrays of six numbers; pairs of products are added independently.
 #[inline(always)]
 pub(super) fn dot_whole(a: &[f64; WHOLE], b: &[f64; WHOLE]) -> f64 {
     ((a[0] * b[0] + a[2] * b[2]) + (a[1] * b[1] + a[3] * b[3])) + (a[4] * b[4] + a[5] * b[5])

@@ -16,7 +16,7 @@ pub(crate) struct ScaledMap {
     size: Size,
 }
 
-/// Columns of three numbers: in place for a single object, with zeros beyond the last column.
+/// Columns of three numbers: up to six in place, with zeros beyond the last column.
 #[derive(Debug, Clone, PartialEq)]
 enum Columns {
     Few([[f64; 3]; WHOLE]),

@@ -18,7 +18,7 @@ pub(crate) struct Square {
     size: Size,
 }
 
-/// Entries of a square matrix, column by column: in place for a single object, with zeros beyond the last column.
+/// Entries of a square matrix, column by column: of up to six columns in place, with zeros behind the last entry.
 #[derive(Debug, Clone, PartialEq)]
 enum Entries {
     Few([f64; WHOLE * WHOLE]),
@@ -154,7 +154,7 @@ impl Square {
         for (to, column) in self.as_mut_slice().chunks_exact_mut(columns.len().max(1)).zip(columns) {
             let column = SVector::from(*column);
             let weighted = hold.map_or(column, |hold| hold * column) * weight;
-            // For a single object this loop has a length that the compiler knows.
+            // For three and for six coordinates this loop has a length that the compiler knows.
             match columns.len() {
                 WHOLE => add_transposed_product::<WHOLE>(columns, &weighted, to),
                 3 => add_transposed_product::<3>(columns, &weighted, to),

@@ -66,7 +66,7 @@ impl Vector {
         let other = other.as_slice();
         self.0.grow(other.len());
         let to = self.0.slice_mut();
-        // For a single object in space the compiler knows the length of the vectors.
+        // For six coordinates the compiler knows the length of the vectors.
         if let (Some(to), Some(other)) = (to.first_chunk_mut::<WHOLE>(), exactly::<WHOLE>(other)) {
             for k in 0..WHOLE {
                 to[k] += other[k] * times;
@@ -78,7 +78,7 @@ impl Vector {
         }
     }
 
-    /// The components of a single object as an array, with zeros beyond the last one; `None` for more coordinates.
+    /// The components as an array of six numbers, with zeros beyond the last one; `None` for more than six components.
     #[inline]
     pub(crate) fn array(&self) -> Option<&[f64; WHOLE]> {
         self.0.fixed()

@@ -12,18 +12,18 @@ use crate::grasp::{Contact, Engine, Face, PressOfPart, Wrench, all_inside, insid
 use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
-    /// The grasp of a changed engine, with the settings of `self`.
+    /// The grasp of a changed engine, with the settings of `self`; passes on an error.
     pub(super) fn changed(&self, engine: Result<Engine, Error>) -> Result<Self, Error> {
         Ok(Self::of(engine?).with(&self.settings))
     }
 
-    /// This grasp with the body loads that acted at `equilibrium`; a load program may have applied some.
+    /// This grasp with the permanent loads of bodies that acted at `equilibrium`; a load program may have changed some.
     pub(super) fn of_equilibrium(&self, equilibrium: &Equilibrium<C>) -> Self {
         let loads = &equilibrium.body_loads;
         let changed =
             (!loads.is_empty()).then(|| self.changed(self.engine.with_body_loads(&all_inside(loads))));
-        // The loads fail only for a body that this grasp does not have. The equilibrium then belongs to another grasp, and a copy of this grasp is
-        // returned.
+        // The loads give an error only for a body that this grasp does not have. The equilibrium then belongs to another grasp, and a copy of this
+        // grasp is returned.
         changed.and_then(Result::ok).unwrap_or_else(|| self.clone())
     }
 
@@ -99,9 +99,9 @@ impl<const C: usize> Grasp<C> {
         self.changed(self.engine.with_joint_torques(torques))
     }
 
-    /// This grasp with loads on other bodies that grow in proportion to `load`. A question that applies τ times `load` then also applies τ times each
-    /// of `others` to its body. Every load of a question, base loads included, is read as a multiple of `load`: only its component along `load` counts.
-    /// Constant loads belong to the bodies ([`Body::load`](crate::grasp::Body::load)).
+    /// This grasp with loads on other bodies that grow in proportion to `load`. A method that applies τ times `load` then also applies τ times each
+    /// of `others` to its body. Every load given to a method, base loads included, counts as a multiple of `load`: only its component along `load`
+    /// acts. Constant loads belong to the bodies ([`Body::load`](crate::grasp::Body::load)).
     ///
     /// ```
     /// use grasp_lcp::planar::{Bodies, Body, Contact, Link, Wrench};
@@ -154,7 +154,7 @@ impl<const C: usize> Grasp<C> {
         self.not_installed_with_friction(&friction)?.installed_again()
     }
 
-    /// [`Self::with_friction`] without the last step, which adjusts the commands of links to their given tensions.
+    /// [`Self::with_friction`] without its last step, which adjusts the commands of links to the tensions that they are to have.
     pub(crate) fn not_installed_with_friction(
         &self,
         friction: &dyn Fn(usize, f64) -> f64,
@@ -162,25 +162,26 @@ impl<const C: usize> Grasp<C> {
         self.changed(self.engine.with_friction(friction))
     }
 
-    /// This grasp with other contacts, as many as before, and the same joints.
+    /// This grasp with other contacts, as many as before, and the same joints. The commands of links are not adjusted to their tensions.
     pub(crate) fn with_contacts(&self, contacts: Vec<Contact<C>>) -> Result<Self, Error> {
         self.changed(self.engine.with_data(contacts.into_inside(), &|_| 1.0))
     }
 
-    /// The part with this name (a body, contact, cable or joint) with the magnitude of its force, and this grasp with that force multiplied by
-    /// `factor`. The commands of links are not yet adjusted to their given tensions.
+    /// The force that the part with this name (a body, contact, cable or joint) exerts, and this grasp with that force multiplied by `factor`. The
+    /// commands of links are not yet adjusted to the tensions that they are to have.
     pub(crate) fn scaled(&self, part: &str, factor: f64) -> Result<(PressOfPart, Self), Error> {
         let (pressing, engine) = self.engine.scaled(part, factor)?;
         Ok((pressing, self.changed(Ok(engine))?))
     }
 
-    /// [`Self::squeezed`] without the last step, which adjusts the commands of links to their given tensions.
+    /// [`Self::squeezed`] without its last step, which adjusts the commands of links to the tensions that they are to have.
     pub(crate) fn not_installed_squeezed(&self, factor: f64) -> Result<Self, Error> {
         self.changed(self.engine.squeezed(factor))
     }
 
-    /// This grasp with its squeeze multiplied by `factor`: commands of contacts, joints and tendons, constant torques of joints and tensions of
-    /// tendons, forces that hold contacts, vacuums, and the tensions that [links](crate::grasp::Link::tension) have without load.
+    /// This grasp with its squeeze, all that presses without load, multiplied by `factor`: commands of contacts, joints and tendons, constant torques
+    /// of joints and tensions of tendons, forces that hold contacts, vacuums, and the tensions that [links](crate::grasp::Link::tension) have without
+    /// load.
     ///
     /// # Errors
     /// [`Error::Argument`] unless the factor is finite and at most 1e50. [`Error::Link`] if the grasp cannot hold such a tension of a link.

@@ -1,4 +1,4 @@
-//! The quadratic program of minimum energy, compared with the complementarity problem.
+//! Questions about the quadratic program of minimum energy, and its comparison with the complementarity problem.
 
 use super::grasp::Grasp;
 use crate::energy::{Agreement, Comparison, MinimumOutcome};
@@ -6,16 +6,17 @@ use crate::error::Error;
 use crate::grasp::{Wrench, inside, outside};
 use crate::load_path::Ramp;
 
-/// The quadratic program of minimum energy, compared with the complementarity problem; made by [`Grasp::energy`], see [`energy`](crate::energy).
+/// Questions about the quadratic program of minimum energy, compared with the complementarity problem; made by [`Grasp::energy`], see
+/// [`energy`](crate::energy).
 #[derive(Debug, Clone, Copy)]
 pub struct Energy<'g, const C: usize>(pub(super) &'g Grasp<C>);
 
 impl<const C: usize> Energy<'_, C> {
-    /// Range of the factor of a ramp in which the minimum of energy under friction constraints is an equilibrium. In space the friction cone is the
-    /// polygonal cone of the settings.
+    /// The load factors of a ramp, from 0, for which the minimum of energy under friction constraints is an equilibrium. In space the friction cone
+    /// is the polygonal cone of the settings.
     ///
-    /// If every contact has friction and touches at factor 0, this is the [onset of sliding](Grasp::onset) on the polygon, found in another way.
-    /// Frictionless contacts may open and close before.
+    /// If every contact has friction and touches at factor 0, the range ends at the [first slip](Grasp::onset) on the polygonal cone, found in
+    /// another way. Frictionless contacts may open and close before.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
@@ -36,8 +37,8 @@ impl<const C: usize> Energy<'_, C> {
         self.0.engine.agreement_with_minimum_energy(&inside(&ramp.into()), &self.0.settings).map(outside)
     }
 
-    /// Compares the equilibrium of the complementarity problem with the minimum of energy under friction constraints; in space on the polygonal cone
-    /// of the settings.
+    /// Compares the equilibrium of the complementarity problem under a load with the minimum of energy under friction constraints; in space on the
+    /// polygonal cone of the settings.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -25,34 +25,36 @@ use crate::prelude::*;
 ///
 /// | question | method |
 /// |---|---|
-/// | does the grasp hold a load, and how much more of it | [`hold`](Self::hold) |
+/// | does the grasp hold a load, and up to which multiple of it | [`hold`](Self::hold) |
 /// | motion of the object and contact forces under a load, or the proof that no equilibrium exists | [`solve`](Self::solve) |
-/// | the load at first slip | [`onset`](Self::onset) |
-/// | the angle at which the object slides while its weight is tilted | [`onset_of_turn`](Self::onset_of_turn) |
-/// | the behaviour just beyond an onset | [`beyond`](Self::beyond), [`state_at_onset`](Self::state_at_onset) |
+/// | the load factor at first slip | [`onset`](Self::onset) |
+/// | the angle at first slip while the load turns, such as a tilted weight | [`onset_of_turn`](Self::onset_of_turn) |
+/// | the behaviour just beyond a first slip, and the equilibrium there | [`beyond`](Self::beyond), [`state_at_onset`](Self::state_at_onset) |
 /// | every event of a load program, with slip memory | [`follow`](Self::follow); of thousands of contacts, in steps, [`follow_in_steps`](Self::follow_in_steps) |
 /// | squeeze, friction, load, arm or angle needed to hold | [`need`](Self::need); for squeeze in closed form [`least_squeeze`](Self::least_squeeze) |
-/// | where the fingers should be, and how hard they should press | [`improve`](Self::improve) |
-/// | friction, squeeze and loads that explain the slips that were seen | [`identify`](Self::identify) |
-/// | the direction in which the least force slides | [`weakest_direction`](Self::weakest_direction) |
+/// | the places of the fingers, and their squeezes, with the latest first slip | [`improve`](Self::improve) |
+/// | friction, squeeze, stiffness and loads of supports, from observed slips | [`identify`](Self::identify) |
+/// | the direction in which the least force makes a contact stop sticking | [`weakest_direction`](Self::weakest_direction) |
 /// | how an answer changes with the data | [`sensitivity`](crate::ask::Sensitivity::of) |
-/// | the load with a reserve where data are not known exactly | [`reserve`](Self::reserve), [`least_onset_within`](Self::least_onset_within) |
-/// | whether any contact forces could hold the object | [`statics`](Self::statics) |
+/// | the load at first slip where data are uncertain | [`reserve`](Self::reserve), [`least_onset_within`](Self::least_onset_within) |
+/// | whether any contact forces could balance a load | [`statics`](Self::statics) |
 /// | all equilibria under a load, the error of one | [`equilibria`](Self::equilibria), [`accuracy`](Self::accuracy), [`distinct`](Self::distinct) |
 /// | many loads, each on a grasp of its own; many questions on all cores | [`hold_batch`](Self::hold_batch), [`need_batch`](Self::need_batch); [`sweep`](crate::sweep) |
 /// | the quadratic program of minimum energy | [`energy`](Self::energy) |
-/// | any of these for another cone, or with other limits on work | [`with`](Self::with) settings |
+/// | any of these for another friction cone, or with other limits on work | [`with`](Self::with) settings |
 ///
-/// Questions take a load, a [`Ramp`] or a [`Turn`](crate::load_path::Turn) by value or by reference. A load in the place of a ramp grows from zero.
+/// These methods take a load, a [`Ramp`] or a [`Turn`](crate::load_path::Turn) by value or by reference. A load in the place of a ramp grows from
+/// zero.
 #[derive(Debug, Clone)]
 pub struct Grasp<const C: usize> {
     pub(crate) engine: Arc<Engine>,
     pub(super) settings: Settings,
-    /// The grasp's data as callers read them, with vectors of `C` components; converted at the first request.
+    /// The contacts, frames, links and joint centres of the grasp as callers read them, with vectors of `C` components; converted at the first
+    /// request.
     door: Once<Arc<Door<C>>>,
 }
 
-/// The data of a grasp that callers may read, with vectors of `C` components.
+/// The data of a grasp that methods return by reference, with vectors of `C` components.
 #[derive(Debug)]
 struct Door<const C: usize> {
     contacts: Vec<Contact<C>>,
@@ -103,7 +105,7 @@ impl<const C: usize> Grasp<C> {
         Self { engine: Arc::new(engine), settings: Settings::default(), door: Once::new() }
     }
 
-    /// The grasp's data for callers, with vectors of `C` components; converted at the first request.
+    /// The contacts, frames, links and joint centres for callers, with vectors of `C` components; converted at the first request.
     fn door(&self) -> &Door<C> {
         self.door.get_or_init(|| {
             let engine = &*self.engine;
@@ -116,8 +118,8 @@ impl<const C: usize> Grasp<C> {
         })
     }
 
-    /// This grasp with other [`Settings`]: for another friction cone, or with other limits on computing effort. Contacts and matrix factors are
-    /// shared with this grasp, not copied.
+    /// This grasp with other [`Settings`]: for another friction cone, or with other limits on computing effort. The copy shares contacts and matrix
+    /// factors with this grasp.
     ///
     /// ```
     /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
@@ -141,13 +143,14 @@ impl<const C: usize> Grasp<C> {
         Self { settings: *settings, ..self.clone() }
     }
 
-    /// The contacts with a point for which `is_meant` is true. A soft fingertip counts as one contact, with the number of such points in it.
+    /// The contacts that have a point for which `is_meant`, given the point's index, is true. A soft fingertip counts as one contact, listed with the
+    /// number of such points.
     #[must_use]
     pub fn whole_contacts(&self, is_meant: impl Fn(usize) -> bool) -> Vec<WholeContact> {
         self.engine.wholes().with(&is_meant)
     }
 
-    /// Indices of the points of these contacts. In `contacts` a soft fingertip counts as one contact.
+    /// Indices of the contact points of these contacts. In `contacts` a soft fingertip has one number. An error for a number that no contact has.
     pub(crate) fn points_of(&self, contacts: &[usize]) -> Result<Vec<usize>, Error> {
         let parts = self.engine.wholes();
         let mut points = Vec::new();
@@ -158,15 +161,15 @@ impl<const C: usize> Grasp<C> {
         Ok(points)
     }
 
-    /// The settings with which the grasp answers questions.
+    /// The settings with which the methods of this grasp compute: friction cone, limits on work and on small motions.
     #[must_use]
     pub fn settings(&self) -> &Settings {
         &self.settings
     }
 
-    /// Whether the grasp holds a load that is applied from rest. The [`Verdict`] says in a sentence whether it holds with everything sticking, holds
-    /// while some contacts slide, or is lost at a fraction of the load, and by which motion. It also has first slip and gross slip as multiples of the
-    /// load, up to [`Settings::most_load`].
+    /// Whether the grasp holds a load that grows from zero beside the base load. The [`Verdict`] says in a sentence whether it holds with everything
+    /// sticking, holds while some contacts slide, or is lost at a fraction of the load, and by which motion. It also has the load factors of first
+    /// slip and gross slip, up to [`Settings::most_load`].
     ///
     /// A load is a [`Wrench`], applied from zero, or a [`Ramp`] with a base load and changes of commands. The load is followed as by
     /// [`Self::follow`], without a search for other equilibria, so the verdict is undecided only where the path is undecided. If the load is lost,
@@ -197,7 +200,7 @@ impl<const C: usize> Grasp<C> {
         self.engine.hold(&inside(&load.into()), &self.settings).map(outside)
     }
 
-    /// The equilibrium under a load.
+    /// The equilibrium under a load, or the proof that none exists, or undecided.
     ///
     /// If several equilibria exist, one in which everything sticks is preferred; for the others see [`FoundBy`](crate::equilibrium::FoundBy).
     ///
@@ -225,47 +228,47 @@ impl<const C: usize> Grasp<C> {
         self.engine.solve(&inside(&load.into()), &self.settings).map(outside)
     }
 
-    /// Returns an error that names `question` if the grasp has joints or several bodies.
+    /// An error that names the method `question` if the grasp has joints or several bodies.
     pub(crate) fn refuse_hands(&self, question: &'static str) -> Result<(), Error> {
         self.engine.refuse_hands(question)
     }
 
-    /// Whether the grasp is planar or spatial.
+    /// Whether the grasp is in the plane or in space.
     pub(crate) fn space(&self) -> Space {
         self.engine.space()
     }
 
-    /// Whether some force acts before the load of a question: from a command, a constant force, a vacuum or a constant load.
+    /// Whether some force acts before any load is applied: from a command, a constant force, a vacuum or a permanent load of a body.
     pub(crate) fn presses(&self) -> bool {
         self.engine.presses()
     }
 
-    /// Whether a command, a constant contact force or a vacuum presses. [`Self::squeezed`] scales all of them.
+    /// Whether a command, a constant contact force or a vacuum presses on the object. [`Self::squeezed`] multiplies all of them.
     pub(crate) fn is_squeezed(&self) -> bool {
         self.engine.is_squeezed()
     }
 
-    /// Whether this contact presses by its own command, constant force or vacuum, in a grasp where no joint or tendon presses.
+    /// Whether this contact point presses by its own command, constant force or vacuum, in a grasp where no joint or tendon presses.
     pub(crate) fn is_set_by_itself(&self, point: usize) -> bool {
         self.engine.is_commanded(point) && !self.engine.is_driven()
     }
 
-    /// Whether every force that acts beside the load of a question scales with the squeeze.
+    /// Whether every force that acts before any load is applied is multiplied together with the squeeze.
     pub(crate) fn is_proportional(&self) -> bool {
         self.engine.is_proportional()
     }
 
-    /// Whether bodies have loads or weights beside the loads of questions.
+    /// Whether some body has a permanent load or a weight.
     pub(crate) fn is_loaded_at_rest(&self) -> bool {
         self.engine.bodies().is_some_and(|bodies| bodies.loads.iter().any(|load| *load != Wrench::ZERO))
     }
 
-    /// Names of the bodies that have loads of their own beside their weights.
+    /// Names of the bodies that have permanent loads beside their weights.
     pub(crate) fn loaded_bodies(&self) -> Vec<String> {
         self.engine.loaded_bodies()
     }
 
-    /// The verdict on a load, to the extent that the caller chooses, with further facts about its load path.
+    /// The verdict on a load, with the fields that `extent` asks for, and further facts about its load path.
     pub(crate) fn hold_to_an_extent(
         &self,
         load: &Ramp<C>,
@@ -275,15 +278,15 @@ impl<const C: usize> Grasp<C> {
         Ok((outside(verdict), more))
     }
 
-    /// The verdict on a load without states, proofs and the data that only its sentence needs. The second value is the largest ratio of a motion to
-    /// its limit of small motions on the path as far as it was followed.
+    /// The verdict on a load without states, proofs and the data that only its sentence needs. The second value is the largest ratio of a rotation,
+    /// slip or opening to its limit of small motions, on the path as far as it was followed.
     pub(crate) fn hold_briefly(&self, load: &Ramp<C>) -> Result<(Verdict<C>, f64), Error> {
         let (verdict, more) = self.engine.hold_with(&inside(load), &self.settings, Extent::Brief)?;
         Ok((outside(verdict), more.farthest))
     }
 
-    /// The least margin of sticking under the base load, divided by the largest force, as if every contact stuck. `None` if all forces are zero, or
-    /// if no contact resists the load.
+    /// The least margin of sticking over all contacts under the base load, divided by the largest contact force, computed as if every contact stuck.
+    /// `None` if all contact forces are zero, or if no contact resists the load.
     pub(crate) fn sticking_margin(&self, base: &Wrench<C>) -> Option<f64> {
         self.engine.sticking_margin(&inside(base), &self.settings)
     }
@@ -294,26 +297,26 @@ impl<const C: usize> Grasp<C> {
         Statics(self)
     }
 
-    /// Derivatives of answers with respect to the data of the grasp.
+    /// Questions about derivatives of answers by the data of the grasp.
     #[must_use]
     pub fn sensitivity(&self) -> Sensitivity<'_, C> {
         Sensitivity(self)
     }
 
-    /// The quadratic program of minimum energy, compared with the complementarity problem.
+    /// Questions about the quadratic program of minimum energy, compared with the complementarity problem.
     #[must_use]
     pub fn energy(&self) -> Energy<'_, C> {
         Energy(self)
     }
 
-    /// Number of contacts, at least 1.
+    /// Number of contacts, at least 1; every point of a soft fingertip counts.
     #[must_use]
     #[expect(clippy::len_without_is_empty, reason = "a grasp is never empty")]
     pub fn len(&self) -> usize {
         self.engine.len()
     }
 
-    /// The contacts as given, with their commands in the contact frames.
+    /// The contacts as given, with their commands in the contact frames; the points of a soft fingertip one by one.
     pub fn contacts(&self) -> &[Contact<C>] {
         &self.door().contacts
     }
@@ -344,14 +347,14 @@ impl<const C: usize> Grasp<C> {
         self.engine.joint_commands()
     }
 
-    /// Name of a part of the hand in pictures and messages; its kind and number if the user gave no name.
+    /// Name of a joint, tendon or finger of the hand in pictures and messages; its kind and number if the user gave no name.
     #[must_use]
     pub fn label_of(&self, part: HandPart) -> String {
         self.engine.label_of(part)
     }
 
-    /// End points of the hand's links, m, in the initial posture, for pictures: from one revolute joint to the next, and from the last one to the
-    /// contacts.
+    /// End points of the rigid links of the hand, m, in the initial posture, for pictures: from one revolute joint to the next, and from the last one
+    /// to the contacts.
     #[must_use]
     pub fn links(&self) -> &[[SVector<f64, C>; 2]] {
         &self.door().links
@@ -365,7 +368,7 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl<const C: usize> Hand<C> {
-    /// The grasp of an object by this hand, with any number of joints.
+    /// The grasp of an object by this hand, with any number of joints. Links with a tension get the commands for it.
     ///
     /// # Errors
     /// [`Error::EmptyGrasp`] without contacts; [`Error::Hand`] with the joint, tendon or finger, the field and the allowed values; [`Error::Contact`]
@@ -388,7 +391,7 @@ impl<const C: usize> Bodies<C> {
     }
 }
 
-/// The engine of a grasp without joints. A contact with a given normal force is put on a slide: a prismatic joint without a spring.
+/// The engine of a grasp without joints. A contact with a given normal force moves on a slide: a prismatic joint without a spring.
 fn engine_of_contacts(contacts: Vec<Contact<3>>) -> Result<Engine, Error> {
     if contacts.iter().any(|contact| contact.force.is_some()) {
         return Hand::new(contacts.into_iter().map(Finger::fixed)).engine(None);

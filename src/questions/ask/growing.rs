@@ -1,4 +1,4 @@
-//! Loads of several bodies that grow together with the load of a question.
+//! Loads on several bodies that grow in proportion to the load on the object, which is the body that loads act on.
 
 use alloc::borrow::Cow;
 use alloc::collections::BTreeMap;
@@ -9,8 +9,8 @@ use crate::grasp::Wrench;
 use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
-    /// This grasp with the loads `others` of bodies, which grow together with the `load` of a question. `load` is `None` if the question has several
-    /// loads or none.
+    /// This grasp with the loads `others`, by name of the body, which grow in proportion to `load`, the load of a scene's question. `load` is `None`
+    /// if that question has several loads or none. This grasp itself if `others` is empty.
     pub(crate) fn growing(
         &self,
         question: &'static str,
@@ -28,7 +28,7 @@ impl<const C: usize> Grasp<C> {
     }
 }
 
-/// Returns an error for loads of bodies that cannot grow together with the load of the question.
+/// An error for loads on bodies that cannot grow in proportion to the load of a scene's question: it has several loads, a zero load, or a base load.
 pub(crate) fn check_growing<const C: usize>(
     question: &'static str,
     base: Wrench<C>,

@@ -1,4 +1,4 @@
-//! Links with a given tension at rest: Newton's method finds the commands under which each link carries its tension without load.
+//! Links that are to have a given tension without load: Newton's method finds the commands under which they have it.
 
 use alloc::sync::Arc;
 
@@ -12,13 +12,14 @@ use crate::numerics::{IntoList, mapped};
 use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
-    /// The grasp of an engine. If links have a given tension, their commands are set such that they have this tension without load.
+    /// The grasp of an engine. Links with a given tension get commands such that each has this tension without load; an error if the grasp cannot
+    /// hold it.
     pub(super) fn installed_by(engine: Engine) -> Result<Self, Error> {
         Grasp::<3>::of(engine).installed().map(outside)
     }
 
     /// This grasp with new commands of its links, so that each link with a given tension has that tension without load. Called after a change of the
-    /// grasp.
+    /// grasp; without such links nothing changes.
     pub(crate) fn installed_again(self) -> Result<Self, Error> {
         if self.engine.contacts().iter().all(|contact| contact.at_rest.is_none()) {
             return Ok(self);
@@ -29,7 +30,8 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl Grasp<3> {
-    /// This grasp with commands of its links such that each link with a given tension has that tension without load.
+    /// This grasp with commands of its links such that each link with a given tension has this tension without load; an error if the grasp cannot
+    /// hold it.
     fn installed(self) -> Result<Self, Error> {
         // With a squeeze of zero the tension is zero, and the link keeps a command of zero.
         let wanted = |contact: &crate::grasp::Contact<3>| contact.at_rest.filter(|tension| *tension > 0.0);
@@ -41,14 +43,14 @@ impl Grasp<3> {
         let stiffness: Vec<f64> = mapped(&pressed, &|(i, _)| self.contacts()[*i].stiffness.series()[0]);
         let mut commands: Vec<[f64; 3]> = mapped(self.contacts(), &|contact| contact.command.into());
         let mut missing = self.missing(&commands, &pressed)?;
-        // Limit on Newton steps. One is enough while no contact changes its state; each change of state takes one more.
+        // Limit on Newton steps. One is enough while no contact changes its state; each change of state may take one more.
         for _ in 0..20 {
             let worst = missing
                 .iter()
                 .zip(&pressed)
                 .map(|(missing, (_, force))| missing.abs() / force)
                 .fold(0.0, f64::max);
-            // Newton's method ends once the relative error of every tension is at most this.
+            // Newton's method ends once the error of every tension, relative to that tension, is at most this.
             if worst <= SOLVED_ROUNDING {
                 break;
             }
@@ -69,14 +71,15 @@ impl Grasp<3> {
             }
             missing = self.missing(&commands, &pressed)?;
         }
-        // The method fails if the tension of a link is off by more than this: the other contacts cannot hold against the link.
+        // The method has failed if the tension of a link is off by more than this fraction: the other contacts cannot hold against the link.
         match missing.iter().zip(&pressed).find(|(missing, (_, force))| missing.abs() > NEGLIGIBLE * force) {
             Some((_, (i, force))) => Err(self.not_held(*i, *force)),
             None => self.with_commands(commands),
         }
     }
 
-    /// For each link with a given tension, this tension minus its tension under these commands and without load, N.
+    /// For each link with a given tension, this tension minus the tension that it has under these commands without load, N. An error if no
+    /// equilibrium is found.
     fn missing(&self, commands: &[[f64; 3]], pressed: &[(usize, f64)]) -> Result<DVector<f64>, Error> {
         let outcome = self.with_commands(commands.iter().copied())?.solve(Wrench::ZERO)?;
         let state = outcome.equilibrium().ok_or_else(|| self.not_held(pressed[0].0, pressed[0].1))?;
@@ -94,7 +97,7 @@ impl Grasp<3> {
             name: link.label_text(contact),
             field: "tension",
             value: force,
-            // The end of a sentence: "tension is …, must be …".
+            // The end of the error message "tension is …, must be …".
             allowed: "one that the rest of the grasp holds against while nothing else is put on",
         }
     }

@@ -1,4 +1,4 @@
-//! Grasps whose data are uncertain: samples of them, and the load that they hold with a reserve.
+//! Grasps whose data are uncertain: samples of them, and the load up to which their contacts stick with a reserve.
 
 use super::grasp::Grasp;
 use crate::error::Error;
@@ -9,10 +9,11 @@ use crate::prelude::*;
 use crate::sweep::{Reserve, Uncertainty};
 
 impl<const C: usize> Grasp<C> {
-    /// The load up to which everything sticks with `sigmas` standard deviations in reserve, on top of a base load and in any direction. Of all grasps
-    /// within the uncertainty at most the fraction Φ(-sigmas) – 0.00135 for three – slides below [`Reserve::along`]. All contacts count, not only the
-    /// first one to slide. Effects of the data on the forces are computed beyond first order, and all together where a contact fails most probably. A
-    /// quarter of that fraction is kept for what is neglected. The program `reserve` in `examples/reports` compares the result with samples.
+    /// The loads up to which all contacts stick with `sigmas` standard deviations in reserve; a load of any direction is added to a base load. Of all
+    /// grasps within the uncertainty at most the fraction Φ(-sigmas) – 0.00135 for three – has a contact that slides below [`Reserve::along`]. All
+    /// contacts count, not only the first one to slide. Effects of the data on contact forces are computed beyond first order, and all together where
+    /// a contact most probably slides. A quarter of that fraction is kept back for neglected effects. The program `reserve` in `examples/reports`
+    /// compares the result with samples.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -42,8 +43,8 @@ impl<const C: usize> Grasp<C> {
         self.engine.reserve(&inside(&base.into()), uncertainty, sigmas, &self.settings).map(outside)
     }
 
-    /// The onsets of sliding ([`Self::onset`]) of the samples 0, 1, …, `samples` - 1 of [`Self::sample`], each under its own load, in this order. The
-    /// bits are the same for any number of threads. An error in one sample does not stop the others.
+    /// The first slips ([`Self::onset`]) of the samples 0, 1, …, `samples` - 1 of [`Self::sample`], each with its own factor on the load, in this
+    /// order. The bits are the same for any number of threads. An error in one sample does not stop the others.
     #[must_use]
     pub fn onset_of_samples(
         &self,
@@ -54,8 +55,8 @@ impl<const C: usize> Grasp<C> {
         all_answers(self.engine.onset_of_samples(&inside(&ramp.into()), uncertainty, samples, &self.settings))
     }
 
-    /// Sample `number` of a grasp with uncertain data, joint springs of a hand included. The sample depends on the seed and the number alone,
-    /// whatever else is sampled. See [`Uncertainty`]; the load of a sample is in [`Uncertainty::load_factor`].
+    /// Sample `number` of a grasp with uncertain data, joint springs of a hand included. Its random numbers depend on the seed and the number alone,
+    /// whatever else is sampled. See [`Uncertainty`]; the factor on the load of a sample is [`Uncertainty::load_factor`].
     ///
     /// # Errors
     /// [`Error::Contact`] if an uncertainty is not a number, or so large that a datum leaves its range (1e50 at most). [`Error::NotForHands`] for
@@ -65,7 +66,7 @@ impl<const C: usize> Grasp<C> {
     }
 }
 
-/// Converts the answers to vectors of `C` components.
+/// The answers with vectors of `C` components, from those with three.
 fn all_answers<T: Face>(answers: Vec<Result<T::Inside, Error>>) -> Vec<Result<T, Error>> {
     moved(answers, &|answer| answer.map(outside))
 }

@@ -1,4 +1,4 @@
-//! The questions that a grasp answers.
+//! The questions that a grasp answers, as methods.
 //!
 //! Every question is a method of [`Grasp`], or of one of its three views for rare questions: [`Statics`], [`Sensitivity`], [`Energy`].
 

@@ -1,4 +1,4 @@
-//! The load or the angle at which the first contact stops sticking.
+//! The load factor or the angle at which the first contact stops sticking.
 
 use super::grasp::Grasp;
 use crate::equilibrium::Equilibrium;
@@ -7,11 +7,11 @@ use crate::grasp::{inside, outside};
 use crate::load_path::{Beyond, Onset, OnsetEvent, Ramp, Turn, TurnOnset};
 
 impl<const C: usize> Grasp<C> {
-    /// The factor at which the first contact stops sticking as a load grows from zero, or along a [`Ramp`]. The answer names the contacts that stop
-    /// sticking, and whether they slide or open. It is exact in the plane, and in space on the round cone. It needs neither steps nor bisection: a
-    /// linear equation for each facet in the plane, a quadratic one for each contact on the round cone.
+    /// The load factor at which the first contact stops sticking as a load grows from zero, or along a [`Ramp`]. The answer names the contacts that
+    /// stop sticking, and whether they slide or open. It is exact in the plane, and in space on the round cone. It needs neither steps nor bisection:
+    /// a linear equation for each facet in the plane, a quadratic one for each contact on the round cone.
     ///
-    /// The equilibrium at the onset and the behaviour beyond it need one more call: [`Self::state_at_onset`], [`Self::beyond`].
+    /// One more call each gives the equilibrium at first slip, [`Self::state_at_onset`], and the behaviour beyond it, [`Self::beyond`].
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
@@ -41,8 +41,8 @@ impl<const C: usize> Grasp<C> {
         self.engine.onset(&inside(&ramp.into()), &self.settings).map(outside)
     }
 
-    /// The equilibrium at an onset: everything sticks, and the contacts that stop sticking are on the edge of their cone. `None` for the event of a
-    /// grasp with another number of contacts.
+    /// The equilibrium at a first slip: all contacts stick, those that stop sticking there on the edge of their cone. `None` for the event of a grasp
+    /// with another number of contacts.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -61,15 +61,15 @@ impl<const C: usize> Grasp<C> {
         self.engine.state_at_onset(&inside(event), &self.settings).map(outside)
     }
 
-    /// The behaviour of the grasp just beyond an onset: see [`Beyond`]. `None` for the event of a grasp with another number of contacts.
+    /// The behaviour of the grasp just beyond a first slip: see [`Beyond`]. `None` for the event of a grasp with another number of contacts.
     #[doc(alias = "gross slip")]
     #[must_use]
     pub fn beyond(&self, event: &OnsetEvent<C>) -> Option<Beyond<C>> {
         self.engine.beyond(&inside(event), &self.settings).map(outside)
     }
 
-    /// The angle at which the first contact stops sticking while a load turns: exact in the plane, and in space on the round cone. It needs no steps:
-    /// each margin is a trigonometric polynomial, whose roots are isolated between its extrema, so that no root is missed.
+    /// The angle of the load at which the first contact stops sticking while the load turns: exact in the plane, and in space on the round cone. It
+    /// needs no steps: each margin is a trigonometric polynomial, whose roots are isolated between its extrema, so that no root is missed.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Onset, Turn};
@@ -93,7 +93,7 @@ impl<const C: usize> Grasp<C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Wrench`] if a part of the load is not finite, or beyond 1e50. [`Error::Argument`] unless the angle is more than zero, and at
+    /// [`Error::Wrench`] if a component of the load is not finite, or beyond 1e50. [`Error::Argument`] unless the angle is more than zero, and at
     /// most 1e6.
     pub fn onset_of_turn(&self, turn: impl Into<Turn<C>>) -> Result<TurnOnset<C>, Error> {
         self.engine.onset_of_turn(&inside(&turn.into()), &self.settings).map(outside)

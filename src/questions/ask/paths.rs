@@ -1,4 +1,4 @@
-//! Load programs, followed from event to event or in steps, and loads that repeat.
+//! Load paths of load programs, followed from event to event or in steps, and loads that repeat.
 
 use super::grasp::Grasp;
 use crate::error::Error;
@@ -7,11 +7,11 @@ use crate::load_path::{Leg, LoadPath, SteppedPath, path_outside};
 use crate::shake::Shaken;
 
 impl<const C: usize> Grasp<C> {
-    /// Follows a load program from the equilibrium under `start` (that of [`Self::solve`]) with the finger commands of the grasp, on the exact cone: in
-    /// space the round one. Events beyond the start are computed only when the path is asked for them. See [`LoadPath`], and [`Leg`] for an example.
-    /// The path ends where a suction cup is open all around. Where nothing resists the object any more, it moves freely until a gap closes. If that
-    /// motion is small, the path continues from there ([`Jump::reaches`](crate::load_path::Jump::reaches)). For hundreds of contacts and more use
-    /// [`Self::follow_in_steps`].
+    /// Follows a load program from the equilibrium under `start` (that of [`Self::solve`]) with the finger commands of the grasp, on the exact cone:
+    /// in space the round one. Events beyond the start are computed only when the returned path is iterated. See [`LoadPath`], and [`Leg`] for an
+    /// example. The path ends where a suction cup is open all around. Where nothing resists the object any more, it moves freely until a gap closes.
+    /// If that motion is small, the path continues from there ([`Jump::reaches`](crate::load_path::Jump::reaches)). For hundreds of contacts and more
+    /// use [`Self::follow_in_steps`].
     ///
     /// # Errors
     /// [`Error::Wrench`] if a load, [`Error::Contact`] if a command of a leg is not finite or beyond 1e50; [`Error::Size`] if a leg has more or fewer
@@ -23,8 +23,8 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// Whether the grasp survives a load that repeats: from rest under `base` a closed cycle of legs is followed again and again. The grasp comes to
-    /// rest, contacts slide to and fro for ever, the object walks by the same amount in every cycle, or it is lost in some cycle. [`Shaken`] says in a
-    /// sentence which of these happens, for all time; see [`shake`](crate::shake). At most [`Settings::most_cycles`](crate::Settings::most_cycles)
+    /// rest, contacts slide to and fro for ever, the object walks by the same motion in every cycle, or it is lost in some cycle. [`Shaken`] says in
+    /// a sentence which of these happens, for all time; see [`shake`](crate::shake). At most [`Settings::most_cycles`](crate::Settings::most_cycles)
     /// cycles are followed.
     ///
     /// ```
@@ -53,9 +53,9 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// Follows a load program in steps from the equilibrium under `start`, for any number of contacts on the round cone, such as a patch under shear
-    /// and torsion. `error` is the estimated error that one leg may add to the forces, relative to the largest force, such as 1e-5. A step costs a
-    /// few passes over all contacts, with the same result for any number of threads. The length of a step is proportional to the square root of
-    /// `error`. Suction cups keep their vacuum even where their lips open. A path in steps ends where nothing resists the object any more. See
+    /// and torsion. `error` is the estimated error that one leg may add to the contact forces, relative to the largest of them, such as 1e-5. A step
+    /// costs a few passes over all contacts, with the same result for any number of threads. The length of a step is proportional to the square root
+    /// of `error`. Suction cups keep their vacuum even where their lips open. A path in steps ends where nothing resists the object any more. See
     /// [`SteppedPath`].
     ///
     /// If no step continues the path, it is [lost](crate::load_path::PathEnd::Lost) where the speed of the object, or the rates of contacts on the edge

@@ -1,4 +1,4 @@
-//! Rows of a batch, each a grasp with its load, and the first slips that screening computes for the rows.
+//! Rows of a batch, each a grasp with its loads, and the first slips that screening computes for the rows.
 
 use crate::numerics::IntoList;
 use core::ops::Range;
@@ -10,13 +10,14 @@ use crate::screening::{PointBatch, Pull, PutOn, WhileSticking};
 use crate::search::Settings;
 use crate::sweep::map_in_order;
 
-/// One row of a batch: appends its contacts to an empty list, and returns the base load and the load that grows on top of it.
+/// One row of a batch, by its number: appends the contacts of its grasp to an empty list, and returns the base load and the load that grows beside
+/// it.
 pub type RowOf<'a, const C: usize> = dyn Fn(usize, &mut Vec<Contact<C>>) -> [Wrench<C>; 2] + Sync + 'a;
 
-/// Rows in one task of a thread, few enough for their data to stay in the cache of a core.
+/// Rows in one task of a thread, few enough for their data to fit in the cache of a core.
 const CHUNK: usize = 256;
 
-/// The answers of all rows in order. Each core works on one chunk of rows at a time.
+/// The answers of all rows in order. `answers` answers a range of rows; each core works on one such range at a time.
 pub(crate) fn answers_of_rows<T: Send>(
     rows: usize,
     answers: &(dyn Fn(Range<usize>) -> Vec<T> + Sync),
@@ -28,8 +29,8 @@ pub(crate) fn answers_of_rows<T: Send>(
     map_in_order(&chunks, |chunk| answers(chunk.clone())).into_iter().flatten().list()
 }
 
-/// First slip, and rotation under the whole load, of each row. `None` for a row whose contacts screening does not support, or for whose contacts and
-/// base load `is_meant` is false.
+/// First slip of each row, and the larger rotation under the base load and the whole load. `None` for a row whose contacts screening does not
+/// support, or for whose contacts and base load `is_meant` is false.
 pub(crate) fn while_sticking<const C: usize>(
     rows: Range<usize>,
     row: &RowOf<'_, C>,
@@ -46,7 +47,7 @@ pub(crate) fn while_sticking<const C: usize>(
     for (place, number) in rows.clone().enumerate() {
         contacts.clear();
         let [base, load] = row(number, &mut contacts);
-        // Screening has no answer for these rows, and the caller asks the whole grasp. Screening cannot find out whether a grasp of bonded contacts
+        // Rows passed over here get `None`, and the caller computes their load path. Screening does not find out whether a grasp of bonded contacts
         // alone carries no force, and computes no slips of contacts without friction.
         let presses = contacts.iter().any(|contact| contact.hold == Hold::Unilateral);
         let sticks = |contact: &Contact<C>| contact.hold == Hold::Bonded || contact.springs() > 1;

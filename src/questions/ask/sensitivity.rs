@@ -1,18 +1,18 @@
-//! Derivatives of answers with respect to the data of the grasp.
+//! Derivatives of answers (equilibria, load factors at first slip) by the data of the grasp.
 
 use super::grasp::Grasp;
 use crate::equilibrium::Equilibrium;
 use crate::grasp::{inside, outside};
 use crate::load_path::{Derivative, OnsetEvent, OnsetMargins, Parameter, Response};
 
-/// Derivatives of a grasp's answers with respect to its data, made by [`Grasp::sensitivity`].
+/// Questions about derivatives of a grasp's answers by its data, made by [`Grasp::sensitivity`].
 #[derive(Debug, Clone, Copy)]
 pub struct Sensitivity<'g, const C: usize>(pub(super) &'g Grasp<C>);
 
 impl<'g, const C: usize> Sensitivity<'g, C> {
-    /// The margins of sticking that vanish at an onset. They give the derivatives of the onset's load factor by every parameter.
+    /// The margins of sticking that vanish at a first slip. They give the derivatives of its load factor by every parameter.
     ///
-    /// `None` if a contact closed before the onset, since the onset then depends on that history, or if a contact closes at the onset and slides at
+    /// `None` if a contact closed before the first slip, which then depends on that history, or if a contact closes at the first slip and slides at
     /// once. Also `None` if the event has another number of contacts.
     ///
     /// ```
@@ -38,7 +38,7 @@ impl<'g, const C: usize> Sensitivity<'g, C> {
         OnsetMargins::new(&self.0.engine, &inside(event))
     }
 
-    /// Response of an equilibrium of this grasp to its finger commands while every contact keeps its state: one linear solve for each axis of each
+    /// Derivatives of an equilibrium of this grasp by its finger commands while every contact keeps its state: one linear solve for each axis of each
     /// contact. `None` if the equilibrium has another number of contacts, or if a command has no equilibrium in these states.
     ///
     /// ```
@@ -64,7 +64,7 @@ impl<'g, const C: usize> Sensitivity<'g, C> {
         self.0.of_equilibrium(equilibrium).engine.response(&inside(equilibrium))
     }
 
-    /// Response of an equilibrium to the joint commands of its hand while every contact and every drive keeps its state: as
+    /// Derivatives of an equilibrium by the joint commands of its hand while every contact and every drive keeps its state: as
     /// [`Sensitivity::response`](crate::ask::Sensitivity::response), with a column for each joint and then each tendon.
     ///
     /// ```
@@ -89,10 +89,10 @@ impl<'g, const C: usize> Sensitivity<'g, C> {
         self.0.of_equilibrium(equilibrium).engine.joint_response(&inside(equilibrium))
     }
 
-    /// Derivative of an equilibrium of this grasp by one parameter while every contact keeps its state: one linear solve, exact. On a load path earlier
-    /// slips are held constant. `None` if an index is out of range or the equilibrium has another number of contacts. Also `None` if the change has no
-    /// equilibrium in these states (a load on a free motion), for the position of a contact of a hand, and where changed geometry would resist a motion
-    /// that is free now.
+    /// Derivative of an equilibrium of this grasp by one parameter while every contact keeps its state: one linear solve, exact. On a load path
+    /// earlier slips are held constant. `None` if an index is out of range or the equilibrium has another number of contacts. Also `None` if the
+    /// change has no equilibrium in these states (a load on a motion without resistance), and for the position of a contact of a hand. Also where
+    /// changed geometry would resist a motion that nothing resists now.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

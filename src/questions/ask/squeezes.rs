@@ -1,4 +1,4 @@
-//! The least squeeze that suffices, the least onset of sliding within bounds of the data, and the direction in which the least force slides.
+//! The least factor of the commands that suffices, the least load factor at first slip within bounds of the data, and the weakest direction.
 
 use super::grasp::Grasp;
 use crate::error::Error;
@@ -7,11 +7,11 @@ use crate::load_path::Ramp;
 use crate::squeeze::{Bounds, LeastOnset, LeastSqueeze, Loads, WeakestDirection};
 
 impl<const C: usize> Grasp<C> {
-    /// The least factor on all finger commands with which every contact touches and sticks under each of a set of loads. In space the cone is round.
+    /// The least factor on all finger commands with which every contact touches and sticks under each of a set of loads. In space friction cones are
+    /// round.
     ///
-    /// Every condition of sticking is linear in the factor or concave, so the sufficient factors form an interval. The search begins at a lower
-    /// bound. A condition that is violated at this bound gives a larger lower bound. This is repeated until the bound itself suffices. Clearances do
-    /// not change.
+    /// The margin of every sticking condition is linear in the factor or concave, so the sufficient factors form an interval. The search begins at a
+    /// lower bound. A condition broken at this bound gives a larger one, until the bound itself suffices. Clearances do not change.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, LeastSqueeze, Loads, Turn, Wrench};
@@ -41,11 +41,11 @@ impl<const C: usize> Grasp<C> {
         self.engine.least_squeeze(&inside(loads), &self.settings).map(outside)
     }
 
-    /// The least onset of sliding along a ramp over all commands and loads within bounds, with the case in which it is attained; in space on the
-    /// round cone. Exact, not by sampling: see [`Bounds`].
+    /// The least load factor at first slip along a ramp, over all commands and loads within error bounds, with the commands and loads that attain it.
+    /// In space friction cones are round. Exact, not by sampling: see [`Bounds`].
     ///
-    /// The worst friction is the smallest coefficient: ask about a grasp that has it. Stiffness and geometry do not enter linearly;
-    /// [`Self::reserve`] includes them.
+    /// The worst friction is the smallest coefficient: use a grasp that has it. Stiffness and geometry do not enter linearly; [`Self::reserve`]
+    /// includes them.
     ///
     /// ```
     /// use grasp_lcp::planar::{Bounds, Contact, Grasp, LeastOnset, Ramp, Wrench};
@@ -72,8 +72,8 @@ impl<const C: usize> Grasp<C> {
         self.engine.least_onset_within(&inside(&ramp.into()), &inside(bounds), &self.settings).map(outside)
     }
 
-    /// The direction in which the least force through a point (m) makes a contact stop sticking, in addition to a base load; in space on the round
-    /// cone.
+    /// The direction in which the least force through a point (m) makes a contact stop sticking, beside a base load; in space with round friction
+    /// cones.
     ///
     /// For each facet of a friction cone the worst direction has a closed form. With the contact forces F⁰ under the base load, a force x gives
     /// contact forces `F⁰ + A x`. The condition `a·F >= 0` of the facet is first broken by the x along `-Aᵀa` of size `a·F⁰ / |Aᵀa|`.

@@ -1,4 +1,4 @@
-//! Loads that some contact forces could balance.
+//! Static questions: which loads some contact forces could balance.
 
 use super::grasp::Grasp;
 use crate::equilibrium::{Decomposition, Equilibrium};
@@ -7,14 +7,14 @@ use crate::grasp::{Wrench, all_inside, inside, outside};
 use crate::shake::Shakedown;
 use crate::statics::{Budget, Closure, LoadLimit, WrenchBall, WrenchScale};
 
-/// Static questions to a grasp, made by [`Grasp::statics`]: all but [`shakedown`](Self::shakedown) are independent of springs and commands.
+/// Static questions about a grasp, made by [`Grasp::statics`]: all but [`shakedown`](Self::shakedown) are independent of springs and commands.
 #[derive(Debug, Clone, Copy)]
 pub struct Statics<'g, const C: usize>(pub(super) &'g Grasp<C>);
 
 impl<const C: usize> Statics<'_, C> {
     /// Whether contact forces inside their friction cones could balance any load; in space on the round cone.
     ///
-    /// Stiffness, commands and squeeze play no part: the question is whether fingers *could* balance the load if they pressed as needed.
+    /// Stiffness, commands and squeeze play no part: the question is whether fingers *could* balance any load if they pressed as needed.
     ///
     /// ```
     /// use grasp_lcp::planar::{Closure, Contact, Grasp};
@@ -55,7 +55,7 @@ impl<const C: usize> Statics<'_, C> {
         self.0.engine.force_closure(&self.0.settings).map(outside)
     }
 
-    /// Whether the contacts hold the object without any friction: normal forces could balance any load, and no motion is left, to first
+    /// Whether the contacts hold the object without any friction: normal forces alone could balance any load, and so resist every motion, to first
     /// order.
     ///
     /// # Errors
@@ -64,8 +64,8 @@ impl<const C: usize> Statics<'_, C> {
         self.0.engine.form_closure().map(outside)
     }
 
-    /// The largest factor λ for which *some* contact forces balance the load `base + λ direction`, with normal forces within a budget: limit analysis,
-    /// on the round cone in space. Vacuums of suction cups pull in addition. [`Grasp::hold`] includes springs and commands instead.
+    /// The largest factor λ for which *some* contact forces balance the load `base + λ direction`, with normal forces within a budget: limit
+    /// analysis, in space on the round cone. Vacuums of suction cups pull in addition. [`Grasp::hold`] includes springs and commands instead.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -96,12 +96,12 @@ impl<const C: usize> Statics<'_, C> {
             .map(outside)
     }
 
-    /// The measure ε of Ferrari and Canny for normal forces within a budget, with the default [`WrenchScale`] and [`Settings`](crate::Settings): on the round
-    /// cone in space.
+    /// The measure ε of Ferrari and Canny: the size, N, up to which contact forces within a budget balance loads of every direction. It is computed
+    /// with the default [`WrenchScale`] and [`Settings`](crate::Settings): on the round cone in space.
     ///
     /// Vacuums of suction cups pull in addition: a load counts as balanced if forces within the budget balance it together with them.
     ///
-    /// It measures what some contact forces *could* do. [`Self::onset`](Grasp::onset) is about these fingers with their squeeze.
+    /// ε measures which loads some contact forces *could* balance. [`Self::onset`](Grasp::onset) is about these fingers with their squeeze.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp};
@@ -136,8 +136,9 @@ impl<const C: usize> Statics<'_, C> {
         self.0.engine.ferrari_canny(budget, &inside(scale), &self.0.settings).map(outside)
     }
 
-    /// Budget that a load needs, as a lower and an upper bound. With `Budget::Each(1.0)` it is the normal force, N, that no contact must exceed in the
-    /// best balance; with `Budget::Total(1.0)` the least sum of normal forces, N. Infinite if no forces balance the load.
+    /// The multiple of `budget` that a load needs, as a lower and an upper bound. With `Budget::Each(1.0)` it is the normal force, N, that no contact
+    /// must exceed in the best balance; with `Budget::Total(1.0)` the least sum of normal forces, N. Infinite if no forces balance the load; from 0
+    /// to infinity if that is not known.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -159,12 +160,12 @@ impl<const C: usize> Statics<'_, C> {
         })
     }
 
-    /// Splits the contact forces of an equilibrium of this grasp into equilibrating and interaction forces. The paper on which the crate is based
-    /// (`paper-notes.md`) defines them in section 5.2.
+    /// Splits the contact forces of an equilibrium of this grasp into equilibrating forces, which balance the load W, and interaction forces, which
+    /// balance one another. The paper on which the crate is based (`paper-notes.md`) defines them in section 5.2.
     ///
     /// The equilibrating forces are the least-squares solution of `Σ G_i F_i = -W`. In it the difference of the forces of any two frictional contacts
     /// has no component along the line that joins them. Separated contacts carry neither force. For an equilibrium of another grasp the lists are as
-    /// long as the shorter of both.
+    /// long as the shorter list of contacts.
     ///
     /// ```
     /// use grasp_lcp::nalgebra::Vector2;
@@ -185,10 +186,10 @@ impl<const C: usize> Statics<'_, C> {
         outside(self.0.of_equilibrium(equilibrium).engine.decompose(&inside(equilibrium)))
     }
 
-    /// The shakedown factor: the largest multiple of these loads, added to a base load in any order, under which some constant slips could keep
-    /// everything from sliding. Beyond it the grasp never comes to rest as long as no contact opens; [`Grasp::shake`] decides whether the grasp comes
-    /// to rest below the factor. In space a polygon around the round cone is used, with as many facets as [`Settings::cone`](crate::Settings::cone).
-    /// `None` if no slips keep the grasp at rest under the base load, or if nothing resists a load.
+    /// The shakedown factor: the largest multiple of these loads, each added to a base load in any order, at which some constant slips could keep
+    /// every contact from sliding. Beyond it the grasp never comes to rest as long as no contact opens; [`Grasp::shake`] decides whether the grasp
+    /// comes to rest below the factor. In space a polygon around the round cone is used, with as many facets as
+    /// [`Settings::cone`](crate::Settings::cone). `None` if no slips keep the grasp at rest under the base load, or if nothing resists a load.
     ///
     /// Of the static questions only this one depends on springs and commands: slips push contacts against each other.
     ///

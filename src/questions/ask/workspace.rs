@@ -1,4 +1,4 @@
-//! Memory for one question after another, for loops that must not wait for an allocator.
+//! Memory for one first slip after another, for loops that must not wait for an allocator.
 
 use super::grasp::Grasp;
 use crate::equilibrium::Settings;
@@ -7,12 +7,12 @@ use crate::grasp::{Wrench, outside};
 use crate::load_path::{Onset, Ramp};
 use crate::numerics::Memory;
 
-/// Memory for one onset after another, for loops that must not wait for an allocator: [`Grasp::onset`] with the same answers.
+/// Memory for one first slip after another, for loops that must not wait for an allocator. The answers are those of [`Grasp::onset`].
 ///
-/// From the second question on no memory is allocated if the grasp has no more contacts than before, and one contact stops sticking before all
-/// others. Memory is allocated where contact states must be found from the rates of forces. This is so where several contacts reach the edges of
-/// their cones together, a gap closes on the way, or some contact does not clearly stick under the base load. Memory is also allocated for the
-/// factors of a grasp at its first question, and for those of more than 256 contacts at every question.
+/// From the second call on no memory is allocated if the grasp has no more contacts than before, and one contact stops sticking before all others.
+/// Memory is allocated where contact states must be found from the rates of contact forces. This is so where several contacts reach the edges of
+/// their cones together, a gap closes on the way, or some contact does not clearly stick under the base load. Memory is also allocated for the matrix
+/// factors of a grasp at its first call, and for those of more than 256 contacts at every call.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, OnsetWorkspace, Ramp, Wrench};
@@ -35,21 +35,22 @@ use crate::numerics::Memory;
 pub struct OnsetWorkspace<const C: usize> {
     settings: Settings,
     memory: Memory,
-    /// The last onset with `C` components; `kept` is the same onset with the three components of the engine.
+    /// The last answer with vectors of `C` components; `kept` is the same answer with the three components of the engine.
     returned: Option<Onset<C>>,
     kept: Option<Onset<3>>,
-    /// The last ramp, with the three components of the engine.
+    /// The last ramp, with the three components of the engine; its memory is reused.
     ramp: Option<Ramp<3>>,
 }
 
 impl<const C: usize> OnsetWorkspace<C> {
-    /// An empty workspace, for answers with these settings.
+    /// A workspace without memory, for answers with these settings.
     #[must_use]
     pub fn new(settings: Settings) -> Self {
         Self { settings, ..Self::default() }
     }
 
-    /// The onset of a grasp along a ramp, as from [`Grasp::onset`], valid until the next question. Clone it to keep it.
+    /// The first slip of a grasp along a ramp, as from [`Grasp::onset`] but with the settings of the workspace. The reference is valid until the next
+    /// call; clone the answer to keep it.
     ///
     /// # Errors
     /// As for [`Grasp::onset`].

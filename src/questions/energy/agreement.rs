@@ -1,4 +1,4 @@
-//! The load factor along a ramp at which a friction constraint of the quadratic program first binds.
+//! The load factor at which a friction constraint of the quadratic program of minimum energy first binds, along a ramp.
 
 use nalgebra::SVector;
 
@@ -15,16 +15,16 @@ use crate::numerics::{IntoList, Vector, largest};
 use crate::object::Piece;
 use crate::prelude::*;
 
-/// The load factors for which the minimum of energy is an equilibrium.
+/// The load factors from 0 for which the minimum of energy is an equilibrium.
 ///
-/// Load and commands are affine in the factor τ. So is the vector of the [program's](super::MinimumEnergy) complementarity problem, while its matrix
-/// is constant. Lemke's method with τ as the parameter passes from one set of open gaps to the next. It ends once the multiplier of a friction
-/// constraint enters the basis: from there on this multiplier pushes the object, and Coulomb's law is violated. The paper (see
+/// Load and commands are affine in the factor τ. So is the vector of the complementarity problem of the [quadratic program](super::MinimumEnergy),
+/// while its matrix is constant. Lemke's method with τ as the parameter goes from one set of open contacts to the next. It ends once the multiplier
+/// of a friction constraint enters the basis: from there on this multiplier pushes the object, and Coulomb's law is violated. The paper (see
 /// [`energy`](crate::energy)) predicts sliding in this way.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum Agreement<const C: usize> {
-    /// The minimum is an equilibrium up to this load factor, at which the listed friction constraints begin to bind.
+    /// The minimum is an equilibrium up to this load factor. There the listed friction constraints begin to bind.
     UpTo {
         /// The load factor τ >= 0, no unit.
         factor: f64,
@@ -32,13 +32,13 @@ pub enum Agreement<const C: usize> {
         /// is `None` for F_n = 0 at infinite friction.
         binding: Vec<(usize, Option<usize>)>,
     },
-    /// The minimum is an equilibrium at every load factor.
+    /// The minimum is an equilibrium at every load factor from 0.
     Always,
-    /// The minimum is no equilibrium even at load factor 0, or there is no minimum.
+    /// The minimum at load factor 0 is no equilibrium, or there is no such minimum. The variant has the answer there.
     Never(MinimumOutcome<C>),
-    /// From the start the load direction works on a motion that no spring resists: the program has no minimum for any τ > 0.
+    /// The load direction works on a motion that no spring resists with all contacts closed: the quadratic program has no minimum for any τ > 0.
     Unbounded,
-    /// Lemke's method could not follow the path to its end.
+    /// Lemke's method did not reach the load factor at which a friction constraint binds, nor the end of the path.
     Unsolved,
 }
 
@@ -78,7 +78,7 @@ impl Engine {
     }
 }
 
-/// The quadratic program along a ramp: at load factor 0, and its change with the factor.
+/// The quadratic program along a ramp: at load factor 0, and the changes of offsets and load per unit of the factor.
 struct Line<'g> {
     program: EnergyProgram<'g>,
     change: Vec<SVector<f64, 3>>,
@@ -86,7 +86,8 @@ struct Line<'g> {
 }
 
 impl Line<'_> {
-    /// The contact forces at load factor 0, and their rates by the load factor, if only `springs` are active.
+    /// The contact forces at load factor 0, and their rates by the load factor, if only the springs in `springs` are active. `None` if they do not
+    /// resist the load.
     fn forces(&self, springs: &Piece) -> Option<[Vec<SVector<f64, 3>>; 2]> {
         let problem = &self.program.problem;
         let start = springs.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
@@ -113,13 +114,13 @@ impl Line<'_> {
         matches!(path.end(), Some(lcp::PathEnd::Unbounded(_))).then_some(Agreement::Always)
     }
 
-    /// The answer if the multiplier of friction constraint `row` enters the basis. Its load factor is computed anew from the springs that are active
-    /// below this factor. `seen` is the load factor from the pivots.
+    /// The answer if the multiplier of friction constraint `row` enters the basis of the active set `faces`. Its load factor is computed anew from
+    /// the active springs. `seen` is the load factor by the pivots.
     fn ends(&self, faces: &Faces, row: usize, seen: f64) -> Option<Agreement<3>> {
         let [forces, rates] = self.forces(&self.program.springs(faces))?;
         let friction = &self.program.friction;
         let (value, rate) = (friction[row].value(&forces), friction[row].value(&rates));
-        // If the constraint does not approach its bound, the load factor from the pivots is taken.
+        // If the margin of the constraint does not fall with the load factor, the load factor by the pivots counts.
         let factor = if rate < 0.0 { (value / -rate).max(0.0) } else { seen };
         let most = |list: &[SVector<f64, 3>]| largest(list, &SVector::norm);
         let size = most(&forces) + factor * most(&rates);

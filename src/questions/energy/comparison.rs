@@ -1,4 +1,4 @@
-//! The equilibrium under Coulomb's law compared with the minimum of energy under friction constraints, for one load.
+//! Equilibrium under Coulomb's law and minimum of energy under friction constraints, compared for one load.
 
 #[cfg(feature = "serde")]
 use super::minimum::Inside;
@@ -16,52 +16,55 @@ use crate::prelude::*;
 use crate::serial::AsComputed;
 
 /// The equilibrium under Coulomb's law, and beside it the minimum of energy under friction constraints ([`MinimumEnergy`]). In space both use the
-/// same polygonal cone.
+/// same polygonal friction cone.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Comparison<const C: usize> {
-    /// Answer of the complementarity problem: the equilibrium, or a proof that there is none.
+    /// Answer of the complementarity problem: the equilibrium, a proof that there is none, or undecided.
     pub equilibrium: Outcome<C>,
-    /// Answer of the quadratic program: its minimum with the binding friction constraints and the imbalance of forces.
+    /// Answer of the quadratic program: its minimum, with the binding friction constraints and the imbalance of forces, or the reason for none.
     pub minimum: MinimumOutcome<C>,
-    /// The difference between equilibrium and minimum, if both exist.
+    /// The differences between the equilibrium and the minimum; `None` unless both exist.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub difference: Option<Difference>,
-    /// How the two answers compare.
+    /// Whether the minimum of energy is the equilibrium, and if not, by how much force and moment it is out of balance.
     pub verdict: ComparisonVerdict,
 }
 
-/// The largest differences between an equilibrium and a minimum of energy, none negative.
+/// The largest differences between the equilibrium and the minimum of energy under one load, and the sizes to which they are compared; none is
+/// negative.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Difference {
-    /// Largest difference of displacements of the object at a contact, m. Motions that are free in the equilibrium or in the minimum are not counted.
+    /// Largest difference between the displacements of the object at a contact, m. Motions that no spring resists, in the equilibrium or in the
+    /// minimum, do not count.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement: f64,
-    /// Largest difference of contact forces, N.
+    /// Largest magnitude of the difference of a contact force, N.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub force: f64,
-    /// Difference of stored energies, J.
+    /// Magnitude of the difference of the energies stored in the springs, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub energy: f64,
-    /// The largest displacement of the object or offset (command less clearance) at a contact of the equilibrium, m.
+    /// The largest magnitude, over all contacts, of the object's displacement at the contact in the equilibrium and of the offset (command less
+    /// clearance), m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement_size: f64,
-    /// The largest contact force of the equilibrium, N.
+    /// The largest magnitude of a contact force in the equilibrium, N.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub force_size: f64,
-    /// The stored energy of the equilibrium, J.
+    /// The energy stored in the springs in the equilibrium, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub energy_size: f64,
 }
 
 #[cfg(feature = "serde")]
 impl<const C: usize> Comparison<C> {
-    /// This comparison without data that are not written to JSON (motions in the engine's coordinates), so that it equals one that was read.
+    /// This comparison without the data that JSON does not contain (motions in the engine's coordinates), so that it equals one read back from JSON.
     pub(crate) fn written(mut self) -> Self {
         if let MinimumOutcome::Minimum(minimum) = &mut self.minimum {
             minimum.inside = Inside::default();
@@ -71,8 +74,8 @@ impl<const C: usize> Comparison<C> {
 }
 
 impl Difference {
-    /// The largest of the three relative differences, each difference divided by the size of its quantity. A difference of zero counts as 0 whatever
-    /// the size.
+    /// The largest of three relative differences: of displacement, force and energy, each divided by its `_size`. A difference of zero counts as 0
+    /// whatever the size.
     #[must_use]
     pub fn relative(&self) -> f64 {
         let part = |difference: f64, size: f64| if difference == 0.0 { 0.0 } else { difference / size };
@@ -88,42 +91,42 @@ impl Difference {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum ComparisonVerdict {
-    /// The complementarity problem and the quadratic program give the same equilibrium. This is also the verdict if the minimum is an equilibrium and
-    /// the complementarity problem gave no equilibrium.
+    /// The minimum of energy is an equilibrium, and the complementarity problem gives the same one. This is also the verdict if the complementarity
+    /// problem gave no equilibrium.
     Agree,
-    /// The minimum is an equilibrium, and the complementarity problem has another one; they differ by more than 1e-9 of forces or displacements. With
-    /// friction there may be several equilibria, and where a contact carries nothing the object may have several positions.
+    /// The minimum is an equilibrium, and the complementarity problem has another one; they differ by more than 1e-9 of the largest contact force or
+    /// displacement. With friction there may be several equilibria, and where a contact carries nothing the object may have several positions.
     TwoEquilibria,
-    /// An equilibrium exists, but the minimum of the program is out of balance.
+    /// An equilibrium exists, but at the minimum of energy contact forces and load do not balance.
     OutOfEquilibrium {
-        /// The size of the sum of contact forces and load, `|Σ F + W|`, N.
+        /// The magnitude at the minimum of the sum of contact forces and load, `|Σ F + W|`, N.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         force: f64,
-        /// The size of the sum of all moments about the origin, `|Σ r × F + M|`, N m.
+        /// The magnitude at the minimum of the sum of all moments about the origin, `|Σ r × F + M|`, N m.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         moment: f64,
     },
-    /// No equilibrium exists, but the program returned a minimum, which is out of balance.
+    /// No equilibrium exists. The quadratic program has a minimum, at which contact forces and load do not balance.
     NoEquilibrium {
-        /// The size of the sum of contact forces and load at this minimum, `|Σ F + W|`, N.
+        /// The magnitude at the minimum of the sum of contact forces and load, `|Σ F + W|`, N.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         force: f64,
-        /// The size of the sum of all moments about the origin, `|Σ r × F + M|`, N m.
+        /// The magnitude at the minimum of the sum of all moments about the origin, `|Σ r × F + M|`, N m.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         moment: f64,
     },
-    /// The minimum is out of balance; it is not known whether an equilibrium exists.
+    /// At the minimum of energy contact forces and load do not balance. It is not known whether an equilibrium exists.
     Unknown {
-        /// The size of the sum of contact forces and load at this minimum, `|Σ F + W|`, N.
+        /// The magnitude at the minimum of the sum of contact forces and load, `|Σ F + W|`, N.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         force: f64,
-        /// The size of the sum of all moments about the origin, `|Σ r × F + M|`, N m.
+        /// The magnitude at the minimum of the sum of all moments about the origin, `|Σ r × F + M|`, N m.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         moment: f64,
     },
-    /// The program has no minimum: its constraints contradict each other, or the load works on a free motion.
+    /// The quadratic program has no minimum: its constraints contradict each other, or the load works on a motion that no spring resists.
     NoMinimum,
-    /// The program was not solved.
+    /// The quadratic program was not solved, because of rounding or its limit of pivots.
     Unsolved,
 }
 
@@ -134,14 +137,15 @@ impl Difference {
 }
 
 impl<const C: usize> MinimumEnergy<C> {
-    /// Whether the minimum is in equilibrium: no multiplier of a friction constraint pushes the object. [`MinimumEnergy::imbalance`] may be up to
-    /// 1e-12 of the largest force, with moments divided by the size of the grasp.
+    /// Whether the object is in equilibrium at the minimum: no multiplier of a friction constraint pushes it. [`MinimumEnergy::imbalance`] may be up
+    /// to 1e-12 of the largest force, with moments divided by the size of the grasp.
     #[must_use]
     pub fn is_equilibrium(&self) -> bool {
         self.balanced
     }
 
-    /// The sizes of the sum of contact forces and load, `|Σ F + W|`, N, and of the sum of all moments about the origin, N m.
+    /// The magnitudes at the minimum of the sum of contact forces and load, `|Σ F + W|`, N, and of the sum of all moments about the origin,
+    /// `|Σ r × F + M|`, N m.
     #[must_use]
     pub fn out_of_balance(&self) -> (f64, f64) {
         let (mut force, mut moment) = (0.0_f64, 0.0_f64);
@@ -194,7 +198,7 @@ impl Engine {
             force_size: 0.0,
             energy_size: equilibrium.stored_energy,
         };
-        // Free motions are removed from the difference of the twists. In the engine's coordinates they are orthonormal.
+        // Motions that no spring resists are removed from the difference of the twists; in the engine's coordinates they are orthonormal.
         let mut apart: Vector = equilibrium.local.twist.to() - minimum.inside.twist.to();
         for _ in 0..2 {
             for v in equilibrium.local.free_motions.iter().chain(&minimum.inside.free_motions) {

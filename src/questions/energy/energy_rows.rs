@@ -1,8 +1,9 @@
-//! Conditions on contact forces (gaps, facets of friction cones) in energy coordinates, with their values if everything sticks.
+//! Conditions on contact forces (gap conditions, facets of friction cones) in energy coordinates, with their values if everything sticks.
 //!
-//! Energy coordinates are `x = K^{-1/2} F`, with the contact forces F and the stiffness K. In them every condition `n·x >= 0` has a normal n of unit
-//! length, so that ratios of stiffnesses cancel. Let G be the grasp map, `K^{1/2}Gᵀ = Q R`, and Π = QQᵀ the projector on the motions of the object.
-//! The optimality conditions need only the products `n·Π n'` and `n·(1 - Π) n'` of two normals n, n', and the values `n·x⁰` if everything sticks.
+//! Energy coordinates are `x = K^{-1/2} F`, with the contact forces F and the stiffness K. In them every condition `n·x >= 0` on one contact's force
+//! has a normal n of unit length, so that ratios of stiffnesses cancel. Let G be the grasp map, `K^{1/2}Gᵀ = Q R`, and Π = QQᵀ the projector on the
+//! motions of the object. The optimality conditions need only the products `n·Π n'` and `n·(1 - Π) n'` of two normals n, n', and the values `n·x⁰` if
+//! everything sticks.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -15,21 +16,21 @@ use crate::numerics::{Map, Vector, unit};
 use crate::object::{Piece, Problem};
 use crate::prelude::*;
 
-/// A condition `normal·x_i >= 0` on the force of a contact i, in energy coordinates x = K^{-1/2} F.
+/// A condition `normal·x_i >= 0` on the force of one contact i, in energy coordinates `x = K^{-1/2} F`.
 #[derive(Debug, Clone)]
 pub(super) struct ForceCondition {
     pub(super) contact: usize,
-    /// The facet of the friction cone that the condition bounds; `None` for the condition on the normal force.
+    /// The facet of the friction cone to which the condition belongs; `None` for the condition that the normal force is not negative.
     pub(super) facet: Option<usize>,
-    /// The same condition for the force in N: `law·F_i` is the friction margin `μ F_n - h·F_t` at a facet h, or the normal force F_n.
+    /// The same condition for the force in N, `law·F_i >= 0`: `law·F_i` is the friction margin `μ F_n - h·F_t` at a facet h, or the normal force F_n.
     law: SVector<f64, 3>,
     /// Unit vector along `K^{1/2} law`, with the contact's stiffness K.
     pub(super) normal: SVector<f64, 3>,
-    /// Norm of `K^{1/2} law`, by which the condition was divided.
+    /// Norm of `K^{1/2} law`, by which the condition is divided in energy coordinates.
     pub(super) length: f64,
-    /// Scale of the rounding error of [`Self::value`] if the largest force is 1.
+    /// Scale of the rounding error of [`Self::value`] if the largest contact force is 1 N.
     pub(super) weight: f64,
-    /// Qᵀ times the normal, with the orthogonal factor Q of the springs: the component of the normal along motions of the object.
+    /// Qᵀ times the normal, with the orthogonal factor Q of all springs: the component of the normal along motions of the object.
     pub(super) rows_of_factor: Vector,
 }
 
@@ -47,17 +48,17 @@ impl ForceCondition {
         Self { contact, facet, law, normal, length, weight, rows_of_factor: rows_of_factor * normal }
     }
 
-    /// The left side of the condition, N: the friction margin `μ F_n - h·F_t` at the facet h, or the normal force F_n.
+    /// The left side of the condition for these contact forces, N: the friction margin `μ F_n - h·F_t` at the facet h, or the normal force F_n.
     pub(super) fn value(&self, forces: &[SVector<f64, 3>]) -> f64 {
         self.law.dot(&forces[self.contact])
     }
 
-    /// Whether the condition is satisfied up to rounding, if the largest force is `largest`.
+    /// Whether these contact forces satisfy the condition up to rounding, if the largest of them is `largest`, N.
     pub(super) fn holds(&self, forces: &[SVector<f64, 3>], largest: f64) -> bool {
         self.value(forces) >= -SOLVED_ROUNDING * largest * self.weight
     }
 
-    /// Whether the left side of the condition is zero or negative up to rounding, if the largest force is `largest`.
+    /// Whether the left side of the condition is zero or negative up to rounding, if the largest contact force is `largest`, N.
     pub(super) fn binds(&self, forces: &[SVector<f64, 3>], largest: f64) -> bool {
         self.value(forces) <= SOLVED_ROUNDING * largest * self.weight
     }
@@ -75,7 +76,7 @@ impl ForceCondition {
     }
 }
 
-/// The springs along those axes of contacts for which `holds(contact, axis)` is true.
+/// The springs along those axes of contact frames for which `holds(contact, axis)` is true.
 pub(super) fn axis_springs(sites: &[Site], holds: &dyn Fn(usize, usize) -> bool) -> Piece {
     Piece::of_springs(sites, &|contact, list| {
         let springs = &sites[contact].springs;
@@ -84,7 +85,8 @@ pub(super) fn axis_springs(sites: &[Site], holds: &dyn Fn(usize, usize) -> bool)
     })
 }
 
-/// The conditions of all contacts, contact by contact: `F_n >= 0` where `presses` is true, and the facets of the cone if `with_facets` is.
+/// The conditions of all contacts, contact by contact: `F_n >= 0` for contacts for which `presses` is true, and one condition for each facet of the
+/// friction cone if `with_facets` is true.
 pub(super) fn rows(
     problem: &Problem,
     stuck: &Piece,
@@ -105,7 +107,7 @@ pub(super) fn rows(
     rows
 }
 
-/// The value `n·x` of each condition with the normal n in the scaled forces x.
+/// For each condition the value `n·x` of its normal n and the contact forces in energy coordinates x.
 pub(super) fn values<'r>(
     rows: impl IntoIterator<Item = &'r ForceCondition>,
     forces: &[SVector<f64, 3>],
@@ -117,23 +119,24 @@ pub(super) fn values<'r>(
     DVector::from_vec(values)
 }
 
-/// The square matrix with these entries; `None` if it has more than 10 000 rows.
+/// The square matrix with `rows` rows and these entries; `None` for more than 10 000 rows.
 pub(super) fn dense(rows: usize, entry: impl FnMut(usize, usize) -> f64) -> Option<DMatrix<f64>> {
     // A thousand contacts in space on eight facets have 9 000 rows, and the matrix takes about a gigabyte.
     (rows <= 10_000).then(|| DMatrix::from_fn(rows, rows, entry))
 }
 
-/// The limit of pivots for a dense matrix with this many rows: the caller's limit if given; else the default, or less if a pivot takes long.
+/// The limit of pivots of Lemke's method for a dense matrix with this many rows: the caller's limit if given. Else it is the default, or less where a
+/// pivot takes long.
 pub(super) fn most_pivots(rows: usize, settings: &Settings) -> Option<usize> {
     let entries = (rows * rows).max(1) as f64;
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // positive and far below 2^64
-    // Without a limit of the caller the pivots may take about ten seconds in all.
+    // Without a limit set by the caller, the pivots may take about ten seconds in all.
     let affordable = (2e11 / entries) as usize;
     let default = lcp::Settings::default().pivot_limit(rows);
     settings.max_pivots.or_else(|| Some(affordable).filter(|most| *most < default))
 }
 
-/// The outcome of Lemke's method on a complementarity problem with this matrix and vector; `None` if a number overflows.
+/// The outcome of Lemke's method on the linear complementarity problem with this matrix and vector; `None` if a number is not finite.
 pub(super) fn by_pivots(matrix: DMatrix<f64>, vector: DVector<f64>, settings: &Settings) -> Option<Outcome> {
     let max_pivots = most_pivots(vector.len(), settings);
     let settings = lcp::Settings { max_pivots, enumerate_up_to: 0, ..lcp::Settings::default() };

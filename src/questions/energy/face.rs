@@ -1,4 +1,4 @@
-//! Conversion of answers of the minimum-energy program between the engine's vectors of three components and the callers' vectors of `C` components.
+//! Conversion of the types about minimum energy between the engine's vectors of three components and the callers' vectors of `C` components.
 
 use super::agreement::Agreement;
 use super::comparison::{Comparison, ComparisonVerdict, Difference};

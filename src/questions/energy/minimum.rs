@@ -1,8 +1,8 @@
-//! The minimum of energy under friction constraints, computed such that large ratios of stiffnesses do not cost digits.
+//! The minimum of potential energy under friction constraints, computed such that large ratios of stiffnesses do not cost digits.
 //!
-//! The program is solved through its optimality conditions (`optimality`). Lemke's method finds the open gaps and the binding friction constraints.
-//! The remaining springs then determine the minimum. The multipliers of the constraints are forces on the **object** that no contact exerts: the
-//! minimum is an equilibrium exactly if the sum of these forces is zero.
+//! The quadratic program is solved through its optimality conditions (`optimality`). Lemke's method finds the open gaps and the binding friction
+//! constraints. The remaining springs then determine the minimum. The multipliers of the constraints are forces on the **object** that no contact
+//! exerts: the minimum is an equilibrium exactly if the resultant force and moment of these forces are zero.
 
 use nalgebra::{Matrix, SVector};
 
@@ -17,7 +17,7 @@ use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// How the search for the minimum of energy under friction constraints ends.
+/// The result of the search for the minimum of potential energy under friction constraints.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -27,25 +27,25 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum MinimumOutcome<const C: usize> {
-    /// The program has a minimum.
+    /// The quadratic program has a minimum, given here.
     Minimum(Box<MinimumEnergy<C>>),
-    /// The friction constraints contradict each other, or the energy is unbounded below as contacts open.
+    /// The friction constraints contradict each other, or the energy has no lower bound as contacts open.
     NoMinimum,
-    /// The load works on a motion that no spring resists: the energy is unbounded below.
+    /// The load works on a motion that no spring resists with all contacts closed: the energy has no lower bound.
     Unbounded {
-        /// The motion, of unit size as in [`MinimumEnergy::free_motions`], in the direction in which the load drives it.
+        /// A motion without resistance, of unit size as in [`MinimumEnergy::free_motions`], in the direction in which the load drives it.
         motion: Twist<C>,
         /// Work of the load on the motion, positive, J.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         work: f64,
     },
-    /// No answer because of rounding or a limit on pivots or rows. The matrix is dense; more than 10 000 rows (a thousand contacts in space on eight
-    /// facets) are not tried.
+    /// No answer because of rounding, or of a limit on pivots or on rows of the matrix. The matrix is dense; more than 10 000 rows (a thousand
+    /// contacts in space on eight facets) are not tried.
     Unsolved,
 }
 
 impl<const C: usize> MinimumOutcome<C> {
-    /// The minimum, if there is one.
+    /// The minimum, if the quadratic program has one and it was found; else `None`.
     #[must_use]
     pub fn minimum(&self) -> Option<&MinimumEnergy<C>> {
         match self {
@@ -64,86 +64,86 @@ impl<const C: usize> MinimumOutcome<C> {
 /// ```
 ///
 /// K_i, a_i and G_i are the stiffness, the offset (command less clearance) and the grasp map of contact i; e_n is its normal axis, and g_i its gap. W
-/// is the load, q the twist. The multiplier λ of a friction constraint acts on the object like a force that no contact exerts,
-/// `Σ G_i F_i + W = Σ λ G_i K_i (μ e_n - h)`. A contact with infinite friction has the constraint F_n >= 0 instead of a gap: with a gap it would
-/// carry F_t across the gap, as in the program that the paper prints (see [`energy`](crate::energy)).
+/// is the load, q the twist. The multiplier λ of a friction constraint, of contact i at the facet h, acts on the object like a force that no contact
+/// exerts, `Σ G_i F_i + W = Σ λ G_i K_i (μ e_n - h)`. A contact with infinite friction has the constraint F_n >= 0 instead of a gap: with a gap it
+/// would carry F_t across the gap, as in the program that the paper prints (see [`energy`](crate::energy)).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct MinimumEnergy<const C: usize> {
-    /// The load of the question.
+    /// The load of the question, N and N m, without the permanent loads of bodies.
     pub load: Wrench<C>,
-    /// Motion of the object about the origin, m and rad; the least one if some motions stretch no spring.
+    /// Motion of the object about the origin at the minimum, m and rad; if some motions stretch no active spring, usually the least one.
     pub twist: Twist<C>,
-    /// One entry per contact, in the order of the grasp.
+    /// Forces, displacement and gap of each contact, in the order of the grasp.
     pub contacts: Vec<MinimumContact<C>>,
-    /// Friction constraints that bind, with their multipliers.
+    /// Friction constraints of contacts that bind, with their multipliers.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub binding: Vec<Binding>,
-    /// The resultant of contact forces and load about the origin, `Σ G_i F_i + W`, N and N m: the opposite of the wrench missing for equilibrium. It
-    /// is computed from the multipliers, so that it is exactly zero if all multipliers are zero.
+    /// The resultant of contact forces and load about the origin, `Σ G_i F_i + W`, N and N m: the opposite of the wrench that is missing for
+    /// equilibrium. It is computed from the multipliers, so that it is exactly zero if all multipliers are zero.
     pub imbalance: Wrench<C>,
-    /// Energy stored in the springs, `Σ ½ F²/k`, J.
+    /// Energy stored in the springs of all contacts, joints and tendons, `Σ ½ F²/k`, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub stored_energy: f64,
-    /// The minimum of the potential energy: stored energy less the work `W·q` of the load on the twist, J.
+    /// The minimum of the potential energy, J: stored energy less the work `W·q` of the load W on the motion q.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub potential_energy: f64,
     /// Motions that stretch no active spring: the twist is determined up to them. They are orthogonal to each other and have unit size, in which a
     /// rotation is measured in radians times the root mean square distance of the contacts from their centroid.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
-    /// Number of pivots of Lemke's method.
+    /// Number of pivots of Lemke's method; 0 if the state in which everything sticks is the minimum.
     pub pivots: usize,
-    /// Whether no multiplier pushes the object, up to rounding; see [`Self::is_equilibrium`].
+    /// Whether the resultant of the multipliers on the object is zero up to rounding; see [`Self::is_equilibrium`].
     #[cfg_attr(feature = "serde", serde(rename = "is_equilibrium"))]
     pub(super) balanced: bool,
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) inside: Inside,
 }
 
-/// Motion and free motions of a minimum in the engine's coordinates, where free motions are orthonormal.
+/// Motion and motions without resistance of a minimum, in the engine's coordinates, in which the latter are orthonormal.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Inside {
     pub(super) twist: Coordinates,
     pub(super) free_motions: Vec<Coordinates>,
 }
 
-/// One contact of a [`MinimumEnergy`].
+/// One contact of a [`MinimumEnergy`]: its force, displacement and gap.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct MinimumContact<const C: usize> {
-    /// Force on the object in the contact frame, N; the first entry is F_n >= 0 unless the contact is bonded or kept closed.
+    /// Force on the object in the contact frame, N. Its first entry, the normal force, is not negative unless the contact is bonded or kept closed.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub force: SVector<f64, C>,
-    /// Force on the object along the coordinate axes, N.
+    /// The same force on the object along the coordinate axes, N.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub force_world: SVector<f64, C>,
-    /// Displacement u_c of the body's core at the contact, along the coordinate axes, m.
+    /// Displacement u_c of the body's undeformed core at the contact, along the coordinate axes, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub body_core: SVector<f64, C>,
-    /// Gap between the surfaces, m, never negative.
+    /// Gap between the two surfaces of the contact, m; never negative.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub gap: f64,
 }
 
-/// An active friction constraint: the force is on the edge of the cone.
+/// A friction constraint that binds: the contact force is on this facet of the friction cone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Binding {
-    /// The contact, counted from 0.
+    /// The contact whose force is on the facet, counted from 0.
     pub contact: usize,
     /// The facet of the cone, in the plane 0 for F_t = μ F_n and 1 for F_t = -μ F_n, in space as in
     /// [`PolygonCone`](crate::PolygonCone); `None` for F_n = 0 at infinite friction.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub facet: Option<usize>,
     /// Multiplier λ >= 0 of the constraint on the friction margin `μ F_n - h·F_t` at the facet h, m: energy per unit of the margin. Zero if the force
-    /// only touches the edge.
+    /// lies on the facet without being held there.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub multiplier: f64,
 }
@@ -167,8 +167,8 @@ impl Engine {
             }
             Err(Unbalanced { motion: None }) => return Ok(MinimumOutcome::Unsolved),
         };
-        // If the state in which everything sticks satisfies all constraints up to rounding, no pivot is needed. This also avoids ties, which are
-        // common in symmetric grasps.
+        // If the state in which everything sticks satisfies all conditions up to rounding, it is the minimum and no pivot is needed. This also avoids
+        // ties, which are common in symmetric grasps.
         let sticking = Faces { open: vec![false; self.sites().len()], binding: Vec::new() };
         let mut pivots = 0;
         let mut point = Some(program.sticking(&stuck)).filter(|point| program.holds(point, &sticking));

@@ -1,4 +1,5 @@
-//! A quadratic program of minimum potential energy under friction constraints, compared with the complementarity problem of Coulomb's law.
+//! A quadratic program of minimum potential energy under friction constraints, compared with the complementarity problem of Coulomb's law of
+//! friction.
 //!
 //! While no contact slides the springs are conservative, and the equilibrium is a minimum of the potential energy. The paper on which the crate is
 //! based ("Position Control for Multifingered Robot Hand", see `paper-notes.md`) poses this minimum as a quadratic program with the friction cones as
@@ -6,12 +7,12 @@
 //! orthogonal factors.
 //!
 //! As long as no friction constraint binds, the minimum is the equilibrium. Once a constraint binds, its multiplier acts on the object like an
-//! external force: the program still returns numbers, but they are not in equilibrium. [`Comparison`] classifies one load, [`Agreement`] gives the
-//! load factor up to which the minimum is an equilibrium.
+//! external force. The quadratic program still has a minimum, but the object is not in equilibrium there. [`Comparison`] classifies one load,
+//! [`Agreement`] gives the load factor up to which the minimum is an equilibrium.
 //!
-//! Coulomb's law and the program differ in one factor. Let x = K^{-1/2} F be the contact forces in energy coordinates, with the stiffness K. Let x⁰
-//! be these forces if everything sticks, and Π the projector on the motions of the object. A row of N x >= 0 is the condition of one cone facet, and
-//! S has the tangential part of these rows. z are slips, or multipliers:
+//! Coulomb's law and the quadratic program differ in one factor. Let x = K^{-1/2} F be the contact forces in energy coordinates, with the stiffness
+//! K. Let x⁰ be these forces if everything sticks, and Π the projector on the motions of the object. Each row of N x >= 0 is the condition of one
+//! facet of a friction cone, and S has the tangential components of these rows. z are slips in Coulomb's law, multipliers in the program:
 //!
 //! ```text
 //! Coulomb             x = x⁰ + (1 - Π) Sᵀz       0 <= z ⟂ N x >= 0      surfaces slip
@@ -22,7 +23,7 @@
 //! |---|---|
 //! | `energy_rows` | gaps and friction cones in energy coordinates |
 //! | `optimality` | the optimality conditions in energy coordinates, and their solution |
-//! | `minimum`, `agreement` | the minimum under a load, and the range of a ramp in which the minimum is an equilibrium |
+//! | `minimum`, `agreement` | the minimum under a load, and the load factors of a ramp up to which the minimum is an equilibrium |
 //! | `comparison`, `words` | minimum and equilibrium side by side, and the first line of a comparison |
 
 mod agreement;

@@ -1,16 +1,16 @@
-//! The optimality conditions of the minimum-energy program on orthogonal factors, and their solution.
+//! The optimality conditions of the quadratic program of minimum energy on orthogonal factors, and their solution.
 //!
-//! K is the stiffness, a the offsets of the contacts, G the grasp map, A = K^{1/2}Gᵀ = QR and Π = QQᵀ. The equilibrium in which everything sticks has
-//! the twist q⁰ and, in energy coordinates, the forces x⁰ = K^{1/2}(a - Gᵀq⁰). With the scaled gaps ĝ = √k_n g, which act along the columns of E, and
-//! the friction constraints N x >= 0 (rows of unit length), the program is
+//! K is the stiffness, a the offsets of the contacts, G the grasp map, A = K^{1/2}Gᵀ = QR and Π = QQᵀ. The state in which everything sticks has the
+//! motion q⁰ of the object and, in energy coordinates, the forces x⁰ = K^{1/2}(a - Gᵀq⁰). With the scaled gaps ĝ = √k_n g, which act along the
+//! columns of E, and the friction constraints N x >= 0 (rows of unit length), the quadratic program is
 //!
 //! ```text
 //! minimise ½|p|² - pᵀQᵀE ĝ + ½|ĝ|² + x⁰ᵀE ĝ      x = x⁰ - Q p + E ĝ,   p = R (q - q⁰)
 //! subject to ĝ >= 0, N x >= 0
 //! ```
 //!
-//! Its optimality conditions, after p is eliminated, are a linear complementarity problem with the multipliers λ of the friction constraints, and
-//! with a positive semidefinite matrix:
+//! Its optimality conditions, without p, are a linear complementarity problem with the multipliers λ of the friction constraints, and with a positive
+//! semidefinite matrix:
 //!
 //! ```text
 //! 0 <= ĝ  ⟂  Eᵀx⁰ + Eᵀ(1 - Π)E ĝ - Eᵀ(1 - Π)Nᵀλ >= 0
@@ -18,11 +18,11 @@
 //! x = x⁰ + (1 - Π) E ĝ + Π Nᵀλ
 //! ```
 //!
-//! Multipliers enter the forces through Π: they push the **object** like an external force. They contribute `Aᵀx + W = AᵀNᵀλ` to the balance of
-//! forces; the minimum is an equilibrium exactly if this is zero. Slips of Coulomb's law enter through 1 - Π and preserve the balance.
+//! Multipliers enter the forces through Π: they push the **object** like an external force. They leave `Aᵀx + W = AᵀNᵀλ` in the balance of forces,
+//! with the load W; the minimum is an equilibrium exactly if this is zero. Slips of Coulomb's law enter through 1 - Π and preserve the balance.
 //!
 //! Lemke's method finds the open gaps and the binding friction constraints. The answer is then computed from the remaining springs, so that it does
-//! not depend on the rounding of the pivots. Every condition is checked.
+//! not depend on the rounding of the pivots. Every condition of the minimum is checked.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -34,8 +34,8 @@ use crate::numerics::{IntoList, Singular, Vector, mapped, numbered};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
-/// The program in energy coordinates: conditions on the normal forces of gaps that may open, friction constraints that may bind, and the springs
-/// while everything sticks.
+/// The quadratic program in energy coordinates: conditions on the normal forces of gaps that may open, friction constraints that may bind, and the
+/// springs while everything sticks.
 pub(super) struct EnergyProgram<'g> {
     pub(super) problem: Problem<'g>,
     pub(super) stuck: Piece,
@@ -43,14 +43,15 @@ pub(super) struct EnergyProgram<'g> {
     pub(super) friction: Vec<ForceCondition>,
 }
 
-/// The constraints that are active at a point of the program: open gaps and binding friction constraints.
+/// The constraints that are active at a point of the quadratic program: per contact whether its gap is open, and the indices of binding friction
+/// constraints.
 #[derive(Debug, Clone)]
 pub(super) struct Faces {
     pub(super) open: Vec<bool>,
     pub(super) binding: Vec<usize>,
 }
 
-/// A candidate for the minimum: forces, motion, gaps and multipliers.
+/// A candidate for the minimum of energy: contact forces, motion of the object, gaps, multipliers, and motions that stretch no active spring.
 #[derive(Debug, Clone)]
 pub(super) struct ProgramPoint {
     pub(super) forces: Vec<SVector<f64, 3>>,
@@ -81,12 +82,12 @@ impl<'g> EnergyProgram<'g> {
         self.gaps.iter().chain(&self.friction)
     }
 
-    /// The vector of the complementarity problem, from the forces if everything sticks.
+    /// The vector of the linear complementarity problem, from the contact forces if everything sticks: gap conditions, then friction constraints.
     pub(super) fn vector(&self, stuck: &[SVector<f64, 3>]) -> DVector<f64> {
         values(self.rows(), stuck)
     }
 
-    /// The matrix of the complementarity problem; `None` if it is too large.
+    /// The matrix of the linear complementarity problem; `None` for more than 10 000 rows.
     pub(super) fn matrix(&self) -> Option<DMatrix<f64>> {
         let rows: Vec<_> = self.rows().list();
         let gaps = self.gaps.len();
@@ -97,7 +98,7 @@ impl<'g> EnergyProgram<'g> {
         })
     }
 
-    /// The open gaps and binding friction constraints that Lemke's method finds, the number of pivots, and the twist at its solution.
+    /// The open gaps and binding friction constraints that Lemke's method finds, the number of pivots, and the motion of the object in this solution.
     pub(super) fn faces(
         &self,
         stuck: &PieceState,
@@ -129,12 +130,12 @@ impl<'g> EnergyProgram<'g> {
         faces
     }
 
-    /// The springs that act with these open gaps: an open gap removes the normal spring of its contact.
+    /// The springs that act with these open gaps: the normal spring of a contact with an open gap is left out.
     pub(super) fn springs(&self, faces: &Faces) -> Piece {
         axis_springs(self.problem.sites, &|contact, axis| axis > 0 || !faces.open[contact])
     }
 
-    /// The candidate in which everything sticks.
+    /// The candidate for the minimum in which everything sticks, from its forces and motion.
     pub(super) fn sticking(&self, stuck: &PieceState) -> ProgramPoint {
         ProgramPoint {
             forces: stuck.forces.clone(),
@@ -145,8 +146,9 @@ impl<'g> EnergyProgram<'g> {
         }
     }
 
-    /// The candidate with these open gaps and binding friction constraints. `None` if the binding constraints are linearly dependent, or no such
-    /// forces balance the load. If the twist of least norm makes a gap negative, the free part of the twist `near` is added.
+    /// The candidate for the minimum with these open gaps and binding friction constraints. `None` if binding constraints are linearly dependent, or
+    /// the active springs do not resist the load. If the least motion makes a gap negative, the part of the motion `near` that stretches no active
+    /// spring is added.
     pub(super) fn on_faces(&self, faces: &Faces, stuck: &PieceState, near: &Vector) -> Option<ProgramPoint> {
         let problem = &self.problem;
         let opened = faces.open.contains(&true).then(|| self.springs(faces));
@@ -168,8 +170,8 @@ impl<'g> EnergyProgram<'g> {
         let mut gaps = gaps_at(&twist);
         let free = springs.free_motions().to_vec();
         if gaps.iter().any(|gap| *gap < 0.0) {
-            // Free motions stretch no active spring, but they change open gaps. The twist of Lemke's solution has no negative gap, so its free part
-            // is added.
+            // Some motions stretch no active spring, but change open gaps. The motion of Lemke's solution makes no gap negative, so its part along
+            // them is added.
             twist += free.iter().fold(Vector::zeros(), |sum, v| sum + v * v.dot(near));
             gaps = gaps_at(&twist);
         }
@@ -177,10 +179,11 @@ impl<'g> EnergyProgram<'g> {
         finite.then_some(ProgramPoint { forces, twist, gaps, multipliers, free })
     }
 
-    /// Makes the binding friction constraints hold as equalities, N x = 0. `forces` are those that balance the load without these constraints, x' in
-    /// energy coordinates. Returns the change of the motion, in the coordinates of the active springs.
+    /// Makes the binding friction constraints hold as equalities, N x = 0. `forces` balance the load without these constraints (x' in energy
+    /// coordinates) and are changed; `multipliers` are written. Returns the change of the motion, in the coordinates of the active springs. `None` if
+    /// constraints are linearly dependent.
     ///
-    /// The normal springs of open gaps are removed. The normal component x_n of such a contact is free, and the multipliers λ alone determine it,
+    /// The normal springs of open gaps are removed. The normal component x_n at such a contact is determined by the multipliers λ alone,
     /// `x_n = (Nᵀλ)_n`. With the orthogonal factor Q of the active springs and `M = [N Q, N_n of the open gaps]`,
     ///
     /// ```text
@@ -219,7 +222,7 @@ impl<'g> EnergyProgram<'g> {
             return None;
         }
         let mut travelled = Vector::zeros();
-        // A second pass removes the rounding errors that the first pass leaves in the binding constraints.
+        // A second pass of this correction removes the rounding errors that the first pass leaves in the binding constraints.
         for _ in 0..2 {
             let (change, lambda) = parts.of_transpose(&-values(rows.iter().copied(), forces));
             let moved = Vector::from_fn(size, |k| change[k]);
@@ -238,7 +241,7 @@ impl<'g> EnergyProgram<'g> {
         Some(travelled)
     }
 
-    /// The forces of the multipliers on the object, contact by contact, in the contact frames, N.
+    /// The forces of the multipliers on the object at each contact, in the contact frames, N.
     pub(super) fn held_from_outside(&self, multipliers: &[f64]) -> Vec<SVector<f64, 3>> {
         let mut held = vec![SVector::zeros(); self.problem.len()];
         for (row, multiplier) in self.friction.iter().zip(multipliers) {
@@ -248,7 +251,7 @@ impl<'g> EnergyProgram<'g> {
         held
     }
 
-    /// Whether a point satisfies every condition of the minimum up to rounding.
+    /// Whether a candidate satisfies every condition of the minimum up to rounding: friction constraints, multipliers, gaps and their multipliers.
     pub(super) fn holds(&self, point: &ProgramPoint, faces: &Faces) -> bool {
         let problem = &self.problem;
         let most = problem.largest_force(&point.forces, &point.twist);
@@ -260,8 +263,8 @@ impl<'g> EnergyProgram<'g> {
         };
         let x_size = (0..problem.len()).map(x).fold(0.0, f64::max);
         let largest = point.multipliers.iter().fold(x_size, |most, l| most.max(l.abs()));
-        // The multiplier of the condition that a gap is not negative: the normal force less the normal component of the friction multipliers' forces,
-        // in energy coordinates `√k_n (x - Nᵀλ)_n`.
+        // The multiplier of the condition that a gap is not negative, `push - held`: the normal force less the normal component of the friction
+        // multipliers' forces, in energy coordinates `√k_n (x - Nᵀλ)_n`.
         let held = self.held_from_outside(&point.multipliers);
         let gap_holds = |row: &ForceCondition| {
             let i = row.contact;

@@ -1,4 +1,4 @@
-//! The first line of a comparison of the equilibrium with the minimum of energy.
+//! The sentence that compares the equilibrium with the minimum of energy.
 
 use core::fmt;
 
@@ -57,7 +57,7 @@ impl<const C: usize> fmt::Display for Comparison<C> {
     }
 }
 
-/// The contacts that slide, for the clause before the imbalance of the program; empty if none slides.
+/// The contacts that slide in the equilibrium, for the clause before the imbalance of the minimum; empty if none slides.
 fn slides<const C: usize>(state: &Equilibrium<C>) -> String {
     let mut names = Vec::new();
     for whole in state.whole_contacts() {
@@ -76,7 +76,7 @@ fn slides<const C: usize>(state: &Equilibrium<C>) -> String {
     }
 }
 
-/// A force with its unit, and a moment unless the moment is zero. A force of zero is omitted beside a moment.
+/// A force with its unit, and a moment beside it unless the moment is zero. A zero force beside a moment is left out.
 fn wrench(words: Words, force: f64, moment: f64) -> String {
     let (force_text, moment_text) = (words.number(force), words.number(moment));
     match (force == 0.0, moment == 0.0) {

@@ -1,4 +1,4 @@
-//! The verdict on a load: the load path is followed from rest to the whole load, then to `Settings::most_load` or to the loss of the load.
+//! The verdict on a load: the load path is followed from the base load to the whole load, factor 1, and on to `Settings::most_load` or to the loss.
 
 use core::mem::{Discriminant, discriminant};
 
@@ -23,35 +23,38 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{largest, mapped};
 use crate::prelude::*;
 
-/// How much of the load path a verdict follows and records.
+/// How far [`Engine::hold_with`] follows the load path, and which data of the verdict it computes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Extent {
-    /// All fields of the [`Verdict`]; the path is followed to `Settings::most_load` or the loss.
+    /// All fields of the [`Verdict`]. The path is followed to `Settings::most_load`, to the loss of equilibrium or to the end of small motions.
     Whole,
-    /// Like `Whole`, but a path that leaves small motions is followed to the whole load, to measure the largest ratio of a motion to its limit.
+    /// Like `Whole`, but a path on which motions cease to be small before the whole load is followed further, to the whole load or the loss. This
+    /// gives the largest ratio of a motion to its limit.
     Measured,
-    /// Like `Measured`, but without proofs, without the data that only sentences need, and without the reason if the base load has no equilibrium.
+    /// Like `Measured`, but without the proof near the loss, without the data that only sentences need, and without the loss of the base load as it
+    /// grows from zero.
     Decided,
-    /// Without equilibria, proofs and the data that only sentences need: for [`super::ShortVerdict`].
+    /// Without equilibria, proofs and the data that only sentences need: for [`super::ShortVerdict`]. The path is followed as far as for `Whole`.
     Brief,
 }
 
-/// Facts about the load path behind a verdict that the [`Verdict`] itself does not record.
+/// Facts about the load path that [`Engine::hold_with`] returns beside the [`Verdict`].
 #[derive(Debug, Default)]
 pub(crate) struct OfThePath {
-    /// The largest ratio of a motion to its limit in [small motions](crate::Settings::small_motions) while the load is put on. For [`Extent::Brief`]
-    /// it covers the path as far as it was followed, which may be beyond the whole load.
+    /// The largest ratio of a rotation, slip or opening to its limit in [small motions](crate::Settings::small_motions), up to the whole load or the
+    /// end of the path. For [`Extent::Brief`] the path may reach beyond the whole load.
     pub(crate) farthest: f64,
-    /// The contacts under the base load. `None` if the base load has no equilibrium, and for [`Extent::Brief`].
+    /// The state of every contact under the base load. `None` if this equilibrium was not computed, and always for [`Extent::Brief`].
     pub(crate) at_rest: Option<Vec<RestingContact>>,
 }
 
-/// A contact in the equilibrium under the base load.
+/// The state of a contact in the equilibrium under the base load, and its distances from the end of this state.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct RestingContact {
-    /// Whether the contact sticks, slides or is open.
+    /// Whether the contact is open, sticks, slides or has no friction.
     pub(crate) kind: Discriminant<ContactState<3>>,
-    /// Quantities that are positive in this state; the state ends where one of them falls to zero.
+    /// Two quantities that are positive in this state; one of them is zero where the state ends. Open: the gap. Sticking: normal force and friction
+    /// margin. Sliding: normal force and slip. Frictionless: normal force. Infinity where there is no second one.
     pub(crate) margins: [f64; 2],
 }
 
@@ -74,7 +77,7 @@ impl Engine {
         Ok(self.hold_with(ramp, settings, Extent::Whole)?.0)
     }
 
-    /// Like [`Self::hold`], to a chosen extent, and with facts about the load path.
+    /// Implements [`Self::hold`] to the given extent; returns also facts about the load path.
     pub(crate) fn hold_with(
         &self,
         ramp: &Ramp<3>,
@@ -95,7 +98,7 @@ impl Engine {
         settings: &Settings,
         extent: Extent,
     ) -> Result<(Verdict<3>, OfThePath), Error> {
-        // Onset and path share the equilibrium under the base load, which with many bodies takes most of the time.
+        // The search of the first slip and the load path share the equilibrium under the base load. With many bodies it takes most of the time.
         let (onset, rest) = self.onset_from_rest(ramp, settings)?;
         let mut path = self.follow_from_rest((&ramp.base, rest), &[Leg::along(ramp)], settings)?;
         let events = path.run_while_small();
@@ -145,7 +148,7 @@ impl Engine {
                 let then = self.carried_while_it_slides(ramp, settings);
                 lost.then_takes = then.filter(|then| *then < held_to * (1.0 - NEGLIGIBLE));
             }
-            // The proof assumes that the vacuum of every cup lasts, so it does not apply to a loss by cups that let go.
+            // The proof assumes that the vacuum of every cup lasts, so it is not tried for a loss by cups whose lips are open all around.
             if matches!(holding, Holding::Lost) && !matches!(lost.way_out, WayOut::LetsGo { .. }) {
                 lost.nothing_near = self.nothing_near(&lost, loss, ramp, settings);
             }
@@ -183,7 +186,7 @@ impl Engine {
         Ok((verdict, OfThePath { farthest, at_rest }))
     }
 
-    /// The conclusion where the path ended before the whole load was applied.
+    /// The [`Holding`] of a path that ended before the whole load was applied with small motions.
     fn holding_of_end(
         &self,
         path: &LoadPath<'_, 3>,
@@ -193,14 +196,15 @@ impl Engine {
     ) -> Holding<3> {
         let inaccurate = Holding::Undecided { doubt: Doubt::Inaccurate };
         let or_at_rest = |otherwise: Holding<3>| {
-            // Following the base load as it grows from zero takes up to a thousand times as long as following the load.
+            // Following the base load from zero takes up to a thousand times as long as following the load on top of it.
             if extent == Extent::Decided {
                 return otherwise;
             }
             self.lost_at_rest(base, settings).map_or(otherwise, |at_rest| Holding::LostAtRest { at_rest })
         };
         match path.end() {
-            // Contacts slide under the base load, their friction falls to the kinetic value, and nothing catches the object.
+            // No equilibrium at the loss: contacts slide under the base load, their friction falls to the kinetic value, and nothing catches the
+            // object.
             Some(PathEnd::Lost(_)) if path.state().is_none() => or_at_rest(Holding::Lost),
             Some(PathEnd::Lost(_)) => Holding::Lost,
             Some(PathEnd::NoStart(start)) => match &**start {
@@ -213,7 +217,7 @@ impl Engine {
         }
     }
 
-    /// The loss of the base load as it grows from zero together with the commands; `None` if the path of this load has no loss.
+    /// The loss on the path on which the base load grows from zero together with the commands. `None` if this path ends without a loss.
     fn lost_at_rest(&self, base: &Wrench<3>, settings: &Settings) -> Option<Box<Lost<3>>> {
         let growing = self.growing_from_nothing(base);
         let direction = if growing.is_some() { Wrench::from_components(&[1.0]) } else { *base };
@@ -225,12 +229,13 @@ impl Engine {
         path.run();
         let loss = path.end().and_then(PathEnd::loss)?;
         let lost = grasp.lost(path.place().1, loss, path.state());
-        // The equilibrium at this loss carries a part of the base load, not the load of the question, so it is left out.
+        // The equilibrium at this loss carries a fraction of the base load, not the load of the verdict, so it is left out.
         Some(Box::new(Lost { state: None, ..lost }))
     }
 
-    /// The conclusion where the whole load is held. A contact has slid if it slides now, slipped in a jump, or began to slide at an event. The slips
-    /// of the equilibrium do not show that, since a contact that was open has a slip, too.
+    /// The [`Holding`] where the whole load is held: [`Holding::Loose`], [`Holding::Sticks`] or [`Holding::Slides`]. A contact has slid if it slides
+    /// under the whole load, slipped in a jump, or began to slide at an event. Slips in the equilibrium are no sign of that: a contact that was open
+    /// has a slip, too.
     fn holding(
         &self,
         state: &Equilibrium<3>,
@@ -244,8 +249,7 @@ impl Engine {
                 || slips.contains(&i)
                 || events.iter().any(|event| begins_to_slide(event, i))
         };
-        // Without vacuum, zero contact forces mean that the object lies loose. With a vacuum, contact forces may vanish while the vacuum holds the
-        // object.
+        // Zero force at every contact means that the object lies loose. In a grasp with a vacuum it does not: the vacuum may hold the object.
         if self.vacuum().is_none() && state.contacts.iter().all(|contact| contact.force.norm() == 0.0) {
             return Holding::Loose;
         }
@@ -302,7 +306,8 @@ impl Engine {
         }
     }
 
-    /// The neighbourhood of a loss in which a proof excludes every equilibrium under the whole load.
+    /// A proof that no equilibrium under the whole load exists near the loss. `None` without a state at the loss, for bad loads, and if no proof is
+    /// found.
     fn nothing_near(
         &self,
         lost: &Lost<3>,
@@ -320,7 +325,8 @@ impl Engine {
         let polygon = Polygon::shared(self.space(), &settings.cone);
         let problem = self.problem(polygon, settings.is_round(self.space()), offsets, &Load::from(&load));
         let at = state.local.twist.to();
-        // Any virtual motion may give the proof. The motion of the loss usually gives it; the direction of the load is tried, too.
+        // Any virtual motion may give the proof. Tried are the motion of the loss, which usually gives it, and the direction of the load. The larger
+        // radius counts.
         let virtually = [loss.virtual_motion().map(Coordinates::to), Some(load)];
         let radii = virtually.into_iter().flatten().filter_map(|v| nothing_near(&problem, &at, &v));
         let radius = radii.max_by(f64::total_cmp)?;
@@ -330,7 +336,7 @@ impl Engine {
     }
 }
 
-/// Whether this contact begins to slide at an event.
+/// Whether the contact with this index begins to slide at an event, from sticking or as it closes.
 fn begins_to_slide(event: &Event<3>, contact: usize) -> bool {
     let begins = |change: &ContactChange<3>| {
         matches!(change.what, Change::Slides { .. } | Change::ClosesSliding { .. })
@@ -338,7 +344,7 @@ fn begins_to_slide(event: &Event<3>, contact: usize) -> bool {
     event.changes.iter().any(|change| change.contact.index == contact && begins(change))
 }
 
-/// The end of small motions, if it comes before the loss of equilibrium.
+/// The end of small motions, if the path has one that comes clearly before the loss of equilibrium, or has no loss; else `None`.
 fn end_before_loss<'p>(path: &'p LoadPath<'_, 3>) -> Option<&'p EndOfSmallMotions> {
     let loss = path.end().and_then(PathEnd::loss);
     let before = |far: &&EndOfSmallMotions| {

@@ -1,5 +1,5 @@
-//! Jumps along the load path. Contacts begin to slide with lower kinetic friction, the object jumps, and other contacts catch it; or the object snaps
-//! over from the end of a path to another equilibrium.
+//! Jumps along the load path under constant load. The object slips because kinetic friction is lower, or snaps over from an unstable equilibrium,
+//! until other contacts catch it.
 
 use core::fmt;
 
@@ -14,24 +14,24 @@ use crate::search::Settings;
 use crate::serial::AsComputed;
 use crate::words::{Words, listed, printable};
 
-/// A jump under constant load that ends in another equilibrium: the object slips and contacts catch it.
+/// A jump under constant load that ends in another equilibrium: the object slips or snaps over, and contacts catch it.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Caught {
-    /// The load at the jump, as a multiple of the load asked about.
+    /// The load factor of the jump: the multiple of the load that grows.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub factor: f64,
-    /// The contacts that slip, with distances.
+    /// The contacts that slip in the jump, each with the length of its slip.
     pub slips: Vec<SlippedBy>,
-    /// The motion of the object without resistance, until gaps close; `None` where contacts that are closed already catch it.
+    /// The motion in the jump of the body that moves farthest, if it closes gaps. `None` where contacts that are closed already catch the object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub moves: Option<MovesTo>,
-    /// Whether the object snaps over from one equilibrium to another ([`Jump::snaps`]).
+    /// Whether the object snaps over from the end of its path (a fold, a corner or an asymptote) to another equilibrium ([`Jump::snaps`]).
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub snaps: bool,
-    /// Energy lost in the jump, J.
+    /// Energy dissipated in the jump, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub energy_lost: f64,
 }
@@ -42,34 +42,35 @@ pub struct Caught {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SlippedBy {
-    /// The contact that slips.
+    /// The contact that slips in the jump.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: WholeContact,
-    /// Length of the slip in the jump, m; of a soft fingertip that of the point that slips farthest.
+    /// Length of the slip in the jump, m; for a soft fingertip that of its point that slips farthest.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub distance: f64,
 }
 
-/// The motion of the object without resistance until gaps close; of several bodies that of the body that moves farthest.
+/// The motion in a jump, until gaps close, of the body that moves farthest.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct MovesTo {
-    /// The contacts that close.
+    /// The contacts whose gaps close at the end of the motion.
     pub contacts: Vec<WholeContact>,
-    /// The name of the body that moves.
+    /// The name of the body that moves farthest.
     pub body: String,
-    /// Displacement of the centroid of the body's contact points, m.
+    /// Displacement in the jump of the centroid of this body's contact points, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub distance: f64,
-    /// Rotation, rad.
+    /// Rotation of this body in the jump, rad.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub angle: f64,
-    /// Displacement of the body's contact points by the rotation, m: the angle times their root mean square distance from the centroid.
+    /// Root mean square displacement of the body's contact points by the rotation, m: the angle times their root mean square distance from the
+    /// centroid.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub turning: f64,
-    /// Whether contacts slide during the motion.
+    /// Whether any contact slips in the jump.
     pub slides: bool,
 }
 
@@ -84,7 +85,7 @@ impl MovesTo {
     }
 }
 
-/// "the object slides 0.4 mm to stop", "lid turns 0.1° to hinge".
+/// Writes the motion: "the object slides 0.4 mm to stop", "lid turns 0.1° to hinge".
 impl fmt::Display for MovesTo {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
@@ -98,7 +99,7 @@ impl fmt::Display for MovesTo {
 }
 
 impl Engine {
-    /// The multiple of the load that is held with kinetic friction from the start; `None` if the path with kinetic friction does not end in a loss.
+    /// The load factor up to which the grasp holds if all contacts have kinetic friction from the start. `None` if that path does not end in a loss.
     pub(super) fn carried_while_it_slides(&self, ramp: &Ramp<3>, settings: &Settings) -> Option<f64> {
         let sliding = self.with_friction_of_sliding().ok()?;
         let mut path = sliding.follow(&ramp.base, &[Leg::along(ramp)], settings).ok()?;
@@ -108,8 +109,8 @@ impl Engine {
 }
 
 impl Caught {
-    /// The clause about all jumps, with data of the last one: ", caught at 7.5 N of 12 N after slipping 0.4 mm at left". `size` is the magnitude of
-    /// the whole load with its unit, if the load has one.
+    /// Writes the clause about all jumps, with the load and the motion of the last one: ", caught at 7.5 N of 12 N after slipping 0.4 mm at left".
+    /// `size`: magnitude and unit of the whole load, if one number describes it.
     pub(super) fn write_clause(
         all: &[Self],
         size: Option<(f64, &str)>,
@@ -134,7 +135,7 @@ impl Caught {
         }
     }
 
-    /// The jumps among the events of one leg. The leg applies the whole load, so that its fraction is the multiple of the load.
+    /// The jumps among the events of the leg that applies the whole load. The fraction of this leg is therefore the load factor.
     pub(super) fn among(parts: &WholeContacts, events: &[Event<3>]) -> Vec<Self> {
         let jumps = events.iter().filter_map(|event| Some((event.fraction, event.jump.as_deref()?)));
         let caught = |(factor, jump): (f64, &Jump<3>)| {
@@ -152,12 +153,12 @@ impl Caught {
     }
 }
 
-/// "after slipping 0.4 mm at left", "snaps over, slipping 0.4 mm at left".
+/// Writes the slips of the jump: "after slipping 0.4 mm at left", "snaps over, slipping 0.4 mm at left".
 impl fmt::Display for Caught {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
         let longest = largest(&self.slips, &|slip| slip.distance);
-        // Slips below this fraction of the longest one count as rounding. A larger fraction would hide contacts that matter.
+        // Slips below this fraction of the longest slip of the jump count as rounding. A larger fraction would hide contacts that matter.
         let slips = self.slips.iter().filter(|slip| slip.distance > 1e-6 * longest);
         let slips = slips.map(|slip| format!("{} at {}", words.length(slip.distance), slip.contact.text()));
         let slips: Vec<_> = slips.collect();

@@ -1,5 +1,5 @@
-//! The fast way to a brief verdict: the unknowns of the load path are the slips of the sliding contacts ([`InSlips`]). The path is not followed from
-//! contact state to contact state.
+//! The fast way to a brief verdict: the unknowns of the load path are the slips of the sliding contacts ([`InSlips`]). The contact states are not
+//! searched event by event.
 
 use super::applied_load::OfThePath;
 use super::verdict::{FirstSlip, Holding, Verdict};
@@ -10,8 +10,8 @@ use crate::prelude::*;
 use crate::search::Settings;
 
 impl Engine {
-    /// The brief verdict from a path with the slips of contacts as unknowns, if no contact opens, no slip ends, and at least one contact slides.
-    /// Otherwise `None`, and the caller follows the full load path.
+    /// The brief verdict from a path with the slips of contacts as unknowns. `None` if a contact opens, a slip ends, no contact slides, or a factor
+    /// is within rounding of 1. The caller then follows the full load path.
     pub(super) fn held_in_slips(
         &self,
         ramp: &Ramp<3>,
@@ -20,7 +20,7 @@ impl Engine {
         let InSlips { slid, all_slide, factor, end, farthest } =
             self.in_slips(ramp, settings.most_load.max(1.0), settings)?;
         let (contact, first) = *slid.first()?;
-        // A load factor closer to 1 than this is within rounding of the whole load: rounding would decide whether the load is held.
+        // A load factor closer to 1 than this equals the whole load up to rounding: rounding would decide whether the load is held.
         let is_clear = |factor: f64| (factor - 1.0).abs() > NEGLIGIBLE;
         if !(is_clear(first) && (is_clear(factor) || matches!(end, SlipEnd::Held))) {
             return None;

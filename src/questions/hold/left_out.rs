@@ -1,12 +1,9 @@
-//! The geometric stiffness, which the theory of small motions neglects: as the object turns, the arms of the forces under the base load turn with it.
+//! The geometric stiffness, which the theory of small motions neglects. As the object turns, the arms of the forces under the base load turn with it.
 //!
 //! Let contact i carry the force F_i and move by u_i with the motion q of the object. The energy of the springs has a second derivative in two parts,
 //! the elastic one and `-Σ F_i · ∂²u_i/∂q²`. For a rotation θ and arms r_i of the contacts the second part is `Σ (F·r) |θ|² - (F·θ)(r·θ)`, in the
-//! plane `Σ F·r θ²`. Fingers that press against each other make it negative. It is compared with the work `W·q` of the load on the motion, which
-//! equals `q·Kq` with the secant stiffness K of the grasp.
-//!
-//! The forces may also be about to buckle the grasp in a motion that the load does not cause, such as a strut in line with its load. So the second part
-//! is compared with the elastic one in every motion, for one object and for several bodies.
+//! plane `Σ F·r θ²`. Fingers that press against each other make it negative. This second part is compared with the work `W·q` of the load on the
+//! motion, which equals `q·Kq` with the secant stiffness K of the grasp.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -16,12 +13,12 @@ use crate::numerics::{PositiveBand, Square, dot, summed};
 use crate::object::{tangent_stiffness, uses_band};
 
 impl Engine {
-    /// The geometric stiffness as a fraction of the resistance to the motion q from rest to another equilibrium with the same commands:
-    /// `Σ [(F·r) |θ|² - (F·θ)(r·θ)] / (ΔW·q)`. F are the contact forces at rest, and r their arms about the centroid of the contacts. θ is the
-    /// rotation in q, and ΔW the change of the load.
+    /// The geometric stiffness as a fraction of the resistance to the motion q from the equilibrium `rest` under the base load to the equilibrium
+    /// `there`, with the same commands: `Σ [(F·r) |θ|² - (F·θ)(r·θ)] / (ΔW·q)`. F are the contact forces in `rest`, and r their arms about the origin
+    /// of twists, the centroid of the contacts. θ is the rotation in q, and ΔW the change of the load.
     ///
-    /// It is negative where the forces lower the resistance. A load at rest counts as acting at the point of its line nearest to the centroid. `None`
-    /// if the fraction is at most a tenth, for several bodies, and where the load does no positive work.
+    /// The fraction is negative where the forces lower the resistance. The base load counts as acting at the point of its line nearest to the
+    /// centroid. `None` if the size of the fraction is at most a tenth, for several bodies, and where `ΔW·q` is not positive.
     pub(super) fn left_out_by_small_motions(
         &self,
         rest: &Equilibrium<3>,

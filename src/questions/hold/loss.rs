@@ -1,4 +1,4 @@
-//! Fills in [`Lost`], the part of a verdict about the loss of equilibrium or the end of small motions.
+//! Computes [`Lost`], the field of a verdict about the loss of equilibrium or the end of small motions.
 
 use crate::contact::WEIGHTLESS;
 use crate::equilibrium::{ContactState, Equilibrium, TooFar};
@@ -11,7 +11,8 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
 impl Engine {
-    /// The loss of equilibrium at this multiple of the load.
+    /// The data of a loss of equilibrium at this load factor. `state` is the last equilibrium, if it is known. Proofs and kinetic friction are left
+    /// out.
     pub(crate) fn lost(&self, factor: f64, loss: &Loss<3>, state: Option<Equilibrium<3>>) -> Lost<3> {
         let weightless = state.as_ref().map_or(0.0, |state| WEIGHTLESS * state.largest_force());
         let of = |i: usize| state.as_ref().map(|state| &state.contacts[i]);
@@ -46,7 +47,7 @@ impl Engine {
         }
     }
 
-    /// The end of small motions at this multiple of the load.
+    /// The data of an end of small motions at this load factor; `everything_slides` says whether gross slip has begun.
     pub(super) fn gone_too_far(
         &self,
         factor: f64,
@@ -58,7 +59,7 @@ impl Engine {
         let slides = |i: usize| {
             contact(i).is_some_and(|contact| matches!(contact.state, ContactState::Sliding { .. }))
         };
-        // A wire, a strap or a hinge that carries a force holds the object although every contact slides.
+        // A wire, a strap or a hinge that carries a force holds the object although every contact slides: no gross slip.
         let carries = |i: usize| {
             self.contacts()[i].link.is_some() && contact(i).is_some_and(|contact| contact.force.norm() > 0.0)
         };
@@ -72,12 +73,12 @@ impl Engine {
 }
 
 impl<const C: usize> Lost<C> {
-    /// The loss of suction cups that let go because their lips are open all around.
+    /// The loss of these suction cups, which let go because their lips are open all around.
     fn without_vacuum(factor: f64, cups: Vec<WholeContact>, state: Option<Equilibrium<C>>) -> Self {
         Self::alone(factor, LossKind::LetsGo, WayOut::LetsGo { cups }, state)
     }
 
-    /// A loss with these data; all other fields are empty.
+    /// A loss with these data; all lists are empty, all flags false, and all other data `None`.
     fn alone(factor: f64, kind: LossKind, way_out: WayOut<C>, state: Option<Equilibrium<C>>) -> Self {
         Self {
             factor,

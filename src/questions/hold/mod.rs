@@ -1,4 +1,4 @@
-//! Does it hold? The load grows from rest along one path, and the verdict is one sentence.
+//! Does the grasp hold? The load grows along one path from zero beside the base load, the load that acts already at load factor 0.
 //!
 //! The word "hold" may mean three questions, each with its own method:
 //!
@@ -15,14 +15,15 @@
 //!
 //! The proof takes any virtual motion v with contact displacements `u_i = G_iᵀv`, where G_i is the grasp map of contact i. The balance of the load W
 //! and the contact forces F_i gives `W·v = -Σ F_i·u_i`. The work of a contact against v is at most that of its normal force and the friction it
-//! allows. The normal force is known at every motion q of the object, so that an equilibrium needs
+//! allows. The normal force is known at every motion q of the object, so that an equilibrium at the motion q needs
 //!
 //! ```text
 //! h(q) = Σ (μ |u_t,i| - u_n,i)₊ k_n,i (a_n,i - n·G_iᵀq)₊  >=  W·v
 //! ```
 //!
-//! Here a_n is the normal command (m), k_n the normal stiffness (N/m) and `( )₊` the positive part. With the v and q of the loss, the terms of opposed
-//! contacts balance as h grows with q, until one contact opens. The radius is the distance from q at which h could reach `W·v`.
+//! Here a_n is the normal command (m), k_n the normal stiffness (N/m) and `( )₊` the positive part. With the motion v of the loss and the motion q at
+//! the loss, the terms of opposed contacts balance as h grows with q, until one contact opens. `h` bounds the work of all contacts. The neighbourhood
+//! has the radius at which h could reach `W·v` first.
 
 mod applied_load;
 mod caught;

@@ -1,4 +1,4 @@
-//! A verdict as one row of a table of many verdicts: numbers and words, without lists and equilibria.
+//! A verdict as one row of a table of many verdicts: numbers and words, without contacts and equilibria.
 
 use core::fmt;
 
@@ -10,30 +10,30 @@ use crate::search::Doubt;
 use crate::serial::AsComputed;
 use crate::words::Words;
 
-/// The verdict on one of many loads, see [`Grasp::hold_batch`](crate::ask::Grasp::hold_batch).
+/// The verdict on one row of [`Grasp::hold_batch`](crate::ask::Grasp::hold_batch), a grasp with its load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct ShortVerdict {
-    /// The conclusion, as in [`Verdict::holding`].
+    /// The conclusion, as in [`Verdict::holding`], without contacts and proofs.
     pub how: How,
-    /// The load at the first slip, as a multiple of the load asked about; `None` where nothing slips as far as the load was followed.
+    /// The load factor of the first slip; `None` where every contact sticks as far as the load was followed.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub first_slip: Option<f64>,
-    /// Largest load factor reached with the load held and motions small; see [`Verdict::held_to`].
+    /// Largest load factor that is reached with the load held and motions small; see [`Verdict::held_to`].
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub held_to: f64,
-    /// Factor from which on every contact slides: gross slip. See [`Verdict::everything_slides`].
+    /// Load factor from which on every contact slides: gross slip. `None` as in [`Verdict::everything_slides`].
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub everything_slides: Option<f64>,
-    /// The motion with which the object leaves; `None` if the load is held as far as it was followed.
+    /// The verb for the loss, also for a loss beyond the whole load; `None` if the load is held as far as it was followed.
     pub motion: Option<LossVerb>,
-    /// The reason for a verdict that is undecided.
+    /// The reason why the verdict is undecided; `None` for every decided one.
     pub doubt: Option<Doubt>,
 }
 
-/// The conclusion of a verdict without its data; see [`Holding`].
+/// The conclusion of a verdict without the data of [`Holding`]: contacts, proof and doubt.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -41,46 +41,46 @@ pub struct ShortVerdict {
 pub enum How {
     /// The load is held, and every contact sticks; see [`Holding::Sticks`].
     Sticks,
-    /// The load is held, but contacts slide or have slid; see [`Holding::Slides`].
+    /// The load is held, but contacts slide or have slid before; see [`Holding::Slides`].
     Slides,
-    /// No contact carries a force; see [`Holding::Loose`].
+    /// No contact carries a force under the whole load; see [`Holding::Loose`].
     Loose,
-    /// Equilibrium is lost before the whole load is applied; see [`Holding::Lost`].
+    /// Equilibrium is lost, or motions cease to be small, before the whole load is applied; see [`Holding::Lost`].
     Lost,
-    /// The base load has no equilibrium, by a proof; see [`Holding::NoRest`].
+    /// The base load has no equilibrium, as a proof shows; see [`Holding::NoRest`].
     NoRest,
-    /// The grasp loses the base load as this load grows from zero; see [`Holding::LostAtRest`].
+    /// On a path on which the base load grows from zero, the grasp loses it; see [`Holding::LostAtRest`].
     LostAtRest,
-    /// The path could not be followed; see [`Holding::Undecided`].
+    /// The path could not be followed to the whole load; see [`Holding::Undecided`].
     Undecided,
 }
 
-/// The verb with which the sentence of a verdict says that a load is lost.
+/// The verb that begins the sentence about a lost load: the motion of the object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum LossVerb {
-    /// The object moves down, and no contact with friction holds it back.
+    /// The object moves down within 25° of the vertical, and no contact slides with it.
     Drops,
-    /// All contacts that touch open.
+    /// All contacts that touch open, and the object does not fall.
     LiftsOff,
-    /// The object moves and hardly turns, or everything slides until motions are no longer small.
+    /// The object, or every moving body, moves and hardly turns; or every contact slides until motions are no longer small.
     SlipsOut,
-    /// The object turns about contacts that stay in place, and other contacts open.
+    /// The object, or every moving body, turns about contacts that stay in place, and other contacts open.
     TipsOver,
-    /// The object turns about contacts, a point or an axis.
+    /// The object turns about contacts that stay in place without tipping over them, or about a point or an axis.
     TurnsOut,
     /// Suction cups lose their vacuum.
     LetsGo,
-    /// Several bodies move, or the motion is not determined.
+    /// Several bodies move, neither all sliding nor all tipping, or the motion is not determined.
     GivesWay,
-    /// Motions are no longer [small](crate::Settings::small_motions).
+    /// Motions are no longer [small](crate::Settings::small_motions), without gross slip before.
     GoesTooFar,
 }
 
 impl ShortVerdict {
-    /// The verdict where everything sticks up to the whole load.
+    /// The verdict where every contact sticks up to the whole load, and the path was not followed further.
     pub(crate) const fn sticks(first_slip: Option<f64>) -> Self {
         let (everything_slides, motion, doubt) = (None, None, None);
         Self { how: How::Sticks, first_slip, held_to: 1.0, everything_slides, motion, doubt }
@@ -123,7 +123,7 @@ impl<const C: usize> From<&Verdict<C>> for ShortVerdict {
 }
 
 impl<const C: usize> Lost<C> {
-    /// The verb for this loss; `words` has the space, plane or three-dimensional.
+    /// The verb for this loss; `words` has the space, plane or three-dimensional, for the vertical direction.
     pub(crate) fn verb(&self, words: Words) -> LossVerb {
         match &self.way_out {
             _ if self.too_far.is_some() => {
@@ -151,7 +151,7 @@ impl<const C: usize> Lost<C> {
     }
 }
 
-/// "SLIPS OUT", as the sentence of the verdict begins.
+/// Writes the verb as the sentence of the verdict begins: "SLIPS OUT".
 impl fmt::Display for LossVerb {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {

@@ -1,4 +1,4 @@
-//! The verdict on a load that is put on from rest.
+//! The verdict on a load that grows from zero beside the base load.
 
 use crate::equilibrium::{Equilibrium, NoEquilibrium, TooFar};
 use crate::grasp::{Motion, PartLabel, WholeContact, Wrench};
@@ -19,27 +19,28 @@ use crate::prelude::*;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Verdict<const C: usize> {
-    /// The base load, N and N m: it acts before `load` grows.
+    /// The base load, N and N m: it acts at load factor 0 already, before `load` grows.
     pub base: Wrench<C>,
-    /// The load that grows from 0 on top of `base`, N and N m.
+    /// The load that grows from 0 beside `base`, N and N m.
     pub load: Wrench<C>,
-    /// The conclusion: whether the whole load, factor 1, is held.
+    /// The conclusion: whether and how the whole load, factor 1, is held.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub holding: Holding<C>,
-    /// The first slip: the first contacts that stop sticking. `None` if every contact sticks as far as the load was followed.
+    /// The first slip: the first contacts that slide, open or would have to pull, and drives that give way. `None` if all contacts stick as far as
+    /// the load was followed.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub first_slip: Option<FirstSlip>,
-    /// The jumps up to the whole load after which the object is held: contacts begin to slide with lower
-    /// [kinetic friction](crate::grasp::Contact::kinetic), gaps close after a free motion, or the object snaps over to another equilibrium.
+    /// The jumps up to the whole load or the loss, in each of which the object is caught. Contacts begin to slide with lower [kinetic
+    /// friction](crate::grasp::Contact::kinetic), gaps close after a motion without resistance, or the object snaps over to another equilibrium.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub caught: Vec<Caught>,
-    /// Largest load factor reached with the load held and motions [small](crate::Settings::small_motions); 0 where the grasp does not hold the base
-    /// load.
+    /// Largest load factor that is reached with the load held and motions [small](crate::Settings::small_motions); 0 where the grasp does not hold
+    /// the base load.
     ///
     /// The load is followed only up to [`Settings::most_load`](crate::Settings::most_load), so this factor is no upper bound of the load that is held.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub held_to: f64,
-    /// Factor from which on every contact with friction and a normal force slides, without interruption, up to factor 1. If a contact sticks at
+    /// Load factor from which on every contact with friction and a normal force slides, without interruption, up to factor 1. If a contact sticks at
     /// factor 1, or the path ends before it, the range is up to the end of the path instead. Beyond this factor friction is exhausted, and normal
     /// forces must carry any further load. `None` if a contact sticks at factor 1 and at the end of the path.
     #[cfg_attr(
@@ -47,23 +48,22 @@ pub struct Verdict<const C: usize> {
         serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
     )]
     pub everything_slides: Option<f64>,
-    /// Geometric stiffness, which small motions neglect, relative to the resistance to the motion from rest to the whole load, or to the loss.
+    /// Geometric stiffness, which small motions neglect, divided by the resistance to the motion from the base load to the whole load, or to the
+    /// loss.
     ///
     /// With the contact forces F under the base load, their arms r and the rotation θ it is `Σ [(F·r) |θ|² - (F·θ)(r·θ)]` divided by the work `ΔW·q`
-    /// of the load. Below 0 the squeeze lowers the resistance as its arms turn with the object; at -1 or less no resistance is left.
-    ///
-    /// Or the largest fraction of the resistance to any motion that the forces under the whole load take, as a negative number, if that is worse and at
-    /// least a half: near -1 a strut buckles. `None` if neither is returned: the first needs a tenth, one object, and commands that do not change.
+    /// of the change of load over the motion q. Below 0 the squeeze lowers the resistance as its arms turn with the object; at -1 or less no
+    /// resistance is left. `None` if its size is at most a tenth, for several bodies, where commands or joints change, or without these equilibria.
     #[cfg_attr(
         feature = "serde",
         serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
     )]
     pub left_out: Option<f64>,
     /// The loss of equilibrium, or the end of [small motions](crate::Settings::small_motions), whichever comes first; its factor may exceed 1. `None`
-    /// if the load holds as far as it was followed.
+    /// if neither comes as far as the load was followed.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub lost: Option<Lost<C>>,
-    /// The equilibrium under the whole load, with the slips up to it; `None` where the whole load is not held.
+    /// The equilibrium under the whole load, with the slips up to it; `None` where the whole load is not reached with small motions.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub state: Option<Box<Equilibrium<C>>>,
 }
@@ -86,7 +86,7 @@ impl<const C: usize> Verdict<C> {
     }
 }
 
-/// The conclusion on a load. The load counts as held only while motions are [small](crate::Settings::small_motions).
+/// The conclusion of a verdict. The load counts as held only while motions are [small](crate::Settings::small_motions).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -98,46 +98,46 @@ impl<const C: usize> Verdict<C> {
 pub enum Holding<const C: usize> {
     /// The load is held, and every contact sticks up to the whole load.
     Sticks,
-    /// The load is held, but contacts slide under it, or have slid, opened or given way before.
+    /// The load is held, but contacts slide under it, or have slid, slipped in a jump, opened or given way before.
     Slides {
-        /// The contacts that slide or have slid.
+        /// The contacts that slide under the whole load or have slid before; contacts that only opened are not in it.
         contacts: Vec<WholeContact>,
     },
-    /// No contact carries a force: the object lies loose between the fingers, without a load.
+    /// No contact carries a force under the whole load: the object lies loose between the fingers.
     Loose,
     /// Equilibrium is lost before the whole load is applied, or motions cease to be small.
     Lost,
-    /// The grasp has no equilibrium even under the base load. The variant carries the proof.
+    /// The grasp has no equilibrium even under the base load. The variant carries the proof that there is none.
     NoRest(NoEquilibrium<C>),
     /// The grasp loses the base load as this load grows from zero together with the commands. A load path shows this loss; it is no proof as in
     /// [`Self::NoRest`].
     LostAtRest {
-        /// The loss; its factor is a multiple of the base load.
+        /// The loss; its factor is a multiple of the base load and the commands.
         at_rest: Box<Lost<C>>,
     },
-    /// The path could not be followed up to the whole load.
+    /// The path could not be followed up to the whole load, because of rounding or limits of the search.
     Undecided {
-        /// The reason why the path could not be followed.
+        /// The reason why the path could not be followed to the whole load.
         doubt: Doubt,
     },
 }
 
-/// The first contacts that stop sticking as the load grows, and their load factor.
+/// The first contacts and drives that leave their state as the load grows, and their load factor.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct FirstSlip {
-    /// The load at the first slip, as a multiple of the load asked about; 0 where a contact slides under the base load.
+    /// The load factor of the first slip; 0 where a contact slides under the base load.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub factor: f64,
-    /// Contacts that begin to slide.
+    /// Contacts that begin to slide; at factor 0 those that slide under the base load.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub slide: Vec<WholeContact>,
-    /// Contacts that open.
+    /// Contacts that begin to open at this load factor.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub open: Vec<WholeContact>,
-    /// Contacts that are kept closed by assumption, and would need a tensile normal force.
+    /// Contacts that are kept closed by assumption, and would need a tensile normal force from this factor on.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub would_pull: Vec<WholeContact>,
     /// Names of joints and tendons that reach their limit and give way.
@@ -151,41 +151,44 @@ pub struct FirstSlip {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Lost<const C: usize> {
-    /// The load at the loss, as a multiple of the load asked about.
+    /// The load factor at the loss.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub factor: f64,
-    /// The kind of loss.
+    /// The kind of loss: which condition of equilibrium fails.
     pub kind: LossKind,
-    /// The motion with which the object leaves.
+    /// The motion with which the object leaves; [`WayOut::NotKnown`] at the end of small motions.
     pub way_out: WayOut<C>,
     /// The rotation, slip or opening that exceeds the limit of small motions; `None` where equilibrium is lost.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub too_far: Option<TooFar>,
-    /// Contacts that slide at the loss.
+    /// Contacts that slide at the loss; of several bodies only those whose two surfaces move relative to each other.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub slide: Vec<WholeContact>,
-    /// Whether all contacts that press slide: gross slip. At the end of small motions, whether [`Verdict::everything_slides`] is given.
+    /// Whether all contacts that press slide: gross slip. At the end of small motions, whether [`Verdict::everything_slides`] is given and no link
+    /// carries a force.
     pub is_gross_slip: bool,
-    /// Whether the object is lost at the first slip: [kinetic friction](crate::grasp::Contact::kinetic) is lower, and nothing catches the object.
+    /// Whether the object is lost at the first slip, because some contact has a lower [kinetic friction](crate::grasp::Contact::kinetic).
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub falls_at_once: bool,
-    /// The multiple of the load that would be held with kinetic friction from the start. `None` unless it is below `factor` and kinetic friction is
-    /// lower.
+    /// The load factor up to which the grasp would hold with kinetic friction from the start. `None` unless it is below `factor` and some kinetic
+    /// friction is lower.
     #[cfg_attr(
         feature = "serde",
         serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
     )]
     pub then_takes: Option<f64>,
-    /// Joints and tendons of a hand that have reached their limit.
+    /// Joints and tendons of a hand that have reached their limit at the loss.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub drives: Vec<PartLabel>,
-    /// The unit motion with which the object leaves; `None` where it is not determined.
+    /// The unit motion of all bodies with which the object leaves; `None` where it is not determined, suction cups let go, or motions cease to be
+    /// small.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub motion: Option<Motion<C>>,
-    /// The last equilibrium, at the loss; `None` where it could not be computed, and for a loss of the base load.
+    /// The last equilibrium, at the loss; `None` where it could not be computed, for a loss of the base load, and in brief verdicts.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub state: Option<Box<Equilibrium<C>>>,
-    /// Proof that no equilibrium under the whole load exists near the loss. `None` where the whole load is held, or no proof was found.
+    /// Proof that no equilibrium under the whole load exists near the loss. `None` where the whole load is held, suction cups let go, or no proof was
+    /// found.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub nothing_near: Option<NothingNear>,
 }
@@ -193,16 +196,16 @@ pub struct Lost<const C: usize> {
 /// Proof that no equilibrium under the whole load exists near the loss, whatever contacts have slipped.
 ///
 /// From the state of the loss, the centroid of the contact points may move by up to `translation`, and the object may turn by up to `rotation`. The
-/// joints of a hand may move their contacts by up to `translation`, too. The bound includes the rounding of its sums.
+/// joints of a hand may move their contacts by up to `translation`, too. Both numbers include the rounding of the sums in the proof.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct NothingNear {
-    /// Largest displacement covered, m; infinite where no equilibrium exists at all.
+    /// Largest displacement from the state of the loss that is covered, m; infinite where no equilibrium exists at all.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub translation: f64,
-    /// Largest rotation covered, rad.
+    /// Largest rotation from the state of the loss that is covered, rad.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub rotation: f64,
 }

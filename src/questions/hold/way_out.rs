@@ -1,4 +1,4 @@
-//! The motion of a loss in everyday words: the object slides out, tips over, lifts off or turns.
+//! The motion of a loss in everyday words: the object lifts off, slides out, tips over or turns, or several bodies move apart.
 
 use nalgebra::SVector;
 
@@ -10,11 +10,11 @@ use crate::prelude::*;
 use crate::serial::AsComputed;
 use crate::words::Words;
 
-/// Speed, relative to the fastest contact, below which a contact counts as fixed and a rotation as zero. It only chooses the name of a motion: a larger
-/// fraction calls slow contacts fixed, a smaller one finds no contact to tip over.
+/// Speed, relative to the fastest contact, body or rotation, below which a contact counts as fixed and a rotation as zero. It only chooses the name
+/// of a motion. A larger fraction calls slow contacts fixed; a smaller one finds no contact to tip over.
 const STANDS: f64 = 0.05;
 
-/// The kind of motion with which an object leaves, in everyday words.
+/// The kind of motion with which an object leaves at a loss, in everyday words.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -24,26 +24,26 @@ const STANDS: f64 = 0.05;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum WayOut<const C: usize> {
-    /// All contacts that touch open.
+    /// All contacts that touch open: their points move away from the finger by more than 45° above its surface.
     LiftsOff {
         /// Unit direction in which the centroid of the contacts moves.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
-    /// The object moves and hardly turns: rotation moves its contacts by at most a twentieth of the translation.
+    /// The object moves and hardly turns: the rotation moves no contact by more than a twentieth of the displacement of their centroid.
     SlidesOut {
-        /// Unit direction of the translation.
+        /// Unit direction in which the centroid of the contacts moves.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
     /// The object turns about contacts that stay in place, and other contacts open.
     TipsOver {
-        /// The contacts that stay in place.
+        /// The contacts that stay in place; of a soft fingertip the points that stay.
         about: Vec<WholeContact>,
-        /// The contacts that open.
+        /// The contacts that open, also those that were open and move away.
         opens: Vec<WholeContact>,
     },
-    /// The object turns about contacts that stay in place, and other contacts slide.
+    /// The object turns about contacts that stay in place; no other contact opens, so that the others slide or stay.
     TurnsAbout {
         /// The contacts that stay in place; in space two of them define the axis.
         about: Vec<WholeContact>,
@@ -53,34 +53,34 @@ pub enum WayOut<const C: usize> {
         /// Point of the axis nearest to the contacts that touch, m. In the plane it is fixed; in space it moves at most along the axis.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         centre: SVector<f64, C>,
-        /// Unit vector along the axis; zero in the plane.
+        /// Unit vector along the axis of rotation; zero in the plane.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         axis: SVector<f64, C>,
     },
-    /// Several bodies move.
+    /// One or several of the bodies of a grasp with several bodies move.
     Apart {
-        /// The bodies that move, each with its own motion.
+        /// The bodies that move at the loss, each with its own motion.
         bodies: Vec<BodyWay<C>>,
     },
-    /// The lips of suction cups are open all around: their vacuum is gone.
+    /// The lips of suction cups are open all around, so that their vacuum is lost.
     LetsGo {
-        /// The cups without vacuum.
+        /// The cups that have lost their vacuum.
         cups: Vec<WholeContact>,
     },
-    /// The motion is not determined.
+    /// The motion of the object at the loss is not determined.
     NotKnown,
 }
 
-/// One of several bodies and its motion: [`WayOut::SlidesOut`] or [`WayOut::Turns`]. Bodies that all move as one may also tip over or turn about
-/// contacts.
+/// One of several bodies and its motion: [`WayOut::SlidesOut`], [`WayOut::Turns`] or [`WayOut::NotKnown`]. If all moving bodies move as one rigid
+/// body, they may also tip over or turn about contacts.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct BodyWay<const C: usize> {
-    /// Name of the body.
+    /// Name of the body that moves.
     pub body: String,
-    /// Motion of the body.
+    /// Kind of this body's motion at the loss, with its direction, axis or contacts.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub way: WayOut<C>,
 }
@@ -94,14 +94,16 @@ impl BodyWay<3> {
     }
 }
 
-/// [`WayOut::SlidesOut`] along this displacement, if the displacement `spin` of contacts by the rotation is negligible beside it; otherwise `None`.
+/// [`WayOut::SlidesOut`] along this displacement if the displacement `spin` of contacts by the rotation is at most [`STANDS`] times as long; else
+/// `None`.
 fn slides_out(along: &SVector<f64, 3>, spin: f64) -> Option<WayOut<3>> {
     let direction = || along.try_normalize(0.0);
     (spin <= STANDS * along.norm())
         .then(|| direction().map_or(WayOut::NotKnown, |direction| WayOut::SlidesOut { direction }))
 }
 
-/// The everyday name of the motion with which the object leaves. `touches` is true for contacts that still touch; they decide between the names.
+/// The everyday name of the motion with which the object leaves. `touches` is true for contacts that still touch: only they can lift off or be tipped
+/// over.
 pub(super) fn way_out(
     engine: &Engine,
     motion: Option<&Motion<3>>,
@@ -121,8 +123,8 @@ pub(super) fn way_out(
         other.speed() <= STANDS * fastest
     };
     if motion.bodies.iter().filter(|body| moves(body)).all(as_the_first) {
-        // The moving bodies move as one, so contacts between two of them do not matter. Only contacts with bodies that do not move decide on the
-        // name.
+        // The moving bodies move as one, so contacts between two of them do not matter. Only their contacts with the ground, fingers and bodies at
+        // rest decide the name.
         let is_one_of_them = |body: usize| moves(&motion.bodies[body]);
         let sign = |i: usize| {
             let (on, against) = (is_one_of_them(sides[i].0), sides[i].1.is_some_and(is_one_of_them));
@@ -138,7 +140,7 @@ pub(super) fn way_out(
     WayOut::Apart { bodies }
 }
 
-/// Whether the two surfaces of a contact move relative to each other, faster than [`STANDS`] times the fastest body.
+/// Whether the two surfaces of a contact move relative to each other at its point, faster than [`STANDS`] times the fastest body.
 pub(super) fn comes_apart(
     contact: &Contact<3>,
     (on, against): (usize, Option<usize>),
@@ -155,8 +157,8 @@ fn difference(a: &Twist<3>, b: &Twist<3>) -> Twist<3> {
     Twist::from_components(&components)
 }
 
-/// The name of the motion of an object with this twist, from the contacts that touch it. `sign` is 1 for a contact whose normal points into the object,
-/// -1 for one whose normal points out of it, and 0 for contacts of other objects.
+/// The name of the motion of an object with this twist, from the contacts that touch it. `sign` is 1 for a contact whose normal points into the
+/// object, -1 for one whose normal points out of it. It is 0 for contacts between other bodies and within the object.
 fn seen_from(
     engine: &Engine,
     twist: &Twist<3>,
@@ -180,7 +182,7 @@ fn seen_from(
     let spin = summed(&twist.components()[3..], &|x| x * x).sqrt() * reach;
     let fastest = spin.max(largest(&touching, &|part| moves[*part].norm()));
     let stays = |part: &WholeContact| moves[part.contact].norm() <= STANDS * fastest;
-    // A velocity v leads away from the finger if it is more than 45° above its surface.
+    // A velocity v leads away from the finger if it is more than 45° above the finger's surface, which has the normal n.
     let goes_away = |v: &SVector<f64, 3>, n: &SVector<f64, 3>| v.dot(n) > 0.5f64.sqrt() * v.norm() * n.norm();
     let opens = |part: &WholeContact| {
         let may_open = contacts[parts[part.contact].range.start].hold == Hold::Unilateral;
@@ -210,17 +212,17 @@ fn seen_from(
         }
         return turns(twist, (&centre, &along), reach);
     }
-    // Contacts that were open before and move away count as opening, too.
+    // Contacts that do not touch but move away from their finger count as opening, too.
     let mut opening = parts.with(&|i| sign(i) != 0.0);
     opening.retain(opens);
     let opens = opening;
-    // Only an opening contact makes a motion tip: a door whose cable goes slack turns about its hinge.
+    // Only an opening contact that is no link makes a motion tip: a door whose cable goes slack turns about its hinge.
     let tips = opens.iter().any(|part| part.link.is_none());
     if tips { WayOut::TipsOver { about, opens } } else { WayOut::TurnsAbout { about } }
 }
 
-/// The rotation of a twist, with the point of its axis nearest to `near`, whose displacement is `moves`. Coordinates at the size of rounding, relative
-/// to the `reach` of the contacts, become zero.
+/// [`WayOut::Turns`] for a twist, with the point of its axis nearest to the point `near`, which moves by `moves`. Coordinates within rounding of
+/// lengths like `reach` become zero. `NotKnown` if the axis is not finite.
 fn turns(twist: &Twist<3>, (near, moves): (&SVector<f64, 3>, &SVector<f64, 3>), reach: f64) -> WayOut<3> {
     let (_, rotation) = twist.parts();
     let rounding = SOLVED_ROUNDING * (reach + near.norm());
@@ -231,10 +233,10 @@ fn turns(twist: &Twist<3>, (near, moves): (&SVector<f64, 3>, &SVector<f64, 3>), 
 }
 
 impl<const C: usize> WayOut<C> {
-    /// Whether the object falls: it moves down, against the last axis, and no contact with friction holds it back.
+    /// Whether the object falls: it moves within 25° of the negative last axis, which is down, and no contact slides.
     pub(super) fn falls(&self, slide: &[WholeContact], words: Words) -> bool {
         let (Self::LiftsOff { direction } | Self::SlidesOut { direction }) = self else { return false };
-        // A motion within 25° of the vertical is called a fall.
+        // A direction with a last component below -0.9 is within 25° of the vertical and counts as a fall.
         slide.is_empty() && direction[words.space::<C>().axes() - 1] < -0.9
     }
 }

@@ -1,4 +1,4 @@
-//! The motion of a loss as part of a sentence.
+//! The motion of a loss as a clause of the verdict's sentence.
 
 use alloc::borrow::Cow;
 use core::fmt;
@@ -32,7 +32,7 @@ impl<const C: usize> fmt::Display for WayOut<C> {
     }
 }
 
-/// The motions of several bodies, grouped by motion: "wedge moves along −x, block and lid turn about (0.1, 0) m".
+/// The clause about the motions of several bodies, grouped by motion: "wedge moves along −x, block and lid turn about (0.1, 0) m".
 fn body_motions_text<const C: usize>(bodies: &[BodyWay<C>], words: Words) -> String {
     let mut ways: Vec<(String, &WayOut<C>, Vec<Cow<'_, str>>)> = Vec::new();
     for BodyWay { body, way } in bodies {
@@ -53,7 +53,7 @@ fn body_motions_text<const C: usize>(bodies: &[BodyWay<C>], words: Words) -> Str
 }
 
 impl<const C: usize> WayOut<C> {
-    /// The verb of one body or of several that slide or turn: "moves along −x", "turn about (0.1, 0) m".
+    /// The verb clause for the motion of one body or of several bodies: "moves along −x", "turn about (0.1, 0) m".
     fn motion_text(&self, words: Words, are_several: bool) -> String {
         let ending = if are_several { "" } else { "s" };
         match self {

@@ -1,4 +1,4 @@
-//! The sentence of a verdict, as one would say it to a colleague.
+//! The sentence of a verdict on a load, as one would say it to a colleague.
 
 use alloc::borrow::Cow;
 use core::fmt;
@@ -13,7 +13,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 use crate::words::{LinkKind, MOST_NAMES, Words, listed, open, opens, printable};
 
-/// Appended to a sentence about a motion beyond the limits of small motions.
+/// Appended to the sentence where motions pass the limit of small motions.
 const NO_LONGER_SMALL: &str = "; beyond this, results for small motions no longer apply";
 
 impl<const C: usize> fmt::Display for Verdict<C> {
@@ -37,7 +37,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                         write!(f, ", but {first} from {} of it on", words.number(first.factor))?;
                     }
                     _ if contacts.is_empty() => {}
-                    // A contact that closes and slides only later is no first slip, but the sentence names it here.
+                    // A contact that closes and slides only later is no first slip, but this sentence names it, too.
                     _ => write!(f, ", but {}", does(contacts, "slides", "slide"))?,
                 }
                 self.catches(f)?;
@@ -102,7 +102,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
 }
 
 impl<const C: usize> Verdict<C> {
-    /// The sentence of a load that is lost: the load at the loss and the motion.
+    /// The sentence about a load that is lost: the verb, the load at the loss, the jumps before it and the motion.
     fn write_loss(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, digits) = (Words::of(f), Words::of(f).precision());
         let Some(lost) = &self.lost else { return f.write_str("LOST") };
@@ -124,7 +124,8 @@ impl<const C: usize> Verdict<C> {
         write!(f, ": {lost:.digits$}")
     }
 
-    /// The sentence of a load that ends small motions. It names gross slip if that comes before, otherwise the motion that is too large.
+    /// The sentence where motions cease to be small. It begins with gross slip if that comes before; the motion that is too large follows in either
+    /// case.
     fn write_small_motion_limit(
         &self,
         lost: &Lost<C>,
@@ -137,7 +138,8 @@ impl<const C: usize> Verdict<C> {
             _ if lost.factor <= NEGLIGIBLE => {
                 write!(f, "GOES TOO FAR at rest already: {far:.digits$}{NO_LONGER_SMALL}")
             }
-            // Gross slip within 1 % of the limit counts as the same event. A larger fraction would hide how far the object is held after gross slip.
+            // Gross slip within 1 % of the load at which motions cease to be small counts as the same event. A larger fraction would hide how far the
+            // object is held after gross slip.
             Some(all) if all >= lost.factor * (1.0 - 0.01) => {
                 let from = amount(lost.factor);
                 write!(
@@ -161,13 +163,13 @@ impl<const C: usize> Verdict<C> {
         }
     }
 
-    /// Whether this load factor is beyond the first slip, and the path continues beyond this factor.
+    /// Whether this load factor is beyond the first slip, and the load is held to a larger factor.
     fn continues_beyond(&self, factor: f64) -> bool {
         self.held_to > factor * (1.0 + NEGLIGIBLE)
             && self.first_slip.as_ref().is_none_or(|first| factor > first.factor * (1.0 + NEGLIGIBLE))
     }
 
-    /// The multiples of the load up to the first slip and to the loss.
+    /// Writes the multiples of the load up to the first slip and to the loss, or up to the load to which the path was followed.
     fn margins(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, lost) = (Words::of(f), self.lost.as_ref().map(|lost| lost.factor));
         let until = self.lost.as_ref().map_or(Cow::Borrowed(""), Lost::until);
@@ -196,7 +198,7 @@ impl<const C: usize> Verdict<C> {
         }
     }
 
-    /// The pull of straps and ropes under the whole load, which their user has to choose: "; strap pulls with 2668 N".
+    /// Writes the pull of each strap or rope under the whole load: "; strap pulls with 2668 N". Nothing if there are more than [`MOST_NAMES`].
     fn cables(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let all = self.state.iter().flat_map(|state| &state.contacts);
         let cables: Vec<_> = all.filter(|one| one.contact.link == Some(LinkKind::Cable)).collect();
@@ -207,7 +209,7 @@ impl<const C: usize> Verdict<C> {
         })
     }
 
-    /// Writes the clause about jumps in which the object slips and is caught.
+    /// Writes the clause about jumps in which the object slips and is caught; nothing without jumps.
     fn catches(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         Caught::write_clause(
             &self.caught,
@@ -217,12 +219,12 @@ impl<const C: usize> Verdict<C> {
         )
     }
 
-    /// Whether no load is put on.
+    /// Whether the load that grows is zero.
     fn has_no_load(&self) -> bool {
         self.load == Wrench::ZERO
     }
 
-    /// A multiple of the load, in newtons or newton metres first: "8 N (1.6 times this load)".
+    /// A multiple of the load, in newtons or newton metres first if it is a single force or moment: "8 N (1.6 times this load)".
     fn times(&self, factor: f64, of: &str, words: Words) -> String {
         let times = format!("{} times{of}", words.number(factor));
         match self.load.measure() {
@@ -231,14 +233,14 @@ impl<const C: usize> Verdict<C> {
         }
     }
 
-    /// The whole load: "950 N".
+    /// The size of the whole load: "950 N", or "the load" if no single number describes it.
     fn whole(&self, words: Words) -> String {
         let size = self.load.measure().map(|(size, unit)| format!("{} {unit}", words.number(size)));
         let beside = if self.base == Wrench::ZERO { "" } else { " beside the load at rest" };
         format!("{}{beside}", size.as_deref().unwrap_or("the load"))
     }
 
-    /// A part of the load: in newtons where it is a force, in newton metres where it is a moment, else as a fraction.
+    /// A fraction of the whole load: "8 N of 10 N" where it is a force, in N m where it is a moment, else "0.8 of it".
     fn part(&self, factor: f64, words: Words) -> String {
         match self.load.measure() {
             Some(_) => format!("{} of {}", amount_of(self.load.measure(), factor, words), self.whole(words)),
@@ -247,7 +249,7 @@ impl<const C: usize> Verdict<C> {
     }
 }
 
-/// A multiple of a load of this size and unit: "7.5 N", or "0.5 of it" for a load that no single number describes.
+/// The load factor times the magnitude of a load, with its unit: "7.5 N", or "0.5 of it" for a load that no single number describes.
 pub(super) fn amount_of(size: Option<(f64, &str)>, factor: f64, words: Words) -> String {
     match size {
         Some((size, unit)) => format!("{} {unit}", words.number(size * factor)),
@@ -266,7 +268,7 @@ impl FirstSlip {
     }
 }
 
-/// "left and right slide, thumb opens".
+/// Writes the contacts and drives of the first slip with their verbs: "left and right slide, thumb opens".
 impl fmt::Display for FirstSlip {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let give_way: Vec<_> = mapped(&self.give_way, &|name| printable(name));
@@ -289,7 +291,8 @@ impl fmt::Display for FirstSlip {
 }
 
 impl<const C: usize> Lost<C> {
-    /// The event up to which the verdict counts the load: "it is lost", "it turns by more than 5.7°".
+    /// The event that ends the range of load factors held: "it is lost", or at the end of small motions without gross slip "it turns by more than
+    /// 5.7°".
     fn until(&self) -> Cow<'static, str> {
         match &self.too_far {
             Some(far) if !self.is_gross_slip => far.to_string().into(),
@@ -298,7 +301,7 @@ impl<const C: usize> Lost<C> {
     }
 }
 
-/// Writes the motion with which the object leaves, the contacts that slide, and whether that is gross slip.
+/// Writes the motion with which the object leaves, the contacts that slide, and whether the loss is gross slip.
 impl<const C: usize> fmt::Display for Lost<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let digits = Words::of(f).precision();
@@ -314,7 +317,7 @@ impl<const C: usize> fmt::Display for Lost<C> {
     }
 }
 
-/// "no equilibrium under the whole load within 12 mm and 22.9° of this position": "this position" is that of the object at the loss.
+/// Writes the proof: "no equilibrium under the whole load within 12 mm and 22.9° of this position", the object's position at the loss.
 impl fmt::Display for NothingNear {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("no equilibrium under the whole load")?;
@@ -333,7 +336,7 @@ impl fmt::Display for NothingNear {
     }
 }
 
-/// "left opens", "left and right open, rope goes slack".
+/// Names of contacts and links with the verb for opening: "left opens", "left and right open, rope goes slack".
 pub(super) fn they_open(parts: &[WholeContact]) -> String {
     let (ropes, contacts): (Vec<_>, Vec<_>) = parts.iter().cloned().partition(|part| part.link.is_some());
     let clauses = [contacts, ropes].into_iter().filter_map(|list| {

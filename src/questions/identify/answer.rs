@@ -7,47 +7,48 @@ use crate::prelude::*;
 use crate::serial::AsComputed;
 use crate::sweep::Uncertainty;
 
-/// The unknown data of a grasp that observed slips determine; its [`Display`](std::fmt::Display) is a sentence.
+/// The estimates of unknown data of a grasp from observed slips, with their errors; its [`Display`](std::fmt::Display) is a sentence.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Identified {
-    /// The unknowns, in the order of the question.
+    /// The estimates of the unknowns, in the order of the question.
     pub estimates: Vec<Estimate>,
-    /// How the search for the unknowns ended.
+    /// How the search for the unknowns ended: converged, out of steps, or with a slip that the model does not predict.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub ending: Ending,
-    /// Number of slips from which the unknowns are estimated.
+    /// Number of observed slips from which the unknowns are estimated.
     pub slips: usize,
-    /// Number of groups of slips that may share errors; `None` if all slips are independent.
+    /// Number of groups of slips that may share errors; `None` if the slips have no groups.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub groups: Option<usize>,
-    /// The estimated relative scatter of loads or angles. `None` if it was given, or if there are as many unknowns as slips.
+    /// The estimated relative scatter of loads or angles. `None` if it was given, or if there are no more observations than they determine
+    /// combinations of unknowns.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub scatter: Option<f64>,
-    /// Root mean square of the residuals over the given scatter; `None` if the scatter was not given. If it is much more than one, the model is
+    /// Root mean square of the residuals divided by the given scatter; `None` if the scatter was not given. If it is much more than one, the model is
     /// wrong, or the given scatter too small.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub misfit: Option<f64>,
     /// Number of observations (slips and known sums) minus the number of independent combinations of unknowns that they determine.
     pub degrees_of_freedom: usize,
-    /// Combinations of unknowns that the slips do not determine.
+    /// Combinations of unknowns along which no predicted slip changes, so that the slips do not determine them.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free: Vec<FreeCombination>,
-    /// If several assignments of slips to unknowns fit equally well, the estimates of each, the best first. Assignments differ in which contact slips
-    /// first. Empty if only one assignment fits.
+    /// If several assignments of slips to unknowns fit equally well, the estimates of all unknowns in each, the best first. Assignments differ in
+    /// which contact slips first. Empty if only one assignment fits.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub assignments: Vec<Vec<Estimate>>,
     /// Logarithm of the observed over the predicted load or angle, slip by slip; empty if the model does not predict some slip.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Vec<f64>>"))]
     pub residuals: Vec<f64>,
-    /// The weight of each slip: less than 1 if its residual is large.
+    /// The weight of each slip in the search: 1, or less if its residual is large.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Vec<f64>>"))]
     pub weights: Vec<f64>,
-    /// Number of slips whose derivatives are differences of exact answers instead of exact derivatives.
+    /// Number of slips whose derivatives by the unknowns are difference quotients of predictions instead of exact.
     pub by_differences: usize,
-    /// Number of steps of the search.
+    /// Number of steps of the search from the first starting point to the estimates.
     pub iterations: usize,
 }
 
@@ -61,19 +62,19 @@ pub struct Estimate {
     pub name: String,
     /// The kind of the unknown: a coefficient of friction, a force in N, or a factor on the given value.
     pub kind: UnknownKind,
-    /// The estimate; one of many possible values if the slips do not determine the unknown.
+    /// The estimate; if the slips do not determine the unknown, one of many values that fit as well.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub value: f64,
-    /// Whether the slips determine the unknown.
+    /// Whether the slips determine the unknown: not too loosely for an error to be given, and alike in all [`Identified::assignments`].
     pub is_fixed: bool,
-    /// The standard error of the estimate; `None` if the slips do not determine the unknown, or if their scatter is not known.
+    /// The standard error of the estimate, in its unit; `None` if the slips do not determine the unknown, or if their scatter is not known.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub standard_error: Option<f64>,
-    /// The confidence interval of 95 %; `None` without a standard error.
+    /// The confidence interval of 95 % for the unknown; `None` without a standard error.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub interval: Option<[f64; 2]>,
     /// The degrees of freedom of Student's distribution in the interval; `None` if the distribution is normal, or if there is no interval. If slips
-    /// share errors in groups, they count the groups rather than the slips; few degrees of freedom make the interval wide.
+    /// share errors in groups, the number of groups counts rather than that of slips; few degrees of freedom make the interval wide.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub degrees_of_freedom: Option<f64>,
 }
@@ -88,31 +89,31 @@ pub struct Estimate {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Ending {
-    /// No point nearby fits the slips better than the estimates.
+    /// The estimates minimise the loss: no step nearby decreases it by more than rounding.
     Converged,
     /// The limit of steps was reached before convergence, so the estimates are not final.
     NotConverged {
-        /// The limit of steps.
+        /// The limit of steps of the search.
         iterations: usize,
     },
-    /// The model does not predict a slip at the start of the search, or where the search had to stop.
+    /// The model predicts no load for one slip, at the start of the search or beside the point where the search had to stop.
     NotPredicted {
-        /// The number of the slip, from 0.
+        /// The number of the slip for which the model predicts no load, from 0.
         slip: usize,
-        /// The reason why the model predicts no slip.
+        /// The reason why the model predicts no load for this slip, as a clause.
         says: String,
     },
 }
 
 impl Identified {
-    /// The largest relative decrease from an estimate to the low end of its interval, among all coefficients of friction; 0 if no interval is known.
-    /// It is the argument of [`Need::if_lower_by`](crate::need::Need::if_lower_by).
+    /// The largest relative decrease from an estimated coefficient of friction to the low end of its interval; 0 if no interval is known. It is the
+    /// argument of [`Need::if_lower_by`](crate::need::Need::if_lower_by).
     #[must_use]
     pub fn friction_less(&self) -> f64 {
         self.less(UnknownKind::Friction)
     }
 
-    /// The largest relative decrease from an estimated squeeze to the low end of its interval; 0 if no interval is known.
+    /// The largest relative decrease from an estimated squeeze factor to the low end of its interval; 0 if no interval is known.
     #[must_use]
     pub fn squeeze_less(&self) -> f64 {
         self.less(UnknownKind::Squeeze)

@@ -17,22 +17,22 @@ use crate::error::Error;
 use crate::numerics::{Each, IntoList, two_sided};
 use crate::prelude::*;
 
-/// From one fit at most this many pairs of unknowns are exchanged: all pairs of five unknowns.
+/// From one fit at most this many pairs of unknowns exchange their values: all pairs of five unknowns.
 const MOST_PAIRS: usize = 10;
-/// After an exchange the smaller unknown is halved until other slips depend on it, down to a sixteenth of its value.
+/// After an exchange, this many values of the smaller unknown are tried: its value, then halved each time, down to a sixteenth.
 const MOST_HALVINGS: u8 = 5;
-/// Between two points at which slips depend on different unknowns, at most this many bisections look for a third assignment.
+/// Between two points at which slips depend on different unknowns, a third assignment is sought by at most this many bisections.
 const MOST_BISECTIONS: usize = 4;
-/// Limits of the work: the number of fits that are compared, and the number of points at which all slips are predicted in order to find other
+/// Limits of the work: the number of fits, and in the next constant the number of points at which all slips are predicted in order to find other
 /// assignments.
 const MOST_FITS: usize = 12;
 const MOST_LOOKS: usize = 240;
 
-/// At equal friction, for example, two contacts slip at once. The predictions then have a kink and no derivatives. To evaluate them beside the kink,
+/// At equal friction, for example, two contacts slip at once. The predictions then have a kink and no derivatives. To evaluate them beside this kink,
 /// the logarithm of one unknown is changed by this step.
 const BESIDE_A_KINK: f64 = 1e-3;
 
-/// The search for other assignments. Each fit that is found is a starting point for further exchanges.
+/// The search for other assignments of slips to unknowns. Each fit found is a starting point for further exchanges.
 struct Assignments<'a> {
     model: &'a Model<'a>,
     fits: Vec<Fitted>,
@@ -40,8 +40,8 @@ struct Assignments<'a> {
 }
 
 impl Assignments<'_> {
-    /// The predictions of all slips at these logarithms of the unknowns. `None` if the model does not predict some slip, or a limit of the work is
-    /// reached.
+    /// The predictions of all slips and their derivatives, at these logarithms of the unknowns. `None` if the model does not predict some slip, or a
+    /// limit of the work is reached.
     fn evaluate(&mut self, logs: &[f64]) -> Result<Option<Linear>, Error> {
         if self.looks == MOST_LOOKS || self.fits.len() == MOST_FITS {
             return Ok(None);
@@ -54,7 +54,8 @@ impl Assignments<'_> {
         self.fits.iter().any(|fit| fit.linear.as_ref().is_some_and(|known| same_assignment(known, linear)))
     }
 
-    /// Starts a fit at this point if its assignment is new. Returns whether the assignment is new.
+    /// Starts a search from this point if its assignment is new, and keeps the fit if its assignment is new, too. Returns whether the point's
+    /// assignment is new.
     fn fit(&mut self, begin: Vec<f64>, linear: Linear) -> Result<bool, Error> {
         if self.is_known(&linear) {
             return Ok(false);
@@ -67,8 +68,8 @@ impl Assignments<'_> {
         Ok(true)
     }
 
-    /// Searches between two points for a third assignment and starts a fit there. As one unknown falls from one point to the other, slips begin to
-    /// depend on it one after the other.
+    /// Searches by bisection between two points for a third assignment, and starts a search for a fit there. As one unknown falls from one point to
+    /// the other, slips begin to depend on it one after the other.
     fn between(&mut self, mut low: Vec<f64>, mut high: Vec<f64>, ends: [&Linear; 2]) -> Result<(), Error> {
         for _ in 0..MOST_BISECTIONS {
             let middle: Vec<f64> = low.iter().zip(&high).map(|(a, b)| 0.5 * (a + b)).list();
@@ -85,7 +86,8 @@ impl Assignments<'_> {
         Ok(())
     }
 
-    /// Exchanges two unknowns of the fit at index `at`, then halves the smaller one until other slips depend on it, and starts a fit there.
+    /// Exchanges the values of two unknowns of the fit at index `at`, then halves the smaller one until slips depend on other unknowns, and starts
+    /// searches for fits there.
     fn weaken(&mut self, at: usize, pair: (usize, usize)) -> Result<(), Error> {
         let Some(mut before) = self.fits[at].linear.clone() else { return Ok(()) };
         let mut from = self.fits[at].logs.clone();
@@ -104,7 +106,7 @@ impl Assignments<'_> {
     }
 }
 
-/// The answer of the best fit, with the estimates of all assignments that fit as well.
+/// The answer of the best fit, with the estimates of all assignments that fit equally well.
 pub(super) fn assigned(model: &Model<'_>, first: Fitted) -> Result<Identified, Error> {
     let mut search = Assignments { model, fits: vec![first], looks: 0 };
     let mut at = 0;
@@ -126,7 +128,7 @@ pub(super) fn assigned(model: &Model<'_>, first: Fitted) -> Result<Identified, E
     let (best, others) = fits.split_at(1);
     let mut as_good: Vec<&Fitted> = vec![&best[0]];
     as_good.extend(others.iter().filter(|other| !fits_better(model, &best[0], other)));
-    // A fit at which two contacts slip at once lies on the kink between two assignments. Such a fit is left out if others fit as well.
+    // A fit at which two contacts slip at once lies on the kink between two assignments. Such fits are left out if several others fit as well.
     let mut beside: Vec<&Fitted> = Vec::new();
     for fit in &as_good {
         let mut is_on_a_kink = false;
@@ -145,7 +147,7 @@ pub(super) fn assigned(model: &Model<'_>, first: Fitted) -> Result<Identified, E
     Ok(united(first, &answers.list()))
 }
 
-/// The logarithms of a fit after two unknowns have exchanged values: `weak` has the smaller one, divided by 2 to the power `halved`.
+/// The logarithms of the unknowns of a fit after two have exchanged values: `weak` has the smaller value, divided by 2 to the power `halved`.
 fn weakened(model: &Model<'_>, logs: &[f64], (weak, strong): (usize, usize), halved: u8) -> Vec<f64> {
     let unknowns = &model.asked.unknowns;
     let (low, high) = (logs[weak].min(logs[strong]), logs[weak].max(logs[strong]));
@@ -153,7 +155,7 @@ fn weakened(model: &Model<'_>, logs: &[f64], (weak, strong): (usize, usize), hal
     begin[strong] = high;
     begin[weak] = low;
     for k in (0..begin.len()).filter(|k| *k != weak) {
-        // Another unknown as small as `weak` is doubled; otherwise its contact would slip together with that of `weak`.
+        // Another unknown of this kind that is as small as `weak` is doubled; else its contact would slip together with that of `weak`.
         if (begin[k] - low).abs() <= INDISTINCT && unknowns[k].kind == unknowns[weak].kind {
             begin[k] = low + LN_2;
         }
@@ -162,7 +164,7 @@ fn weakened(model: &Model<'_>, logs: &[f64], (weak, strong): (usize, usize), hal
     begin
 }
 
-/// All pairs of unknowns of one kind, such as two coefficients of friction.
+/// All pairs of unknowns of the same kind, such as two coefficients of friction, as indices.
 fn pairs_of(model: &Model<'_>) -> Vec<(usize, usize)> {
     let unknowns = &model.asked.unknowns;
     let mut pairs = Vec::new();
@@ -176,9 +178,9 @@ fn pairs_of(model: &Model<'_>) -> Vec<(usize, usize)> {
     pairs
 }
 
-/// Pairs of unknowns whose exchange may lead to another assignment. For such a pair, some slip depends on one unknown alone. No slip depends on both,
-/// since such a slip would distinguish the two unknowns (unless the slips leave some unknown undetermined). Or the fit ended on the kink between the
-/// two.
+/// At most [`MOST_PAIRS`] pairs of unknowns whose exchange may lead to another assignment. For such a pair, some slip depends on one unknown alone.
+/// No slip depends on both, since such a slip would distinguish the two unknowns (unless the slips leave some unknown undetermined). Or the fit ended
+/// on the kink between the two.
 fn pairs(model: &Model<'_>, fit: &Fitted) -> Result<Vec<(usize, usize)>, Error> {
     let mut pairs = Vec::new();
     let Some(linear) = fit.linear.as_ref().filter(|_| matches!(fit.end, FitEnd::Converged)) else {
@@ -197,8 +199,8 @@ fn pairs(model: &Model<'_>, fit: &Fitted) -> Result<Vec<(usize, usize)>, Error> 
     Ok(pairs)
 }
 
-/// Whether the fit is on a kink between two equal unknowns. At the kink a slip depends on both unknowns, by the mean of one-sided derivatives; beside
-/// the kink it depends on one of them.
+/// Whether the fit is on a kink at which these two unknowns are equal. There a slip depends on both, by the mean of one-sided derivatives; beside the
+/// kink it depends on one of them.
 fn is_on_the_kink(model: &Model<'_>, fit: &Fitted, i: usize, j: usize) -> Result<bool, Error> {
     let Some(linear) = &fit.linear else { return Ok(false) };
     let on_both = |row: usize| depends(&linear.jacobian, row, i) && depends(&linear.jacobian, row, j);
@@ -210,12 +212,12 @@ fn is_on_the_kink(model: &Model<'_>, fit: &Fitted, i: usize, j: usize) -> Result
     Ok(!model.linear(&beside)?.is_ok_and(|beside| same_assignment(linear, &beside)))
 }
 
-/// Whether the predicted slip in this row depends on an unknown.
+/// Whether the predicted slip in this row of the Jacobian depends on an unknown, beyond rounding.
 fn depends(jacobian: &DMatrix<f64>, row: usize, unknown: usize) -> bool {
     jacobian[(row, unknown)].abs() > INDISTINCT * jacobian.row(row).amax()
 }
 
-/// Whether each slip depends on the same unknowns at both points.
+/// Whether each slip (and known sum) depends on the same unknowns at both points.
 fn same_assignment(one: &Linear, other: &Linear) -> bool {
     (0..one.jacobian.nrows()).all(|row| depends_alike(one, other, row))
 }
@@ -224,8 +226,8 @@ fn depends_alike(one: &Linear, other: &Linear, row: usize) -> bool {
     (0..one.jacobian.ncols()).all(|j| depends(&one.jacobian, row, j) == depends(&other.jacobian, row, j))
 }
 
-/// Whether, between two points, at least two slips with different derivatives come to depend on other unknowns. Each of these slips may change at its
-/// own point in between.
+/// Whether at least two slips with different derivatives depend on other unknowns at one point than at the other. Each may change at its own point in
+/// between.
 fn changes_in_steps(one: &Linear, other: &Linear) -> bool {
     let mut rows = (0..one.jacobian.nrows()).filter(|row| !depends_alike(one, other, *row));
     let Some(first) = rows.next() else { return false };
@@ -234,7 +236,7 @@ fn changes_in_steps(one: &Linear, other: &Linear) -> bool {
     rows.any(|row| is_of_another_kind(one, row) || is_of_another_kind(other, row))
 }
 
-/// Whether a fit has a smaller loss than another fit by more than the scatter of slips explains, at 95 %.
+/// Whether a fit has a smaller loss than another fit by more than the scatter of slips explains, at 95 %. `false` if the other fit is exact.
 fn fits_better(model: &Model<'_>, one: &Fitted, other: &Fitted) -> bool {
     let (Some(here), Some(there)) = (&one.linear, &other.linear) else { return one.linear.is_some() };
     let degrees = here.residuals.len().saturating_sub(model.asked.unknowns.len()).max(1);
@@ -244,7 +246,7 @@ fn fits_better(model: &Model<'_>, one: &Fitted, other: &Fitted) -> bool {
     !is_exact && gain > 0.5 * two_sided(0.95, degrees).powi(2)
 }
 
-/// The answer, with the estimates of other fits that are as good. An unknown on which the fits disagree counts as not fixed.
+/// The answer `answer` with the estimates of the fits `others`, which are as good. An unknown on which the fits disagree counts as not determined.
 fn united(mut answer: Identified, others: &[Identified]) -> Identified {
     if others.is_empty() {
         return answer;
@@ -263,7 +265,8 @@ fn united(mut answer: Identified, others: &[Identified]) -> Identified {
     answer
 }
 
-/// Whether two fits agree on an unknown: both estimates are fixed, and differ by at most a tenth of their error; or neither is fixed.
+/// Whether two fits agree on an unknown: slips determine it in both, and the estimates differ by at most a tenth of the standard error; or slips
+/// determine it in neither.
 pub(super) fn is_alike(one: &Estimate, other: &Estimate) -> bool {
     let error = one.standard_error.unwrap_or(INDISTINCT * one.value);
     one.is_fixed == other.is_fixed && (!one.is_fixed || (one.value - other.value).abs() <= 0.1 * error)

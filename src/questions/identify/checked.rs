@@ -1,4 +1,4 @@
-//! Returns errors for questions that no search can answer.
+//! Errors for questions of identification that no search can answer.
 
 use super::question::{Identify, KnownSum};
 use super::slip::Slip;
@@ -14,7 +14,7 @@ fn wrong(what: String, field: &'static str, value: f64, allowed: &'static str) -
 }
 
 impl Identify<3> {
-    /// Returns an error for contacts that these grasps do not have, and for two unknowns that one contact cannot have at once.
+    /// An error for contacts that the grasps `layouts` do not have, and for two unknowns that one contact cannot have at once.
     pub(super) fn check(&self, layouts: &[Grasp<3>]) -> Result<(), Error> {
         self.unknowns.iter().enumerate().try_for_each(|(k, unknown)| unknown.check(k, layouts))?;
         for (k, unknown) in self.unknowns.iter().enumerate() {
@@ -38,7 +38,7 @@ impl Identify<3> {
         Ok(())
     }
 
-    /// Returns an error for numbers that are out of range for every grasp; `layouts` is the number of layouts.
+    /// An error for numbers of the question that are out of range for every grasp; `layouts` is the number of layouts.
     pub(crate) fn check_numbers(&self, space: Space, layouts: usize) -> Result<(), Error> {
         for (list, given) in [("unknowns", self.unknowns.len()), ("slips", self.slips.len())] {
             if given == 0 {
@@ -99,13 +99,13 @@ impl KnownSum {
 }
 
 impl Unknown {
-    /// Whether a contact cannot have both unknowns: two of one kind, or a squeeze beside a carried force.
+    /// Whether one contact cannot have both unknowns: two of one kind, or a squeeze beside a carried force.
     fn clashes_with(&self, other: &Self) -> bool {
         let presses = |kind| matches!(kind, UnknownKind::Carried | UnknownKind::Squeeze);
         self.kind == other.kind || (presses(self.kind) && presses(other.kind))
     }
 
-    /// Returns an error for numbers out of range of an unknown, if there are `layouts` layouts.
+    /// An error for numbers of unknown `number` that are out of range, if there are `layouts` layouts.
     fn check_numbers(&self, number: usize, layouts: usize) -> Result<(), Error> {
         let what = format!("unknown {number}");
         if let Some(layout) = self.layout.filter(|layout| *layout >= layouts) {
@@ -120,8 +120,7 @@ impl Unknown {
         Ok(())
     }
 
-    /// Returns an error for contacts that none of these grasps has, and, for a carried force, for contacts that are pressed by a given constant
-    /// force.
+    /// An error for contacts that one of its layouts does not have, and, for a carried force, for contacts that a given constant force presses.
     fn check(&self, number: usize, layouts: &[Grasp<3>]) -> Result<(), Error> {
         for (layout, grasp) in layouts.iter().enumerate().filter(|(layout, _)| self.is_in(*layout)) {
             let named = self.contacts.iter().flatten();

@@ -1,4 +1,4 @@
-//! Combinations of unknowns that slips do not determine.
+//! Combinations of unknowns that the observed slips do not determine.
 
 use super::tolerances::NO_COMPONENT;
 use crate::numerics::Each;
@@ -8,18 +8,18 @@ use nalgebra::DMatrix;
 use crate::prelude::*;
 use crate::words::listed;
 
-/// Unknowns that may change together without changing any predicted slip. To first order this is so if each unknown is multiplied by a common factor
-/// to its power in [`powers`](Self::powers).
+/// Unknowns that may change together without changing any predicted slip. To first order no slip changes if each unknown is multiplied by a common
+/// factor to its power in [`powers`](Self::powers).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct FreeCombination {
-    /// The names of the unknowns.
+    /// The names of the unknowns in this combination.
     pub unknowns: Vec<String>,
-    /// The power of each unknown; the largest is 1.
+    /// The power of each unknown; the largest in size is 1 or -1.
     pub powers: Vec<f64>,
-    /// The meaning of the combination in a sentence.
+    /// A sentence about the combination: which function of its unknowns the slips determine.
     pub says: String,
 }
 
@@ -33,7 +33,7 @@ impl FreeCombination {
     ) -> Vec<Self> {
         let mut all = Vec::new();
         for k in 0..free.ncols() {
-            // The pivot is the largest remaining entry, as in Gauss-Jordan elimination. Its unknown then appears in this direction alone.
+            // The pivot is the largest remaining entry, as in Gauss-Jordan elimination. Its unknown then has a component in this direction alone.
             let (row, column) = free.columns_range(k..).icamax_full();
             free.swap_columns(k, k + column);
             let pivot = free[(row, k)];
@@ -78,14 +78,14 @@ impl FreeCombination {
     }
 }
 
-/// The function of several unknowns that the slips determine, although they do not determine the unknowns one by one.
+/// The function of several unknowns that slips do not determine one by one, but whose value they determine.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Law {
-    /// The product or ratio of the unknowns, for changes of any size.
+    /// The product of powers of the unknowns, whatever the size of the changes.
     Powers,
-    /// The sum of the unknowns.
+    /// The sum of the unknowns, for changes in proportion to the powers.
     Sum,
-    /// Some other function, known only by its first derivatives.
+    /// Some other function of the unknowns, known only by its first derivatives.
     Nearby,
 }
 
@@ -94,7 +94,7 @@ fn formula_text(names: &[String], powers: &[f64], law: Law) -> String {
         return format!("{one} is not fixed: these slips do not depend on it");
     }
     let apart = format!("{} are not fixed apart by these slips: only", listed(names));
-    // If all powers are 1 or -1 to this precision, the sentence speaks of a product or ratio.
+    // If all powers are 1 or -1 to this precision, the sentence says product or ratio.
     let are_alike = powers.iter().all(|power| (power.abs() - 1.0).abs() < 1e-3);
     match law {
         Law::Sum => return format!("{apart} their sum"),

@@ -1,4 +1,5 @@
-//! Conversion of the identification question between the engine's three components and the `C` components of callers.
+//! Conversion of the question of identification between the engine, whose vectors have three components in the plane, too, and callers, with `C`
+//! components.
 
 use super::question::{Identify, KnownSum, Others};
 use super::slip::{Slip, SlipKind};

@@ -1,4 +1,4 @@
-//! Prediction of first slip, and its exact derivatives.
+//! Prediction of first slip by the model of a grasp, and its exact derivatives by the unknowns.
 
 use crate::numerics::IntoList;
 use core::f64::consts::TAU;
@@ -11,7 +11,7 @@ use crate::load_path::{Onset, OnsetEvent, OnsetMargins, Parameter, Ramp};
 use crate::numerics::numbered;
 use crate::prelude::*;
 
-/// The load factor or angle at which the model predicts first slip.
+/// The load factor or angle, rad, at which the model predicts first slip for one observation, with derivatives if asked for; or the reason for none.
 pub(super) fn predicted(target: &SlipToPredict<'_>) -> Result<Result<Predicted, NoSlip>, Error> {
     let onset = match target.slip.growing_load() {
         Grown::Load(load) => target.grasp.onset(Ramp::load(target.base, load))?,
@@ -36,14 +36,14 @@ pub(super) fn predicted(target: &SlipToPredict<'_>) -> Result<Result<Predicted, 
 }
 
 /// Derivatives of the logarithm of the load factor at first slip by the logarithms of the unknowns. If several contacts slip together, the factor has
-/// a kink; the mean of the derivatives on its sides is returned.
+/// a kink, and the mean of their derivatives is returned. `None` where exact derivatives do not hold.
 fn exact(target: &SlipToPredict<'_>, event: &OnsetEvent<3>) -> Option<Vec<f64>> {
     let margins = OnsetMargins::new(&target.grasp.engine, event)?;
     let space = target.grasp.engine.space();
     let axes = space.axes();
     let leavers = margins.leavers().len();
     let contacts = target.grasp.contacts();
-    // The parameters of a contact that depend on an unknown of this kind, each with its derivative by the logarithm of the unknown.
+    // The data of a contact that depend on an unknown of this kind, each with its derivative by the logarithm of the unknown.
     let changes = |kind: UnknownKind, contact: usize, value: f64| -> Vec<(Parameter, f64)> {
         let data = &contacts[contact];
         let springs = data.stiffness.series();

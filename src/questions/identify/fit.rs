@@ -1,4 +1,4 @@
-//! Damped Gauss-Newton steps in the logarithms of the unknowns.
+//! The search for the unknowns with the least loss: damped Gauss-Newton steps in the logarithms of the unknowns.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -10,29 +10,29 @@ use crate::error::Error;
 use crate::numerics::{IntoList, Singular, mapped, matrix_of, vector_of};
 use crate::prelude::*;
 
-/// The result of a search for the unknowns with the least loss.
+/// The result of a search for the unknowns with the least loss; `linear` has predictions and derivatives there, if all slips are predicted.
 pub(super) struct Fitted {
     pub(super) logs: Vec<f64>,
     pub(super) linear: Option<Linear>,
-    /// Relative standard deviations of the observed slips, given or estimated.
+    /// Relative standard deviations of the observed slips (given or estimated) and of the known sums.
     pub(super) scatter: Scatter,
     pub(super) iterations: usize,
     pub(super) end: FitEnd,
 }
 
-/// The reason why the search ended.
+/// The reason why the search for the unknowns ended.
 pub(super) enum FitEnd {
     Converged,
     Limit,
-    /// The model does not predict this slip, either at the start of the search or just beside the point where the search stopped.
+    /// The model predicts no load for this slip, either at the start of the search or just beside the point where the search stopped.
     NoSlip(usize, NoSlip),
 }
 
-/// Relative standard deviations of the observations.
+/// Relative standard deviations of the observations, by which residuals are divided.
 pub(super) struct Scatter {
-    /// One standard deviation for each slip, then one for each known sum.
+    /// One standard deviation for each slip, then one for each known sum, relative to the observed value.
     pub(super) rows: Vec<f64>,
-    /// The common standard deviation of all slips, if it is estimated.
+    /// The common standard deviation of all slips, if it is estimated from residuals; `None` if it was given or cannot be estimated.
     pub(super) estimated: Option<f64>,
 }
 
@@ -41,7 +41,8 @@ impl Model<'_> {
         Huber(self.asked.outliers())
     }
 
-    /// Relative standard deviations of the observations. For slips, the given ones are used, or one for all slips is estimated from the residuals.
+    /// Relative standard deviations of the observations. For slips they are the given ones, or one for all slips is estimated from the residuals,
+    /// with `rank` combinations of unknowns fitted.
     pub(super) fn scatter(&self, residuals: &[f64], rank: usize) -> Scatter {
         let (slips, known) = (&self.asked.slips, &self.asked.known);
         let given: Option<Vec<f64>> = slips.iter().map(|slip| slip.scatter).collect();
@@ -54,7 +55,7 @@ impl Model<'_> {
         Scatter { rows, estimated }
     }
 
-    /// The weight of a residual `u`, which is in standard deviations: Huber's weight for slips, 1 for known sums.
+    /// The weight of observation number `row`, whose residual is `u` standard deviations: Huber's weight for slips, 1 for known sums.
     fn weight(&self, row: usize, u: f64) -> f64 {
         if row < self.asked.slips.len() { self.huber().weight(u) } else { 1.0 }
     }
@@ -68,12 +69,14 @@ impl Model<'_> {
     }
 }
 
-/// Logarithms of the unknowns, and the model's prediction of all slips with these unknowns. The error is the first slip that is not predicted.
+/// Logarithms of the unknowns, and the model's prediction of all slips with these unknowns. The error is the first slip that is not predicted, and
+/// the reason.
 type Begun = (Vec<f64>, Result<Linear, (usize, NoSlip)>);
 
-/// The first point at which the model predicts all slips: the given values of the unknowns, or these values with all friction multiplied by a common
-/// factor. The factor is halved if the object holds however far the load goes, and doubled if the object is lost before the load grows. Once both
-/// have occurred, its logarithm is bisected. If no friction is unknown, squeezes and carried loads are multiplied instead.
+/// The first point, in the logarithms of the unknowns, at which the model predicts all slips: the given values of the unknowns, or these values with
+/// all friction multiplied by a common factor. The factor is halved if the object holds however far the load goes, and doubled if the object is lost
+/// before the load grows. Once both have occurred, its logarithm is bisected. If no friction is unknown, squeezes and carried forces are multiplied
+/// instead.
 fn begun(model: &Model<'_>) -> Result<Begun, Error> {
     let unknowns = &model.asked.unknowns;
     let begin: Vec<f64> = mapped(unknowns, &|unknown| unknown.begins_at(model.layouts).ln());
@@ -86,7 +89,7 @@ fn begun(model: &Model<'_>) -> Result<Begun, Error> {
         UnknownKind::Stiffness => false,
     };
     let (mut too_little, mut too_much, mut by) = (None, None, 0.0);
-    // Twelve further trials reach factors down to 1/4096 if the object always holds too well, or up to 4096 if it always holds too little.
+    // Twelve further trials reach factors down to 1/4096 if the grasp always holds too well, or up to 4096 if it always holds too little.
     for _ in 0..12 {
         match why {
             NoSlip::HoldsTooWell(_) => too_much = Some(by),
@@ -109,7 +112,7 @@ fn begun(model: &Model<'_>) -> Result<Begun, Error> {
     Ok((begin, first))
 }
 
-/// The logarithms of the unknowns with the least loss, a robust sum of squared residuals, by a search from the given values.
+/// The logarithms of the unknowns with the least loss (Huber's, of the residuals in standard deviations), by a search from the given values.
 pub(super) fn fitted(model: &Model<'_>) -> Result<Fitted, Error> {
     let (begin, linear) = begun(model)?;
     match linear {
@@ -125,10 +128,10 @@ impl Fitted {
     }
 }
 
-/// The logarithms of the unknowns with the least loss, by a search from logarithms at which the model predicts all slips.
+/// The logarithms of the unknowns with the least loss, by a search from the logarithms `begin` at which the model predicts all slips.
 pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, mut linear: Linear) -> Result<Fitted, Error> {
     let mut fit = Fitted::from(begin, FitEnd::Limit);
-    // Levenberg's damping, relative to the largest singular value squared.
+    // Levenberg's damping, as a fraction of the largest singular value squared.
     let mut damping = 1e-3;
     loop {
         fit.scatter = model.scatter(&linear.residuals, rank(&linear));
@@ -159,8 +162,8 @@ pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, mut linear: Linear
                 Ok(linear) if model.loss(&linear.residuals, &fit.scatter) < loss => {
                     break Some((stepped, linear));
                 }
-                // Damping grows, so trial steps become shorter. Only the last and shortest one shows whether the region with predictions ends at this
-                // point.
+                // Damping grows, so the steps that are tried become shorter. Only the last and shortest one shows whether the region with predictions
+                // ends at this point.
                 Ok(_) => unseen = None,
                 Err(none) => unseen = Some(none),
             }
@@ -179,14 +182,14 @@ pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, mut linear: Linear
     Ok(fit)
 }
 
-/// Number of independent combinations of unknowns that the slips determine.
+/// Number of independent combinations of unknowns that the slips and known sums determine.
 pub(super) fn rank(linear: &Linear) -> usize {
     let (values, ..) = singular(&linear.jacobian, &linear.residuals, &vec![1.0; linear.residuals.len()]);
     let most = values.iter().copied().fold(0.0, f64::max);
     values.iter().filter(|value| **value > INDISTINCT * most).count()
 }
 
-/// The linearised least-squares problem at one point, decomposed into singular values, which gives damped steps.
+/// The linearised least-squares problem at one point, decomposed by singular values, from which damped steps follow.
 struct Steps {
     /// Singular values of the weighted derivatives, and their right singular vectors as columns.
     values: Vec<f64>,
@@ -196,7 +199,7 @@ struct Steps {
 }
 
 impl Steps {
-    /// The linearised least-squares problem at the point of `linear`. Each slip is weighted by its scatter and by the size of its residual.
+    /// The linearised least-squares problem at the point of `linear`. Each observation has the weight of its scatter and of the size of its residual.
     fn of(model: &Model<'_>, linear: &Linear, scatter: &Scatter) -> Self {
         let row = |(k, (r, sigma)): (usize, (&f64, &f64))| model.weight(k, r / sigma).sqrt() / sigma;
         let weights: Vec<_> = linear.residuals.iter().zip(&scatter.rows).enumerate().map(row).list();
@@ -204,7 +207,8 @@ impl Steps {
         Self { values, directions, along }
     }
 
-    /// The step with Levenberg's damping, relative to the largest singular value squared; zero along combinations that slips do not determine.
+    /// The step with this damping, a fraction of the largest singular value squared; zero along combinations of unknowns that the slips do not
+    /// determine.
     fn step(&self, damping: f64) -> DVector<f64> {
         let most = self.values.iter().copied().fold(0.0, f64::max);
         let mut step = DVector::zeros(self.directions.nrows());
@@ -215,7 +219,7 @@ impl Steps {
         step
     }
 
-    /// The decrease of the loss by a step, as predicted by the linearised problem.
+    /// The decrease of the loss by a step, as the linearised problem predicts it.
     fn promise(&self, step: &DVector<f64>) -> f64 {
         let part = |(k, value): (usize, &f64)| {
             let component = value * self.directions.column(k).dot(&step.column(0));
@@ -226,7 +230,7 @@ impl Steps {
 }
 
 /// The singular values of the matrix of weighted derivatives, its right singular vectors as columns, and the components of the weighted residuals
-/// along the left singular vectors. There are as many of each as unknowns.
+/// along the left singular vectors. There is one of each for every unknown.
 pub(super) fn singular(
     jacobian: &DMatrix<f64>,
     residuals: &[f64],

@@ -1,15 +1,15 @@
-//! Errors of estimates whose slips share errors in groups, by a sandwich estimator.
+//! Errors of estimates from slips that share errors in groups, by a sandwich estimator.
 //!
 //! The rows U_g are the derivatives of the slips of group g, divided by their standard deviations, in a basis of the logarithms of the unknowns with
-//! `Σ U_g'U_g = 1`. Let e be the residuals and `Q_g = U_g'U_g`. A group contributes `w_g` to the solution. The power of `1 - Q_g` corrects for the
-//! pull of the group's own residuals on the solution:
+//! `Σ U_g'U_g = 1`. Let e be the residuals and `Q_g = U_g'U_g`. Group g contributes `w_g` to the solution. The power of `1 - Q_g` corrects for the
+//! influence of the group's own residuals on the solution:
 //!
 //! ```text
 //! w_g = (1 - Q_g)^(-1/2) U_g'e_g
 //! ```
 //!
 //! This is the correction CR2 of Bell and McCaffrey, in the few unknowns instead of the many slips: `U'(1 - UU')^(-1/2) = (1 - U'U)^(-1/2) U'`. The
-//! variance of an unknown, c in this basis, is `Σ (c'w_g)²`. For independent rows, `c'w_g` would have the covariances
+//! variance of an unknown, c in this basis, is `Σ (c'w_g)²`. If the rows were independent, the numbers `c'w_g` would have the covariances
 //! `Ω_gh = δ_gh a_g'Q_g a_g - (Q_g a_g)'(Q_h a_h)`, `a_g = (1 - Q_g)^(-1/2) c`. The degrees of freedom are Satterthwaite's, `(tr Ω)² / tr Ω²`.
 
 use nalgebra::{DMatrix, DVector};
@@ -18,28 +18,28 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{IntoList, mapped, paired, summed, symmetric_eigen};
 use crate::prelude::*;
 
-/// The groups of slips, with the contribution of each group to the solution and to its error.
+/// The groups of slips that share errors, with the contribution of each group to the solution and to its error.
 pub(super) struct Grouped {
     groups: Vec<Group>,
-    /// Information matrix of the known sums, which belong to no group.
+    /// Information matrix (sum of squares of rows) of the known sums, which belong to no group.
     known: DMatrix<f64>,
 }
 
-/// One group of slips.
+/// One group of slips that share errors.
 struct Group {
-    /// The information matrix Q of the group.
+    /// The information matrix `Q = U'U` of the group, from the rows U of its slips.
     tells: DMatrix<f64>,
     /// The matrix (1 - Q)^(-1/2), which corrects for the influence of the group's own residuals on the solution.
     made_up: DMatrix<f64>,
-    /// The contribution w of the group to the solution.
+    /// The contribution w of the group to the solution, corrected by `made_up`.
     moves: DVector<f64>,
 }
 
-/// The error of the estimate of one unknown.
+/// The error of the estimate of one unknown, from groups.
 pub(super) struct GroupedError {
-    /// Variance of the logarithm of the unknown.
+    /// Variance of the estimated logarithm of the unknown.
     pub(super) variance: f64,
-    /// Degrees of freedom of the variance.
+    /// Satterthwaite's degrees of freedom of the variance.
     pub(super) degrees: f64,
 }
 
@@ -71,7 +71,8 @@ impl Grouped {
         Self { groups: mapped(&members, &group), known: square(&known) }
     }
 
-    /// The error of an unknown, given by its components in the basis. `None` if one group alone determines it.
+    /// The error of an unknown, given by its components in the basis of the rows. `None` if one group alone determines it, or a share of more than 1
+    /// % of its variance.
     pub(super) fn of_unknown(&self, unknown: &DVector<f64>) -> Option<GroupedError> {
         let sure = unknown.dot(&(&self.known * unknown));
         let variance = sure + summed(&self.groups, &|group| group.moves.dot(unknown).powi(2));
@@ -89,8 +90,8 @@ impl Grouped {
                 squares += covariance(g, h).powi(2);
             }
         }
-        // Directions that one group alone determines have no known error. If they contribute more than 1 % of the variance, the unknown has no known
-        // error.
+        // Directions that one group alone determines have no known error. If they contribute more than 1 % of the expected variance, the unknown has
+        // no known error.
         let is_seen = expected >= (1.0 - 1e-2) * unknown.norm_squared();
         is_seen.then(|| GroupedError { variance, degrees: expected * expected / squares })
     }
@@ -112,7 +113,7 @@ fn inverse_root_of_rest(tells: &DMatrix<f64>) -> DMatrix<f64> {
 mod tests {
     use super::*;
 
-    /// The same rows in a basis of the unknowns in which their columns are orthonormal.
+    /// These rows in a basis of the unknowns in which their columns are orthonormal.
     fn in_directions(rows: &DMatrix<f64>) -> DMatrix<f64> {
         rows.clone().qr().q()
     }

@@ -1,17 +1,17 @@
-//! The motion of the object at gross slip, and the derivatives of the load there.
+//! The last motion of the object at gross slip, and the derivatives of the load factor there by the unknowns.
 //!
-//! If the last motion m opens no contact, normal forces stay constant while the object leaves, and friction opposes sliding. The load factor λ at the
-//! loss is then a root of
+//! If the last motion m opens no contact, normal forces stay constant while the object leaves, and friction opposes sliding. The load factor λ at
+//! gross slip is then a root of
 //!
 //! ```text
 //! W₀ + λ W + Σ (nᵢ − μᵢ Tᵢ vᵢ/|vᵢ|) Nᵢ + Σ Tⱼ fⱼ = 0,   vᵢ = Tᵢᵀ m,   nᵢᵀ m = 0,   Tⱼᵀ m = 0
 //! ```
 //!
 //! with the constant load W₀ and the growing load W. The first sum is over contacts i that press, with normal n, tangents T, friction coefficient μ,
-//! normal force N and normal stiffness k. The second sum is over contacts j that stick, whose velocity is zero. The unknowns are λ, the direction of
-//! m, the tangential forces fⱼ, and the displacement y that has changed the normal forces: dNᵢ = −kᵢ nᵢᵀ dy. There are as many equations as unknowns.
-//! Newton's method starts from the end of the load path. The root and its exact derivatives do not depend on the path, and hence not on tangential
-//! springs and commands.
+//! normal force N and normal stiffness k. The second sum is over contacts j that stick, whose velocity is zero. The unknowns of the equations are λ,
+//! the direction of m, the tangential forces fⱼ, and the displacement y that has changed the normal forces: dNᵢ = −kᵢ nᵢᵀ dy. There are as many
+//! equations as unknowns. Newton's method starts from the state at the end of the load path. The root and its exact derivatives do not depend on the
+//! path, and hence not on tangential springs and commands.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -24,20 +24,21 @@ use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{Singular, largest, mapped, matrix_of, summed};
 use crate::prelude::*;
 
-/// The state at gross slip, as a root of the equations of this module. Moments are divided by `length` and rotations multiplied by it.
+/// The state of the object and its pressing contacts at gross slip, as a root of the equations of this module. Moments are divided by `length`,
+/// rotations multiplied by it.
 pub(super) struct GrossSlip<'a, 's> {
     target: &'a SlipToPredict<'s>,
     /// The length that makes moments and rotations comparable with forces and displacements, m: the distance of the farthest contact from the origin.
     length: f64,
-    /// The load factor at gross slip; of a turning load, the angle.
+    /// The load factor at gross slip; for a turning load the angle, rad.
     at: f64,
     motion: DVector<f64>,
     pressing: Vec<Pressing>,
 }
 
 impl<'a, 's> GrossSlip<'a, 's> {
-    /// The state at gross slip, from the load factor, motion and forces at the end of a load path. `None` if a contact opens as the object leaves, or
-    /// if the equations of this module do not describe the grasp.
+    /// The state at gross slip, from the load factor, motion and forces at the end of a load path. `None` if a pressing contact opens as the object
+    /// leaves, or the equations of this module do not describe the grasp or have no root there.
     pub(super) fn from_end(
         target: &'a SlipToPredict<'s>,
         at: f64,
@@ -66,12 +67,13 @@ impl<'a, 's> GrossSlip<'a, 's> {
         Self { target, length, at, motion, pressing }.at_root()
     }
 
-    /// Solves the equations of this module by Newton's method. `None` unless it converges to a root close to the end of the load path.
+    /// Solves the equations of this module by Newton's method. `None` unless it converges to a root with the load factor of the end of the load path
+    /// and with all contacts pressing.
     fn at_root(mut self) -> Option<Self> {
         let began_at = self.at;
         let (_, free) = spaces(&self.fixed_directions(), self.motion.len());
         self.motion = (&free * free.tr_mul(&self.motion)).try_normalize(0.0)?;
-        // The start is near the root and convergence is quadratic, so that five steps are enough.
+        // The start is near the root and convergence is quadratic, so that five steps suffice.
         for _ in 0..5 {
             if self.is_root() {
                 break;
@@ -92,7 +94,7 @@ impl<'a, 's> GrossSlip<'a, 's> {
         self.residual().norm() <= SOLVED_ROUNDING * forces
     }
 
-    /// Directions in which the object cannot move as it leaves: along the normals of pressing contacts, and along the tangents of those that stick.
+    /// Directions in which the object does not move as it leaves: along the normals of pressing contacts, and along the tangents of those that stick.
     fn fixed_directions(&self) -> Vec<DVector<f64>> {
         let mut fixed_directions = Vec::new();
         for contact in &self.pressing {
@@ -110,7 +112,7 @@ impl<'a, 's> GrossSlip<'a, 's> {
         self.pressing.iter_mut().filter(|contact| contact.sticks)
     }
 
-    /// The sum of all wrenches on the object, which is zero in equilibrium.
+    /// The sum of all wrenches on the object, of the loads and of pressing contacts; zero in equilibrium.
     fn residual(&self) -> DVector<f64> {
         let mut sum = self.one_length(&self.target.load_at(self.at));
         for contact in &self.pressing {
@@ -127,7 +129,7 @@ impl<'a, 's> GrossSlip<'a, 's> {
         at_length(space, &load.coordinates(space), self.length.recip())
     }
 
-    /// Adds a Newton step to the unknowns of the equations: load factor, motion, forces of sticking contacts and normal forces.
+    /// Adds a Newton step to the unknowns of the equations: normal forces, motion, tangential forces of sticking contacts and load factor.
     fn take_step(&mut self, equations: &Equations, step: &DVector<f64>) {
         let (springs, turns) = (equations.springs.ncols(), equations.turns.ncols());
         let y = &equations.springs * step.rows(0, springs).into_owned();
@@ -145,7 +147,7 @@ impl<'a, 's> GrossSlip<'a, 's> {
         self.at += step[step.len() - 1];
     }
 
-    /// Derivatives of the logarithm of the load factor (or angle) at gross slip by the logarithms of the unknown data. `None` at a kink of the load
+    /// Derivatives of the logarithm of the load factor (or angle) at gross slip by the logarithms of the unknowns. `None` at a kink of the load
     /// factor, where the linearised equations have no solution for a change of some datum.
     pub(super) fn derivatives(&self) -> Option<Vec<f64>> {
         let equations = Equations::of(self)?;
@@ -157,7 +159,7 @@ impl<'a, 's> GrossSlip<'a, 's> {
         })
     }
 
-    /// The derivative of [`Self::residual`] by the logarithm of an unknown datum.
+    /// The derivative of [`Self::residual`] by the logarithm of an unknown with this kind, index and value.
     fn change(&self, kind: UnknownKind, unknown: usize, value: f64) -> DVector<f64> {
         let mut sum = DVector::zeros(self.motion.len());
         let contacts = self.target.grasp.contacts();
@@ -181,10 +183,10 @@ impl<'a, 's> GrossSlip<'a, 's> {
     }
 }
 
-/// The linearised equations of equilibrium at gross slip. Their unknowns are small changes of the displacement y, of the direction of the motion, of
-/// the forces of sticking contacts, and of the load factor.
+/// The linearised equations of equilibrium at gross slip. Their unknowns are small changes of the displacement y, of the direction of the motion m,
+/// of the tangential forces of sticking contacts, and of the load factor.
 struct Equations {
-    /// Orthonormal bases: `springs` of the displacements y that change normal forces, `turns` of the possible changes of the motion's direction.
+    /// Orthonormal bases: `springs` of the displacements y that change normal forces, `turns` of the possible changes of the direction of m.
     springs: DMatrix<f64>,
     turns: DMatrix<f64>,
     /// The matrix of the linearised equations with columns scaled to length one, the scales of the columns, and the singular value decomposition of
@@ -195,7 +197,7 @@ struct Equations {
 }
 
 impl Equations {
-    /// Linearises the equations at the state `leaving`. `None` if they do not determine the load factor.
+    /// Linearises the equations at the state `leaving`. `None` if they do not determine the load factor, or a number overflows.
     fn of(leaving: &GrossSlip<'_, '_>) -> Option<Self> {
         let (size, motion, pressing) = (leaving.motion.len(), &leaving.motion, &leaving.pressing);
         let normals: Vec<_> = mapped(pressing, &|contact| contact.normal.clone());
@@ -251,13 +253,13 @@ impl Equations {
         self.parts.solve(change, NEGLIGIBLE).component_mul(&self.scales)
     }
 
-    /// Converts a step to units of the scaled columns.
+    /// Converts a step of the unknowns to units of the scaled columns.
     fn scaled(&self, step: &DVector<f64>) -> DVector<f64> {
         step.zip_map(&self.scales, |x, scale| if scale > 0.0 { x / scale } else { 0.0 })
     }
 }
 
-/// Orthonormal bases of the span of the given directions, and of its orthogonal complement.
+/// Orthonormal bases, as columns, of the span of the given directions and of its orthogonal complement.
 fn spaces(directions: &[DVector<f64>], size: usize) -> (DMatrix<f64>, DMatrix<f64>) {
     let matrix = matrix_of(directions.len(), size, &|i, j| directions[i][j]);
     let parts = Singular::new(&matrix);

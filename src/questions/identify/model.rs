@@ -1,4 +1,4 @@
-//! Predicted slips, and their derivatives by the unknowns.
+//! The model of a grasp: predicted loads at slips, and their derivatives by the unknowns.
 
 use nalgebra::DMatrix;
 
@@ -16,30 +16,29 @@ use crate::sweep::map_in_order;
 /// Step of a central difference in the logarithm of an unknown. Truncation and rounding then both cause relative errors of some 1e-8.
 const LOGARITHM_STEP: f64 = 1e-4;
 
-/// The question [`Identify`], with a grasp for each layout of the contact points in which slips were observed.
+/// The model: the question [`Identify`], with a grasp for each layout of the contact points in which slips were observed.
 pub(super) struct Model<'a> {
     pub(super) layouts: &'a [Grasp<3>],
     pub(super) asked: &'a Identify<3>,
 }
 
-/// The grasp of one layout of contact points with trial values of the unknowns. `base` is the constant load that belongs to unknown normal forces at
-/// rest.
+/// The grasp of one layout of contact points with trial values of the unknowns. `base` is the constant load that unknown carried forces need at rest.
 pub(super) struct LayoutGuess {
     pub(super) grasp: Grasp<3>,
     pub(super) base: Wrench<3>,
 }
 
-/// The reason why the model does not predict a slip.
+/// The reason why the model predicts no load or angle for a slip.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum NoSlip {
-    /// The object holds however far the load goes: friction, or the squeeze, is too large for a loss.
+    /// The object holds however far the load goes: friction, or the squeeze, is too large for the slip.
     HoldsTooWell(&'static str),
-    /// The object is lost before the load grows: friction, or the squeeze, is too small.
+    /// Something slides or is lost before the load grows: friction, or the squeeze, is too small.
     HoldsTooLittle(&'static str),
 }
 
 impl NoSlip {
-    /// The reason in words.
+    /// The reason as a clause of a sentence.
     pub(super) fn says(self) -> &'static str {
         match self {
             Self::HoldsTooWell(says) | Self::HoldsTooLittle(says) => says,
@@ -47,26 +46,26 @@ impl NoSlip {
     }
 }
 
-/// The load factor or angle of a predicted slip, and its derivatives by the logarithms of the unknowns if they are exact.
+/// The load factor or angle (rad) of a predicted slip, and its derivatives by the logarithms of the unknowns if exact ones are known.
 #[derive(Clone)]
 pub(super) struct Predicted {
     pub(super) at: f64,
     pub(super) exact: Option<Vec<f64>>,
 }
 
-/// The residuals of all observations and their derivatives, for one set of values of the unknowns.
+/// The residuals of all observations (slips and known sums) and their derivatives, for one set of values of the unknowns.
 #[derive(Clone)]
 pub(super) struct Linear {
     /// Logarithm of the observed over the predicted value, for each slip and then for each known sum of unknowns.
     pub(super) residuals: Vec<f64>,
     /// Derivatives of the logarithm of the predicted value by the logarithms of the unknowns, one row for each residual.
     pub(super) jacobian: DMatrix<f64>,
-    /// Number of slips whose derivatives are difference quotients, not exact.
+    /// Number of slips whose derivatives are difference quotients of predictions, not exact.
     pub(super) by_differences: usize,
 }
 
 impl Model<'_> {
-    /// The grasps of all layouts with the unknowns whose logarithms are `logs`.
+    /// The grasps of all layouts with the unknowns whose logarithms are `logs`, each with its constant load.
     pub(super) fn at(&self, logs: &[f64]) -> Result<Vec<LayoutGuess>, Error> {
         let mut guesses = Vec::with_capacity(self.layouts.len());
         for (layout, grasp) in self.layouts.iter().enumerate() {
@@ -90,12 +89,12 @@ impl Model<'_> {
         Ok(guesses)
     }
 
-    /// The residuals alone. The inner error is the first slip that the model does not predict, and the reason.
+    /// The residuals of all observations alone. The inner error is the first slip that the model does not predict, and the reason.
     pub(super) fn residuals(&self, logs: &[f64]) -> Result<Result<Vec<f64>, (usize, NoSlip)>, Error> {
         Ok(self.predicted(logs, false)?.map(|all| self.log_residuals(logs, &all)))
     }
 
-    /// The residuals and their derivatives. The inner error is the first slip that the model does not predict, and the reason.
+    /// The residuals of all observations and their derivatives. The inner error is the first slip that the model does not predict, and the reason.
     pub(super) fn linear(&self, logs: &[f64]) -> Result<Result<Linear, (usize, NoSlip)>, Error> {
         let all = match self.predicted(logs, true)? {
             Ok(all) => all,
@@ -127,8 +126,8 @@ impl Model<'_> {
         Ok(Ok(Linear { residuals: self.log_residuals(logs, &all), jacobian, by_differences: unknown.len() }))
     }
 
-    /// Derivatives of the logarithms of the slips `those` by the logarithm of one unknown, as central differences of predictions. A difference is
-    /// one-sided where the model predicts no slip on the other side.
+    /// Derivatives of the logarithms of the predicted loads of the slips `those` by the logarithm of one unknown, as central differences. A
+    /// difference is one-sided where the model predicts no slip on the other side, zero where on neither.
     fn differences(
         &self,
         logs: &[f64],
@@ -193,7 +192,8 @@ impl Model<'_> {
         Ok(Ok(all))
     }
 
-    /// Predictions of the slips with the indices `those`, in parallel; slips that were observed several times are predicted once.
+    /// Predictions of the slips with the indices `those`, in parallel; slips that were observed several times under the same conditions are predicted
+    /// once.
     fn slips(
         &self,
         those: &[usize],
@@ -215,7 +215,7 @@ impl Model<'_> {
         mapped(&alike, &|place| prediction[*place].clone())
     }
 
-    /// Predicts one slip: its load factor or angle, and its derivatives.
+    /// Predicts one slip: its load factor or angle, and if asked for its derivatives; else the reason why there is none.
     fn slip(
         &self,
         layouts: &[LayoutGuess],
@@ -248,7 +248,7 @@ impl Model<'_> {
     }
 }
 
-/// The data for the prediction of one slip: the grasp with trial values of the unknowns, the loads, and the question.
+/// The data for the prediction of one slip: the grasp with trial values of the unknowns (`logs` are their logarithms), the loads, and the question.
 pub(super) struct SlipToPredict<'a> {
     pub(super) grasp: &'a Grasp<3>,
     /// The constant loads that act before the load of the slip grows.
@@ -256,12 +256,12 @@ pub(super) struct SlipToPredict<'a> {
     pub(super) slip: &'a Slip<3>,
     pub(super) asked: &'a Identify<3>,
     pub(super) logs: &'a [f64],
-    /// Whether the prediction shall include its derivatives.
+    /// Whether the prediction shall include derivatives by the unknowns.
     pub(super) derivatives: bool,
 }
 
 impl SlipToPredict<'_> {
-    /// The total load at this load factor; of a turning load, at this angle.
+    /// The total load at this load factor; for a turning load, at this angle, rad.
     pub(super) fn load_at(&self, at: f64) -> Wrench<3> {
         match self.slip.growing_load() {
             Grown::Load(load) => self.base + load * at,
@@ -269,7 +269,7 @@ impl SlipToPredict<'_> {
         }
     }
 
-    /// The derivative of the total load by the load factor; of a turning load, by the angle.
+    /// The derivative of the total load by the load factor; for a turning load, by the angle.
     pub(super) fn load_rate(&self, at: f64) -> Wrench<3> {
         match self.slip.growing_load() {
             Grown::Load(load) => load,
@@ -280,14 +280,14 @@ impl SlipToPredict<'_> {
         }
     }
 
-    /// The contacts to which an unknown belongs, in the layout of this slip.
+    /// The contact points to which an unknown belongs, in the layout of this slip.
     pub(super) fn contacts_of(&self, unknown: usize) -> impl Iterator<Item = usize> {
         let (unknown, layout) = (&self.asked.unknowns[unknown], self.slip.layout());
         (0..self.grasp.len()).filter(move |i| unknown.is_of(layout, *i))
     }
 
-    /// Collects derivatives by the logarithms of all unknowns. `by` returns the derivative for the kind, index and value of an unknown. Unknowns that
-    /// belong to other layouts have derivative zero. `None` if one derivative is not known.
+    /// The derivatives by the logarithms of all unknowns, in order. `by` returns the derivative for the kind, index and value of an unknown. Unknowns
+    /// that belong to other layouts have derivative zero. `None` if one derivative is not known or not finite.
     pub(super) fn by_unknowns(
         &self,
         by: &dyn Fn(UnknownKind, usize, f64) -> Option<f64>,

@@ -1,4 +1,4 @@
-//! Forces of a contact on the object as it leaves at gross slip.
+//! The wrenches of a contact on the object as the object leaves at gross slip.
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
@@ -8,20 +8,20 @@ use crate::grasp::{Contact, Hold, Space, Wrench};
 use crate::numerics::{IntoList, Vector, largest, vector_of};
 use crate::prelude::*;
 
-/// A contact that presses on the object while it leaves.
+/// A contact that presses on the object while the object leaves at gross slip, or that cannot open.
 pub(super) struct Pressing {
     pub(super) contact: usize,
-    /// The wrenches of 1 N along the normal and along each tangent.
+    /// The wrenches on the object of 1 N along the normal and, in the next field, along each tangent as columns.
     pub(super) normal: DVector<f64>,
     pub(super) tangents: DMatrix<f64>,
-    /// Stiffness of the normal spring, N/m.
+    /// Stiffness of the normal spring of the contact, N/m.
     pub(super) stiffness: f64,
     pub(super) friction: f64,
     pub(super) normal_force: f64,
-    /// The tangential force of a sticking contact, N.
+    /// The tangential force of a sticking contact in its frame, N.
     pub(super) held: DVector<f64>,
     pub(super) sticks: bool,
-    /// Whether the normal force may pull, as at a contact that cannot open.
+    /// Whether the normal force may pull, as at a bonded contact or one that is kept closed.
     pub(super) may_pull: bool,
 }
 
@@ -34,18 +34,18 @@ impl Pressing {
         self.tangents.tr_mul(motion)
     }
 
-    /// The wrench for 1 N of normal force; of a sliding contact, with the friction that belongs to it.
+    /// The wrench on the object for 1 N of normal force; for a sliding contact, with the friction force that belongs to it.
     pub(super) fn by_newton(&self, motion: &DVector<f64>) -> DVector<f64> {
         if self.slides() { &self.normal + self.friction_wrench(motion) } else { self.normal.clone() }
     }
 
-    /// The wrench of the friction that belongs to 1 N of normal force, against the sliding velocity of this motion of the object.
+    /// The wrench of the friction force that belongs to 1 N of normal force, against the sliding velocity in this motion of the object.
     pub(super) fn friction_wrench(&self, motion: &DVector<f64>) -> DVector<f64> {
         &self.tangents * self.velocity(motion).normalize() * -self.friction
     }
 
-    /// The derivative of a sliding contact's friction wrench. As the motion of the object changes by `by`, the sliding velocity and thus the friction
-    /// force change direction.
+    /// The derivative of a sliding contact's friction wrench as the motion of the object changes by `by`: the sliding velocity, and so the friction
+    /// force, turns.
     pub(super) fn turning(&self, motion: &DVector<f64>, by: &DVector<f64>) -> DVector<f64> {
         let (v, change) = (self.velocity(motion), self.velocity(by));
         let aside = &change - &v * (v.dot(&change) / v.norm_squared());
@@ -53,7 +53,7 @@ impl Pressing {
     }
 }
 
-/// The contacts that press with the contact forces `forces`, and those that cannot open.
+/// The contacts that press under the contact forces `forces`, and those that cannot open. Moments are divided by `length`.
 pub(super) fn pressing(target: &SlipToPredict<'_>, forces: &[SVector<f64, 3>], length: f64) -> Vec<Pressing> {
     let (space, contacts) = (target.grasp.engine.space(), target.grasp.contacts());
     let largest = largest(forces, &|force| force[0].abs());
@@ -80,7 +80,7 @@ pub(super) fn pressing(target: &SlipToPredict<'_>, forces: &[SVector<f64, 3>], l
     all.filter(|(i, (data, _))| may_pull(data) || forces[*i][0] > INDISTINCT * largest).map(of).list()
 }
 
-/// The coordinates of a load or motion of the object, with the angular ones multiplied by a factor.
+/// The coordinates of a load or a motion of the object; moments or rotations are multiplied by `factor`.
 pub(super) fn at_length(space: Space, coordinates: &Vector, factor: f64) -> DVector<f64> {
     let scaled = |k: usize, x: f64| if k < space.axes() { x } else { x * factor };
     vector_of(space.of_the_object(), &|k| scaled(k, coordinates[k]))

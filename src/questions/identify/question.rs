@@ -1,4 +1,4 @@
-//! The question of identification: the unknowns, the observed slips, and further data.
+//! The question of identification: the unknowns, the observed slips, other layouts, and known sums.
 
 use crate::numerics::IntoList;
 use nalgebra::SVector;
@@ -58,7 +58,7 @@ pub struct Identify<const C: usize> {
     pub(super) others: Others<C>,
 }
 
-/// The grasps of other layouts. Two such lists are equal if the contacts of all their grasps are equal.
+/// The grasps of other layouts. Two such lists are equal if the contacts of all their grasps are equal, whatever their joints and settings.
 #[derive(Debug, Clone)]
 pub(super) struct Others<const C: usize> {
     pub(super) grasps: Vec<Grasp<C>>,
@@ -106,30 +106,30 @@ impl<const C: usize> Identify<C> {
         }
     }
 
-    /// Points of the contacts in another layout in which slips were observed, m, one for each contact. The grasp for which the question is asked is
-    /// layout 0.
+    /// Adds a layout in which slips were observed: the points of the contacts there, m, one for each contact. The grasp for which the question is
+    /// asked is layout 0, the first one added is layout 1.
     #[must_use]
     pub fn with_points(mut self, points: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         self.layouts.push(points.into_iter().map(|point| SVector::from(point.into())).list());
         self
     }
 
-    /// Grasps of other layouts in which slips were observed, for instance with other squeezes. They come after those of [`Self::with_points`].
+    /// Adds layouts as grasps of their own, for instance with other squeezes. They are numbered after those of [`Self::with_points`].
     #[must_use]
     pub fn and_layouts(mut self, others: impl IntoIterator<Item = Grasp<C>>) -> Self {
         self.others.grasps.extend(others);
         self
     }
 
-    /// A sum of unknowns, by their numbers from 0, that is known with a relative standard deviation. Examples are a weighed total load of all
-    /// supports, or one unknown from another measurement.
+    /// Adds the value of a sum of unknowns, by their numbers from 0, that is known with the relative standard deviation `scatter`. Examples are a
+    /// weighed total load of all supports, or one unknown from another measurement.
     #[must_use]
     pub fn knowing(mut self, unknowns: impl IntoIterator<Item = usize>, value: f64, scatter: f64) -> Self {
         self.known.push(KnownSum { unknowns: unknowns.into_iter().list(), value, scatter });
         self
     }
 
-    /// The number of standard deviations beyond which slips count less (default 2). The loss is Huber's: quadratic up to this number, and linear
+    /// Sets the number of standard deviations beyond which slips count less (default 2). The loss is Huber's: quadratic up to this number, and linear
     /// beyond. Infinity gives least squares.
     #[doc(alias = "Huber")]
     #[must_use]
@@ -138,15 +138,15 @@ impl<const C: usize> Identify<C> {
         self
     }
 
-    /// The limit of steps of the search (default 100).
+    /// Sets the largest number of steps of the search (default 100).
     #[must_use]
     pub fn with_iterations(mut self, most: usize) -> Self {
         self.iterations = Some(most);
         self
     }
 
-    /// The grasp with the estimates, such as a coefficient of friction or a squeeze. An unknown that the slips do not determine keeps its value at
-    /// the start of the search, or gets a value that fits the slips equally well.
+    /// The grasp with the estimates `found` put in, such as a coefficient of friction or a squeeze. An unknown that the slips do not determine keeps
+    /// its value at the start of the search, or gets a value that fits the slips equally well.
     ///
     /// # Errors
     /// As for [`Grasp::identify`].
@@ -154,7 +154,7 @@ impl<const C: usize> Identify<C> {
         inside(self).fitted_grasp(&inside(grasp), found).map(outside)
     }
 
-    /// Whether normal forces that contacts carry at rest are sought. The question then need not contain the load that presses at rest.
+    /// Whether normal forces that contacts carry at rest are sought. The load that presses at rest then need not be given.
     #[cfg(feature = "serde")]
     pub(crate) fn seeks_carried(&self) -> bool {
         self.unknowns.iter().any(|unknown| unknown.kind == UnknownKind::Carried)
@@ -162,7 +162,7 @@ impl<const C: usize> Identify<C> {
 }
 
 impl Identify<3> {
-    /// [`Self::grasp_with`] for the engine, whose vectors have three components, in the plane, too.
+    /// [`Self::grasp_with`] for the engine, whose vectors have three components in the plane, too.
     fn fitted_grasp(&self, grasp: &Grasp<3>, found: &Identified) -> Result<Grasp<3>, Error> {
         let layouts = self.layouts(grasp)?;
         let asked = &self.of_points(&layouts)?;
@@ -171,7 +171,7 @@ impl Identify<3> {
         Ok(model.at(&logs)?.swap_remove(0).grasp)
     }
 
-    /// Answers the question for the engine, whose vectors have three components, in the plane, too.
+    /// Searches for the unknowns in the engine's representation, whose vectors have three components in the plane, too.
     fn answered_by(&self, grasp: &Grasp<3>) -> Result<Identified, Error> {
         let layouts = self.layouts(grasp)?;
         let asked = &self.of_points(&layouts)?.with_weights_at_rest(&layouts);
@@ -179,8 +179,8 @@ impl Identify<3> {
         assigned(&model, fitted(&model)?)
     }
 
-    /// The question in which the pressing part of each slip's load [acts at rest](Slip::with_weight_at_rest) if nothing else presses. A slip keeps
-    /// its load if normal forces at rest are sought in its layout.
+    /// This question with the pressing component of each slip's load [acting from the start](Slip::with_weight_at_rest) if nothing else presses. A
+    /// slip keeps its load if carried forces are sought in its layout.
     fn with_weights_at_rest(&self, layouts: &[Grasp<3>]) -> Self {
         let mut asked = self.clone();
         let is_carried =
@@ -199,7 +199,8 @@ impl Identify<3> {
         self.outliers.unwrap_or(2.0)
     }
 
-    /// The limit of steps. The default of 100 is enough; a longer search would creep along combinations that the slips hardly determine.
+    /// The largest number of steps of the search. The default of 100 is enough; a longer search would creep along combinations that the slips hardly
+    /// determine.
     pub(super) fn iterations(&self) -> usize {
         self.iterations.unwrap_or(100)
     }
@@ -214,7 +215,8 @@ impl Identify<3> {
         Ok(all)
     }
 
-    /// The question after its values have been checked. Each soft fingertip is replaced by its points, which are contacts of their own in the engine.
+    /// This question after a check of its values, with the points of soft fingertips in place of the fingertips: points are contacts of their own in
+    /// the engine.
     fn of_points(&self, layouts: &[Grasp<3>]) -> Result<Self, Error> {
         self.check_numbers(layouts[0].engine.space(), layouts.len())?;
         let mut asked = self.clone();
@@ -225,8 +227,8 @@ impl Identify<3> {
         Ok(asked)
     }
 
-    /// The load at rest, from which a scene finds out whether anything presses on the contacts. It is that of the first slip if normal forces at rest
-    /// are sought, or if every slip has a load at rest; else it is zero.
+    /// A load at rest, from which a scene decides whether anything presses on the contacts. It is the load at rest of the first slip if carried
+    /// forces are sought, or if every slip has one; else zero.
     #[cfg(feature = "serde")]
     pub(crate) fn at_rest(&self) -> Wrench<3> {
         let mut all = self.slips.iter().map(Slip::at_rest);
@@ -236,7 +238,8 @@ impl Identify<3> {
 }
 
 impl Grasp<3> {
-    /// This grasp with its contacts at other points. A soft fingertip moves as a whole, its middle to the given point.
+    /// This grasp with its contacts, links not counted, at other points. A soft fingertip moves as a whole, the mean of its points to the given
+    /// point.
     fn moved_to(&self, points: &[SVector<f64, 3>]) -> Result<Self, Error> {
         if self.refuse_hands("identify").is_err() {
             return Err(LAYOUTS_OF_HANDS);
@@ -248,7 +251,7 @@ impl Grasp<3> {
             if part.label.link.is_none() {
                 let point = points.get(count).copied().unwrap_or(middle);
                 for contact in &mut contacts[part.range.clone()] {
-                    // For a contact of a single point the bracket is exactly zero, so that the contact gets the new point without rounding.
+                    // For a contact with a single point the bracket is exactly zero, so that the contact gets the new point without rounding.
                     contact.point = point + (contact.point - middle);
                 }
                 count += 1;
@@ -269,7 +272,7 @@ pub(crate) const LAYOUTS_OF_HANDS: Error = Error::Question {
 };
 
 impl<const C: usize> Grasp<C> {
-    /// The unknowns of this grasp, estimated from observed slips; see the module [`identify`](crate::identify).
+    /// The estimates of unknown data of this grasp from observed slips; see the module [`identify`](crate::identify).
     ///
     /// ```
     /// use grasp_lcp::identify::{Identify, Slip, Unknown};

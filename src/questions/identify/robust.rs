@@ -1,22 +1,22 @@
-//! Huber's loss: quadratic in small residuals and linear in large ones, so that a few wrong observations matter little.
+//! Huber's loss: quadratic in small residuals and linear in large ones, so that a few wrong observations have little influence.
 
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{normal_density, normal_tail, summed};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Huber's loss. The number is the residual, in standard deviations, at which it becomes linear; infinity gives least squares.
+/// Huber's loss. The number is the residual, in standard deviations, beyond which it is linear; infinity gives least squares.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Huber(pub(super) f64);
 
 impl Huber {
-    /// The loss of a residual that is in standard deviations.
+    /// The loss of one residual `u`, in standard deviations.
     pub(super) fn loss(self, u: f64) -> f64 {
         let size = u.abs();
         if size <= self.0 { 0.5 * u * u } else { self.0 * (size - 0.5 * self.0) }
     }
 
-    /// The weight of a residual: 1 where the loss is quadratic, less beyond.
+    /// The weight of a residual `u` in least squares: 1 where the loss is quadratic, less beyond.
     pub(super) fn weight(self, u: f64) -> f64 {
         let size = u.abs();
         if size <= self.0 { 1.0 } else { self.0 / size }
@@ -31,18 +31,18 @@ impl Huber {
         1.0 - 2.0 * tail - 2.0 * self.0 * normal_density(self.0) + 2.0 * self.0 * self.0 * tail
     }
 
-    /// The sum of squares of residuals that are clamped where the loss becomes linear.
+    /// The sum of squares of residuals, in standard deviations, that are clamped where the loss becomes linear.
     pub(super) fn squares(self, residuals: impl Iterator<Item = f64>) -> f64 {
         residuals.map(|u| self.pull(u).powi(2)).sum()
     }
 
-    /// The standard deviation of residuals with this number of degrees of freedom, by Huber's second proposal. Where the loss is quadratic for all
-    /// residuals, it is the standard deviation of least squares.
+    /// A robust standard deviation of residuals with this number of degrees of freedom, by Huber's second proposal. Where the loss is quadratic for
+    /// all residuals, it is the standard deviation of least squares.
     pub(super) fn scale(self, residuals: &[f64], degrees: usize) -> f64 {
         let all = summed(residuals, &|r| r * r);
         let expected = degrees.max(1) as f64 * self.mean_square();
         let mut scale = (all / degrees.max(1) as f64).sqrt().max(SOLVED_ROUNDING);
-        // Sixty rounds of this fixed-point iteration give the scatter more digits than it needs.
+        // Sixty rounds of this fixed-point iteration give the standard deviation more digits than it needs.
         for _ in 0..60 {
             let squares = self.squares(residuals.iter().map(|r| r / scale));
             scale = (scale * (squares / expected).sqrt()).max(SOLVED_ROUNDING);
@@ -50,13 +50,13 @@ impl Huber {
         scale
     }
 
-    /// The derivative of the loss: the residual, clamped where the loss becomes linear.
+    /// The derivative of the loss by the residual: the residual, clamped where the loss becomes linear.
     pub(super) fn pull(self, u: f64) -> f64 {
         u.clamp(-self.0, self.0)
     }
 
-    /// The mean derivative of the clamped residuals, with a correction for the number of unknowns. `inside` of `all` residuals are not clamped (Huber
-    /// and Ronchetti, Robust Statistics, 2009, 7.6).
+    /// The mean derivative of the clamped residuals by the residuals, corrected for the number of unknowns; at least about a half. `inside` of `all`
+    /// residuals are not clamped (Huber and Ronchetti, Robust Statistics, 2009, 7.6).
     pub(super) fn slope(all: usize, inside: usize, unknowns: usize) -> f64 {
         let part = (inside as f64 / all as f64).max(0.5);
         part / (1.0 + unknowns as f64 / all as f64 * (1.0 - part) / part)
@@ -68,8 +68,8 @@ mod tests {
     use super::*;
     use crate::numerics::Draw;
 
-    /// For normally distributed numbers the scale is their standard deviation, wherever the loss becomes linear. The mean square is that of the
-    /// numbers clamped where the loss becomes linear.
+    /// For normally distributed numbers the scale is their standard deviation, wherever the loss becomes linear. The mean square of the clamped
+    /// numbers is as predicted.
     #[test]
     fn the_scale_is_that_of_a_normal_distribution() {
         let drawn: Vec<f64> = (0..20_000).map(|k| 3.0 * Draw::new([1, 2, k]).normal()).collect();

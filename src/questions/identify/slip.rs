@@ -21,7 +21,7 @@ pub enum SlipKind {
     Gross,
 }
 
-/// What grew until the slip: a load, or the angle of a turning load.
+/// The load that grew until the slip, or the load that turned until the slip.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Grown {
     Load(Wrench<3>),
@@ -98,22 +98,22 @@ impl<const C: usize> Slip<C> {
         Self::of(SlipKind::Gross, None, Some(turn))
     }
 
-    /// This slip beside a load that acted before, for instance a weight.
+    /// This slip beside a base load that acted before and stayed, for instance a weight.
     #[must_use]
     pub fn on_top_of(mut self, base: Wrench<C>) -> Self {
         self.base = Some(base);
         self
     }
 
-    /// This slip with a factor on the squeeze of the grasp. If the squeeze was loosened until the object slipped, `factor` is that at the slip, and
-    /// the scatter of the slip is the scatter of this factor.
+    /// This slip with a factor on the squeeze of the grasp. If the squeeze was loosened until the object slipped, `factor` is its value at the slip,
+    /// and the scatter of the slip is the scatter of this factor.
     #[must_use]
     pub fn squeezed(mut self, factor: f64) -> Self {
         self.squeeze = Some(factor);
         self
     }
 
-    /// This slip in another layout: 1 for the first of the [other layouts](super::Identify::and_layouts), and so on.
+    /// This slip in another layout: 0 is the grasp of the question, 1 the first [other layout](super::Identify::and_layouts), and so on.
     #[must_use]
     pub fn in_layout(mut self, layout: usize) -> Self {
         self.layout = Some(layout);
@@ -137,7 +137,8 @@ impl<const C: usize> Slip<C> {
 }
 
 impl Slip<3> {
-    /// Whether both slips were observed under the same loads, so that their predictions are equal; scatter and group may differ.
+    /// Whether both slips are of one kind, under the same loads, squeeze and layout, so that their predictions are equal; scatter and group may
+    /// differ.
     pub(super) fn is_like(&self, other: &Self) -> bool {
         (self.load, self.kind, self.layout, self.squeeze)
             == (other.load, other.kind, other.layout, other.squeeze)
@@ -145,8 +146,8 @@ impl Slip<3> {
             && self.turn == other.turn
     }
 
-    /// This slip with its load split in two if nothing but this load presses: the part along the mean of the contact normals, as a rule a weight,
-    /// acts at rest, and only the other part grows. If both parts grew together, the object would slide at once, or never.
+    /// This slip with its load split in two if nothing but this load presses. The component against the mean of the contact normals, as a rule a
+    /// weight, becomes the base load; only the rest grows. If both grew together, the object would slide at once, or never.
     pub(super) fn with_weight_at_rest(mut self, grasp: &Grasp<3>) -> Self {
         let Grown::Load(load) = self.growing_load() else { return self };
         let is_plain = |contact: &Contact<3>| contact.hold == Hold::Unilateral;
@@ -168,8 +169,8 @@ impl Slip<3> {
         {
             return self;
         }
-        // Both parts also share the moment about the centre of the contacts, in proportion. In the plane both forces then act along the line of the
-        // whole load.
+        // Both loads also share the moment about the centroid of the contacts, in proportion. In the plane both forces then act through one point of
+        // the whole load's line.
         let weight = along * -pressed;
         let about = load - Wrench::force_through(&centre, &force);
         let share = weight.dot(&force) / force.norm_squared();
@@ -182,17 +183,17 @@ impl Slip<3> {
         self
     }
 
-    /// The load or the turn that grew until the slip.
+    /// The load that grew until the slip, or the turn of the load that grew.
     pub(super) fn growing_load(&self) -> Grown {
         self.turn.map_or_else(|| Grown::Load(self.load.unwrap_or(Wrench::ZERO)), Grown::Turn)
     }
 
-    /// The constant load that acted before the slip's own load.
+    /// The base load, which acted before the slip's own load; zero if not given.
     pub(super) fn base(&self) -> Wrench<3> {
         self.base.unwrap_or(Wrench::ZERO)
     }
 
-    /// The load at rest: the constant one, and that of a turning load at its beginning.
+    /// The load at the start of this slip: the base load, and that of a turning load at angle zero.
     #[cfg(feature = "serde")]
     pub(super) fn at_rest(&self) -> Wrench<3> {
         self.base() + self.turn.map_or(Wrench::ZERO, |turn| turn.load_at(0.0))
@@ -216,7 +217,7 @@ impl Slip<3> {
         }
     }
 
-    /// Refuses values that no observation can have.
+    /// An error for values of this slip that no observation can have; `number` is the slip's number, `layouts` the number of layouts.
     pub(super) fn check(&self, number: usize, space: Space, layouts: usize) -> Result<(), Error> {
         let wrong = |field, value, allowed| {
             Err(Error::Identify { what: format!("slip {number}"), field, value, allowed })

@@ -1,4 +1,4 @@
-//! Standard errors and confidence intervals of the unknowns.
+//! Standard errors and confidence intervals of the unknowns, from a fit to observed slips.
 
 use nalgebra::DMatrix;
 
@@ -12,7 +12,7 @@ use super::tolerances::INDISTINCT;
 use crate::numerics::{IntoList, mapped, numbered, two_sided};
 use crate::prelude::*;
 
-/// The answer, from the fit at the end of the search: estimates with standard errors and intervals.
+/// The answer from one fit: estimates with standard errors and intervals, combinations that stay free, residuals and weights.
 pub(super) fn identified(model: &Model<'_>, fit: &Fitted) -> Identified {
     let grasp = &model.layouts[0];
     let names: Vec<String> = mapped(&model.asked.unknowns, &|unknown| unknown.called(grasp));
@@ -21,10 +21,10 @@ pub(super) fn identified(model: &Model<'_>, fit: &Fitted) -> Identified {
         let (name, value) = (&names[j], fit.logs[j].exp());
         let known = spread.as_ref().and_then(|spread| spread.of_unknown(j));
         let (error, degrees) = known.unwrap_or((f64::INFINITY, None));
-        // The error is that of a logarithm. If it exceeds one, the interval spans two powers of ten, over which the problem is not linear, and no
-        // error is given.
+        // The error is that of a logarithm. If it exceeds one, the interval spans nearly two powers of ten, over which the problem is not linear, and
+        // no error is given.
         let is_known = error.is_finite() && error <= 1.0;
-        // 0.95 is the probability that the interval contains the true value.
+        // 0.95 is the probability with which the interval contains the true value.
         let factor = (two_sided(0.95, degrees) * error).exp();
         Estimate {
             name: name.clone(),
@@ -76,7 +76,7 @@ pub(super) fn identified(model: &Model<'_>, fit: &Fitted) -> Identified {
     }
 }
 
-/// The errors at the solution, as variances and covariances of the logarithms of the unknowns.
+/// The errors at the solution, as variances and covariances of the logarithms of the unknowns, and the data for them.
 struct Spread {
     /// Singular values of the weighted derivatives, the largest first, and their right singular vectors as columns.
     values: Vec<f64>,
@@ -84,13 +84,14 @@ struct Spread {
     rank: usize,
     degrees: usize,
     scatter: Scatter,
-    /// Mean square of the residuals divided by the given scatter; `None` if the scatter was not given.
+    /// Mean square of the residuals divided by the given scatter, outliers clamped; `None` if the scatter was not given or no degrees of freedom
+    /// remain.
     square: Option<f64>,
-    /// For slips with groups, the data of the sandwich estimate of covariances; otherwise `None`.
+    /// For slips with groups, the contributions of groups to the errors; otherwise `None`.
     grouped: Option<Grouped>,
 }
 
-/// The group of each slip, if every slip has one.
+/// The group of each slip, by slip; `None` unless every slip has one.
 fn groups(model: &Model<'_>) -> Option<Vec<usize>> {
     model.asked.slips.iter().map(|slip| slip.group).collect()
 }
@@ -108,8 +109,8 @@ impl Spread {
         let inside = scaled.iter().filter(|u| u.abs() <= huber.0).count();
         let slope = Huber::slope(slips, inside, unknowns);
         let groups = groups(model);
-        // `counts` is a factor on the weight of each slip, because residuals are clamped. With groups the covariance is computed from the clamped
-        // residuals themselves. For independent slips the mean square of clamped normal residuals takes their place.
+        // `counts` is a factor on the weight of each slip that accounts for clamped residuals. With groups the covariance is computed from the
+        // clamped residuals themselves. For independent slips the mean square of clamped normal residuals takes their place.
         let counts = if groups.is_some() { slope.sqrt() } else { slope / huber.mean_square().sqrt() };
         let weights = numbered(rows, &|k| (if k < slips { counts } else { 1.0 }) / scatter.rows[k]);
         let (values, directions, _) = singular(&linear.jacobian, &linear.residuals, &weights);
@@ -128,8 +129,8 @@ impl Spread {
         spread
     }
 
-    /// A basis of the directions that the slips determine, as columns. The length of a column is the standard error along it if slips are
-    /// independent.
+    /// A basis of the directions, in the logarithms of the unknowns, that the slips determine, as columns. Each column is as long as the standard
+    /// error along it if slips are independent.
     fn scaled_directions(&self) -> DMatrix<f64> {
         let mut directions = self.directions.columns(0, self.rank).into_owned();
         for (mut column, value) in directions.column_iter_mut().zip(&self.values) {
@@ -138,7 +139,7 @@ impl Spread {
         directions
     }
 
-    /// Directions that the slips do not determine, as columns.
+    /// Directions in the logarithms of the unknowns that the slips do not determine, as orthonormal columns.
     fn free(&self) -> DMatrix<f64> {
         self.directions.columns(self.rank, self.values.len() - self.rank).into_owned()
     }
@@ -147,8 +148,8 @@ impl Spread {
         self.free().row(unknown).iter().map(|x| x * x).sum::<f64>() <= INDISTINCT
     }
 
-    /// The standard error of the logarithm of an unknown, and the degrees of freedom of Student's interval. `None` if the slips do not determine the
-    /// unknown, or its error is not known.
+    /// The standard error of the logarithm of an unknown, and the degrees of freedom of Student's interval (`None` for a normal distribution). `None`
+    /// if the slips do not determine the unknown, or its error is not known.
     fn of_unknown(&self, unknown: usize) -> Option<(f64, Option<f64>)> {
         let degrees = self.scatter.estimated.is_some().then_some(self.degrees as f64);
         if !self.fixes(unknown) || degrees == Some(0.0) {
@@ -160,7 +161,7 @@ impl Spread {
         Some((error.variance.sqrt(), Some(error.degrees)))
     }
 
-    /// The root mean square of the residuals divided by the given scatter.
+    /// The root mean square of the residuals divided by the given scatter; `None` as for the field `square`.
     fn misfit(&self) -> Option<f64> {
         self.square.map(f64::sqrt)
     }

@@ -1,11 +1,11 @@
-//! Limits below which a fit to observed slips counts a value as zero.
+//! Limits below which the identification of unknowns from observed slips counts a value as zero or stops.
 //!
 //! All of them are dimensionless: they apply to logarithms of unknowns, or to fractions of the largest value of the same kind.
 
-/// Forces, velocities, singular values and components of a direction below this fraction of the largest count as zero.
+/// Forces, velocities, singular values and derivatives below this fraction of the largest count as zero.
 ///
-/// Difference quotients are accurate to about 1e-8. If smaller, combinations that no slip determines get values whose errors are due to rounding. If
-/// larger, combinations that slips determine weakly are left out.
+/// Difference quotients are accurate to about 1e-8. If this were smaller, combinations that no slip determines would get values whose errors are due
+/// to rounding. If larger, combinations that slips determine weakly would be left out.
 pub(super) const INDISTINCT: f64 = 1e-6;
 
 /// Components below this fraction of the largest count as zero in a combination of unknowns that slips do not determine. The answer then names fewer
@@ -14,14 +14,14 @@ pub(super) const INDISTINCT: f64 = 1e-6;
 /// If smaller, unknowns appear with powers due to rounding. If larger, unknowns that belong to the combination are not named.
 pub(super) const NO_COMPONENT: f64 = 1e-4;
 
-/// The search has converged once a step changes no logarithm of an unknown by more than this.
+/// The search for the unknowns has converged once a step changes the logarithm of each unknown by at most this.
 ///
 /// If smaller, the search does not end where predictions are accurate to 1e-9 only, because directions of slip turn along the load path. If larger,
 /// digits of the unknowns are lost.
 pub(super) const CONVERGED_STEP: f64 = 1e-10;
 
-/// The search has converged once a step promises to decrease the loss by less than this fraction. With n slips such a step is √n 1e-4 standard errors
-/// long.
+/// The search has converged once a step is predicted to decrease the loss by at most this fraction. With n slips such a step is √n 1e-4 standard
+/// errors long.
 ///
 /// If smaller, the last steps follow the errors of predictions, 1e-9 where directions of slip turn along the load path. If larger, the search ends
 /// early.

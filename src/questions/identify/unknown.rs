@@ -1,4 +1,4 @@
-//! An unknown number of the grasp.
+//! An unknown number of the grasp, to be estimated from observed slips.
 
 use crate::ask::Grasp;
 use crate::error::Error;
@@ -50,7 +50,7 @@ pub struct Unknown {
     pub(super) start: Option<f64>,
 }
 
-/// Reads the contacts of an unknown; an empty list means all contacts.
+/// Reads the contacts of an unknown from a file; an empty list becomes `None`, which means all contacts.
 #[cfg(feature = "serde")]
 fn some_contacts<'de, S: serde::Deserializer<'de>>(deserializer: S) -> Result<Option<Vec<usize>>, S::Error> {
     let contacts: Vec<usize> = serde::Deserialize::deserialize(deserializer)?;
@@ -58,20 +58,20 @@ fn some_contacts<'de, S: serde::Deserializer<'de>>(deserializer: S) -> Result<Op
 }
 
 impl Unknown {
-    /// An unknown of this kind, of all contacts.
+    /// An unknown of this kind, common to all contacts in all layouts.
     #[must_use]
     pub fn of(kind: UnknownKind) -> Self {
         Self { kind, contacts: None, layout: None, name: None, start: None }
     }
 
-    /// One coefficient of friction of all contacts.
+    /// One coefficient of friction common to all contacts.
     #[must_use]
     pub fn friction() -> Self {
         Self::of(UnknownKind::Friction)
     }
 
-    /// The normal force that a contact carries at rest, N: the part of a weight that this support carries. The contact presses with this force, and
-    /// an equal force presses the object onto the contact, so that the object rests where it is. The weight must not be given again as a base load.
+    /// The normal force that each contact carries at rest, N: for a support, its share of a weight. The contact presses with this force, and an equal
+    /// load presses the object onto the contact, so that the object does not move. The weight must not be given again as a base load.
     #[must_use]
     pub fn carried() -> Self {
         Self::of(UnknownKind::Carried)
@@ -90,35 +90,36 @@ impl Unknown {
         Self::of(UnknownKind::Stiffness)
     }
 
-    /// This unknown for some contacts of the grasp, from 0, instead of all. A soft fingertip counts as one contact.
+    /// This unknown common to these contacts of the grasp, from 0, instead of all. A soft fingertip counts as one contact.
     #[must_use]
     pub fn of_contacts(mut self, contacts: impl IntoIterator<Item = usize>) -> Self {
         self.contacts = Some(contacts.into_iter().list());
         self
     }
 
-    /// This unknown for one layout alone, from 0.
+    /// This unknown for one layout alone, by its number from 0.
     #[must_use]
     pub fn in_layout(mut self, layout: usize) -> Self {
         self.layout = Some(layout);
         self
     }
 
-    /// This unknown with a name of its own for answers, such as "rubber".
+    /// This unknown with a name that answers show, such as "rubber".
     #[must_use]
     pub fn named(mut self, name: impl Into<String>) -> Self {
         self.name = Some(name.into());
         self
     }
 
-    /// This unknown with another start of the search than the value of the grasp; more than zero.
+    /// This unknown with another value at the start of the search than the value of the grasp; more than zero.
     #[must_use]
     pub fn starting_at(mut self, value: f64) -> Self {
         self.start = Some(value);
         self
     }
 
-    /// This unknown with contact points in place of contacts: each soft fingertip is replaced by the indices of its points.
+    /// This unknown with contact points in place of contacts: the indices of the points of each soft fingertip. An error for contacts that the grasp
+    /// does not have.
     pub(super) fn of_points(&self, number: usize, layouts: &[Grasp<3>]) -> Result<Self, Error> {
         let mut points = self.clone();
         if let Some(contacts) = &self.contacts {
@@ -133,7 +134,7 @@ impl Unknown {
         Ok(points)
     }
 
-    /// Whether the unknown belongs to this contact point of this layout.
+    /// Whether the unknown belongs to this contact point in this layout.
     pub(super) fn is_of(&self, layout: usize, contact: usize) -> bool {
         self.is_in(layout) && self.contacts.as_ref().is_none_or(|those| those.contains(&contact))
     }
@@ -162,7 +163,8 @@ impl Unknown {
         format!("{kind}{whose}{at}")
     }
 
-    /// The value of the unknown at the start of the search.
+    /// The value of the unknown at the start of the search: the given start, else the first positive value of its contacts in the grasp, else 0.5 for
+    /// friction and 1 for all others.
     pub(super) fn begins_at(&self, layouts: &[Grasp<3>]) -> f64 {
         if let Some(start) = self.start {
             return start;
@@ -183,7 +185,8 @@ impl Unknown {
         }
     }
 
-    /// Puts a value of the unknown into the contacts of a layout. A carried force also adds to the load at rest.
+    /// Puts a value of the unknown into the contacts of a layout. A carried force also adds its load to `base`. A squeeze of all contacts is not put
+    /// in here.
     pub(super) fn put(&self, layout: usize, value: f64, contacts: &mut [Contact<3>], base: &mut Wrench<3>) {
         for (_, contact) in contacts.iter_mut().enumerate().filter(|(i, _)| self.is_of(layout, *i)) {
             match self.kind {
@@ -204,12 +207,12 @@ impl Unknown {
     }
 }
 
-/// The force with which a contact presses on an object that does not move, N.
+/// The normal force with which the command of a contact presses on an object that does not move, N.
 fn pressed(contact: &Contact<3>) -> f64 {
     contact.stiffness.series()[0] * (contact.command[0] - contact.clearance)
 }
 
-/// The load that presses the object onto a contact with this force: a force through its point, against its normal.
+/// The load of this size that presses the object onto a contact: a force through its point, against its normal.
 pub(super) fn carried_by(contact: &Contact<3>, newtons: f64) -> Wrench<3> {
     Wrench::force_through(&contact.point, &(contact.normal.normalize() * -newtons))
 }

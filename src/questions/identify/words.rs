@@ -1,4 +1,4 @@
-//! The answer to [`Identify`](super::Identify) in a sentence: the unknowns and their errors.
+//! The answer to [`Identify`](super::Identify) as a sentence: the unknowns and their errors.
 
 use core::fmt;
 
@@ -29,7 +29,7 @@ impl fmt::Display for Identified {
         if let Some(scatter) = self.scatter {
             write!(f, ", which scatter by {} %", Words::with_digits(2).number(100.0 * scatter))?;
         }
-        // The sentence mentions residuals only if they are larger than the given scatter by more than this factor.
+        // The sentence mentions residuals only if their root mean square exceeds the given scatter by more than this factor.
         if let Some(misfit) = self.misfit.filter(|misfit| *misfit > 1.5) {
             write!(
                 f,
@@ -83,8 +83,8 @@ impl Identified {
         self.assignments.iter().any(|each| !is_alike(&self.assignments[0][unknown], &each[unknown]))
     }
 
-    /// The clause about unknowns whose values may be exchanged: "one of the two is 0.423 ± 0.004, which one is not fixed: friction of left or
-    /// friction of right". If their values differ, each alternative is named with its value.
+    /// The clause about the unknowns `open`, on which equally good assignments disagree: "one of the two is 0.423 ± 0.004, which one is not fixed:
+    /// friction of left or friction of right". If their values differ, each alternative is named with its value.
     fn alternatives_text(&self, open: &[usize], words: Words) -> String {
         let names: Vec<_> = mapped(open, &|j| self.estimates[*j].name.clone());
         let fixed: Vec<Vec<&Estimate>> = mapped(&self.assignments, &|each| {
@@ -129,7 +129,7 @@ impl Estimate {
         }
     }
 
-    /// The value with its unit and, if known, its error.
+    /// The value with its unit and, if known, its standard error and interval.
     fn value_text(&self, words: Words) -> String {
         let (unit, behind) = match self.kind {
             UnknownKind::Friction => ("", ""),
@@ -145,7 +145,7 @@ impl Estimate {
     }
 }
 
-/// A number rounded to the second digit of its error, but not to more digits than `words` has.
+/// A number rounded to the second digit of its error, but to no more digits than `words` allows.
 fn to_error(x: f64, error: f64, words: Words) -> String {
     let decimals = 1.0 - error.log10().floor();
     // Where the error is smaller than the last digit that `words` allows, no further digits are written.

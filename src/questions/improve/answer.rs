@@ -1,4 +1,4 @@
-//! Answer of the search for better finger places.
+//! The answer of the search for better finger places.
 
 use nalgebra::SVector;
 
@@ -8,78 +8,79 @@ use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// The best places and squeezes found; its [`Display`](std::fmt::Display) states them in a sentence.
+/// The best places and squeezes of the fingers that the search found; its [`Display`](std::fmt::Display) states them in a sentence.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Improved<const C: usize> {
-    /// The maximised quantity, whose values are `before` and `after`.
+    /// The goal, whose values in the given and in the best grasp are `before` and `after`.
     #[cfg_attr(feature = "serde", serde(default))]
     pub goal: ImproveGoal,
-    /// Value of the given grasp: the least load factor of first slip, or the least reserve, N. `None` where a contact slides at rest, no equilibrium
-    /// at rest is found, or, for a reserve, a contact slides under a load.
+    /// Value of the given grasp: the least load factor of first slip, or the least reserve, N, over the loads. `None` where a contact slides under
+    /// the base load, no equilibrium under the base load is found, or, for a reserve, a contact slides under a load.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub before: Option<f64>,
-    /// Value of the best grasp found. `None` where no grasp was found that sticks at rest and, for a reserve, under the loads. Infinite where no
-    /// contact slides however large the loads are.
+    /// Value of the goal for the best grasp found. `None` where no grasp was found that sticks under the base load and, for a reserve, under the
+    /// loads. Infinite where no contact slides however large the loads are.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub after: Option<f64>,
     /// The size of the load, N, if it is a single force. The load factor of first slip times this size is the force at first slip.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub force: Option<f64>,
-    /// Places and commands of all contacts in the best grasp found.
+    /// Place and command of every contact in the best grasp found; empty without one.
     pub contacts: Vec<Placed<C>>,
-    /// The active sticking conditions and limits that prevent a larger value, with their multipliers.
+    /// The active sticking conditions and limits that prevent a larger value, each with its multiplier; empty where no multipliers were found.
     pub in_the_way: Vec<InTheWay>,
-    /// How the search for this grasp ended.
+    /// How the search for the best grasp found ended.
     pub search: SearchEnd,
-    /// Residual of first-order optimality: the sum of the gradients of sticking conditions and limits, weighted by their multipliers. It is relative
-    /// to the load factor of first slip, or for a reserve to the greatest force at rest. Places are in units of the grasp's size, squeezes in units
-    /// of the greatest allowed force. `None` where no multipliers were found.
+    /// Residual of first-order optimality: the largest component of the sum of the gradients of sticking conditions and limits, weighted by their
+    /// multipliers, or their complementarity if that is larger. It is relative to the load factor of first slip, or for a reserve to the greatest
+    /// force under the base load. Places are in units of the grasp's size, squeezes in units of the greatest allowed force. `None` where no
+    /// multipliers were found.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub residual: Option<f64>,
-    /// Number of starting grasps from which a search was made.
+    /// Number of starting grasps, of the given one and the random ones, in which all contacts stick under the base load.
     pub starts: usize,
-    /// Number of steps from all starts, including refused ones.
+    /// Number of steps tried in the ascents from all starts, including refused ones.
     pub steps: usize,
 }
 
-/// The place of a contact, and its command.
+/// The place of one contact point in the best grasp found, and its command.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Placed<const C: usize> {
-    /// The contact, or the point of a soft fingertip.
+    /// The contact; of a soft fingertip one of its points.
     pub contact: WholeContact,
     /// Name of the surface along which the contact may move, if any: "edge", "circle", …
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub surface: Option<String>,
-    /// Contact point, m.
+    /// Contact point in the best grasp found, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub point: SVector<f64, C>,
-    /// Unit normal into the object.
+    /// Unit normal into the object in the best grasp found.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub normal: SVector<f64, C>,
-    /// Unit first tangent. The contact frame tilts with the normal and does not turn about it.
+    /// Unit first tangent. From the given frame, the contact frame tilts with the normal and does not turn about it.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub tangent: SVector<f64, C>,
-    /// Command in the contact frame, m.
+    /// Command in the contact frame, m, the clearance included in its normal component.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub command: SVector<f64, C>,
-    /// Straight distance from the place given, m.
+    /// Straight distance from the point of this contact in the given grasp, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub moved: f64,
-    /// Normal force with which the command presses, N; `None` unless the search may change it.
+    /// Normal force that the command would cause with the object held in place, N; `None` unless the search may change it.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub pressed_with: Option<f64>,
-    /// Normal force at rest, N.
+    /// Normal force under the base load and the commands, N.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub normal_force: f64,
 }
 
-/// One active sticking condition or limit that prevents a later first slip or a larger reserve.
+/// One active sticking condition or limit of a contact, which prevents a later first slip or a larger reserve.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -87,12 +88,12 @@ pub struct Placed<const C: usize> {
 pub struct InTheWay {
     /// The contact to which the condition or limit belongs.
     pub contact: WholeContact,
-    /// The sticking condition or limit, with its multiplier.
+    /// The sticking condition or limit that is active, with its multiplier.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub binds: Binds,
 }
 
-/// An active sticking condition or limit with its multiplier. A gain is an increase of the load factor of first slip, or of the reserve, N.
+/// An active sticking condition or limit with its multiplier. "Gain" means an increase of the load factor of first slip, or of the reserve, N.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -102,80 +103,81 @@ pub struct InTheWay {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Binds {
-    /// The contact slides or opens first.
+    /// The contact slides or opens first, under the load with this index.
     FirstSlip {
-        /// Index of the load, from 0; `None` for a force of any direction.
+        /// Index of the load under which the contact slips, from 0; `None` for a force of any direction.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         load: Option<usize>,
         /// Multiplier of this sticking condition in the optimality conditions; the multipliers of all sticking conditions add up to one.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         share: f64,
     },
-    /// The contact has the least friction in reserve.
+    /// The contact has the least friction in reserve under the load with this index.
     Reserve {
-        /// Index of the load, from 0; `None` for a force of any direction.
+        /// Index of the load under which the reserve is least, from 0; `None` for a force of any direction.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         load: Option<usize>,
-        /// Multiplier of this sticking condition, as for the first slip.
+        /// Multiplier of this sticking condition in the optimality conditions; the multipliers of all sticking conditions add up to one.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         share: f64,
     },
-    /// At rest the contact presses with its greatest allowed force.
+    /// Under the base load the contact's normal force is the greatest allowed one.
     Force {
-        /// Gain per newton of a larger limit.
+        /// Gain per newton by which the greatest allowed force were larger.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
-    /// The command of the contact presses with its greatest allowed force.
+    /// The command of the contact has its greatest allowed force ([`Placed::pressed_with`]).
     Pressed {
-        /// Gain per newton of a larger limit.
+        /// Gain per newton by which the greatest allowed force were larger.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
-    /// The command of the contact does not press at all.
+    /// The command of the contact has the force zero ([`Placed::pressed_with`]): it does not press at all.
     NotPressed {
-        /// Gain per newton with which the command would pull instead of pressing.
+        /// Gain per newton by which the command could pull instead of pressing.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
-    /// The contact is at the end of its surface, or at the end of its part of the surface.
+    /// The contact is at the end of its curve or surface, or at an edge of its segment or triangle.
     End {
-        /// Gain per metre of a longer surface.
+        /// Gain per metre by which the surface, segment or triangle were longer.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_metre: f64,
     },
-    /// At rest the contact is at the edge of its friction cone.
+    /// Under the base load the contact is at the edge of its friction cone.
     Rest {
-        /// Gain per newton of additional friction.
+        /// Gain per newton by which the margin of sticking under the base load were larger.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
 }
 
-/// How a search ended.
+/// How the search that led to the best grasp ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum SearchEnd {
-    /// To first order nothing nearby is better: gradients of active sticking conditions and of active limits cancel up to a millionth.
+    /// To first order nothing nearby is better: the weighted gradients of active sticking conditions and active limits cancel up to a millionth.
     Optimum,
-    /// No step gains more than rounding, but gradients do not cancel. Perhaps two sticking conditions of one contact are equally near to being broken
-    /// there.
+    /// No step gains more than rounding, but the weighted gradients do not cancel. Perhaps two sticking conditions of one contact are equally near to
+    /// being broken.
     Stalled,
-    /// The search used all of its steps.
+    /// The search used all of its steps before the gradients cancelled.
     OutOfSteps,
-    /// At any other place nothing would balance the loads. For instance, two point contacts in space resist no moment about the line that joins them.
+    /// With some contact at another place nothing would balance the loads. For instance, two point contacts in space resist no moment about the line
+    /// that joins them.
     Unbalanced,
-    /// No contact slides, however large the loads are.
+    /// No contact slides, however large the loads are: the load factor of first slip is infinite.
     NothingSlides,
-    /// Every start fails, the given grasp and the random ones: at rest some contact does not stick, or nothing resists the loads. With a reserve as
-    /// the goal some contact does not stick under the loads.
+    /// Every start fails, the given grasp and the random ones: under the base load some contact does not stick, or nothing resists the loads. With a
+    /// reserve as the goal some contact does not stick under the loads.
     NoStart,
 }
 
 impl<const C: usize> Improved<C> {
-    /// Whether it is proved that to first order no place and squeeze nearby is better.
+    /// Whether multipliers prove that, to first order, no place and squeeze nearby is better.
     #[must_use]
     pub fn is_locally_best(&self) -> bool {
         self.search == SearchEnd::Optimum

@@ -17,33 +17,35 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{least, mapped};
 use crate::prelude::*;
 
-/// A [`Placing`] with which all contacts stick at rest, and the forces that belong to it.
+/// A [`Placing`] with which all contacts stick under the base load and the commands, and its contact forces by source.
 #[derive(Debug)]
 pub(super) struct Design {
     pub(super) placing: Placing,
     pub(super) sticking: StickingForces,
     /// Value of the goal: the least load factor of first slip, or the least reserve, N.
     pub(super) value: f64,
-    /// The scale to which gains are relative: the load factor of first slip itself, or for a reserve the greatest force at rest, N.
+    /// The scale by which gains of the value are divided: the load factor of first slip itself, or for a reserve the greatest contact force under the
+    /// base load, N.
     pub(super) scale: f64,
 }
 
-/// The end of an ascent.
+/// The end of an ascent from one starting grasp: the last design, and why the ascent stopped.
 pub(super) struct Ascent {
     pub(super) design: Design,
     pub(super) search: SearchEnd,
-    /// Steps so far, including those of earlier ascents from the same starting grasp.
+    /// Number of steps tried so far, including those of earlier ascents from the same starting grasp.
     pub(super) steps: usize,
-    /// The last step, whose multipliers show which conditions and limits prevent a larger value.
+    /// The last step, whose multipliers show which conditions and limits prevent a larger value; `None` where none was computed.
     pub(super) last: Option<LastStep>,
 }
 
-/// A step, with the sticking conditions and bounds to which its multipliers belong.
+/// A step, with the sticking conditions under loads (`events`) and the limits (`bounds`) to which its multipliers belong.
 pub(super) struct LastStep {
     pub(super) step: TrialStep,
     pub(super) events: Vec<SlipEvent>,
     pub(super) bounds: Vec<Constraint>,
-    /// The contacts at ends of surfaces that bound the step, one for each end. The multipliers of these ends follow those of `bounds` in `step`.
+    /// For each edge of a surface, segment or triangle that bounds the step, the contact on it. The multipliers of these edges follow those of
+    /// `bounds` in `step`.
     pub(super) rooms: Vec<usize>,
 }
 
@@ -55,7 +57,7 @@ pub(super) struct Climb<'q> {
 }
 
 impl Climb<'_> {
-    /// The greatest allowed normal forces of contacts whose squeeze may change.
+    /// For each contact the greatest allowed normal force, N; `None` where the squeeze may not change.
     fn greatest_presses(&self) -> Vec<Option<f64>> {
         let mut most = vec![None; self.choice.contacts.len()];
         for variable in &self.choice.variables {
@@ -66,8 +68,8 @@ impl Climb<'_> {
         most
     }
 
-    /// The [`Design`] of a placing. If a contact presses too hard, all variable squeezes are reduced by a common factor. `None` where some contact
-    /// does not stick at rest.
+    /// The [`Design`] of a placing. If a contact's normal force under the base load exceeds its limit, all variable squeezes are reduced by a common
+    /// factor. `None` where this is impossible or some contact does not stick under the base load.
     pub(super) fn evaluate(&self, mut placing: Placing) -> Result<Option<Design>, Error> {
         let (Loaded { base, loads, .. }, most) = (self.loaded, self.greatest_presses());
         let of = |placing: &Placing| StickingForces::of(self.choice, placing, base, loads);
@@ -92,7 +94,8 @@ impl Climb<'_> {
         self.evaluate_sticking(placing, sticking, &most)
     }
 
-    /// Value of the goal for the given grasp with its own commands; `None` where a contact slides.
+    /// Value of the goal for the given grasp with its own commands; `None` where a contact slides under the base load or, for a reserve, under a
+    /// load.
     pub(super) fn before(&self, given: &Placing) -> Result<Option<f64>, Error> {
         if self.loaded.goal == ImproveGoal::FirstSlip {
             return Ok(self.loaded.first_slip(self.grasp)?.filter(|factor| *factor > 0.0));
@@ -106,7 +109,8 @@ impl Climb<'_> {
         Ok(design.flatten().map(|design| design.value).filter(|reserve| *reserve >= 0.0))
     }
 
-    /// The [`Design`] of a placing with known forces; `None` where some contact does not stick at rest.
+    /// The [`Design`] of a placing with known contact forces; `None` where some contact does not stick under the base load or its normal force
+    /// exceeds the limit in `most`.
     fn evaluate_sticking(
         &self,
         placing: Placing,
@@ -134,10 +138,11 @@ impl Climb<'_> {
     }
 
     /// Ascent from `design` to a local optimum. Each contact stays on its part of its surface, such as one triangle of a mesh. `steps` is the number
-    /// of steps made before, to which those of this ascent are added.
+    /// of steps tried before from the same start, to which those of this ascent are added.
     pub(super) fn ascend(&self, mut design: Design, mut steps: usize) -> Result<Ascent, Error> {
         let n = self.choice.variables.len();
-        // Half widths of the trust region (a box), relative to the unit of each variable: the grasp's size, or the greatest force.
+        // Half widths of the trust region (a box), relative to the unit of each variable: the grasp's size for places, the greatest force for
+        // squeezes.
         let [first_radius, largest_radius, least_radius] = [0.1, 1.0, 1e-11];
         let (mut radius, mut curvature) = (first_radius, Curvature::flat(n));
         let ended = |design, search, steps, last| Ok(Ascent { design, search, steps, last });
@@ -164,8 +169,8 @@ impl Climb<'_> {
                 let arrived =
                     step.residual <= ARRIVED_AT_TOP || step.gain <= ROUNDED_GAIN || radius < least_radius;
                 if arrived || steps >= self.choice.question.steps() {
-                    // The learnt curvature may be wrong here and hide an ascent direction. Before the ascent ends without an optimum, it is reset and
-                    // steps are tried again.
+                    // The learnt curvature may be wrong here and hide an ascent direction. Before the ascent ends without an optimum, the curvature
+                    // is reset and steps are tried again.
                     if arrived && step.residual > OPTIMAL && curvature.0.amax() > 0.0 {
                         (curvature, radius) = (Curvature::flat(n), first_radius.min(radius * 1e3));
                         continue;
@@ -181,7 +186,7 @@ impl Climb<'_> {
                 let trial = self.evaluate(self.choice.stepped(&design.placing, step.d.as_slice()))?;
                 let gain = trial.as_ref().map_or(-1.0, |trial| (trial.value - design.value) / design.scale);
                 let as_told = gain / step.gain;
-                // The box grows where the gain is at least three quarters of the predicted one, and shrinks
+                // The trust region doubles where the gain exceeds three quarters of the predicted one and the step reaches its boundary. It shrinks
                 // below a quarter.
                 if as_told > 0.75 && step.d.amax() >= 0.99 * radius {
                     radius = (2.0 * radius).min(largest_radius);
@@ -197,8 +202,7 @@ impl Climb<'_> {
         }
     }
 
-    /// The quadratic program of a step, and the contact of each bound that is due to the end of a surface. These bounds are the last ones of the
-    /// program.
+    /// The quadratic program of a step, and the contacts of its last bounds, which are due to edges of surfaces, segments or triangles.
     fn program(
         &self,
         design: &Design,
@@ -242,8 +246,8 @@ impl Climb<'_> {
     }
 }
 
-/// The decrease of the gradient of the Lagrangian along the last step, with the multipliers of that step. Apart from the sticking conditions under
-/// loads, only limits of normal forces are included.
+/// The decrease, over the last step, of the gradient of the Lagrangian by the variables, with the multipliers of that step. It includes sticking
+/// conditions under loads and limits of normal forces, but not sticking under the base load.
 fn gradient_decrease(
     old: &LastStep,
     (events, bounds): (&[SlipEvent], &[Constraint]),
@@ -253,7 +257,7 @@ fn gradient_decrease(
     let step = &old.step;
     let mut decrease = DVector::zeros(step.d.len());
     for (event, share) in old.events.iter().zip(&step.events).filter(|(_, share)| **share > 0.0) {
-        // Several events may belong to one sticking condition. The one whose value is nearest is taken for the same event after the step.
+        // Several events may belong to one sticking condition. The one whose value is nearest counts as the same event after the step.
         let same = events.iter().filter(|other| other.condition == event.condition);
         let apart = |other: &&SlipEvent| (other.value - event.value).abs();
         if let Some(same) = same.min_by(|a, b| apart(a).total_cmp(&apart(b))) {

@@ -1,5 +1,5 @@
-//! Forces while every contact sticks, and their exact derivatives by places and squeezes. Forces are a sum over sources, which are kept apart: the
-//! load at rest with fixed commands, the variable squeeze, and each load.
+//! Contact forces while every contact sticks, and their exact derivatives by places and squeezes. They are kept apart by source: the base load with
+//! fixed commands, the variable squeeze, and each load.
 
 use nalgebra::SVector;
 
@@ -12,17 +12,17 @@ use crate::numerics::Vector;
 use crate::object::PieceState;
 use crate::prelude::*;
 
-/// For each source, the forces of all contacts in their frames, N, or derivatives of these forces.
+/// For each source (base load, squeeze, each load), the forces of all contacts in their frames, N, or derivatives of these forces.
 pub(super) type BySource = Vec<Vec<SVector<f64, 3>>>;
 
-/// Index of the source of all that does not vary: the load at rest, and commands that are fixed.
+/// Index of the source that does not vary: the base load, and commands that are fixed.
 pub(super) const REST: usize = 0;
-/// Index of the source of the normal commands that the search varies.
+/// Index of the source of the squeeze: the normal commands that the search varies.
 pub(super) const SQUEEZE: usize = 1;
-/// Index of the source of the first load; those of further loads follow.
+/// Index of the source of the first load; the sources of further loads follow.
 pub(super) const LOADS: usize = 2;
 
-/// The contact forces of a grasp whose contacts are taken to stick, whatever their forces.
+/// The contact forces of a grasp, by source, computed as if every contact stuck.
 #[derive(Debug)]
 pub(super) struct StickingForces {
     pub(super) grasp: Grasp<3>,
@@ -30,7 +30,8 @@ pub(super) struct StickingForces {
 }
 
 impl StickingForces {
-    /// The forces of a placing: at rest, and by each of `loads` alone. `None` where nothing resists one of these loads.
+    /// The contact forces of a placing: by the base load and fixed commands, by the squeeze, and by each of `loads` alone. `None` where nothing
+    /// resists one of these loads.
     pub(super) fn of(
         choice: &Choice<'_>,
         placing: &Placing,
@@ -53,27 +54,28 @@ impl StickingForces {
         Ok(sources.map(|sources| Self { grasp, sources }))
     }
 
-    /// The linear response of this grasp while every contact sticks.
+    /// The linear response of contact forces of this grasp to loads and commands while every contact sticks.
     pub(super) fn response(&self) -> StickingResponse<'_> {
         StickingResponse::new(&self.grasp.engine, self.grasp.settings())
     }
 
-    /// The force on a contact by one source alone.
+    /// The force on a contact by one source alone, in its frame, N.
     pub(super) fn by(&self, source: usize, contact: usize) -> SVector<f64, 3> {
         self.sources[source].forces[contact]
     }
 
-    /// The force on a contact at rest: by fixed commands and the base load, and by the variable squeeze.
+    /// The force on a contact under the base load, in its frame, N: by fixed commands and this load, and by the variable squeeze.
     pub(super) fn at_rest(&self, contact: usize) -> SVector<f64, 3> {
         self.by(REST, contact) + self.by(SQUEEZE, contact)
     }
 
-    /// The number of loads.
+    /// The number of sources that are loads; a force of any direction counts as one load per axis.
     pub(super) fn loads(&self) -> usize {
         self.sources.len() - LOADS
     }
 
-    /// The derivatives of all contact forces by each variable; `None` where a contact at another place would leave a load without any resistance.
+    /// The derivatives of all contact forces by each variable in its unit, ordered by variable; `None` where a contact at another place would leave a
+    /// load without any resistance.
     pub(super) fn derivatives(&self, choice: &Choice<'_>, placing: &Placing) -> Option<Vec<BySource>> {
         let response = self.response();
         choice.variables.iter().map(|variable| self.derivative(&response, placing, variable)).collect()
@@ -86,7 +88,7 @@ impl StickingForces {
         variable: &DesignVariable,
     ) -> Option<BySource> {
         let &DesignVariable { contact, what, unit } = variable;
-        // The data of the contact that depend on this variable, each with its change by one unit of the variable.
+        // The data of the contact that depend on this variable, each with its change if the variable changes by its unit.
         let mut data = Vec::new();
         match what {
             DesignKind::Press { .. } => {

@@ -1,9 +1,9 @@
-//! The Hessian of the Lagrangian, learnt from steps by the method of Broyden, Fletcher, Goldfarb and Shanno. Powell's damping keeps it positive
-//! semidefinite (Nocedal and Wright, Numerical Optimization, 2006, section 18.3).
+//! The Hessian of the Lagrangian of an ascent, learnt from its steps by the method of Broyden, Fletcher, Goldfarb and Shanno. Powell's damping keeps
+//! it positive semidefinite (Nocedal and Wright, Numerical Optimization, 2006, section 18.3).
 
 use nalgebra::{DMatrix, DVector};
 
-/// The approximate Hessian B. It starts at zero, so that the first steps are those of a linear program.
+/// The approximate Hessian B of minus the Lagrangian. It starts at zero, so that the first steps solve a linear program.
 pub(super) struct Curvature(pub(super) DMatrix<f64>);
 
 impl Curvature {
@@ -11,7 +11,7 @@ impl Curvature {
         Self(DMatrix::zeros(size, size))
     }
 
-    /// Updates B after a step along which the gradient of the Lagrangian (sticking conditions and bounds, weighted by their multipliers) decreased by
+    /// Updates B after a step over which the gradient of the Lagrangian (sticking conditions and bounds, weighted by their multipliers) decreased by
     /// `decrease`.
     pub(super) fn learn(&mut self, step: &DVector<f64>, decrease: &DVector<f64>) {
         let length = step.norm_squared();

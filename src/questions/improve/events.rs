@@ -1,5 +1,5 @@
-//! For each contact and load, the load factor at which each condition of sticking or of touching is broken, and its derivatives by places and
-//! squeezes.
+//! For each contact and load, the value of each sticking condition (for the goal of first slip the load factor that breaks it), and its derivatives
+//! by places and squeezes.
 
 use core::f64::consts::TAU;
 
@@ -13,7 +13,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{mapped, numbered, unit, vector_of};
 use crate::prelude::*;
 
-/// Names one condition of sticking, so that the same condition is found again after its contact has moved.
+/// Identifies one sticking condition `a·F >= 0` of a contact under a load, so that it is found again after the contact has moved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ConeRow {
     /// Index of the load; `None` for a force of any direction.
@@ -23,8 +23,8 @@ pub(super) struct ConeRow {
     pub(super) number: usize,
 }
 
-/// A condition of sticking under a load. Its value is the load factor at which it is broken, or for a reserve its margin, N; `gradient` has the
-/// derivatives of the value by each variable.
+/// A sticking condition of a contact under a load. Its value is the load factor at which it is broken, or for a reserve its margin under the load, N;
+/// `gradient` has the derivatives of the value by each variable.
 #[derive(Debug, Clone)]
 pub(super) struct SlipEvent {
     pub(super) condition: ConeRow,
@@ -32,7 +32,7 @@ pub(super) struct SlipEvent {
     pub(super) gradient: DVector<f64>,
 }
 
-/// A quantity `left`, N, that must not become negative, and its derivatives by each variable.
+/// A quantity `left` of a contact under the base load, N, that must not become negative, and its derivatives by each variable.
 #[derive(Debug, Clone)]
 pub(super) struct Constraint {
     pub(super) contact: usize,
@@ -43,14 +43,14 @@ pub(super) struct Constraint {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum ConstraintKind {
-    /// A condition of sticking at rest.
+    /// A sticking condition under the base load and the commands; `left` is its margin.
     Sticks,
-    /// The greatest allowed normal force of the contact, at rest.
+    /// The greatest allowed normal force of the contact under the base load; `left` is the difference to it.
     Force,
 }
 
-/// The conditions of sticking that can become active near the contact force `force`. For a polygonal cone these are all its facets. For a round cone
-/// it is the facet towards the friction force, or eight facets all around if there is no friction force.
+/// The sticking conditions, as rows a of `a·F >= 0`, that can become active near the contact force `force`. For a polygonal cone these are all its
+/// facets. For a round cone it is the facet towards the friction force, or eight facets all around if there is no friction force.
 fn nearest(edges: &Edges, force: &SVector<f64, 3>) -> Vec<SVector<f64, 3>> {
     let friction = tangential(force);
     edges.rows(&|_| {
@@ -63,7 +63,7 @@ fn nearest(edges: &Edges, force: &SVector<f64, 3>) -> Vec<SVector<f64, 3>> {
     })
 }
 
-/// A contact with its force at rest. `derivatives` has the derivatives of all forces by each variable.
+/// A contact with its force under the base load, in its frame. `derivatives` has the derivatives of all contact forces by each variable.
 struct Pressed<'a> {
     number: usize,
     law: LocalLaw<'a>,
@@ -78,12 +78,12 @@ impl Pressed<'_> {
         DVector::from_iterator(self.derivatives.len(), self.derivatives.iter().map(f))
     }
 
-    /// The derivative of this contact's force at rest by the variable to which the derivatives `d` belong.
+    /// The derivative of this contact's force under the base load by one variable; `d` has the derivatives of all contact forces by it.
     fn change(&self, d: &BySource) -> SVector<f64, 3> {
         d[REST][self.number] + d[SQUEEZE][self.number]
     }
 
-    /// The constraints on the contact at rest: it sticks, and its normal force is at most `most`.
+    /// The constraints on the contact under the base load: it sticks, and its normal force is at most `most`, N, if there is a limit.
     fn constraints(&self, most: Option<f64>) -> Vec<Constraint> {
         let constraint = |kind, row: &SVector<f64, 3>, left| {
             let gradient = self.by_variable(&|d| row.dot(&self.change(d)));
@@ -97,8 +97,8 @@ impl Pressed<'_> {
         all
     }
 
-    /// A [`SlipEvent`] for each sticking condition in `rows` that the load can break. `added` returns the change of a condition's margin by the load,
-    /// and `added_changes` the derivative of this change by a variable.
+    /// A [`SlipEvent`] for each sticking condition in `rows`; for first slip, only for those that the load can break. `added` returns the change of a
+    /// condition's margin by the load, and `added_changes` the derivative of this change by a variable.
     fn events(
         &self,
         load: Option<usize>,
@@ -119,7 +119,7 @@ impl Pressed<'_> {
         events
     }
 
-    /// The events of this contact (sticking conditions that may be broken) under one load, which changes the contact force by `rate`.
+    /// The [`SlipEvent`]s of this contact under load number `load`, which changes the contact force by `rate` per unit of load factor.
     fn under(&self, load: usize, rate: SVector<f64, 3>) -> Vec<SlipEvent> {
         let force = self.force;
         let line = Line { force, rate, force_size: force.norm(), rate_size: rate.norm() };
@@ -131,8 +131,8 @@ impl Pressed<'_> {
         self.events(Some(load), rows, &|row| row.dot(&rate), &|row, d| row.dot(&d[LOADS + load][self.number]))
     }
 
-    /// The events of this contact (sticking conditions that may be broken) under a force of given size and any direction. `influence` has the contact
-    /// forces due to this force along each axis.
+    /// The [`SlipEvent`]s of this contact under a force of given size and any direction. `influence` has the changes of the contact force by this
+    /// force along each axis.
     fn under_any_force(&self, influence: &[SVector<f64, 3>]) -> Vec<SlipEvent> {
         let gradient = |row: &SVector<f64, 3>, by: &dyn Fn(usize) -> SVector<f64, 3>| {
             vector_of(influence.len(), &|k| row.dot(&by(k)))
@@ -151,8 +151,8 @@ impl Pressed<'_> {
     }
 }
 
-/// All events (sticking conditions under loads) and constraints at rest of a placing. `most` has the greatest allowed normal force of each contact
-/// whose squeeze may change.
+/// All [`SlipEvent`]s (sticking conditions under loads) and all constraints under the base load of a placing. `most` has the greatest allowed normal
+/// force of each contact whose squeeze may change.
 pub(super) fn events(
     loaded: &Loaded,
     most: &[Option<f64>],

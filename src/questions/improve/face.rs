@@ -1,4 +1,5 @@
-//! Conversion of questions and answers between the engine, whose vectors have three components in the plane, too, and callers, with `C` components.
+//! Conversion of the types about finger placement between the engine, whose vectors have three components in the plane, too, and callers, with `C`
+//! components.
 
 use super::answer::{Improved, InTheWay, Placed, SearchEnd};
 use super::goal::ImproveGoal;

@@ -1,7 +1,7 @@
-//! The value that is maximised over places and squeezes.
+//! The goal: the value that is maximised over places and squeezes.
 //!
-//! A condition `a·F >= 0` has the margin `r = a·F⁰` at rest, and a load adds `s = a·F¹`, usually negative. The goal of first slip is the load factor
-//! τ that uses up the margin, `r + τ s = 0`. The goal of a reserve is the margin under the load, `r + s`.
+//! A sticking condition `a·F >= 0` has the margin `r = a·F⁰` under the base load, and a load adds `s = a·F¹`, usually negative. The goal of first
+//! slip is the load factor τ that uses up the margin, `r + τ s = 0`. The goal of a reserve is the margin under the load, `r + s`.
 
 /// The value to be maximised where fingers are improved; it is the least over all loads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -18,8 +18,8 @@ pub enum ImproveGoal {
 }
 
 impl ImproveGoal {
-    /// The value of the goal for one sticking condition with margin `rest` at rest, which a load changes by `added`. `None` where the load never
-    /// breaks the condition.
+    /// The value of the goal for one sticking condition: its margin is `rest` under the base load, and the load changes it by `added`, N. For first
+    /// slip `None` where the load never breaks the condition.
     pub(super) fn counts(self, rest: f64, added: f64) -> Option<f64> {
         let counted = match self {
             Self::FirstSlip => (added < 0.0).then(|| -rest / added),
@@ -28,7 +28,8 @@ impl ImproveGoal {
         counted.filter(|value| value.is_finite())
     }
 
-    /// The derivative of [`Self::counts`], from the derivatives of the margin at rest and of the change of the margin by the load.
+    /// The derivative of [`Self::counts`] by one variable, from the derivatives of the margin under the base load and of the change of the margin by
+    /// the load.
     pub(super) fn change(self, value: f64, added: f64, [rest_changes, added_changes]: [f64; 2]) -> f64 {
         match self {
             Self::FirstSlip => -(rest_changes + value * added_changes) / added,

@@ -1,4 +1,4 @@
-//! Ascends from the given grasp and from random ones, and answers with the best result.
+//! Ascends from the given grasp and from the best of many random ones, and returns the best result.
 
 use super::answer::{Binds, Improved, InTheWay, Placed, SearchEnd};
 use super::ascent::{Ascent, Climb, Design, LastStep};
@@ -17,7 +17,8 @@ use crate::prelude::*;
 use crate::squeeze::Loads;
 
 impl<const C: usize> Grasp<C> {
-    /// Finds places and squeezes of the fingers of this grasp for which the first slip comes as late as possible, or most friction is left.
+    /// Finds places and squeezes (normal forces of the commands) of the fingers of this grasp for which the first slip comes as late as possible, or
+    /// the most friction is left.
     ///
     /// Friction cones are round in space. The result has the same bits for any number of threads.
     ///
@@ -53,7 +54,7 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl Improve<3> {
-    /// Answers the question for the engine, whose vectors have three components, in the plane, too.
+    /// Searches in the engine's representation, whose vectors have three components in the plane, too.
     fn answered_by(&self, grasp: &Grasp<3>) -> Result<Improved<3>, Error> {
         self.check(grasp)?;
         let mut settings = *grasp.settings();
@@ -64,10 +65,11 @@ impl Improve<3> {
         let (choice, given) = Choice::of(&grasp, self)?;
         let climb = Climb { choice: &choice, loaded: &loaded, grasp: &grasp };
         let before = climb.before(&given)?;
-        // For each start that the question asks for, 24 random placings are drawn. The best of all of them become the starts.
+        // For each random start that the question asks for, 24 random placings are drawn. The best of all of them become the starts, beside the given
+        // grasp.
         let numbers: Vec<u64> = (0..(self.starts() * 24) as u64).collect();
         let drawn = in_order(&numbers, &|number| {
-            // The last number, 48, keeps these random numbers apart from those of other questions with the same seed.
+            // The last number, 48, keeps these random numbers apart from those drawn elsewhere with the same seed.
             let drawn = choice.random(&given, &mut Draw::new([self.seed.unwrap_or(0), *number, 48]));
             // Only the value and the placing are kept: the forces of thousands of placings would take much memory.
             Ok::<_, Error>(climb.evaluate(drawn)?.map(|design| (design.value, design.placing)))
@@ -136,7 +138,7 @@ impl Improve<3> {
 }
 
 impl<const C: usize> Improved<C> {
-    /// The given grasp with the places and commands of this answer.
+    /// The given grasp with the places, frames and commands of this answer.
     ///
     /// # Errors
     /// [`Error::Size`] if the grasp has another number of contacts than the answer.
@@ -146,7 +148,7 @@ impl<const C: usize> Improved<C> {
 }
 
 impl Improved<3> {
-    /// [`Self::placed`] for the engine, whose vectors have three components, in the plane, too.
+    /// [`Self::placed`] for the engine, whose vectors have three components in the plane, too.
     fn placed_inside(&self, grasp: &Grasp<3>) -> Result<Grasp<3>, Error> {
         let (given, expected) = (self.contacts.len(), grasp.len());
         if given != expected {

@@ -1,4 +1,4 @@
-//! The loads of a question, and the first slip of the given grasp under them.
+//! The loads of a question, and the load factor of first slip of a grasp under them.
 
 use super::goal::ImproveGoal;
 use super::question::Improve;
@@ -10,18 +10,18 @@ use crate::numerics::{Each, numbered};
 use crate::prelude::*;
 use crate::squeeze::{Loads, WeakestDirection};
 
-/// The loads of a question, the load at rest, and the goal.
+/// The loads of a question, one at a time, beside its base load, and the goal.
 pub(super) struct Loaded {
     pub(super) base: Wrench<3>,
     pub(super) loads: Vec<Wrench<3>>,
     pub(super) goal: ImproveGoal,
-    /// The point and the size of a force of any direction; `loads` then has one load per axis, this force along that axis. `None` if each load acts
-    /// alone, one after the other.
+    /// The point, m, and the size, N, of a force of any direction; `loads` then has one load per axis, this force along that axis. `None` if each
+    /// load acts alone, one after the other.
     pub(super) any: Option<([f64; 3], f64)>,
 }
 
 impl Loaded {
-    /// The loads of a question; a contact has `axes` axes, two in the plane and three in space.
+    /// The loads of a question for finger placement; a contact has `axes` axes, two in the plane and three in space.
     pub(super) fn of(axes: usize, question: &Improve<3>, loads: &Loads<3>) -> Self {
         let (base, goal) = (question.base(), question.goal());
         match loads {
@@ -37,8 +37,8 @@ impl Loaded {
         }
     }
 
-    /// The least load factor at which a contact stops sticking under one of the loads, or nothing resists that load. `None` where a contact slides at
-    /// rest, or no equilibrium at rest is found.
+    /// The least load factor at which a contact stops sticking under one of the loads, zero if nothing resists that load. `None` where a contact
+    /// slides under the base load, or no equilibrium under the base load is found.
     pub(super) fn first_slip(&self, grasp: &Grasp<3>) -> Result<Option<f64>, Error> {
         if let Some((point, size)) = self.any {
             return Ok(match grasp.weakest_direction(self.base, point)? {

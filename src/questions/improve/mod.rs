@@ -1,19 +1,19 @@
-//! Optimal finger placement: positions on given curves or surfaces and squeezes within force limits, such that the first slip comes as late as
-//! possible, or most friction is left.
+//! Optimal finger placement: positions on given curves or surfaces, and normal forces of the commands (squeezes) within limits, such that the first
+//! slip comes as late as possible, or the most friction is left.
 //!
 //! An [`Improve`] states the loads, the contacts that may move along a [`Surface`], and how hard they may press.
 //! [`Grasp::improve`](crate::ask::Grasp::improve) returns an [`Improved`]: places, squeezes, the value of the [`ImproveGoal`] before and after, and
 //! the active sticking conditions and limits.
 //!
-//! While every contact sticks, forces are linear in the load and in the squeeze, `F = F⁰ + τ F¹`. Each condition `a·F >= 0` of each contact and load
-//! is broken at a factor τ of its own. The load factor of first slip is the least of these factors, a piecewise smooth function of places and
-//! squeezes x:
+//! While every contact sticks, forces are linear in the load and in the squeeze, `F = F⁰ + τ F¹` with the load factor τ. Each sticking condition
+//! `a·F >= 0` of each contact and load is broken at a factor τ of its own. The load factor of first slip is the least of these factors, a piecewise
+//! smooth function of places and squeezes x:
 //!
 //! ```text
 //! τ(x) = min_k τ_k(x),      dτ_k = -a·(dF⁰ + τ dF¹) / a·F¹
 //! ```
 //!
-//! The reserve under the loads is, in the same way, the least of `a·F⁰ + a·F¹`. Both have exact derivatives
+//! The reserve under the loads is the least of the margins `a·F⁰ + a·F¹`. Factors and margins have exact derivatives
 //! ([`Sensitivity::of`](crate::ask::Sensitivity::of)). Each step maximises the least of the linearised values within a trust region, a box, less a
 //! quadratic term with the curvature learnt from earlier steps. The step is accepted if the true value grows. The multipliers of the step are the
 //! certificate of an optimum:
@@ -22,22 +22,22 @@
 //! Σ λ_k ∇τ_k + Σ ν_b ∇b = 0,      λ, ν >= 0,      Σ λ_k = 1
 //! ```
 //!
-//! over active sticking conditions k and active limits b: to first order no place and squeeze nearby is better. [`Improved::residual`] is the
-//! residual of this equation. Surfaces are curved, so that there are usually several such optima. The search starts from the given grasp and from the
-//! best of many random ones.
+//! Here k runs over active sticking conditions, b over active limits: to first order no place and squeeze nearby is better. [`Improved::residual`] is
+//! the largest component of the first sum. Surfaces are curved, so that there are usually several such optima. The search starts from the given grasp
+//! and from the best of many random ones.
 //!
 //! | file | idea |
 //! |---|---|
 //! | `surface`, `spline` | curves and surfaces that contacts may move along |
-//! | `spot`, `places` | a place on a surface: its normal, tangent directions, curvature, and distance to the ends |
-//! | `question`, `goal` | the question, and the value that is maximised |
-//! | `loaded` | the loads of the question, and the first slip of the grasp itself under them |
-//! | `placing` | values of places and squeezes, and the grasp with these values |
-//! | `by_source` | forces while every contact sticks, source by source, and their derivatives |
-//! | `events` | the value of each condition, and its derivative |
+//! | `spot`, `places` | a place on a surface: its normal, tangent directions, curvature, and distances to the edges |
+//! | `question`, `goal` | the user's question, and the value that is maximised |
+//! | `loaded` | the loads of the question, and the load factor of first slip of a grasp under them |
+//! | `placing` | the variables (places and squeezes), their values, and the grasp with these values |
+//! | `by_source` | contact forces while every contact sticks, separately by base load, squeeze and each load, and their derivatives |
+//! | `events` | the load factor or margin of each sticking condition, and its derivative |
 //! | `step` | the quadratic program of one step, and its multipliers |
 //! | `curvature` | the Hessian learnt from earlier steps |
-//! | `ascent`, `over_edges` | from one start to a local optimum, within the parts of surfaces and across their edges |
+//! | `ascent`, `over_edges` | from one start to a local optimum, within one segment or triangle of each surface and across its edges |
 //! | `improved` | all starts, and the best of them |
 //! | `answer`, `words` | the answer, and its sentence |
 //! | `face` | conversion between three components and those of callers |

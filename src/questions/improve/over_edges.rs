@@ -1,7 +1,7 @@
-//! Ascent across the edges of a mesh and the corners of a polyline.
+//! Ascent across the edges between triangles of a mesh and the corners between segments of a polyline.
 //!
-//! Normals jump there, so derivatives on one side say nothing about the other. Each finger that ended at the edge of its part (a triangle or segment)
-//! is moved to the adjacent part, one finger at a time and all at once. The ascent continues from there and is kept if it ends at a larger value.
+//! Normals jump there, so derivatives on one side say nothing about the other. Fingers that ended at the edge of their part (a triangle or segment)
+//! are moved to an adjacent part, each alone and all at once. An ascent starts there and is kept if it ends at a larger value.
 
 use super::ascent::{Ascent, Climb, Design};
 use super::placing::Placing;
@@ -10,7 +10,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
 impl Climb<'_> {
-    /// Ascent from a start, continued on adjacent parts of surfaces as long as the value grows and steps are left.
+    /// Ascent from a start, continued on adjacent triangles or segments of surfaces as long as the value grows and steps are left.
     pub(super) fn over_edges(&self, design: Design) -> Result<Ascent, Error> {
         let mut best = self.ascend(design, 0)?;
         let mut steps = best.steps;
@@ -21,7 +21,8 @@ impl Climb<'_> {
         Ok(best)
     }
 
-    /// An ascent that starts on an adjacent part and ends at a larger value than `ended`, if there is one.
+    /// The first ascent found that starts on an adjacent triangle or segment and ends at a larger value than `ended`. `None` if there is none, or no
+    /// steps are left.
     fn ascend_from_adjacent(&self, ended: &Ascent, steps: &mut usize) -> Result<Option<Ascent>, Error> {
         let best = &ended.design;
         for placing in self.adjacent(&best.placing) {
@@ -38,8 +39,8 @@ impl Climb<'_> {
         Ok(None)
     }
 
-    /// Placings in which one finger at the edge of its part has moved to an adjacent part. If there are several such fingers, a further placing has
-    /// all of them moved, each to its first adjacent part.
+    /// Placings in which one finger at the edge of its part (triangle or segment) has moved to an adjacent part. If there are several such fingers, a
+    /// further placing has all of them moved, each to its first adjacent part.
     fn adjacent(&self, from: &Placing) -> Vec<Placing> {
         let (mut placings, mut all, mut move_at_once) = (Vec::new(), from.clone(), 0);
         for (contact, surface) in &self.choice.question.surfaces {

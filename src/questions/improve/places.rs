@@ -1,5 +1,5 @@
-//! The geometry of each curve or surface: the point at given coordinates, the coordinates nearest to a point, and uniformly random ones. A part of a
-//! shape is one segment of a polyline or one triangle of a mesh; other shapes have a single part.
+//! The geometry of each curve or surface: the point at given coordinates, the coordinates nearest to a point, and uniformly random ones. A "part" of
+//! a shape is one segment of a polyline or one triangle of a mesh; other shapes have a single part.
 
 use nalgebra::SVector;
 
@@ -11,22 +11,22 @@ pub(super) fn unit_direction(to: &SVector<f64, 3>) -> [f64; 3] {
     to.normalize().into()
 }
 
-/// The geometry of a surface at one place.
+/// The local geometry of a curve or surface at one point of it.
 pub(super) struct SurfacePoint {
-    /// The point, m.
+    /// The point of the curve or surface, m.
     pub(super) point: SVector<f64, 3>,
-    /// Unit normal.
+    /// Unit normal at the point.
     pub(super) normal: SVector<f64, 3>,
-    /// Unit tangent directions.
+    /// Unit tangent directions at the point: one of a curve, two of a surface.
     pub(super) along: Vec<SVector<f64, 3>>,
-    /// Change of the normal per metre along each direction, 1/m.
+    /// Change of the unit normal along each direction of `along` per metre in that direction, 1/m; positive on a convex shape.
     pub(super) bends: Vec<f64>,
-    /// Distances to the ends of the part, as pairs (row, room). A step s, m, in the directions `along` stays on the part if `row·s <= room` for each
-    /// pair.
+    /// Linear limits of a step from the point, one for each edge or end of its part of the shape, as pairs (row, room). A step with the components s,
+    /// m, in the directions `along` stays on the part if `row·s <= room` for all.
     pub(super) rooms: Vec<([f64; 2], f64)>,
 }
 
-/// A vector in the plane, turned clockwise by a right angle.
+/// The vector a of the plane, turned clockwise by a right angle.
 pub(super) fn clockwise(a: &SVector<f64, 3>) -> SVector<f64, 3> {
     [a[1], -a[0], 0.0].into()
 }
@@ -40,7 +40,7 @@ fn perpendicular(along: &[SVector<f64, 3>]) -> SVector<f64, 3> {
     }
 }
 
-/// Two unit directions at right angles to a third one, in space.
+/// Two unit directions in space that are perpendicular to `axis` and to each other.
 fn both_across(axis: &SVector<f64, 3>) -> [SVector<f64, 3>; 2] {
     let mut least = SVector::zeros();
     least[axis.iamin()] = 1.0;
@@ -48,7 +48,7 @@ fn both_across(axis: &SVector<f64, 3>) -> [SVector<f64, 3>; 2] {
     [first, perpendicular(&[*axis, first])]
 }
 
-/// The geometry at these coordinates in the plane of a triangle, see [`frame`].
+/// The geometry at these coordinates, m, in the plane of a triangle; see [`frame`].
 fn on_triangle(corners: &[SVector<f64, 3>; 3], [a, b]: [f64; 2]) -> SurfacePoint {
     let [x, y] = frame(corners);
     let point = corners[0] + x * a + y * b;
@@ -71,8 +71,8 @@ impl Shape {
         }
     }
 
-    /// The weight of a part in the random choice among parts: the length of a segment, or twice the area of a triangle. It is 1 for a shape with one
-    /// part.
+    /// The weight of a part in the random choice among parts of a shape: the length of a segment, m, or twice the area of a triangle, m². It is 1 for
+    /// a shape with one part.
     pub(super) fn size(&self, part: usize) -> f64 {
         match self {
             Shape::Segments(parts) => (parts[part][1] - parts[part][0]).norm(),
@@ -84,7 +84,7 @@ impl Shape {
         }
     }
 
-    /// The largest coordinate of a corner at which parts meet, m. The rounding of places is relative to it.
+    /// The largest absolute coordinate of a corner of a segment or triangle, m; zero for other shapes. The rounding of places is relative to it.
     pub(super) fn largest(&self) -> f64 {
         let of = |corners: &[SVector<f64, 3>]| largest(corners, &SVector::amax);
         match self {
@@ -126,7 +126,7 @@ impl Shape {
                 let speed = first.norm();
                 let along = vec![first / speed];
                 let normal = perpendicular(&along);
-                // Differentiating `n·p' = 0` by the parameter gives the curvature, with the normal n and the point p.
+                // Differentiating `n·p' = 0` by the parameter of the spline gives the curvature, with the normal n and the point p.
                 let bends = vec![-normal.dot(&second) / (speed * speed)];
                 let open = !spline.is_closed();
                 let rooms =
@@ -177,7 +177,7 @@ impl Shape {
         }
     }
 
-    /// The coordinates on this part that are nearest to a point.
+    /// The coordinates of the place on this part that is nearest to a point.
     pub(super) fn nearest_of(&self, part: usize, point: &SVector<f64, 3>) -> [f64; 3] {
         match self {
             Shape::Segments(parts) => {
@@ -235,7 +235,7 @@ impl Shape {
         }
     }
 
-    /// The coordinates of a place on this part. It is uniformly distributed if u and v are, between 0 and 1.
+    /// The coordinates of a random place on this part. It is uniformly distributed if u and v are so between 0 and 1; on a spline in its parameter.
     pub(super) fn random(&self, part: usize, [u, v]: [f64; 2]) -> [f64; 3] {
         let turn = core::f64::consts::TAU;
         match self {
@@ -260,7 +260,7 @@ impl Shape {
     }
 }
 
-/// Two unit directions at right angles in the plane of a triangle, the first along its first side.
+/// Two perpendicular unit directions in the plane of a triangle, the first along its first side.
 fn frame(corners: &[SVector<f64, 3>; 3]) -> [SVector<f64, 3>; 2] {
     let x = (corners[1] - corners[0]).normalize();
     let other = corners[2] - corners[0];

@@ -1,4 +1,4 @@
-//! The variables of the search, their values ([`Placing`]), and the grasp with these values.
+//! The variables of the search (places and squeezes), their values ([`Placing`]), and the grasp with these values.
 
 use nalgebra::SVector;
 
@@ -13,48 +13,49 @@ use crate::grasp::{Contact, Hold, Space, WholeContacts};
 use crate::numerics::{Draw, largest, numbered};
 use crate::prelude::*;
 
-/// One variable of the search.
+/// One variable of the search: the place of a contact along one direction, or its squeeze.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct DesignVariable {
     pub(super) contact: usize,
     pub(super) what: DesignKind,
-    /// The unit of the variable, m or N. Steps are divided by it, so that all variables have numbers of like size.
+    /// The unit of the variable, m or N. The search uses variables divided by it, so that all steps have numbers of like size.
     pub(super) unit: f64,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum DesignKind {
-    /// The position of the contact along this tangent direction of its surface.
+    /// The position of the contact along the tangent direction of its surface with this index.
     Along(usize),
-    /// The normal force that the command of the contact presses with, from 0 to `most`, N.
+    /// The normal force that the command of the contact causes with the object held in place, from 0 to `most`, N.
     Press { most: f64 },
 }
 
-/// The variables of the search, and the data that stay fixed.
+/// The variables of the search, and the data of the given grasp and the question that stay fixed.
 #[derive(Debug)]
 pub(super) struct Choice<'q> {
     pub(super) question: &'q Improve<3>,
     pub(super) contacts: &'q [Contact<3>],
-    /// The given contacts, each with its points.
+    /// The contacts of the given grasp, each with the points that belong to it.
     pub(super) wholes: &'q WholeContacts,
     pub(super) settings: &'q Settings,
-    /// The first tangents of the contact frames in the given grasp.
+    /// For each contact the first tangent of its frame in the given grasp.
     tangents: Vec<SVector<f64, 3>>,
     pub(super) variables: Vec<DesignVariable>,
 }
 
-/// Values of all variables: where each contact that may move is, and how hard each contact presses whose squeeze may change.
+/// Values of all variables: the place of each contact that may move, and the squeeze of each contact whose squeeze may change.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Placing {
     pub(super) spots: Vec<Option<Spot>>,
-    /// The first tangents of all contact frames.
+    /// For each contact the first tangent of its frame, a unit vector.
     pub(super) tangents: Vec<SVector<f64, 3>>,
-    /// Pressing forces of contacts whose squeeze may change, N.
+    /// For each contact the normal force of its command, N; `None` where the squeeze may not change.
     pub(super) presses: Vec<Option<f64>>,
 }
 
 impl<'q> Choice<'q> {
-    /// The variables of a question, and their values in the given grasp. Refuses a contact that does not lie on its surface.
+    /// The variables of a question, and their values in the given grasp. An error for a contact that does not lie on its surface or has another
+    /// normal.
     pub(super) fn of(grasp: &'q Grasp<3>, question: &'q Improve<3>) -> Result<(Self, Placing), Error> {
         let contacts = grasp.contacts();
         let tangents: Vec<SVector<f64, 3>> =
@@ -99,7 +100,7 @@ impl<'q> Choice<'q> {
         Ok((choice, Placing { spots, tangents, presses }))
     }
 
-    /// Random places on all surfaces; every squeeze that may change has its greatest value.
+    /// A placing with random places on all surfaces and the greatest allowed squeezes.
     pub(super) fn random(&self, from: &Placing, draw: &mut Draw) -> Placing {
         let mut placing = from.clone();
         for (contact, surface) in &self.question.surfaces {
@@ -113,7 +114,7 @@ impl<'q> Choice<'q> {
         placing
     }
 
-    /// The placing with one contact moved to another spot.
+    /// The placing `from` with one contact moved to this spot of its surface.
     pub(super) fn with_spot(&self, from: &Placing, contact: usize, spot: Spot) -> Placing {
         let mut placing = from.clone();
         placing.tangents[contact] = self.tangent(contact, &from.tangents[contact], Some(&spot));
@@ -121,7 +122,8 @@ impl<'q> Choice<'q> {
         placing
     }
 
-    /// The placing after a step; each entry of `step` is relative to the unit of its variable.
+    /// The placing after a step; each entry of `step` is the change of a variable divided by its unit. Places stay on their parts of the surfaces,
+    /// squeezes within limits.
     pub(super) fn stepped(&self, from: &Placing, step: &[f64]) -> Placing {
         let mut placing = from.clone();
         for (contact, surface) in &self.question.surfaces {
@@ -145,8 +147,8 @@ impl<'q> Choice<'q> {
         placing
     }
 
-    /// The first tangent of the contact frame at a place. Compared with the frame of the tangent `from`, this frame tilts with its normal and does
-    /// not turn about it.
+    /// The first tangent of the contact frame at a spot; `from` without one. This frame comes from the frame with the tangent `from` by a tilt with
+    /// the normal, without a turn about it.
     fn tangent(&self, contact: usize, from: &SVector<f64, 3>, spot: Option<&Spot>) -> SVector<f64, 3> {
         let Some(normal) = spot.map(|spot| spot.normal) else { return *from };
         if self.contacts[contact].space == Space::Planar {
@@ -162,7 +164,7 @@ impl<'q> Choice<'q> {
         (axis - normal * normal.dot(&axis)).normalize()
     }
 
-    /// The unit of forces: the greatest force that a contact may press with, 1 N if none may change.
+    /// The unit of forces, N: the largest of the greatest allowed squeezes, 1 N if no squeeze may change.
     pub(super) fn unit_of_force(&self) -> f64 {
         let press = |variable: &DesignVariable| {
             if let DesignKind::Press { most } = variable.what { most } else { 0.0 }
@@ -171,7 +173,7 @@ impl<'q> Choice<'q> {
         if most > 0.0 { most } else { 1.0 }
     }
 
-    /// The contacts of the grasp with this placing.
+    /// The contacts of the given grasp with the places and squeezes of this placing.
     pub(super) fn contacts(&self, placing: &Placing) -> Vec<Contact<3>> {
         numbered(self.contacts.len(), &|i| {
             let mut contact = self.contacts[i].clone();

@@ -1,4 +1,4 @@
-//! The question of finger placement: its loads, its variables, and their limits.
+//! The question of finger placement: its loads, the places and squeezes that may change, and their limits.
 
 use nalgebra::SVector;
 
@@ -68,13 +68,13 @@ pub struct Improve<const C: usize> {
     pub(super) most: Vec<(usize, f64)>,
 }
 
-/// The index of a contact in a list sorted by contact, or the index at which it would be inserted.
+/// The position of a contact in a list sorted by contact index; as an error, the position at which it would be inserted.
 fn place_of<T>(list: &[(usize, T)], contact: usize) -> Result<usize, usize> {
     list.binary_search_by_key(&contact, |(of, _)| *of)
 }
 
 impl<const C: usize> Improve<C> {
-    /// Asks for the latest first slip under these loads: each grows in proportion, one at a time, or a force of any direction grows.
+    /// Asks for the latest first slip under these loads: each load grows in proportion, one at a time, or a force of any direction grows.
     #[must_use]
     pub fn new(loads: impl Into<Loads<C>>) -> Self {
         let LoadFields { load, loads, any_force, at, turn } = loads.into().into();
@@ -83,37 +83,37 @@ impl<const C: usize> Improve<C> {
         Self { base, load, loads, any_force, at, at_most, goal, starts, steps, seed, turn, surfaces, most }
     }
 
-    /// The loads, or an error unless they are given in exactly one way.
+    /// The loads of this question, or an error unless the fields give them in exactly one way.
     pub(crate) fn given_loads(&self) -> Result<Loads<C>, Error> {
         Loads::of_fields("improve", (self.load, &self.loads), (self.any_force, self.at))
     }
 
-    /// The load that acts before the others.
+    /// The base load, which acts before the others grow; zero if not given.
     #[must_use]
     pub fn base(&self) -> Wrench<C> {
         self.base.unwrap_or(Wrench::ZERO)
     }
 
-    /// The load that grows alone, if it is the only one.
+    /// The load that grows, if the question has a single one; `None` for a list or a force of any direction.
     #[must_use]
     pub fn load(&self) -> Option<Wrench<C>> {
         self.load.filter(|_| self.any_force.is_none())
     }
 
-    /// The quantity to maximise.
+    /// The value to maximise, by default the load factor of first slip.
     #[must_use]
     pub fn goal(&self) -> ImproveGoal {
         self.goal.unwrap_or_default()
     }
 
-    /// Adds a load that acts at rest, such as the weight of the object where a push is to slide late.
+    /// Adds a base load, which acts at load factor 0 and stays, such as the weight of the object where a push is to slide late.
     #[must_use]
     pub fn on_top_of(mut self, base: Wrench<C>) -> Self {
         self.base = Some(base);
         self
     }
 
-    /// Sets the quantity to maximise, by default the load factor of first slip.
+    /// Sets the value to maximise, by default the load factor of first slip.
     ///
     /// ```
     /// use grasp_lcp::improve::{Improve, ImproveGoal, Surface};
@@ -136,7 +136,7 @@ impl<const C: usize> Improve<C> {
         self
     }
 
-    /// Lets contact `contact` (from 0) move along a curve or surface, on which it has to lie; its normal becomes that of the surface.
+    /// Lets contact `contact` (from 0) move along a curve or surface, on which its given point has to lie. Its normal follows the surface.
     #[must_use]
     pub fn along(mut self, contact: usize, surface: Surface<C>) -> Self {
         match place_of(&self.surfaces, contact) {
@@ -146,15 +146,15 @@ impl<const C: usize> Improve<C> {
         self
     }
 
-    /// Lets all contacts press with another force than given, up to `force`, N. The limit applies to the force that they are [commanded to press
-    /// with](crate::grasp::Contact::pressed_with) and to the normal force at rest that results. Without it commands stay as given.
+    /// Lets the search change the normal command of all contacts, up to a force of `force`, N. The limit applies to the force that they are
+    /// [commanded to press with](crate::grasp::Contact::pressed_with) and to the normal force under the base load. Without it commands stay as given.
     #[must_use]
     pub fn pressing_at_most(mut self, force: f64) -> Self {
         self.at_most = Some(force);
         self
     }
 
-    /// Lets one contact (from 0) press with another force than given, up to `force`, N.
+    /// Lets the search change the normal command of one contact (from 0), up to a force of `force`, N; see [`Self::pressing_at_most`].
     #[must_use]
     pub fn contact_pressing_at_most(mut self, contact: usize, force: f64) -> Self {
         match place_of(&self.most, contact) {
@@ -164,7 +164,7 @@ impl<const C: usize> Improve<C> {
         self
     }
 
-    /// Sets the number of starts beside the given grasp (default 8). They are the best of many random placings on the surfaces.
+    /// Sets the number of random starts beside the given grasp (default 8). They are the best of 24 times as many random placings on the surfaces.
     #[must_use]
     pub fn with_starts(mut self, starts: usize) -> Self {
         self.starts = Some(starts);
@@ -178,7 +178,7 @@ impl<const C: usize> Improve<C> {
         self
     }
 
-    /// Sets the seed (default 0). Random starts depend on nothing else.
+    /// Sets the seed of the random starts (default 0): with the same seed a question has the same starts.
     #[must_use]
     pub fn with_seed(mut self, seed: u64) -> Self {
         self.seed = Some(seed);
@@ -195,17 +195,18 @@ impl Improve<3> {
         self.steps.unwrap_or(200)
     }
 
-    /// The surface along which this contact may move; `None` if it has to stay.
+    /// The surface along which this contact may move; `None` if it has to stay in place.
     pub(super) fn surface_of(&self, contact: usize) -> Option<&Shape> {
         place_of(&self.surfaces, contact).ok().map(|place| &self.surfaces[place].1.0)
     }
 
-    /// The greatest allowed force of a contact, if its squeeze may change.
+    /// The greatest allowed normal force of a contact, N; `None` if its squeeze may not change.
     pub(super) fn most_of(&self, contact: usize) -> Option<f64> {
         place_of(&self.most, contact).ok().map(|place| self.most[place].1).or(self.at_most)
     }
 
-    /// Refuses numbers out of range, loads that turn, soft fingertips as variables, suction and questions without variables.
+    /// An error for numbers out of range, loads that turn, soft fingertips with a surface or greatest force, suction, hands, and questions in which
+    /// nothing may change.
     pub(super) fn check(&self, grasp: &Grasp<3>) -> Result<(), Error> {
         grasp.refuse_hands("improve")?;
         let space = grasp.engine.space();

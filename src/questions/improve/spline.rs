@@ -1,4 +1,4 @@
-//! A cubic spline through points with a continuous second derivative, so that normals and curvatures have no jumps.
+//! A cubic spline through points with a continuous second derivative, so that its normals and curvatures have no jumps.
 
 use crate::numerics::IntoList;
 use crate::numerics::by_axis;
@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, SVector};
 
 use crate::prelude::*;
 
-/// The points, their parameters `at` (the distance along the polygon through them), and the second derivatives `bends` at the points.
+/// A cubic spline: its points, their parameters `at` (the distance along the polygon through them, m), and its second derivatives `bends` there.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Spline {
     points: Vec<SVector<f64, 3>>,
@@ -16,7 +16,7 @@ pub(crate) struct Spline {
 }
 
 impl Spline {
-    /// The spline through consecutive points; a closed one returns to the first.
+    /// The spline through these points in order; a closed one returns to the first point. With fewer than three points it is open.
     pub(super) fn through(mut points: Vec<SVector<f64, 3>>, closed: bool) -> Self {
         let closed = closed && points.len() > 2;
         if let (true, Some(first)) = (closed, points.first().copied()) {
@@ -32,7 +32,7 @@ impl Spline {
         spline
     }
 
-    /// Computes the second derivatives at the points, such that first derivatives are continuous.
+    /// Computes the second derivatives at the points, such that first derivatives are continuous. They are zero at the ends of an open spline.
     fn bend(&mut self) {
         let n = self.points.len();
         if n < 3 {
@@ -70,13 +70,13 @@ impl Spline {
         &self.points[..self.points.len() - usize::from(self.closed)]
     }
 
-    /// The least distance of consecutive points; zero for fewer than two.
+    /// The least distance between consecutive points, m; zero for fewer than two points.
     pub(super) fn least_distance(&self) -> f64 {
         let least = self.at.windows(2).map(|ends| ends[1] - ends[0]).fold(f64::INFINITY, f64::min);
         if self.points.len() < 2 { 0.0 } else { least }
     }
 
-    /// The parameter of the last point.
+    /// The parameter of the last point, m: the length of the polygon through the points.
     pub(super) fn end(&self) -> f64 {
         self.at.last().copied().unwrap_or(0.0)
     }
@@ -85,12 +85,12 @@ impl Spline {
         self.closed
     }
 
-    /// A parameter on the spline: wrapped around if it is closed, clamped to its ends if it is open.
+    /// The parameter `t` moved into the range of the spline: wrapped around if the spline is closed, clamped to its ends if it is open.
     pub(super) fn within(&self, t: f64) -> f64 {
         if self.closed { t.rem_euclid(self.end()) } else { t.clamp(0.0, self.end()) }
     }
 
-    /// Point, first and second derivative at a parameter.
+    /// The point, m, and the first and second derivative by the parameter, at a parameter.
     pub(super) fn at(&self, t: f64) -> [SVector<f64, 3>; 3] {
         let k = self.at.partition_point(|at| *at <= t).clamp(1, self.at.len() - 1) - 1;
         let (h, left, right) = (self.at[k + 1] - self.at[k], t - self.at[k], self.at[k + 1] - t);
@@ -101,9 +101,9 @@ impl Spline {
         [point, first, (a * right + b * left) / h]
     }
 
-    /// The parameter at which the spline is nearest to a point.
+    /// The parameter of the point of the spline that is nearest to `point`; rarely a local minimum of the distance instead.
     pub(super) fn nearest(&self, point: &SVector<f64, 3>) -> f64 {
-        // Newton's method starts from the nearest of many samples.
+        // Newton's method on the distance starts from the nearest of 32 samples per piece between points.
         let pieces = (self.at.len() - 1) * 32;
         let t = |k: usize| self.end() * k as f64 / pieces as f64;
         let square_distance = |t: f64| (self.at(t)[0] - point).norm_squared();

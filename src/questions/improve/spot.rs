@@ -1,4 +1,4 @@
-//! A place on a curve or surface: its normal, tangent directions, curvature, and distance to the ends.
+//! A place on a curve or surface: its normal, tangent directions, curvature, and distances to the edges of its segment or triangle.
 
 use nalgebra::SVector;
 
@@ -8,23 +8,23 @@ use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{Draw, IntoList, mapped, numbered};
 use crate::prelude::*;
 
-/// A place on a surface. `part` is the index of its segment or triangle, and `at` its coordinates there: lengths or angles, and on a sphere a unit
-/// direction.
+/// A place on a curve or surface. `part` is the index of its segment or triangle (0 on other shapes). `at` are its coordinates there: lengths, m, or
+/// angles, rad; on a sphere a unit direction.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Spot {
     part: usize,
     at: [f64; 3],
-    /// 1 if the normal is that of the surface, -1 if it is opposite.
+    /// 1 if the contact's normal is the normal of the surface, -1 if it is opposite.
     side: f64,
     pub(super) point: SVector<f64, 3>,
-    /// Unit normal into the object.
+    /// Unit normal of the contact, into the object.
     pub(super) normal: SVector<f64, 3>,
-    /// Unit tangent directions: the principal directions of curvature, at right angles to each other.
+    /// Unit tangent directions, perpendicular to each other: the principal directions of curvature.
     pub(super) along: Vec<SVector<f64, 3>>,
-    /// Change of the normal per metre along each direction, 1/m.
+    /// Change of `normal` along each direction of `along` per metre in that direction, 1/m.
     pub(super) bends: Vec<f64>,
-    /// Distances to the ends of the part, as pairs (row, room). A step s, m, in the directions `along` stays on the part if `row·s <= room` for each
-    /// pair.
+    /// Linear limits of a step, one for each edge or end of the part, as pairs (row, room). A step with the components s, m, in the directions
+    /// `along` stays on the part if `row·s <= room` for all.
     pub(super) rooms: Vec<([f64; 2], f64)>,
 }
 
@@ -35,14 +35,14 @@ impl Spot {
         Self { part, at, side, point: there.point, normal, along: there.along, bends, rooms: there.rooms }
     }
 
-    /// The place nearest to a point. Of both sides of the surface it takes the one that `normal` points to.
+    /// The place on the surface nearest to a point. Its normal is on that side of the surface to which `normal` points.
     pub(super) fn nearest(surface: &Shape, point: &SVector<f64, 3>, normal: &SVector<f64, 3>) -> Self {
         let spots = (0..surface.parts()).map(|part| {
             let spot = Self::new(surface, part, surface.nearest_of(part, point), 1.0);
             let side = if spot.normal.dot(normal) < 0.0 { -1.0 } else { 1.0 };
             if side > 0.0 { spot } else { Self::new(surface, part, spot.at, side) }
         });
-        // Where segments or triangles meet, several places are equally near; the one whose normal is most like `normal` is taken.
+        // Where segments or triangles meet, several places are equally near; the one with the least angle between its normal and `normal` is chosen.
         let distance = |spot: &Self| (spot.point - point).norm();
         let turned = |spot: &Self| 1.0 - spot.normal.dot(normal) / normal.norm();
         let edge = SOLVED_ROUNDING * surface.largest();
@@ -59,7 +59,8 @@ impl Spot {
         best.unwrap_or_else(|| Self::new(surface, 0, [0.0; 3], 1.0))
     }
 
-    /// The place after a step of these lengths along the tangent directions, m.
+    /// The place after a step with these lengths, m, along the tangent directions. At an end of its segment, arc, spline, rectangle or cylinder the
+    /// step stops.
     pub(super) fn stepped(&self, surface: &Shape, step: &[f64]) -> Self {
         let [a, b, c] = self.at;
         let (first, second) = (step[0], step.get(1).copied().unwrap_or(0.0));
@@ -90,7 +91,7 @@ impl Spot {
         };
         let mut moved = Self::new(surface, self.part, at, self.side);
         if let Shape::Sphere { .. } = surface {
-            // The search has learnt a curvature along these two directions. So they are transported with the place, not chosen anew.
+            // The search has learnt a curvature of its goal along these two directions. So they are carried along to the new place, not chosen anew.
             let across = self.along[0] - moved.normal * self.along[0].dot(&moved.normal);
             if across.norm() > 0.5 {
                 let first = across.normalize();
@@ -101,7 +102,7 @@ impl Spot {
         moved
     }
 
-    /// The same point as a place on each adjacent part, if it is at the end of its own part of the surface.
+    /// The same point as a place on each adjacent segment or triangle. Empty unless the place is at the end or edge of its own.
     pub(super) fn adjacent(&self, surface: &Shape) -> Vec<Self> {
         let near = NEGLIGIBLE * surface.largest();
         if surface.parts() == 1 || self.rooms.iter().all(|(_, room)| *room > near) {
@@ -113,7 +114,7 @@ impl Spot {
         there.filter(|spot| (spot.point - self.point).norm() <= near).list()
     }
 
-    /// A uniformly random place on the whole surface, on the same side.
+    /// A random place on the whole surface, on the same side as this place, with uniform density.
     pub(super) fn random(&self, surface: &Shape, draw: &mut Draw) -> Self {
         let sizes: Vec<f64> = numbered(surface.parts(), &|part| surface.size(part));
         let mut left = draw.uniform() * sizes.iter().sum::<f64>();
@@ -123,7 +124,7 @@ impl Spot {
             part += 1;
         }
         let [u, v] = [draw.uniform(), draw.uniform()];
-        // All triangles have their corners in one order, and all edges their ends, so the inside is on the same side of every part.
+        // All triangles have their corners in one order, and all segments their ends, so the inside is on the same side of every part.
         Self::new(surface, part, surface.random(part, [u, v]), self.side)
     }
 }
@@ -133,7 +134,7 @@ mod tests {
     use super::super::surface::Surface;
     use super::*;
 
-    /// Two edges meet in a corner; their lengths go from 1e-10 m to 1e16 m.
+    /// Two segments meet in a corner; they are 1e-10 m to 1e16 m long.
     #[test]
     fn only_an_end_has_parts_beside_it_whatever_the_unit() {
         for unit in [1e-10, 1.0, 1e16] {

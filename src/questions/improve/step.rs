@@ -1,13 +1,13 @@
-//! The quadratic program of one step: in a box around the present values, it maximises the least of the linearised event values, less a quadratic
-//! curvature term. An event is a sticking condition under a load; its value is the load factor at which it is broken, or its reserve.
+//! The quadratic program of one step of places and squeezes. In a box around their present values it maximises the least of the linearised event
+//! values, less a curvature term. An event is a sticking condition under a load; its value is the load factor that breaks it, or its reserve.
 //!
 //! ```text
 //! min  t + ½ dᵀB d     such that     t + τ_k + g_k·d >= top,     h_b·d + left_b >= 0,     low <= d <= high
 //! ```
 //!
-//! Here d is the step, B the Hessian, τ_k the value of an event with gradient g_k, and h_b·d + left_b >= 0 a constraint. `top` is a constant above
-//! every reachable value, so that t is positive and a minimum exists. At the present values (d = 0) the multipliers of events and bounds leave a
-//! residual of stationarity: the multipliers of the box, and B d.
+//! Here d is the step, B the Hessian, τ_k the value of event k with gradient g_k, and h_b·d + left_b >= 0 constraint b. `top` is a constant above
+//! every reachable value, so that t is positive and a minimum exists. At the present values (d = 0) the weighted gradients of events and constraints
+//! add up to a residual: the multipliers of the box, and B d.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -16,51 +16,53 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{IntoList, mapped, vector_of};
 use crate::prelude::*;
 
-/// The data of the quadratic program. Values of events (`factors`) are relative to the load factor of first slip, or for a reserve to the greatest
-/// force at rest. Variables are relative to their units.
+/// The data of the quadratic program of one step. Values of events (`factors`) are divided by the load factor of first slip, or for a reserve by the
+/// greatest contact force under the base load. Variables are divided by their units.
 pub(super) struct StepProgram {
     pub(super) factors: Vec<f64>,
     pub(super) gradients: Vec<DVector<f64>>,
-    /// Linear constraints `h·d + left >= 0` on the step d, each as the pair (h, left).
+    /// Linear constraints `h·d + left >= 0` on the step d: limits of contact forces and edges of surfaces, each as the pair (h, left).
     pub(super) bounds: Vec<(DVector<f64>, f64)>,
-    /// How far each variable may move down and up.
+    /// The least (at most 0) and greatest (at least 0) step of each variable.
     pub(super) reach: Vec<[f64; 2]>,
 }
 
-/// A step and its multipliers.
+/// A step d that solves the quadratic program, the gain that it predicts, and its multipliers.
 #[derive(Debug, Clone)]
 pub(super) struct TrialStep {
     pub(super) d: DVector<f64>,
-    /// Increase of the least event value that the linearised events predict, less the curvature term; relative as `factors` are.
+    /// Increase of the least event value that the linearised events predict, less the curvature term; divided as `factors` are.
     pub(super) gain: f64,
-    /// Multipliers of the events (sticking conditions under loads); they add up to one.
+    /// Multipliers of the events (sticking conditions under loads), at least 0; they add up to one.
     pub(super) events: Vec<f64>,
     pub(super) bounds: Vec<f64>,
-    /// Multipliers of the limits of each variable, below and above.
+    /// For each variable the multipliers of the lower and upper end of `reach`; zero unless the variable is at that end now.
     pub(super) ends: Vec<[f64; 2]>,
-    /// Residual of `Σ λ ∇τ + Σ ν ∇b = 0` and of the complementarity of events and bounds, with multipliers λ and ν.
+    /// First-order residual now: the largest entry of `Σ λ ∇τ + Σ ν ∇b` over variables not at an end. If larger, the complementarity of multipliers
+    /// λ, ν with events and constraints.
     pub(super) residual: f64,
 }
 
-/// The solution of the quadratic program.
+/// The solution of the quadratic program: the step d and multipliers, scaled so that those of the events add up to one.
 struct Solved {
     d: DVector<f64>,
-    /// Multipliers of all events (sticking conditions under loads).
+    /// Multipliers of all events (sticking conditions under loads); zero for those left out of the program.
     events: Vec<f64>,
-    /// Multipliers of the linear constraints.
+    /// Multipliers of the linear constraints `h·d + left >= 0`.
     bounds: Vec<f64>,
 }
 
 impl StepProgram {
-    /// The best step within a box of half width `radius`; `None` where rounding prevents a solution.
+    /// The solution of the quadratic program with each variable within `radius` of its present value and within `reach`. `None` without a finite
+    /// event value, or where rounding prevents a solution.
     pub(super) fn step(&self, radius: f64, curvature: &DMatrix<f64>) -> Option<TrialStep> {
         let n = self.reach.len();
-        // Among several steps with equal gain, this small multiple of the identity prefers the shortest.
+        // Among several steps with equal gain, this small multiple of the identity, added to the Hessian, makes the shortest the best.
         let curvature = curvature + DMatrix::identity(n, n) * 1e-4;
         let Solved { d, events, bounds } = self.solved(radius, &curvature)?;
         let least = self.after(&d).fold(f64::INFINITY, f64::min);
         let now = self.factors.iter().copied().fold(f64::INFINITY, f64::min);
-        // The gradient that events and bounds do not balance: for a variable at its limit this is the multiplier of the limit, for other variables a
+        // The sum of the weighted gradients of events and constraints: for a variable at an end of `reach` the multiplier of this end, for others a
         // residual.
         let mut left = DVector::zeros(n);
         events.iter().zip(&self.gradients).for_each(|(y, g)| left += g * *y);
@@ -87,7 +89,8 @@ impl StepProgram {
         self.factors.iter().zip(&self.gradients).map(|(factor, g)| factor + g.dot(d))
     }
 
-    /// Solves the quadratic program; its unknowns are the distances from the lower ends of the box.
+    /// Solves the quadratic program; its unknowns are the distances of the variables from the lower ends of the box, and t. `None` as for
+    /// [`Self::step`].
     fn solved(&self, radius: f64, curvature: &DMatrix<f64>) -> Option<Solved> {
         let n = self.reach.len();
         let low = vector_of(n, &|j| (-radius).max(self.reach[j][0].min(0.0)));
@@ -112,9 +115,10 @@ impl StepProgram {
         if near.is_empty() {
             near.push(0);
         }
-        // Now `top` is above every value that the least event value can reach. So t stays positive, and the multipliers of events add up to one.
+        // Now `top` is above every value that the least of the events can have in the box. So t stays positive, and the multipliers of events add up
+        // to one.
         let top = top + 0.5;
-        // The unknowns are d - low, and t. The rows of the matrix are events, bounds, and the upper ends of the box.
+        // The unknowns are d - low, and t. The rows of the matrix are events, linear constraints, and the upper ends of the box.
         let (m, b) = (near.len(), self.bounds.len());
         let mut rows = DMatrix::zeros(m + b + n, n + 1);
         let mut left = DVector::zeros(m + b + n);

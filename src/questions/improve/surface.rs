@@ -11,8 +11,8 @@ use crate::grasp::Face;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
-/// A curve in the plane or a surface in space that a contact may move along; the normal of the contact follows it. The normal that the contact is
-/// given with points into the object. [`Grasp::improve`](crate::ask::Grasp::improve) refuses an invalid surface.
+/// A curve in the plane or a surface in space that a contact may move along; the normal of the contact follows it, on the side of the given normal,
+/// which points into the object. [`Grasp::improve`](crate::ask::Grasp::improve) refuses an invalid surface.
 ///
 /// ```
 /// use grasp_lcp::improve::Surface;
@@ -25,10 +25,10 @@ use crate::prelude::*;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Surface<const C: usize>(pub(super) Shape);
 
-/// The shape of a curve or surface; in the plane third components are zero.
+/// The shape of a curve or surface. All vectors have three components; in the plane the third is zero.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Shape {
-    /// The two ends of each segment.
+    /// Segments of a straight edge or a polyline: the two ends of each, m.
     Segments(Vec<[SVector<f64, 3>; 2]>),
     /// An arc in the plane from angle `from` counterclockwise over the angle `over`, rad; a full circle if `over` is `None`.
     Arc {
@@ -37,14 +37,14 @@ pub(crate) enum Shape {
         from: f64,
         over: Option<f64>,
     },
-    /// A spline in the plane.
+    /// A cubic spline in the plane.
     Spline(Spline),
-    /// A corner and the two sides from it, at a right angle.
+    /// A corner and the two sides from it as vectors, at a right angle, m.
     Rectangle {
         corner: SVector<f64, 3>,
         sides: [SVector<f64, 3>; 2],
     },
-    /// The whole lateral surface, from one end of the axis to the other.
+    /// The whole lateral surface of a cylinder, between the two ends of its axis, m.
     Cylinder {
         ends: [SVector<f64, 3>; 2],
         radius: f64,
@@ -53,7 +53,7 @@ pub(crate) enum Shape {
         centre: SVector<f64, 3>,
         radius: f64,
     },
-    /// The corners of each triangle.
+    /// Triangles: the three corners of each, m.
     Triangles(Vec<[SVector<f64, 3>; 3]>),
 }
 
@@ -64,7 +64,7 @@ impl Surface<2> {
         Self(Shape::Segments(vec![[in_space(from), in_space(to)]]))
     }
 
-    /// Straight edges from point to point, m. A contact moves from one edge to the next where that increases the value.
+    /// Straight edges from point to point, m. The search moves a contact from one edge to the next where that increases the value of its goal.
     #[must_use]
     pub fn polyline(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
         Self(Shape::polyline(&points.into_iter().map(in_space).list()))
@@ -76,20 +76,21 @@ impl Surface<2> {
         Self(Shape::Arc { centre: in_space(centre), radius, from: 0.0, over: None })
     }
 
-    /// Part of a circle. It begins at the angle `from`, counted from x to y, and extends over the angle `over`, rad.
+    /// Part of a circle: it begins at the angle `from`, rad, counted from x to y, and extends in this sense over the angle `over`, rad.
     #[must_use]
     pub fn arc(centre: impl Into<[f64; 2]>, radius: f64, from: f64, over: f64) -> Self {
         Self(Shape::Arc { centre: in_space(centre), radius, from, over: Some(over) })
     }
 
-    /// A cubic spline through points, m, parametrised by the distances between them. At the ends its curvature is zero unless it is closed.
+    /// A cubic spline through points, m, parametrised by the distances between them. A closed spline returns to its first point; an open one has no
+    /// curvature at its ends.
     #[must_use]
     pub fn spline(points: impl IntoIterator<Item = [f64; 2]>, closed: bool) -> Self {
         Self(Shape::spline(points.into_iter().map(in_space).list(), closed))
     }
 }
 
-/// A point of the plane with a third component of zero.
+/// A point of the plane as a vector of three components, the third zero.
 fn in_space(point: impl Into<[f64; 2]>) -> SVector<f64, 3> {
     SVector::from(point.into()).into_inside()
 }
@@ -113,8 +114,8 @@ impl Surface<3> {
         Self(Shape::Sphere { centre: centre.into().into(), radius })
     }
 
-    /// Triangles, such as those of a mesh, by their corners, m, all in the same order seen from outside. A contact moves from one triangle to the
-    /// next where that increases the value.
+    /// Triangles, such as those of a mesh, by their corners, m, all in the same order seen from outside. The search moves a contact from one triangle
+    /// to the next where that increases the value of its goal.
     #[must_use]
     pub fn triangles(corners: impl IntoIterator<Item = [[f64; 3]; 3]>) -> Self {
         Self(Shape::Triangles(corners.into_iter().map(|corners| corners.each(SVector::from)).list()))
@@ -122,8 +123,8 @@ impl Surface<3> {
 }
 
 impl<const C: usize> Surface<C> {
-    /// The point of the surface nearest to `point`, m, and the unit normal there. Of its two signs the normal has the one that makes at most a right
-    /// angle with `normal`, whose length does not matter. A contact that may move along the surface has to be at such a point.
+    /// The point of the surface nearest to `point`, m, and the unit normal there. Of its two signs the normal has the one at most 90° from `normal`,
+    /// whose length does not matter. A contact that may move along the surface has to be at such a point.
     ///
     /// ```
     /// use grasp_lcp::improve::Surface;
@@ -147,7 +148,7 @@ impl<const C: usize> Surface<C> {
     }
 }
 
-/// The reason why a surface is invalid.
+/// The reason why a curve or surface is invalid: the field, its value and the allowed values.
 struct NoSurface {
     field: &'static str,
     value: f64,
@@ -176,7 +177,7 @@ impl<const C: usize> Surface<C> {
 }
 
 impl Shape {
-    /// [`Surface::nearest`] for the engine, whose vectors have three components, in the plane, too.
+    /// [`Surface::nearest`] for the engine, whose vectors have three components in the plane, too: the point and the normal.
     fn nearest_to(&self, point: SVector<f64, 3>, normal: SVector<f64, 3>) -> Result<[[f64; 3]; 2], Error> {
         let refused = |what, value, allowed| Err(Error::Argument { what, value, allowed });
         if let Err(NoSurface { field, value, allowed }) = self.is_one() {
@@ -193,7 +194,7 @@ impl Shape {
         Ok([spot.point.into(), spot.normal.into()])
     }
 
-    /// The name of the kind of surface: "edge", "circle", …
+    /// The name of the kind of curve or surface, singular or plural: "edge", "edges", "circle", …
     pub(super) fn name(&self) -> &'static str {
         match self {
             Shape::Segments(parts) if parts.len() > 1 => "edges",
@@ -209,7 +210,7 @@ impl Shape {
         }
     }
 
-    /// Refuses invalid curves or surfaces, and numbers that are not finite.
+    /// An error with the label of this contact if its curve or surface is invalid or has numbers that are not finite.
     pub(super) fn check(&self, contact: &ContactLabel) -> Result<(), Error> {
         self.is_one().map_err(|NoSurface { field, value, allowed }| Error::Surface {
             contact: contact.clone(),

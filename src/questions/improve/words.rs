@@ -16,7 +16,7 @@ impl<const C: usize> fmt::Display for Improved<C> {
 }
 
 impl Improved<3> {
-    /// Writes the answer as a sentence.
+    /// Writes the answer: first slip or reserve, before and after, the changes, and the reason why the search ended.
     fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
         let is_reserve = self.goal == ImproveGoal::Reserve;
@@ -46,7 +46,8 @@ impl Improved<3> {
         write!(f, ". {}", self.proof(words))
     }
 
-    /// The clause about the changes: "left moves 3.1 mm along its edge, right 2 mm along its circle; both press with 10 N".
+    /// The clause about the changes of places and squeezes: "left moves 3.1 mm along its edge, right 2 mm along its circle; both press with 10 N".
+    /// Empty if nothing changed.
     fn changes_text(&self, words: Words) -> String {
         let mut far = 0.0_f64;
         for placed in &self.contacts {
@@ -97,7 +98,7 @@ impl Improved<3> {
         clauses.join("; ")
     }
 
-    /// The sentence about the end of the search: which contacts and limits make the place an optimum, or why the search ended without an optimum.
+    /// The sentence about the end of the search: which contacts and limits make the placing an optimum, or why the search ended without an optimum.
     fn proof(&self, words: Words) -> String {
         match self.search {
             SearchEnd::Optimum => {

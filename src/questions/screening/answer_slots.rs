@@ -1,22 +1,22 @@
-//! The places in memory where the kernels of screening store their answers.
+//! The places in memory where the kernels of screening store the answers to one question for the grasps of one block.
 
 use super::lanes::Packed;
 
-/// The memory for the answers of all grasps of one block to one question, such as the onset under one load. Grasps lie side by side in the lanes of
-/// vectors.
+/// The memory for the answers of all grasps of one block to one question, such as the load factor at first slip under one pull. Each grasp has a lane
+/// of the vectors.
 pub(crate) struct AnswerSlots<'a, T, X: Packed> {
-    /// All answers of the block, ordered by grasp, then by question.
+    /// All answers of the block to all questions, ordered by grasp, then by question.
     answers: &'a mut [T],
     /// For each lane, whether the forces of the grasp in it are found by the present [`Method`](super::method::Method).
     these: X::Each<bool>,
     question: usize,
     questions: usize,
-    /// The number of answers that one grasp has to one question.
+    /// How many numbers or structures of type `T` answer one question for one grasp.
     each: usize,
 }
 
 impl<'a, T: Copy, X: Packed> AnswerSlots<'a, T, X> {
-    /// The memory for the answers to question number `question` of `questions`, `each` answers for a grasp.
+    /// The memory for the answers of a block to question number `question` of `questions`, with `each` entries per grasp.
     #[inline(always)]
     pub(super) fn new(
         answers: &'a mut [T],
@@ -27,7 +27,7 @@ impl<'a, T: Copy, X: Packed> AnswerSlots<'a, T, X> {
         Self { answers, these, question, questions, each }
     }
 
-    /// The memory for the answers of the grasp in lane `scene`. `None` if the forces of this grasp are found by another method, or if the lane is
+    /// The memory for the answer of the grasp in lane `scene`. `None` if the forces of this grasp are found by another method, or if the lane is
     /// unused because the last block is not full.
     #[inline(always)]
     pub(super) fn places(&mut self, scene: usize) -> Option<&mut [T]> {
@@ -35,7 +35,7 @@ impl<'a, T: Copy, X: Packed> AnswerSlots<'a, T, X> {
         if self.these.as_ref()[scene] { self.answers.get_mut(first..first + self.each) } else { None }
     }
 
-    /// Stores one answer for the grasp in each lane.
+    /// Stores the answer of each lane in the first entry for its grasp; lanes without a grasp of this method are passed over.
     #[inline(always)]
     pub(super) fn each(&mut self, answers: X::Each<T>) {
         for (scene, &answer) in answers.as_ref().iter().enumerate() {

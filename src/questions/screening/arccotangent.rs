@@ -21,13 +21,13 @@ const ARCTANGENT_SERIES: [f64; 11] = [
     -0.019_176_885_636_589_053,
 ];
 
-/// The angle θ from 0 to 2π, rad, with `cot(θ/2) = u`. For NaN the result has no meaning.
+/// The angle θ from 0 to 2π, rad, with `cot(θ/2) = u`; u may be infinite. For NaN the result has no meaning.
 #[inline(always)]
 pub(super) fn angle_of<X: Packed>(u: X) -> X {
     let (zero, one) = (X::all(0.0), X::all(1.0));
     let size = u.abs();
     let (small, large) = (size.min(one), size.max(one));
-    // Up to this argument, tan(π/8), the series is evaluated directly. Beyond it the argument is the tangent of the difference to π/4.
+    // Up to this argument, tan(π/8), the series is evaluated directly. Beyond it, x is the tangent of the angle's difference from π/4.
     let bound = X::all(core::f64::consts::SQRT_2 - 1.0) * large;
     let over = small.above(bound, small - large, small);
     let x = over / small.above(bound, small + large, large);

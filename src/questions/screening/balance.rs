@@ -1,4 +1,5 @@
-//! The stiffness matrix of the object if every contact sticks, `T = Σ G_i K_i G_iᵀ`, factorised.
+//! The stiffness matrix of the object if every contact sticks, `T = Σ G_i K_i G_iᵀ` with the grasp map G_i and stiffness K_i of contact i,
+//! factorised.
 //!
 //! With one tangential stiffness per contact, `K_i = k_t I + (k_n - k_t) n nᵀ` in coordinate axes.
 
@@ -8,19 +9,20 @@ use super::finger::{Force, LaneFinger, moment, world};
 use super::lanes::{Packed, dot};
 use super::pinch::AlongTheLine;
 
-/// The stiffness matrix of the object about the centroid of its contacts, factorised.
+/// The factorised stiffness matrix of the object about the centroid of its contacts, for the grasp in each lane.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RigidBody<const C: usize, X: Packed> {
     centre: [X; C],
-    /// Largest coordinate of the vector from the centroid to a contact, m.
+    /// Largest absolute coordinate of the vectors from the centroid to the contacts, m.
     pub(super) reach: X,
-    /// How coordinates are exchanged for two contacts in space, so that the free rotation comes last; `None` for all other grasps.
+    /// For two contacts in space: the exchange of coordinates after which the rotation about their line, which nothing resists, comes last. `None`
+    /// for all other grasps.
     line: Option<AlongTheLine<X>>,
     factors: LaneFactors<6, X>,
 }
 
 impl<const C: usize, X: Packed> RigidBody<C, X> {
-    /// An empty value that [`Self::ready`] fills.
+    /// A value with zeros, before [`Self::ready`] computes the stiffness matrix of a block.
     pub(super) fn none() -> Self {
         let zero = X::all(0.0);
         Self { centre: [zero; C], reach: zero, line: None, factors: LaneFactors::none() }
@@ -55,7 +57,7 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         self.factors.factorize(Layout::<C>::COORDINATES, self.line.is_some());
     }
 
-    /// Contact number i of each grasp, with its arm from the centroid.
+    /// Contact number i of the grasp in each lane, with its arm from the centroid.
     #[inline(always)]
     pub(super) fn finger(&self, block: &Block<'_, C, X>, i: usize) -> LaneFinger<C, X> {
         let mut arm = block.points().map(|row| row[i]);
@@ -69,7 +71,7 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         }
     }
 
-    /// For each lane, a positive number if some motion of the object stretches no spring.
+    /// For each lane, a positive number if some motion of the object stretches no spring, up to rounding; else zero.
     #[inline(always)]
     pub(super) fn free(&self) -> X {
         self.factors.free
@@ -100,7 +102,8 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         carried
     }
 
-    /// The part of the load that `forces` leave unbalanced, and its size relative to all forces and moments.
+    /// The force and moment that `forces` leave of the load, about the centroid. Second, their size: the largest component relative to the sum of all
+    /// forces, plus the same for moments.
     #[inline(always)]
     pub(super) fn unbalanced(
         &self,
@@ -134,16 +137,16 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
                 moments += load[k].abs();
             }
         }
-        // Without any forces the quotients would be 0 / 0; the smallest normal number makes them 0.
+        // Without forces and loads the quotients would be 0 / 0; adding the smallest normal number to the denominators makes them 0.
         let tiny = X::all(f64::MIN_POSITIVE);
         let part = worst_force / (size + tiny) + worst_moment / (moments + tiny);
-        // `max` ignores NaN. Adding zero times an entry makes `part` NaN if the entry is.
+        // `max` ignores NaN. Adding zero times the first entry of `left` makes the size NaN if that entry is.
         (left, part + X::all(0.0) * left[0])
     }
 }
 
-/// Adds the contribution `G K Gᵀ` of a contact with the stiffness K to the stiffness matrix t of the object. Only entries on and below the diagonal
-/// are stored.
+/// Adds the contribution `G K Gᵀ` of a contact with the grasp map G and the stiffness K to the stiffness matrix t of the object. Only entries on and
+/// below the diagonal are stored.
 #[inline(always)]
 fn add<const C: usize, X: Packed>(t: &mut [[X; 6]; 6], finger: &LaneFinger<C, X>) {
     let arm = &finger.arm;

@@ -1,4 +1,4 @@
-//! Many grasps of equally many contacts, laid out so that several are screened at once.
+//! Many grasps with the same number of contacts, laid out in memory so that several grasps are screened at once.
 
 use super::block::AnyScene;
 use super::fingers::Fingers;
@@ -15,7 +15,7 @@ use super::turning_pull::TurningPull;
 use crate::numerics::each_taken;
 use crate::prelude::*;
 
-/// Many grasps of `N` contacts each, two to five, to be screened under common loads. `C` is 2 in the plane and 3 in space.
+/// Many grasps of `N` contacts each, N from two to five, to be screened under common loads. `C` is 2 in the plane and 3 in space.
 ///
 /// Numbers of several grasps lie side by side (eight with the feature `simd`, else four), so that one instruction works on all of them. A grasp gets
 /// the same answer as from [`Fingers::onset`], to the last bit, whatever the batch, the processor and the number of threads.
@@ -52,7 +52,7 @@ impl<const C: usize, const N: usize> Batch<C, N> {
         Self(PointBatch::with_capacity(N, grasps))
     }
 
-    /// Appends a grasp. Its answers have the index at which it was appended.
+    /// Appends a grasp. Its index in the batch, and so of its answers, is the number of grasps before it.
     pub fn push(&mut self, fingers: &Fingers<C, N>) {
         self.0.push_scene(&AnyScene::block(&fingers.grasp.scene));
     }
@@ -74,9 +74,10 @@ impl<const C: usize, const N: usize> Batch<C, N> {
         self.0.clear();
     }
 
-    /// Onsets of every grasp under each of the growing loads, on one thread; [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch) uses all cores.
-    /// The earlier content of `answers` is replaced: the answer of grasp g to pull p is at `g * pulls.len() + p`. Work that does not depend on the load
-    /// is done once per grasp. Nothing is allocated if `answers` has the capacity.
+    /// The load factor at first slip of every grasp under each of the growing loads, on one thread;
+    /// [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch) uses all cores. The earlier content of `answers` is replaced: the answer of grasp g
+    /// to pull p is at `g * pulls.len() + p`. Work that does not depend on the load is done once per grasp. Nothing is allocated if `answers` has the
+    /// capacity.
     ///
     /// ```
     /// use grasp_lcp::planar::{Batch, Contact, Fingers, Pull, Wrench};
@@ -106,20 +107,21 @@ impl<const C: usize, const N: usize> Batch<C, N> {
         self.ask_into(&Kernels::get().pull, pulls, answers);
     }
 
-    /// Onsets of every grasp under each of the turning loads, on one thread; [`sweep::turn_onsets_of_batch`](crate::sweep::turn_onsets_of_batch) uses
-    /// all cores. Answers are ordered as in [`Self::onsets_into`], and each equals that of [`Fingers::onset_of_turn`] bit for bit.
+    /// The angle at first slip of every grasp under each of the turning loads, on one thread;
+    /// [`sweep::turn_onsets_of_batch`](crate::sweep::turn_onsets_of_batch) uses all cores. Answers are ordered as in [`Self::onsets_into`], and each
+    /// equals that of [`Fingers::onset_of_turn`] bit for bit.
     pub fn turn_onsets_into(&self, turns: &[TurningPull<C>], answers: &mut Vec<ScreenedTurn>) {
         self.ask_into(&Kernels::get().turning_pull, turns, answers);
     }
 
-    /// The least factor of the commands with which each grasp holds every load of a list, for each of the lists, on one thread;
-    /// [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch) uses all cores. Answers are ordered as in [`Self::onsets_into`], and
-    /// each equals that of [`Fingers::least_squeeze`] bit for bit.
+    /// For each grasp and each list of loads, the least factor of the commands with which all contacts stick under every load of the list, on one
+    /// thread; [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch) uses all cores. Answers are ordered as in
+    /// [`Self::onsets_into`], and each equals that of [`Fingers::least_squeeze`] bit for bit.
     pub fn least_squeezes_into(&self, cases: &[LoadCases<C>], answers: &mut Vec<ScreenedSqueeze>) {
         self.ask_into(&Kernels::get().load_cases, cases, answers);
     }
 
-    /// Derivatives of the onset of each grasp by all of its data, for each of the loads, on one thread;
+    /// For each grasp and each growing load, the derivatives of the load factor at first slip by all data of grasp and load, on one thread;
     /// [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch) uses all cores and has an example. Gradients are ordered as in
     /// [`Self::onsets_into`], and each equals that of [`Fingers::onset_gradients`] bit for bit.
     pub fn onset_gradients_into(&self, pulls: &[Pull<C>], gradients: &mut ScreenedGradients<C>) {
@@ -167,8 +169,8 @@ impl<const C: usize, const N: usize> Batch<C, N> {
         questions: &[Q],
         answers: &mut Vec<Q::Answer>,
     ) {
-        // A part of 256 blocks is so large that handing it to a thread costs little. It is small enough for every core to get a share of a batch of
-        // ten thousand grasps.
+        // A batch part of 256 blocks is so large that handing it to a thread costs little. It is small enough for every core to get a share of a
+        // batch of ten thousand grasps.
         each_taken(self.0.parts(questions, 256, answers), &kernel.many);
     }
 }

@@ -1,4 +1,4 @@
-//! Answers the questions of screening for a part of a batch of grasps, on one thread.
+//! Answers the questions of screening for consecutive grasps of a batch, on one thread.
 
 use super::answer_slots::AnswerSlots;
 use super::block::{Block, Layout, MOST_POINTS, MOST_SCREENED};
@@ -14,22 +14,22 @@ use crate::prelude::*;
 /// The forces at contacts, with room for as many contacts as a grasp of a batch may have.
 type WideForces<const C: usize> = Forces<C, Lanes, [Force<C, Lanes>; MOST_POINTS]>;
 
-/// Grasps of a batch for one thread, the questions about these grasps, and the memory for the answers.
+/// Consecutive grasps of a batch for one thread, the questions about these grasps, and the memory for the answers.
 pub(super) struct BatchPart<'a, const C: usize, Q: ScreeningQuestion<C>> {
     pub(super) contacts: usize,
-    /// Bit i is set if contact point i is the last one of its finger; a soft fingertip has several points.
+    /// Bit i is set if contact point i is the last point of its finger. A soft fingertip has several points, any other contact one.
     pub(super) ends: u64,
-    /// Index in the batch of the first grasp of this part.
+    /// Index in the batch of the first of these grasps.
     pub(super) first: usize,
     /// The data of all blocks of grasps one after the other, each laid out as in [`Block`].
     pub(super) numbers: &'a [Lanes],
     pub(super) parted: &'a [Lanes],
     pub(super) questions: &'a [Q],
-    /// Answers, ordered by grasp, then by question.
+    /// The answers of these grasps, ordered by grasp, then by question.
     pub(super) answers: &'a mut [Q::Answer],
 }
 
-/// Answers all questions for a part of a batch of grasps, with the widest vector instructions of the processor.
+/// Answers all questions about these grasps, with the widest vector instructions of the processor.
 pub(super) fn screen<const C: usize, Q: ScreeningQuestion<C>>(part: BatchPart<'_, C, Q>) {
     on_the_widest(part);
 }
@@ -53,7 +53,7 @@ impl<const C: usize, Q: ScreeningQuestion<C>> OnVectors for BatchPart<'_, C, Q> 
 }
 
 impl<const C: usize, Q: ScreeningQuestion<C>> BatchPart<'_, C, Q> {
-    /// Answers the questions. The four arrays are working memory for the contact forces.
+    /// Answers the questions block by block. The four arrays are working memory for the contact forces.
     #[inline(always)]
     fn screen<V: Vectors>(self, vectors: V, [squeezed, a, b, c]: [&mut AnyForces<C, Lanes>; 4]) {
         let (contacts, ends) = (self.contacts, self.ends);

@@ -2,40 +2,40 @@
 
 use super::lanes::Packed;
 
-/// The most contacts of a grasp that is screened alone, not in a batch.
+/// The most contacts of a grasp that can be screened outside a [`PointBatch`](super::PointBatch): in `Fingers` and `Batch`.
 pub(super) const MOST_SCREENED: usize = 5;
-/// The most contact points of a grasp in a batch.
+/// The most contact points of a grasp in a [`PointBatch`](super::PointBatch).
 pub(super) const MOST_POINTS: usize = 64;
-/// The number of contacts, clamped to the length of arrays ([`MOST_POINTS`]), so that no index exceeds it.
+/// The number of contacts, limited to [`MOST_POINTS`], the length of arrays, so that no index exceeds it.
 #[inline(always)]
 pub(super) fn count(contacts: usize) -> usize {
     contacts.min(MOST_POINTS)
 }
 
-/// Grasps with the same number of contacts, one in each lane. `numbers` consists of rows with one number per contact, followed by three [`Sizes`].
-/// The number of contacts is known only at run time, so that kernels are compiled once for the plane and once for space.
+/// Grasps with the same number of contacts, one in each lane. `numbers` has the rows of [`Layout`], each with one entry per contact, then the three
+/// entries of [`Sizes`]. The number of contacts is known only at run time, so that kernels are compiled once for the plane and once for space.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Block<'a, const C: usize, X: Packed> {
     pub(super) contacts: usize,
-    /// Bit i is set if contact point i is the last one of its finger; a soft fingertip has several points.
+    /// Bit i is set if contact point i is the last point of its finger. A soft fingertip has several points, any other contact one.
     pub(super) ends: u64,
     pub(super) numbers: &'a [X],
-    /// Commands along the normals of all contacts, then their clearances. In `numbers` there is only the difference; questions that scale the
-    /// commands need both.
+    /// Commands along the normals of all contacts, m, then their clearances, m. `numbers` has only the differences; questions that scale the commands
+    /// need both.
     pub(super) parted: &'a [X],
 }
 
-/// Commanded displacements less clearances, m: the component along the normal (`pressed`), and the part across it (`sheared`, with axes as in
-/// [`super::finger::Force`]). One vector in coordinate axes for both would have rounding of the size of a large normal component. A stiff tangential
-/// spring would turn it into a force.
+/// Commanded displacements less clearances, m: the component along the normal (`pressed`), and the vector across it (`sheared`, with axes as in
+/// [`super::finger::Force`]). One vector in coordinate axes for both would have the rounding of a large normal component, and a stiff tangential
+/// spring would make this rounding a force.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Commanded<'a, const C: usize, X: Packed> {
     pub(super) pressed: &'a [X],
     pub(super) sheared: [&'a [X]; C],
 }
 
-/// Sums of the absolute values of terms, by which the rounding of forces is bounded: for the commands, for a unit moment and for a unit force. They
-/// are zero where forces are found by the motion of the object.
+/// Sums of the absolute values of terms, by which the rounding of contact forces is bounded: those due to the commands, to a unit moment and to a
+/// unit force. They are zero with [`Method::Motions`](super::method::Method::Motions).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sizes<X: Packed> {
     pub(super) commands: X,
@@ -43,15 +43,17 @@ pub(super) struct Sizes<X: Packed> {
     pub(super) force: X,
 }
 
-/// The index of each row of numbers in the data of a block.
+/// Where the rows of `numbers` of a [`Block`] begin: each constant is the index of the first row of a quantity, such as one row per axis for a
+/// vector.
 pub(super) struct Layout<const C: usize>;
 
 impl<const C: usize> Layout<C> {
     pub(super) const POINT: usize = 0;
-    /// Unit normals into the object.
+    /// Unit normals into the object, one row per axis.
     pub(super) const NORMAL: usize = C;
     pub(super) const SHEARED: usize = 2 * C;
-    /// Normal and tangential stiffness, N/m. Where forces are found along edges between contacts (see [`super::method`]) the rows hold compliances.
+    /// Normal and tangential stiffness, N/m, one row each. For grasps whose forces are found along edges between contacts
+    /// ([`Method::Edges`](super::method::Method::Edges)) compliances, m/N.
     pub(super) const SPRINGS: usize = 3 * C;
     pub(super) const PRESSED: usize = 3 * C + 2;
     /// Coefficients of friction, or one of the codes [`OPENS_ONLY`](super::cone::OPENS_ONLY) and [`STAYS`](super::cone::STAYS).
@@ -60,12 +62,12 @@ impl<const C: usize> Layout<C> {
     /// The number of components of loads and of motions of the object.
     pub(super) const COORDINATES: usize = 3 * (C - 1);
 
-    /// The count of numbers in all rows of one grasp.
+    /// How many entries `numbers` of a [`Block`] has for grasps of this many contacts.
     pub(super) const fn numbers(contacts: usize) -> usize {
         Self::OF_A_CONTACT * contacts + 3
     }
 
-    /// The count of numbers of one grasp, with the separate commands and clearances.
+    /// How many numbers [`OneScene`] has: those of a [`Block`], then commands and clearances one by one.
     const fn with_parts(contacts: usize) -> usize {
         Self::numbers(contacts) + 2 * contacts
     }
@@ -119,7 +121,7 @@ impl<'a, const C: usize, X: Packed> Block<'a, C, X> {
         Sizes { commands: sizes[0], moment: sizes[1], force: sizes[2] }
     }
 
-    /// Commands along the normals, and clearances, one row each.
+    /// Commands along the normals, and clearances, m, one row each with one entry per contact.
     #[inline(always)]
     pub(super) fn parted(&self) -> [&'a [X]; 2] {
         let (commanded, clearance) = self.parted[..2 * self.contacts].split_at(self.contacts);
@@ -127,12 +129,12 @@ impl<'a, const C: usize, X: Packed> Block<'a, C, X> {
     }
 }
 
-/// The data of one grasp, row by row, before they become a lane of a [`Block`]. The array `A` has room for these rows, then for commands and
+/// The data of one grasp, ordered as in a [`Block`] but with one lane. The array `A` has room for the rows of `numbers`, then for commands and
 /// clearances.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct OneScene<const C: usize, A: ?Sized = [f64; Layout::<3>::with_parts(MOST_SCREENED)]> {
     contacts: usize,
-    /// Bit i is set if contact point i is the last one of its finger.
+    /// Bit i is set if contact point i is the last point of its finger; a bit for every contact unless fingertips are soft.
     ends: u64,
     numbers: A,
 }
@@ -150,7 +152,7 @@ impl<const C: usize, const R: usize> OneScene<C, [f64; R]> {
 }
 
 impl<const C: usize> AnyScene<C> {
-    /// Begins a grasp of this many contacts. Their data are written later.
+    /// Begins a grasp of this many contacts, each of them a finger of its own. Their data are written later.
     pub(super) fn begin(&mut self, contacts: usize) {
         (self.contacts, self.ends) = (count(contacts), u64::MAX);
         self.measure(&Sizes { commands: 0.0, moment: 0.0, force: 0.0 });
@@ -162,7 +164,7 @@ impl<const C: usize> AnyScene<C> {
         Block { contacts: self.contacts, ends: self.ends, numbers, parted }
     }
 
-    /// The number of one contact in a row.
+    /// The entry of one contact in one row of `numbers`.
     pub(super) fn at(&mut self, row: usize, contact: usize) -> &mut f64 {
         &mut self.numbers[row * self.contacts + contact]
     }
@@ -179,7 +181,7 @@ impl<const C: usize> AnyScene<C> {
         self.numbers[first..first + 3].copy_from_slice(&[sizes.commands, sizes.moment, sizes.force]);
     }
 
-    /// Makes this contact a point of the same finger as the next one.
+    /// Makes this contact point belong to the same soft fingertip as the next one.
     pub(super) fn join_to_next(&mut self, contact: usize) {
         self.ends &= !(1 << contact);
     }

@@ -1,9 +1,10 @@
-//! Forces while every contact sticks, found by the motion of the object: for a pair in space, and for all grasps of three and more contacts but some
-//! triangles.
+//! Contact forces while every contact sticks, computed from the motion of the object: for a pair in space, and for all grasps of three and more
+//! contacts except the triangles that [`Method::Edges`](super::method::Method::Edges) covers.
 //!
-//! First the commands stretch the springs with the object held in place. Then the object is released and moves by `q = T⁻¹ w`, where w is the wrench
-//! that was not balanced. Where stiffnesses differ much, T loses the contribution of the soft contacts. The balance of forces shows the loss, and the
-//! step is repeated for the residual. Forces that obey both the balance and the springs are right, however inaccurate T is.
+//! First the commands stretch the springs with the object held in place. Then the object is released and moves by `q = T⁻¹ w`, with the stiffness
+//! matrix T and the wrench w that was not balanced. Where stiffnesses differ much, T loses the contribution of the soft contacts. The balance of
+//! forces shows the loss, and the step is repeated for the residual. Forces that obey both the balance and the springs are right, however inaccurate
+//! T is.
 
 use super::balance::RigidBody;
 use super::block::{Block, Commanded, Layout, MOST_SCREENED};
@@ -25,7 +26,8 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         );
     }
 
-    /// Contact forces due to commands alone, or to a load alone with the fingers at rest.
+    /// Computes the contact forces due to commands and a load about the centroid; without commands, those due to a load about the origin with the
+    /// fingers at rest.
     #[inline(never)]
     pub(super) fn sticking<V: Vectors>(
         &self,
@@ -72,8 +74,8 @@ fn stretch<const C: usize, X: Packed>(
     forces.free = part.above(X::all(WORKS_ON_FREE_MOTION), body.free(), X::all(0.0));
 }
 
-/// Computes the equilibrium under commands and a load about the centroid. Writes the contact forces; returns the motion of the object and the
-/// unbalanced part of the load.
+/// Computes the equilibrium with all contacts sticking, under commands and a load about the centroid. Writes the contact forces; returns the motion
+/// of the object, and how much of the load stays unbalanced, relative to the forces.
 #[inline(always)]
 fn let_go<const C: usize, X: Packed>(
     body: &RigidBody<C, X>,
@@ -97,7 +99,7 @@ fn let_go<const C: usize, X: Packed>(
     let (mut left, mut part) =
         if commands.is_some() { body.unbalanced(block, contacts, load) } else { (*load, zero) };
     let mut moved = [zero; 6];
-    // One refinement suffices unless stiffnesses differ very much. Forces that are still unbalanced after three make the verdict unclear.
+    // One refinement suffices unless stiffnesses differ very much. Forces still unbalanced after three refinements make the verdict unclear.
     let most_times = 3;
     for time in 0..=most_times {
         let q = body.motion(&left);
@@ -127,7 +129,8 @@ fn let_go<const C: usize, X: Packed>(
     (moved, part)
 }
 
-/// The displacements of the object at its contacts in equilibrium. They are NaN if some motion is free, because the position is then not determined.
+/// Writes the displacements of the object at its contacts, and its rotation, in the equilibrium under commands and load. NaN if some motion stretches
+/// no spring, since the position is then not determined.
 #[inline(always)]
 fn move_object<const C: usize, X: Packed>(
     body: &RigidBody<C, X>,
@@ -148,9 +151,9 @@ fn move_object<const C: usize, X: Packed>(
     moved.turn[..coordinates - C].copy_from_slice(&motion[C..coordinates]);
 }
 
-/// Bounds the rounding error of each force by a fraction of the sum of two terms. One is the force itself, the other the force of its spring if
-/// stretched by the sum of all displacements. The second term is limited by the sum of all forces and of the second largest such spring force. Errors
-/// of displacements cause forces that balance each other, so at least two contacts carry them.
+/// Bounds the rounding error of each contact force by a fraction of the sum of two terms. One is the force itself. The other is the force of its
+/// spring if stretched by the command and the whole motion of the object. The second term is limited by the sum of all forces and of the second
+/// largest such spring force. Errors of displacements cause forces that balance each other, so at least two contacts carry them.
 #[inline(always)]
 fn bound_rounding<const C: usize, X: Packed>(
     body: &RigidBody<C, X>,

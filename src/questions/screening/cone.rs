@@ -1,17 +1,17 @@
-//! The friction cone of one contact, and where a line of forces crosses it.
+//! The friction cone of one contact, and the load factors at which a contact force that is linear in the load factor crosses it.
 
 use super::finger::Force;
 use super::lanes::{Packed, dot};
 
-/// The condition for a contact to stick, `α F_n >= β |F_t|`. With friction, α is its coefficient and β is 1. The pair (α, β) is (1, 0) for a contact
-/// that can only open, and (0, 0) for one that never leaves.
+/// The condition for a contact to stick, `α F_n >= β |F_t|`. F_n is the normal force and F_t the friction force. With friction, α is its coefficient
+/// and β is 1. The pair (α, β) is (1, 0) for a contact that can only open, and (0, 0) for one that never leaves.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StickingCone<X: Packed> {
     pub(super) alpha: X,
     pub(super) beta: X,
 }
 
-/// The code stored in place of a coefficient of friction that is zero or infinite: such a contact stops sticking only by opening.
+/// The code in place of a coefficient of friction that is zero or infinite: such a contact stops sticking only by opening.
 pub(super) const OPENS_ONLY: f64 = -1.0;
 /// The code stored in place of a coefficient of friction for a contact that never stops sticking. Such a contact is bonded, or kept closed with zero
 /// or infinite friction.
@@ -27,7 +27,7 @@ impl<X: Packed> StickingCone<X> {
 }
 
 impl<X: Packed> StickingCone<X> {
-    /// The scaled friction force `β F_t` of a contact.
+    /// The scaled friction force `β F_t` of a contact, N.
     #[inline(always)]
     pub(super) fn friction<const C: usize>(&self, force: &Force<C, X>) -> [X; C] {
         let mut t = force.tangential;
@@ -38,32 +38,33 @@ impl<X: Packed> StickingCone<X> {
     }
 }
 
-/// A line of forces `F + τ F'` and a round cone. With n and t for `α F_n` and `β F_t` the line crosses the cone, or its mirror image at the apex,
-/// where
+/// The contact force `F + τ F'` as a line in τ, and a round friction cone. With n and t for `α F_n` and `β F_t` the line crosses the cone, or its
+/// mirror image at the apex, where
 ///
 /// ```text
 /// c + 2 b τ - a τ² = 0,   c = n² - |t|²,   b = n n' - t·t',   a = |t'|² - n'²,   Δ = b² + a c = |n t' - n' t|² - |t × t'|²
 /// ```
 ///
-/// The second form of Δ keeps its digits where the line passes close to the apex.
+/// The second form of Δ does not lose digits where the line passes close to the apex.
 pub(super) struct Crossing<X: Packed> {
-    /// The margin `n - |t|` at τ = 0, with the scaled normal force n and friction force t.
+    /// The margin `n - |t|` of the contact, N, at load factor τ = 0: `n = α F_n` is the scaled normal force, `t = β F_t` the friction force.
     pub(super) margin: X,
-    /// The rate `|t'| - n'` at which the margin falls for large τ.
+    /// The rate `|t'| - n'` at which the margin falls per unit of τ in the limit of large τ, N.
     pub(super) closing: X,
     pub(super) a: X,
     pub(super) b: X,
     pub(super) c: X,
-    /// The square root of the discriminant Δ; zero if Δ is negative.
+    /// The square root of the discriminant Δ of the quadratic equation; zero if Δ is negative.
     pub(super) root: X,
-    /// The size `|t|` of the scaled friction force at τ = 0.
+    /// The magnitude `|t|` of the scaled friction force at τ = 0, N.
     pub(super) friction: X,
-    /// The size `|t'|` of the rate of the scaled friction force.
+    /// The magnitude `|t'|` of the rate of the scaled friction force by τ, N.
     pub(super) friction_rate: X,
 }
 
 impl<X: Packed> Crossing<X> {
-    /// The crossing of a round cone by a line of forces. At τ = 0 the scaled normal and friction force are (n, t), and their rates are (n', t').
+    /// The crossing of a round cone by the contact force as a line in τ. At τ = 0 the scaled normal and friction force are (n, t), and their rates by
+    /// τ are (n', t').
     #[inline(always)]
     pub(super) fn new<const C: usize>((n, t): (X, &[X; C]), (dn, dt): (X, &[X; C])) -> Self {
         let zero = X::all(0.0);
@@ -84,15 +85,15 @@ impl<X: Packed> Crossing<X> {
         Self { margin, closing, a, b, c, root, friction, friction_rate }
     }
 
-    /// The larger root τ, where the line of forces leaves the cone. Of the two forms `c / (√Δ - b)` and `(√Δ + b) / a` the one without cancellation
-    /// is used.
+    /// The larger root τ, at which a contact force that is inside the cone at τ = 0 leaves it. Of the two forms `c / (√Δ - b)` and `(√Δ + b) / a` the
+    /// one without cancellation is used.
     #[inline(always)]
     pub(super) fn last(&self) -> X {
         let Self { a, b, c, root, .. } = *self;
         b.above(X::all(0.0), root + b, c) / b.above(X::all(0.0), a, root - b)
     }
 
-    /// The smaller root τ, where a line of forces from outside enters the cone.
+    /// The smaller root τ, at which a contact force that is outside the cone at τ = 0 enters it.
     #[inline(always)]
     pub(super) fn first(&self) -> X {
         let Self { a, b, c, root, .. } = *self;

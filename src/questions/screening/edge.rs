@@ -7,28 +7,29 @@ use super::lanes::{Packed, dot};
 use super::screened::Screened;
 use crate::numerics::tolerances::NEGLIGIBLE;
 
-/// The margin `m = α F_n - β |F_t|` of the contact that leaves its cone first, at the load factor at which m vanishes. In arrays with one entry per
-/// contact, the entries of all other contacts are zero. All numbers are NaN where no contact leaves its cone.
+/// The margin `m = α F_n - β |F_t|` of the contact that leaves its cone first, and its derivatives, at the load factor at which m vanishes. In arrays
+/// with one entry per contact, the entries of all other contacts are zero. All numbers are NaN where no contact leaves its cone.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LeavingEdge<const C: usize, X: Packed> {
-    /// The load factor at which the margin m vanishes.
+    /// The load factor at which the margin m of the leaving contact vanishes; NaN if none leaves.
     pub(super) factor: X,
     /// The index of the contact that leaves its cone; -1 where there is none.
     pub(super) contact: X,
-    /// The derivatives of the margin m by the contact force, along the normal and (`tangential`) across it. With these numbers as commands the
-    /// springs have forces from which all derivatives of m follow.
+    /// The derivatives of the margin m by the contact force, along the normal and (`tangential`) across it. Used as commands of the fingers they
+    /// cause contact forces from which all derivatives of m follow.
     normal: [X; MOST_SCREENED],
     tangential: [[X; MOST_SCREENED]; C],
-    /// The derivative of the margin m by the coefficient of friction, for each contact.
+    /// The derivative of the margin m by each contact's coefficient of friction, N.
     pub(super) by_friction: [X; MOST_SCREENED],
-    /// The derivative of the margin m by the load factor.
+    /// The derivative of the margin m by the load factor, N.
     pub(super) rate: X,
-    /// Positive if the least load factor has a kink at these data, so that derivatives are one-sided.
+    /// Positive if the least load factor has a kink at these data, so that derivatives are one-sided: several contacts leave together, or the
+    /// friction force is zero.
     pub(super) kink: X,
 }
 
 impl<const C: usize, X: Packed> LeavingEdge<C, X> {
-    /// A value with all numbers zero, before [`Self::reach`].
+    /// A margin and derivatives that are all zero, before [`Self::reach`].
     pub(super) fn none() -> Self {
         let zero = X::all(0.0);
         Self {
@@ -42,8 +43,8 @@ impl<const C: usize, X: Packed> LeavingEdge<C, X> {
         }
     }
 
-    /// Advances `forces` to the load factor at which the first contact leaves its cone, and computes the margin there. It is that of contact `which`
-    /// if this contact leaves, else that of the first contact that leaves.
+    /// Advances `forces` to the load factor at which the first contact leaves its cone, and computes the margin's derivatives there. The margin is
+    /// that of contact `which` if it leaves there, else that of the first one that leaves.
     #[inline(always)]
     pub(super) fn reach(
         &mut self,
@@ -93,7 +94,7 @@ impl<const C: usize, X: Packed> LeavingEdge<C, X> {
         }
     }
 
-    /// The derivatives of the margin by the contact force, in the form of commands of the fingers, for one more solution of the springs.
+    /// The derivatives of the margin by the contact force, as commands of the fingers: the springs are then solved once more with them.
     #[inline(always)]
     pub(super) fn probe(&self, contacts: usize) -> Commanded<'_, C, X> {
         let contacts = count(contacts);

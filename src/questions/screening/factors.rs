@@ -6,9 +6,9 @@ use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 /// The factors of one matrix in each lane, with room for `R` rows.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LaneFactors<const R: usize, X: Packed> {
-    /// L below the diagonal, and D⁻¹ on it. Where a pivot d vanishes up to rounding, zero is stored in place of 1/d.
+    /// L below the diagonal, and D⁻¹ on it. Where a pivot d of D vanishes up to rounding, the diagonal has zero in place of 1/d.
     pub(super) entries: [[X; R]; R],
-    /// Positive if some pivot of the factorisation vanishes up to rounding.
+    /// For each lane, positive if some pivot of the factorisation vanishes up to rounding; else zero.
     pub(super) free: X,
 }
 
@@ -18,8 +18,8 @@ impl<const R: usize, X: Packed> LaneFactors<R, X> {
         Self { entries: [[X::all(0.0); R]; R], free: X::all(0.0) }
     }
 
-    /// Factorises in place a matrix of `rows` rows whose entries on and below the diagonal are stored. `last_is_free` says that the last pivot is
-    /// known to be zero up to rounding.
+    /// Factorises in place a matrix with `rows` rows whose entries on and below the diagonal are stored. `last_is_free` says that the last pivot is
+    /// known to be zero up to rounding and counts as zero.
     #[inline(always)]
     pub(super) fn factorize(&mut self, rows: usize, last_is_free: bool) {
         let (zero, one) = (X::all(0.0), X::all(1.0));
@@ -52,7 +52,7 @@ impl<const R: usize, X: Packed> LaneFactors<R, X> {
         self.free = free;
     }
 
-    /// The solution `T⁻¹ w` with the factorised matrix T; rows whose pivot vanishes contribute zero.
+    /// The solution `T⁻¹ w` with the factorised matrix T; rows whose pivot vanishes count as a zero of D⁻¹.
     #[inline(always)]
     pub(super) fn solve(&self, rows: usize, w: &[X; R]) -> [X; R] {
         let f = &self.entries;
@@ -73,7 +73,7 @@ impl<const R: usize, X: Packed> LaneFactors<R, X> {
         q
     }
 
-    /// The inverse 1/d of the pivot d of a row, zero if the pivot vanishes.
+    /// The inverse 1/d of the pivot d of row `row`; zero if the pivot vanishes up to rounding.
     #[inline(always)]
     pub(super) fn one_over_pivot(&self, row: usize) -> X {
         self.entries[row][row]

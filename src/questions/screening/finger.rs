@@ -1,8 +1,8 @@
-//! One contact of a finger: its springs, and forces and displacements in coordinate axes.
+//! One contact in each lane: its springs, and conversions of its force and displacement to coordinate axes.
 
 use super::lanes::{Packed, dot};
 
-/// One contact of the grasp in each lane.
+/// One contact of the grasp in each lane: normal, normal and tangential stiffness, and arm.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LaneFinger<const C: usize, X: Packed> {
     pub(super) normal: [X; C],
@@ -11,8 +11,8 @@ pub(super) struct LaneFinger<const C: usize, X: Packed> {
     pub(super) arm: [X; C],
 }
 
-/// The force of a contact, N, or the stretch of its springs, m. The tangential part is a vector in space; in the plane its first entry is the
-/// component along (n_y, -n_x).
+/// The force of a contact, N, or the stretch of its springs, m. `tangential` is in space a vector in coordinate axes; in the plane its first entry is
+/// the component along (n_y, -n_x).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Force<const C: usize, X: Packed> {
     pub(super) normal: X,
@@ -22,14 +22,14 @@ pub(super) struct Force<const C: usize, X: Packed> {
 }
 
 impl<const C: usize, X: Packed> Force<C, X> {
-    /// No force.
+    /// A zero force, without rounding error.
     #[inline(always)]
     pub(super) fn none() -> Self {
         Self { normal: X::all(0.0), tangential: [X::all(0.0); C], rounding: X::all(0.0) }
     }
 }
 
-/// The moment `arm × f`; in the plane its only component is the first entry.
+/// The moment `arm × f` of the force f at this arm; in the plane its only component is the first entry.
 #[inline(always)]
 pub(super) fn moment<const C: usize, X: Packed>(arm: &[X; C], f: &[X; C]) -> [X; 3] {
     let zero = X::all(0.0);
@@ -44,7 +44,7 @@ pub(super) fn moment<const C: usize, X: Packed>(arm: &[X; C], f: &[X; C]) -> [X;
     }
 }
 
-/// The displacement of the point at `arm` under the motion q of the object (translation, then rotation).
+/// The displacement, in coordinate axes, of the point at `arm` from the centroid under the motion q of the object (translation, then rotation).
 #[inline(always)]
 pub(super) fn displacement<const C: usize, X: Packed>(arm: &[X; C], q: &[X; 6]) -> [X; C] {
     let mut u = *arm;
@@ -60,7 +60,7 @@ pub(super) fn displacement<const C: usize, X: Packed>(arm: &[X; C], q: &[X; 6]) 
     u
 }
 
-/// Converts a force, or a displacement, from the parts along and across the normal n to coordinate axes.
+/// A force, or a displacement, in coordinate axes, from its components along and across the normal n.
 #[inline(always)]
 pub(super) fn world<const C: usize, X: Packed>(n: &[X; C], force: &Force<C, X>) -> [X; C] {
     let mut world = force.tangential;
@@ -75,7 +75,7 @@ pub(super) fn world<const C: usize, X: Packed>(n: &[X; C], force: &Force<C, X>) 
     world
 }
 
-/// The force of a contact whose springs are stretched by `s`; s has coordinate axes.
+/// The force of a contact whose springs are stretched by the vector `s`, m, in coordinate axes.
 #[inline(always)]
 pub(super) fn stretched<const C: usize, X: Packed>(finger: &LaneFinger<C, X>, s: &[X; C]) -> Force<C, X> {
     let [normal, tangential] = finger.springs;

@@ -15,7 +15,8 @@ use crate::error::Error;
 use crate::grasp::Contact;
 use crate::prelude::*;
 
-/// A grasp of two to five contacts, `N` of them, prepared for screening: everything that does not depend on the load is computed once.
+/// A grasp of `N` contacts, two to five, prepared for screening: the contact forces due to the commands and the factorised stiffness are computed
+/// once, for all loads.
 ///
 /// `C` is 2 in the plane and 3 in space; see
 /// [`planar::Fingers`](crate::planar::Fingers) and [`spatial::Fingers`](crate::spatial::Fingers).
@@ -39,7 +40,7 @@ pub struct Fingers<const C: usize, const N: usize> {
 }
 
 impl<const C: usize, const N: usize> Fingers<C, N> {
-    /// Checks and prepares the contacts. Any other number of contacts than two to five does not compile.
+    /// The grasp with these contacts, checked and prepared for screening. Any other number of contacts than two to five does not compile.
     ///
     /// # Errors
     /// [`Error::Contact`] naming the first contact, field and value that is out of range. In space the stiffness of a contact must be equal along
@@ -49,15 +50,15 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
         (Kernels::get().prepare)(contacts).map(|grasp| Self { grasp })
     }
 
-    /// The load factor at which the first contact stops sticking as the load grows, and the contacts that leave there. Where screening cannot decide,
-    /// the verdict says why.
+    /// The load factor at which the first contact stops sticking as the load grows, and the contacts that stop sticking there. Where screening cannot
+    /// decide, the verdict says why.
     #[must_use]
     pub fn onset(&self, pull: &Pull<C>) -> Screened {
         Kernels::get().pull.ask(&self.grasp, pull)
     }
 
-    /// Derivatives of the onset by all data of the grasp and the load: one gradient for each contact that leaves there, in rising order. Without a
-    /// load factor there is none.
+    /// Derivatives of the load factor at first slip by all data of the grasp and the load. There is one gradient for each contact that stops sticking
+    /// there, in rising order; none if [`Self::onset`] has no load factor.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Fingers, Pull, Wrench};
@@ -87,8 +88,8 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
         ScreenedGradients { contacts: N, numbers: gradients }
     }
 
-    /// Derivatives of the onset, the first of [`Self::onset_gradients`] alone, written into memory that is reused. Afterwards `gradients` holds this
-    /// one gradient, with NaN if there is no load factor. Nothing is allocated if it held a gradient of as many contacts before.
+    /// Derivatives of the load factor at first slip, written into memory that is reused. Afterwards `gradients` holds the first gradient of
+    /// [`Self::onset_gradients`] alone; it is NaN if there is no load factor. Nothing is allocated if `gradients` held as many numbers before.
     pub fn onset_gradient_into(&self, pull: &Pull<C>, gradients: &mut ScreenedGradients<C>) {
         gradients.contacts = N;
         gradients.numbers.clear();
@@ -97,8 +98,8 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
         (Kernels::get().gradient.one)(&self.grasp, &question, &mut gradients.numbers);
     }
 
-    /// The angle at which the first contact stops sticking while the load turns, and the contacts that leave there. Where screening cannot decide,
-    /// the verdict says why.
+    /// The angle at which the first contact stops sticking while the load turns, and the contacts that stop sticking there. Where screening cannot
+    /// decide, the verdict says why.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Fingers, Turn, TurningPull};

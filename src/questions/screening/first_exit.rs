@@ -1,4 +1,4 @@
-//! The load factor at which the first contact force leaves its friction cone, if forces change in proportion to the load.
+//! The load factor at which the first contact force leaves its friction cone, if all contact forces are linear in the load factor.
 
 use super::block::{Block, MOST_POINTS, count};
 use super::cone::{Crossing, StickingCone};
@@ -15,19 +15,20 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 struct Exit<X: Packed> {
     /// The load factor at which the contact force leaves its cone: infinite if it never does, [`UNCLEAR`] if rounding decides.
     factor: X,
-    /// The margin of the contact at load factor zero.
+    /// The margin of the contact at load factor zero, N, scaled by its [`StickingCone`].
     margin: X,
     /// Bound of the rounding error of `margin`.
     rounding: X,
-    /// Minus infinity where squares of forces over- or underflow, so that the load factor is unknown; else zero.
+    /// Minus infinity where a product of forces is so large or small that squares over- or underflow and the load factor is unknown; else zero.
     lost: X,
 }
 
-/// The load factor at which `F + factor · F'` leaves the cone. The margin at load factor zero must not be negative.
+/// The load factor at which the contact force `F + factor · F'` leaves the cone, with F at load factor zero and the rate F'. The margin at load
+/// factor zero must not be negative.
 ///
 /// With n and t for `α F_n` and `β F_t` the margin `n - |t|` is concave along the line. For large factors the margin falls at the rate `|t'| - n'`.
-/// The line leaves the cone only if this rate exceeds its rounding. In the plane the margin is the least of two straight lines. In space its first
-/// root solves a quadratic equation, see [`Crossing`].
+/// The force leaves the cone only if this rate exceeds its rounding. In the plane the margin is the smaller of two linear functions. In space its
+/// first root solves a quadratic equation, see [`Crossing`].
 #[inline(always)]
 fn exit<const C: usize, X: Packed>(
     cone: &StickingCone<X>,
@@ -63,15 +64,15 @@ fn exit<const C: usize, X: Packed>(
     Exit { factor, margin, rounding: weight * base.of[contact].rounding, lost }
 }
 
-/// Returns `factor`, the load factor at which a margin with the rate of fall `closing` vanishes. Infinite if the rate is zero up to its rounding
-/// `noise`, and [`UNCLEAR`] if rounding would show in the factor.
+/// Returns `factor`, the load factor at which a margin with the rate of fall `closing` vanishes. Infinite if the margin does not fall, up to the
+/// rounding `noise` of its rate; [`UNCLEAR`] if rounding would show in the factor.
 #[inline(always)]
 fn known<X: Packed>(factor: X, closing: X, noise: X) -> X {
     let factor = closing.above(X::all(SHARP_MARGIN) * noise, factor, X::all(UNCLEAR));
     closing.above(noise, factor, X::all(f64::INFINITY))
 }
 
-/// The verdicts on the grasps of a block, from their forces at load factor zero and the rates of forces by the load factor.
+/// The first slip of the grasps of a block, from their contact forces at load factor zero (`base`) and the rates of these forces by the load factor.
 #[inline(never)]
 pub(super) fn judge<V: Vectors, const C: usize, X: Packed>(
     v: V,
@@ -103,8 +104,7 @@ fn judged<const C: usize, X: Packed>(
         start.add(exit.margin, exit.rounding, exit.lost);
     }
     let until = X::all(1.0 + SOLVED_ROUNDING) * first;
-    // A finger with several points leaves as soon as one of them does. `until` allows for rounding, so that contacts which leave together are all
-    // listed.
+    // A soft fingertip leaves as soon as one of its points does. `until` allows for rounding, so that all contacts which leave together are listed.
     let (mut leaving, mut leaves, mut finger) = (zero, zero, X::all(1.0));
     for i in 0..contacts {
         leaves = factors[i].above(until, leaves, finger);

@@ -1,4 +1,4 @@
-//! The first slip of one grasp as a number, and its verdict.
+//! The first slip of one grasp: a load factor or an angle, or a code for the lack of one, and its verdict.
 
 use core::fmt;
 
@@ -8,20 +8,20 @@ use crate::prelude::*;
 /// The first slip of one grasp, or the lack of one, as two numbers, so that kernels can select among answers without a branch.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct SlipCode {
-    /// The load factor or the angle (rad), infinite if no contact leaves, or one of the codes below.
+    /// The load factor or the angle (rad) of first slip, infinite if no contact leaves, or one of the codes below.
     pub(super) code: f64,
-    /// Sum of 2^i over the contacts i that leave at this load factor or angle.
+    /// Sum of 2^i over the contacts i that leave at this load factor or angle. A soft fingertip counts as one contact.
     pub(super) leaving: f64,
 }
 
-/// The code for [`ScreeningVerdict::NotSticking`] in place of a load factor.
+/// The value of [`SlipCode::code`] for [`ScreeningVerdict::NotSticking`].
 pub(super) const NOT_STICKING: f64 = -1.0;
-/// The code for [`ScreeningVerdict::GivesWay`] in place of a load factor.
+/// The value of [`SlipCode::code`] for [`ScreeningVerdict::GivesWay`].
 pub(super) const GIVES_WAY: f64 = -2.0;
-/// The code for [`ScreeningVerdict::Unclear`] in place of a load factor; NaN has the same meaning.
+/// The value of [`SlipCode::code`] for [`ScreeningVerdict::Unclear`]; NaN has the same meaning.
 pub(super) const UNCLEAR: f64 = -3.0;
 
-/// How the screening of one grasp ended.
+/// How the screening of one grasp under one growing or turning load ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum ScreeningVerdict {
@@ -33,9 +33,9 @@ pub enum ScreeningVerdict {
     /// Not every contact sticks at load factor or angle zero: one would slide or be open, or there may be no equilibrium.
     /// [`Grasp::onset`](crate::ask::Grasp::onset) and [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn) decide which.
     NotSticking,
-    /// The load works on a motion that no contact resists, at load factor or angle zero or beyond.
+    /// The base load or the growing load, or a term of a turning load, works on a motion that no contact resists.
     GivesWay,
-    /// Single passes of floating-point arithmetic cannot decide. [`Grasp::onset`](crate::ask::Grasp::onset) or
+    /// Screening cannot decide, because of rounding or missing friction. [`Grasp::onset`](crate::ask::Grasp::onset) or
     /// [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn) can.
     ///
     /// * A contact is within rounding of the edge of its cone at load factor or angle zero.
@@ -48,7 +48,7 @@ pub enum ScreeningVerdict {
 }
 
 impl SlipCode {
-    /// The initial value in memory, before a kernel writes the answer.
+    /// Fills the memory for answers before a kernel writes them: the code [`UNCLEAR`] and no contact.
     pub(super) const UNKNOWN: Self = Self { code: UNCLEAR, leaving: 0.0 };
 
     pub(super) fn verdict(self) -> ScreeningVerdict {
@@ -66,7 +66,7 @@ impl SlipCode {
     }
 
     pub(super) fn holds_up_to(self, place: f64) -> bool {
-        // The codes in place of a load factor are negative.
+        // A negative code in place of a load factor means that nothing is known to hold, not even at zero.
         place >= 0.0 && place <= self.code
     }
 

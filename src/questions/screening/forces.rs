@@ -1,17 +1,18 @@
-//! The forces of all contacts, for the grasp in each lane.
+//! The contact forces of the grasp in each lane.
 
 use super::block::{Layout, MOST_SCREENED};
 use super::finger::Force;
 use super::lanes::Packed;
 
-/// The forces of all contacts, or their rates by the load factor. The array has room for five contacts, or as many as `A` holds.
+/// The forces of all contacts, or their rates by the load factor. The array has room for five contacts by default, or as many as `A` holds.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Forces<const C: usize, X: Packed, A: ?Sized = [Force<C, X>; MOST_SCREENED]> {
-    /// The part of the load that the forces leave unbalanced, relative to the forces; NaN if no forces were found.
+    /// The largest part of the load that the contact forces leave unbalanced, as a fraction of the sum of forces; NaN if no forces were found.
     pub(super) unbalanced: X,
-    /// Positive if the load works on a motion that no contact resists.
+    /// Positive if the load works on a motion that no contact resists; else zero.
     pub(super) free: X,
-    /// The motion of the object about the centroid of its contacts, if forces were found by this motion.
+    /// The motion of the object about the centroid of its contacts under this load; zero unless forces were found by
+    /// [`Method::Motions`](super::method::Method::Motions).
     pub(super) motion: [X; 6],
     pub(super) of: A,
 }
@@ -28,14 +29,14 @@ impl<const C: usize, X: Packed, const M: usize> Forces<C, X, [Force<C, X>; M]> {
 }
 
 impl<const C: usize, X: Packed> AnyForces<C, X> {
-    /// Copies `others` into these forces.
+    /// Copies `others`, forces of as many contacts, into these forces.
     #[inline(always)]
     pub(super) fn copy_from(&mut self, others: &Self) {
         (self.unbalanced, self.free, self.motion) = (others.unbalanced, others.free, others.motion);
         self.of.copy_from_slice(&others.of);
     }
 
-    /// Sets all forces to zero.
+    /// Sets all forces, their rounding bounds and the motion to zero.
     #[inline(always)]
     pub(super) fn clear(&mut self) {
         let zero = X::all(0.0);
@@ -43,7 +44,7 @@ impl<const C: usize, X: Packed> AnyForces<C, X> {
         self.of.fill(Force::none());
     }
 
-    /// Adds the forces `others` of `contacts` contacts to these forces. Before this, the rounding bounds of these forces are multiplied by
+    /// Adds the forces `others` of the first `contacts` contacts to these forces. The rounding bounds of these forces are first multiplied by
     /// `rounding`.
     #[inline(always)]
     pub(super) fn add_to(&mut self, contacts: usize, others: &Self, rounding: f64) {

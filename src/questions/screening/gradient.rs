@@ -1,9 +1,9 @@
 //! Derivatives of the load factor at first slip by all data of a grasp.
 //!
 //! The load factor τ is where the margin m of the leaving contact vanishes, so that `dτ = -dm / m'`, with m' the derivative of m by τ. Let g = ∂m/∂F
-//! be its derivative by the force of that contact. The springs are solved once more, with g as the command of its finger and nothing else. All
-//! derivatives follow from the forces P and the motion (v, ω̄) of the object in that solution. With the forces F and the motion (u, ω) at the onset,
-//! at each contact,
+//! be the derivative of m by the force of that contact. The springs are solved once more, with g as the command of its finger and nothing else. All
+//! derivatives follow from the forces P and the motion (v, ω̄) of the object in that solution. With the forces F and the motion (u, ω) at first slip,
+//! the derivatives by the data of each contact are
 //!
 //! ```text
 //! ∂m/∂a = P                          command                 ∂m/∂p = ω̄ × F + ω × P        point
@@ -11,7 +11,7 @@
 //! ∂m/∂k_t = F_t·P_t / k_t²                                   ∂m/∂W = -(v, ω̄) at the origin   load
 //! ```
 //!
-//! A gradient thus costs one more solve of the springs than its value, whatever the number of data.
+//! All derivatives together thus cost one more solve of the springs than the load factor, whatever the number of data.
 
 use super::answer_slots::AnswerSlots;
 use super::block::Block;
@@ -27,11 +27,11 @@ use super::screened::Screened;
 use super::springs::Cause;
 use crate::numerics::Vectors;
 
-/// The question for the derivatives of the load factor at which this pull makes a contact leave its cone.
+/// The question of screening for the derivatives, by all data, of the load factor at first slip under this pull.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GradientOf<const C: usize> {
     pub(super) pull: Pull<C>,
-    /// The contact whose margin is differentiated, if it leaves; else the first contact that leaves.
+    /// The contact whose margin is differentiated, if it leaves there; else, and for `None`, the first contact that leaves.
     pub(super) contact: Option<usize>,
 }
 

@@ -1,4 +1,4 @@
-//! The derivatives of one load factor by all data of a grasp, as a row of numbers.
+//! The derivatives of the load factor at first slip by all data of a grasp and the load, as a row of numbers.
 
 use super::answer_slots::AnswerSlots;
 use super::block::{Block, Layout, MOST_SCREENED, count};
@@ -10,8 +10,8 @@ use super::method::Method;
 use super::moved::{ObjectMotion, worked};
 use super::screened::Screened;
 
-/// The layout of a row of numbers. First comes the answer of screening, then the derivatives by points, normals and so on, each contact by contact.
-/// The derivatives by the load come last.
+/// The layout of a gradient as a row of numbers. First come four numbers on the first slip, then the derivatives by points, normals, commands,
+/// stiffness and friction, each contact by contact. The derivatives by the load come last.
 pub(super) struct GradientRow<const C: usize>;
 
 impl<const C: usize> GradientRow<C> {
@@ -41,22 +41,22 @@ impl<const C: usize> GradientRow<C> {
     }
 }
 
-/// The number of entries of the longest row: that of five contacts in space.
+/// The number of entries of the longest [`GradientRow`]: that of five contacts in space.
 const LONGEST_ROW: usize = GradientRow::<3>::numbers(MOST_SCREENED);
 
-/// The data for the derivatives of a load factor. The derivatives are products of these forces and motions; see [`super::gradient`].
+/// The data from which the derivatives of a load factor are computed, as products of these forces and motions; see [`super::gradient`].
 pub(super) struct Slopes<'a, const C: usize, X: Packed> {
     pub(super) method: Method,
     pub(super) edge: &'a LeavingEdge<C, X>,
-    /// The forces F and P that [`super::gradient`] defines.
+    /// The contact forces F at first slip, and the forces P of the second solution; see [`super::gradient`].
     pub(super) forces: [&'a AnyForces<C, X>; 2],
-    /// The motions (u, ω) and (v, ω̄) that [`super::gradient`] defines.
+    /// The motion (u, ω) of the object at first slip, and (v, ω̄) in the second solution; see [`super::gradient`].
     pub(super) motions: [&'a ObjectMotion<C, X>; 2],
     pub(super) first: X::Each<Screened>,
 }
 
 impl<const C: usize, X: Packed> Slopes<'_, C, X> {
-    /// Computes the row of derivatives for the grasp in each lane and stores it.
+    /// Computes the [`GradientRow`] of the grasp in each lane and stores it as an answer.
     #[inline(always)]
     pub(super) fn tell(&self, block: &Block<'_, C, X>, told: &mut AnswerSlots<'_, f64, X>) {
         let contacts = count(block.contacts);
@@ -97,7 +97,7 @@ impl<const C: usize, X: Packed> Slopes<'_, C, X> {
         }
     }
 
-    /// Writes the derivatives by the data of contact i.
+    /// Writes the derivatives by the point, normal, command and stiffness of contact i, each multiplied by `scale` = -1/m'.
     #[inline(always)]
     fn contact(&self, block: &Block<'_, C, X>, i: usize, scale: X, row: &mut [X; LONGEST_ROW]) {
         let (zero, contacts) = (X::all(0.0), count(block.contacts));

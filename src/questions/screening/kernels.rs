@@ -17,7 +17,7 @@ use super::watch::{Measured, Watched};
 use crate::error::Error;
 use crate::grasp::Contact;
 
-/// The functions for all questions of screening, in the plane or in space.
+/// The functions for all questions of screening, for grasps in the plane or for grasps in space.
 pub(super) struct Kernels<const C: usize> {
     pub(super) prepare: fn(&[Contact<C>]) -> Result<OneGrasp<C>, Error>,
     pub(super) pull: Kernel<C, Pull<C>>,
@@ -28,13 +28,13 @@ pub(super) struct Kernels<const C: usize> {
     pub(super) watch: fn(&OneGrasp<C>, &Measured<'_, C>) -> Watched,
 }
 
-/// The functions that answer one question: for one grasp, and for a part of a batch.
+/// The functions that answer one kind of question: for one grasp, and for consecutive grasps of a batch.
 pub(super) struct Kernel<const C: usize, Q: ScreeningQuestion<C>> {
     pub(super) one: fn(&OneGrasp<C>, &Q, &mut [Q::Answer]),
     pub(super) many: fn(BatchPart<'_, C, Q>),
 }
 
-// Plane and space have a static each, so that a program for a small controller links only the one that it uses.
+// Plane and space have a static each, so that a program for a small controller contains only the one that it uses.
 static PLANE: Kernels<2> = Kernels::new();
 static SPACE: Kernels<3> = Kernels::new();
 
@@ -46,7 +46,7 @@ impl<const C: usize> Kernels<C> {
         Self { prepare, pull, turning_pull, load_cases, gradient, put_on: screen, watch: OneGrasp::watch }
     }
 
-    /// The kernels for this number of axes.
+    /// The kernels for `C` axes: 2 in the plane, 3 in space.
     #[inline]
     pub(super) fn get() -> &'static Self {
         const { assert!(C == 2 || C == 3, "contacts have 2 axes in the plane and 3 in space") };
@@ -60,7 +60,7 @@ impl<const C: usize, Q: ScreeningQuestion<C>> Kernel<C, Q> {
         Self { one: OneGrasp::ask, many: screen }
     }
 
-    /// Answers a question that has a single answer, for one grasp.
+    /// The answer to a question with a single answer per grasp, for one grasp.
     #[inline]
     pub(super) fn ask(&self, grasp: &OneGrasp<C>, question: &Q) -> Q::Answer {
         let mut answer = [Q::UNKNOWN];

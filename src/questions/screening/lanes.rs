@@ -1,14 +1,14 @@
 //! Vectors of numbers with one number ("lane") for each of several grasps.
 //!
-//! With `simd` everything here is inlined into its callers. A function that is not inlined would be compiled for the instruction set that every
-//! processor has, instead of the wider vectors of its caller. Without `simd` inlining would only lengthen compilation.
+//! With `simd` everything here is inlined into its callers. A function that is not inlined would be compiled for the instructions that every
+//! processor has, not for the wider vectors of its caller. Without `simd` inlining would only lengthen compilation.
 
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use crate::numerics::square_root;
 
-/// Number of lanes: the number of grasps of a batch that lie side by side in a block.
+/// Number of lanes: the number of grasps of a batch that one vector, and so one block, holds side by side.
 pub(super) const LANES: usize = if cfg!(feature = "simd") { 8 } else { 4 };
 
 /// A number of one grasp, or a vector with one number for each of several grasps. The result in a lane does not depend on the other lanes.
@@ -23,12 +23,12 @@ pub(super) trait Packed:
     + AddAssign
     + SubAssign
 {
-    /// A list with a value of any type for each lane.
+    /// A list with one value of type `T` for each lane.
     type Each<T: Copy>: Copy + AsRef<[T]>;
 
     /// The vector with the same number in every lane.
     fn all(value: f64) -> Self;
-    /// The list of a value for each lane, computed from the index of the lane.
+    /// The list with one value for each lane: `of` computes it from the index of the lane.
     fn each<T: Copy>(of: impl FnMut(usize) -> T) -> Self::Each<T>;
     /// The vector of these numbers, one for each lane.
     fn of(numbers: Self::Each<f64>) -> Self;
@@ -36,11 +36,11 @@ pub(super) trait Packed:
     fn lane(self, lane: usize) -> f64;
     fn abs(self) -> Self;
     fn sqrt(self) -> Self;
-    /// The larger number; `other` where one of them is NaN.
+    /// The larger of the two numbers in each lane; `other` where one of them is NaN.
     fn max(self, other: Self) -> Self;
-    /// The smaller number; `other` where one of them is NaN.
+    /// The smaller of the two numbers in each lane; `other` where one of them is NaN.
     fn min(self, other: Self) -> Self;
-    /// `yes` where this is larger than `bound`, else `no`; also `no` where one of them is NaN.
+    /// In each lane `yes` where this number is larger than `bound`, else `no`; also `no` where one of the two is NaN.
     fn above(self, bound: Self, yes: Self, no: Self) -> Self;
 
     /// Whether every lane equals `value`.
@@ -109,8 +109,8 @@ impl Packed for f64 {
     }
 }
 
-/// One number for each of [`LANES`] grasps. Every operation is a loop over the lanes, which the compiler turns into vector instructions. The
-/// alignment keeps such a vector within one line of the cache.
+/// A vector of one number for each of [`LANES`] grasps. Every operation is a loop over the lanes, which the compiler turns into vector instructions.
+/// The alignment keeps such a vector within one line of the cache.
 #[derive(Debug, Clone, Copy)]
 #[repr(align(32))]
 pub(super) struct Lanes([f64; LANES]);
@@ -132,7 +132,7 @@ impl Lanes {
         self.zip(self, |x, _| f(x))
     }
 
-    /// Sets the lanes from `from` on to `number`.
+    /// Sets the lanes from index `from` to the last one to `number`.
     #[cfg_attr(not(feature = "simd"), inline)]
     #[cfg_attr(feature = "simd", inline(always))]
     pub(super) fn fill(&mut self, from: usize, number: f64) {
@@ -253,7 +253,7 @@ pub(super) fn dot<X: Packed, const C: usize>(a: &[X; C], b: &[X; C]) -> X {
     sum
 }
 
-/// The vector product in space, in every lane.
+/// The vector product `a × b` in space, in every lane.
 #[inline(always)]
 pub(super) fn cross<const C: usize, X: Packed>(a: &[X; C], b: &[X; C]) -> [X; C] {
     let mut product = *a;

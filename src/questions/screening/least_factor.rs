@@ -1,9 +1,9 @@
-//! The least factor of the commands with which a grasp holds each load of a list.
+//! The least factor of the commands with which all contacts of a grasp stick under each load of a list.
 //!
 //! With the commands times s and a load the force at a contact is `F + s F'`. Let n and t be `α F_n` and `β F_t` as in [`StickingCone`]; the margin
-//! `n - |t|` is concave in s. So it is not negative in an interval of factors s, perhaps empty: from where the line of forces enters the cone to
-//! where it leaves. The answer is the least common point of the intervals of all contacts and loads. In the plane a margin is the least of two
-//! straight lines; in space both ends are roots of one quadratic equation, see [`Crossing`].
+//! `n - |t|` is concave in s. So it is not negative in an interval of factors s, perhaps empty: from where the force enters the cone to where it
+//! leaves. The answer is the least s >= 0 in the intervals of all contacts and loads. In the plane a margin is the smaller of two linear functions of
+//! s; in space both ends are roots of one quadratic equation, see [`Crossing`].
 
 use super::block::count;
 use super::cone::{Crossing, StickingCone};
@@ -14,10 +14,10 @@ use super::tolerances::{LEAST_PRODUCT, MOST_PRODUCT, SHARP_MARGIN};
 use super::verdict::balanced;
 use crate::numerics::Vectors;
 
-/// The code for "no factor suffices" in place of a factor. The other codes are those of `first_slip`.
+/// The code in place of a factor for "no factor suffices". The codes for an unclear answer and a motion without resistance are those of `first_slip`.
 pub(super) const NO_FACTOR: f64 = -1.0;
 
-/// The interval of factors on the commands with which one contact sticks under one load, with error bounds of both ends.
+/// The interval of factors on the commands, from `first` to `last`, with which one contact sticks under one load, with error bounds of both ends.
 struct Interval<X: Packed> {
     first: X,
     first_off: X,
@@ -25,8 +25,8 @@ struct Interval<X: Packed> {
     last_off: X,
 }
 
-/// A margin of sticking as a function of the factor on the commands: its `value` at factor zero, and its `gain` per unit of the factor. The other two
-/// numbers bound the rounding of each.
+/// A margin of sticking as a function of the factor on the commands: its `value` at factor zero, and its `gain` per unit of the factor. `noise`
+/// bounds the rounding of `value`, `gain_noise` that of `gain`.
 struct Margin<X: Packed> {
     value: X,
     gain: X,
@@ -35,7 +35,8 @@ struct Margin<X: Packed> {
 }
 
 impl<X: Packed> Margin<X> {
-    /// The interval of factors in which this margin, if it is linear in the factor, is not negative.
+    /// The interval of factors >= 0 in which this margin, as a linear function of the factor, is not negative, with error bounds. An empty one runs
+    /// from infinity to minus infinity.
     #[inline(always)]
     fn straight(&self) -> Interval<X> {
         let (zero, infinite) = (X::all(0.0), X::all(f64::INFINITY));
@@ -59,7 +60,7 @@ impl<X: Packed> Margin<X> {
         (-self.noise).above(self.value, yes, no)
     }
 
-    /// The interval of factors in which this margin of a round cone is not negative.
+    /// The interval of factors in which this margin of a round friction cone is not negative; NaN where rounding decides.
     #[inline(always)]
     fn round<const C: usize>(
         &self,
@@ -68,20 +69,20 @@ impl<X: Packed> Margin<X> {
     ) -> Interval<X> {
         let (zero, infinite) = (X::all(0.0), X::all(f64::INFINITY));
         let Self { noise, gain_noise, .. } = *self;
-        // The factor at which `n² - |t|²` is largest, if the line of forces enters and leaves the cone.
+        // The factor at which `n² - |t|²` is largest, if the force, as a line in the factor, enters and leaves the cone.
         let deepest = line.b / line.a;
         let mut at = *t;
         for axis in 0..C {
             at[axis] = t[axis] + deepest * dt[axis];
         }
         let depth = n + deepest * dn - dot(&at, &at).sqrt();
-        // A line of forces that is inside the cone by less than this may in truth miss the cone; then the answer is unclear.
+        // A line of forces that is inside the cone by less than this, or outside by less, may in truth do the other; then the answer is unclear.
         let needed = X::all(4.0) * (noise + deepest * gain_noise);
         let crossing = line.closing.above(gain_noise, X::all(1.0), zero);
         let unknown = X::all(f64::NAN);
         let through = |yes, no| depth.above(needed, yes, (-depth).above(needed, no, unknown));
-        // If the margin falls for large factors, it is positive on a bounded interval or nowhere. Otherwise, once positive, it stays positive. If
-        // rounding hides which of the two cases this is, the interval is known only where the commands cause no force at all.
+        // If the margin falls for large factors, it is positive on a bounded interval or nowhere. Else, once positive, it stays positive. If rounding
+        // hides the case, the interval is known only where the commands cause no force.
         let rate = dn.abs().max(line.friction_rate);
         let idle = rate.above(gain_noise, unknown, infinite);
         let (first, last) = (line.first(), line.last());
@@ -91,7 +92,7 @@ impl<X: Packed> Margin<X> {
         let first_off = (noise + first * gain_noise) / slope;
         let is_entered = X::all(f64::MAX);
         let first_off = entered.above(is_entered, zero, first_off);
-        // If the line of forces begins at the apex of the cone, only the direction of the line matters.
+        // If the line of forces begins at the apex of the cone, up to rounding, only the direction of the line matters.
         let weight = n.abs() + line.friction;
         let left = weight.above(noise, last.max(zero), zero);
         let chord = self.broken(depth / (last - deepest), self.value / last);
@@ -109,7 +110,7 @@ impl<X: Packed> Margin<X> {
     }
 }
 
-/// The intersection of the intervals of factors on the commands that all contacts and loads so far allow.
+/// The intersection of the intervals of factors on the commands in which the margins added so far are not negative, and flags.
 pub(super) struct LeastFactor<X: Packed> {
     /// The largest lower end of the intervals of factors of all contacts and loads: as computed, then its lower and upper error bound.
     first: X,
@@ -118,16 +119,16 @@ pub(super) struct LeastFactor<X: Packed> {
     /// The lower and upper error bound of the least upper end of the intervals of factors of all contacts and loads.
     last_sure: X,
     last_most: X,
-    /// Positive if rounding decides whether some margin is negative, so that the answer is unclear.
+    /// Positive if rounding decides whether some margin is negative, or forces do not balance, so that the answer is unclear.
     doubt: X,
-    /// Positive if a load works on a motion that no contact resists.
+    /// Positive if a load added so far works on a motion that no contact resists.
     free: X,
-    /// The contact and the load whose interval has the largest lower end, encoded as `8 load + contact`.
+    /// The contact and the load whose interval has the largest lower end, encoded as `8 · load + contact`.
     binding: X,
 }
 
 impl<X: Packed> LeastFactor<X> {
-    /// The interval of all factors from zero, without conditions of contacts.
+    /// The interval of all factors from zero, before any contact and load is added.
     #[inline(always)]
     pub(super) fn new() -> Self {
         let (zero, infinite) = (X::all(0.0), X::all(f64::INFINITY));
@@ -143,8 +144,8 @@ impl<X: Packed> LeastFactor<X> {
         }
     }
 
-    /// Intersects the interval of factors with those of all contacts under one load. `forces` has the forces that the commands cause, then those of
-    /// the load and clearances.
+    /// Intersects the interval of factors with the intervals of all contacts under load number `load`. `forces` has the contact forces due to the
+    /// commands, then those due to the load and the clearances.
     #[inline(never)]
     pub(super) fn under<V: Vectors, const C: usize>(
         &mut self,
@@ -197,11 +198,11 @@ impl<X: Packed> LeastFactor<X> {
         self.doubt += balanced(commands.unbalanced + others.unbalanced, zero, one);
     }
 
-    /// Intersects the interval so far with the interval of one more margin.
+    /// Intersects the interval so far with the interval of one more margin; `binding` is the code of its contact and load.
     #[inline(always)]
     fn narrow(&mut self, margin: &Margin<X>, interval: &Interval<X>, binding: X) {
-        // `noise` bounds the rounding of a margin. If a negative margin lies between a quarter of this bound and four times the bound, the answer is
-        // unclear. The true rounding of ordinary sums stays below a quarter.
+        // `noise` bounds the rounding of a margin at factor zero. If a negative margin lies between a quarter of this bound and four times the bound,
+        // the answer is unclear. The true rounding of ordinary sums stays below a quarter.
         let (short, about) = (-margin.value, X::all(4.0));
         let doubt = (about * margin.noise).above(short, X::all(1.0), X::all(0.0));
         self.doubt += (about * short).above(margin.noise, doubt, X::all(0.0));
@@ -223,8 +224,8 @@ impl<X: Packed> LeastFactor<X> {
         }
     }
 
-    /// For each grasp the least sufficient factor on the commands, or a code if there is none. Also the contact and load that determine the factor,
-    /// encoded as in `binding`.
+    /// For each lane two numbers. First, the least sufficient factor on the commands, or a code if there is none. Second, the contact and load that
+    /// determine this factor, encoded as in `binding`.
     #[inline(always)]
     pub(super) fn least(&self) -> (X, X) {
         let (zero, unclear) = (X::all(0.0), X::all(UNCLEAR));

@@ -1,4 +1,4 @@
-//! A list of loads that a grasp must hold one at a time.
+//! A list of loads under each of which, one at a time, all contacts of a grasp must stick.
 
 use super::answer_slots::AnswerSlots;
 use super::lanes::Packed;
@@ -10,14 +10,14 @@ use crate::grasp::Wrench;
 use crate::numerics::Vectors;
 use crate::prelude::*;
 
-/// A list of at least one load in screening. The grasp must hold each of them, one at a time.
+/// A list of at least one load for screening. All contacts must stick under each of them, one at a time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadCases<const C: usize> {
     pub(super) loads: Vec<Wrench<C>>,
 }
 
 impl<const C: usize> LoadCases<C> {
-    /// The loads on the object: forces in N, moments in N m. Moments are about the origin of the coordinates of each grasp.
+    /// The list of these loads on the object: forces in N, moments in N m about the origin of the coordinates of each grasp.
     ///
     /// # Errors
     /// [`Error::Argument`] if the list is empty, [`Error::Wrench`] if a component of a load is not finite or larger than 1e50.

@@ -1,7 +1,7 @@
 //! Two methods for the contact forces of three contacts in space: forces along the edges of their triangle, or the motion of the object.
 //!
-//! In the first method some set of contact forces balances the load; forces along the edges are then added until displacements agree with the
-//! compliances. In a slim triangle the first set is larger than the result and costs digits. Where compliances differ much, the force of a soft
+//! In the first method some set of contact forces that balances the load is chosen. Forces along the edges are added so that displacements agree with
+//! the compliances. In a slim triangle the first set is larger than the sum, which costs digits. Where compliances differ much, the force of a soft
 //! contact is a small difference of large forces. Such grasps are solved by the motion of the object, and so are contacts without friction, whose
 //! compliance is infinite.
 //!
@@ -15,15 +15,15 @@ use super::triangle::{self, N, Triangle, others};
 /// The method by which the contact forces of a grasp are found.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Method {
-    /// Contact forces from compliances, by forces along the edges between contacts.
+    /// From compliances: forces along the edges between contacts are the unknowns; for some triangles in space and pairs in the plane.
     Edges,
-    /// Contact forces from stiffnesses, by the motion of the object.
+    /// From stiffnesses: the motion of the object is the unknown; for all other grasps.
     Motions,
 }
 
 impl Method {
-    /// For each lane, whether the grasp in it uses this method. Pairs in the plane use edges, triangles in space the method chosen for each, all
-    /// others motions.
+    /// For each lane, whether the grasp in it uses this method. Pairs in the plane use `Edges`, triangles in space the method that [`to_compliances`]
+    /// chose for each, all other grasps `Motions`.
     #[inline(always)]
     pub(super) fn of<const C: usize, X: Packed>(self, block: &Block<'_, C, X>) -> X::Each<bool> {
         let edges = self == Self::Edges;
@@ -35,20 +35,20 @@ impl Method {
     }
 }
 
-/// Whether these are grasps of two contacts in the plane, whose forces follow from the line through both.
+/// Whether the grasps of this block have two contacts in the plane, whose forces follow from the line through both.
 #[inline(always)]
 pub(super) fn is_a_pair<const C: usize, X: Packed>(block: &Block<'_, C, X>) -> bool {
     C == 2 && block.contacts == 2
 }
 
-/// Whether these are grasps of three contacts in space, whose forces may be found along the edges of the triangle.
+/// Whether the grasps of this block have three contacts in space, whose forces may be found along the edges of the triangle.
 #[inline(always)]
 pub(super) fn is_a_triangle<const C: usize, X: Packed>(block: &Block<'_, C, X>) -> bool {
     C == 3 && block.contacts == triangle::N
 }
 
-/// Chooses the method for a triangle. For the method of forces along edges, stiffnesses are replaced by compliances, and [`Sizes`] above zero mark
-/// the choice.
+/// Chooses the method for a triangle in space. For [`Method::Edges`] it replaces stiffnesses by compliances and writes [`Sizes`] above zero, which
+/// mark the choice.
 pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
     let stiff = scene.block().springs().map(|row| [row[0], row[1], row[2]]);
     let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
@@ -61,8 +61,8 @@ pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
         }
     }
     let sizes = sizes(&scene.block());
-    // Compliances may differ by this ratio. If larger, the force of a soft contact would lose more than three digits. If smaller, more grasps would
-    // need the other method, which takes twice the time.
+    // Compliances of the three contacts may differ by at most this ratio. If this were larger, the force of a soft contact would lose more than three
+    // digits. If smaller, more grasps would need the other method, which takes twice the time.
     if most <= 1e3 * least && sizes.force > 0.0 {
         scene.measure(&sizes);
         return;
@@ -74,7 +74,8 @@ pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
     }
 }
 
-/// Bounds for the rounding of forces along edges. Those of moment and force are zero where rounding would be too large for this method.
+/// Bounds of the rounding of contact forces found along edges. Those for a unit moment and a unit force are zero where rounding would be too large
+/// for this method.
 fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     let mut triangle = Triangle::none();
     triangle.ready(scene);
@@ -96,8 +97,8 @@ fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     let height = triangle.one_over_square.sqrt();
     let moment = longest * height * gives;
     let centre: f64 = triangle.centre.iter().map(|x| x.abs()).sum();
-    // The limit of these forces along edges. If larger, margins that fall slowly would be unclear. If smaller, more grasps would need the other
-    // method, which takes twice the time. An equilateral triangle of equal springs has the value seven.
+    // The limit of the contact forces due to a unit moment, times the longest edge. If larger, margins that fall slowly would be unclear. If smaller,
+    // more grasps would need the other method, which takes twice the time. An equilateral triangle of equal springs has the value seven.
     let tame = triangle.factors.free == 0.0 && moment * longest <= 1e3;
     let tamed = |size: f64| if tame { size } else { 0.0 };
     Sizes {
@@ -144,7 +145,7 @@ mod tests {
         made
     }
 
-    /// The largest difference of two sets of contact forces, relative to the sum of the rounding bounds of both.
+    /// The largest difference between a contact force and its counterpart in `others`, relative to `part` times the sum of both rounding bounds.
     fn off(forces: &Forces<3, f64>, others: &Forces<3, f64>, part: f64) -> f64 {
         let mut off = 0.0_f64;
         for i in 0..3 {
@@ -157,7 +158,7 @@ mod tests {
         off
     }
 
-    /// The contact forces that a load causes, and those that the commands cause.
+    /// The contact forces that a load causes by the given method, and those that the commands cause.
     fn forces(method: Method, scene: &Block<'_, 3, f64>, load: &[f64; 6]) -> [Forces<3, f64>; 2] {
         let (mut ready, [mut loaded, mut squeezed]) =
             (StickingSprings::none(method), [Forces::<3, f64>::none(); 2]);
@@ -167,7 +168,7 @@ mod tests {
         [loaded, squeezed]
     }
 
-    /// The percentage of a thousand random grasps that are solved along edges. Asserts that both methods agree on their forces.
+    /// The percentage of a thousand random grasps for which [`Method::Edges`] is chosen. Asserts for these that both methods find the same forces.
     fn by_edges(narrow: f64, decades: f64) -> u32 {
         let mut draw = Draw::new([3, narrow.to_bits(), decades.to_bits()]);
         let (mut count, mut worst) = (0, 0.0_f64);
@@ -199,7 +200,7 @@ mod tests {
         assert!(by_edges(1e-4, 0.0) == 0 && by_edges(1.0, 12.0) < 5);
     }
 
-    /// Without friction the tangential stiffness is zero and the compliance infinite, so the motion of the object is used.
+    /// Without friction at one contact its tangential stiffness is zero and its compliance infinite, so the motion of the object is used.
     #[test]
     fn without_friction_by_motions() {
         let mut scene = scene(&mut Draw::new([0; 3]), 1.0, 0.0);

@@ -1,13 +1,14 @@
 //! Screening: the load at which the first contact stops sticking, for millions of grasps of two to five contacts.
 //!
-//! This is the commonest question of a planner. Screening answers it without allocating and without a branch. It stretches all springs as if every
-//! contact stuck, once at factor zero of the load and once for its rate. A ratio test on the exact cone then finds where the first contact leaves.
+//! A planner asks this most often. Screening answers without allocating and without a branch. It computes the contact forces as if every contact
+//! stuck, at load factor zero and per unit of load factor. A ratio test on the exact friction cone then finds the first load factor at which a
+//! contact stops sticking.
 //!
 //! | question | type | answer | method for unclear cases |
 //! |---|---|---|---|
-//! | At which factor of a growing load does the first contact leave? | [`Pull`] | [`Screened`] | [`Grasp::onset`] |
-//! | At which angle of a turning load does the first contact leave? | [`TurningPull`] | [`ScreenedTurn`] | [`Grasp::onset_of_turn`] |
-//! | Which least squeeze holds each load of a list? | [`LoadCases`] | [`ScreenedSqueeze`] | [`Grasp::least_squeeze`] |
+//! | At which factor of a growing load does the first contact stop sticking? | [`Pull`] | [`Screened`] | [`Grasp::onset`] |
+//! | At which angle of a turning load does the first contact stop sticking? | [`TurningPull`] | [`ScreenedTurn`] | [`Grasp::onset_of_turn`] |
+//! | Which least squeeze makes all contacts stick under each load of a list? | [`LoadCases`] | [`ScreenedSqueeze`] | [`Grasp::least_squeeze`] |
 //!
 //! ```text
 //! F_i(τ) = F_i(W₀) + τ F_i'            W = W₀ + τ W'                      onset: the least τ > 0 beyond which
@@ -15,17 +16,18 @@
 //! F_i(s) = s F_iᵃ + F_i(W)             a = s times the commands           squeeze: the least s >= 0 with |F_t| <= μ F_n at every contact
 //! ```
 //!
-//! Derivatives of the factor of a load by all data of a grasp are [`ScreenedGradients`]; all of them together take as long as a few values. One grasp:
-//! [`Fingers::onset_gradients`]. Many: [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch).
+//! Derivatives of the load factor at first slip by all data of a grasp are [`ScreenedGradients`]; all together take as long as a few load factors.
+//! One grasp: [`Fingers::onset_gradients`]. Many: [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch).
 //!
-//! In a control loop [`Fingers::watch`] evaluates measured forces: their margins, the first slip under a load to come, and the extra squeeze that
-//! this load needs.
+//! In a control loop [`Fingers::watch`] takes measured contact forces. It returns their margins, the first slip under a load to come, and the extra
+//! squeeze that this load needs.
 //!
-//! [`Grasp::onset`] and its siblings agree with screening wherever every contact sticks at the start and the numbers are not extreme. Elsewhere the
-//! verdict of screening says why it has no answer ([`ScreeningVerdict`], [`SqueezeVerdict`]). Screening does not follow the grasp beyond the onset.
+//! [`Grasp::onset`] and the other two methods of the table agree with screening wherever every contact sticks at the start and the numbers are not
+//! extreme. Elsewhere the verdict of screening says why there is no number ([`ScreeningVerdict`], [`SqueezeVerdict`]). Screening does not follow the
+//! grasp beyond the first slip.
 //!
-//! One grasp at a time: [`Fingers`]. Many under common loads: [`Batch`], with pads or more contacts [`PointBatch`], and on all cores
-//! [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch), [`sweep::turn_onsets_of_batch`](crate::sweep::turn_onsets_of_batch) and
+//! One grasp at a time: [`Fingers`]. Many grasps under common loads: [`Batch`]; with soft fingertips or more than five contacts: [`PointBatch`]. On
+//! all cores: [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch), [`sweep::turn_onsets_of_batch`](crate::sweep::turn_onsets_of_batch) and
 //! [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch).
 //!
 //! In the code a *scene* is one grasp, a *lane* its place in a vector register, and a *block* as many scenes as there are lanes.

@@ -1,7 +1,7 @@
-//! Displacements of the object at its contacts while every contact sticks, from forces that were found in compliances.
+//! Displacements of the object at its contacts while every contact sticks, computed from contact forces and compliances.
 //!
 //! The springs give the displacement of the object at each contact, `u = a - C F`, with the command a, the compliance C and the force F.
-//! Displacements at both ends of an edge e differ by `ω × e`, from which the rotation ω follows.
+//! Displacements at both ends of an edge e between contacts differ by `ω × e`, from which the rotation ω follows.
 
 use super::block::{Block, Commanded, MOST_SCREENED};
 use super::finger::{Force, world};
@@ -11,24 +11,24 @@ use super::springs::Cause;
 use super::triangle::{self, Triangle, others};
 use crate::numerics::Vectors;
 
-/// A small motion of the object, m and rad.
+/// A small motion of the object: displacements at its contacts, m, and its rotation, rad.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ObjectMotion<const C: usize, X: Packed> {
-    /// Displacements at the contacts along the coordinate axes.
+    /// Displacement of the object at each contact, along the coordinate axes, m.
     pub(super) at: [[X; C]; MOST_SCREENED],
     /// Rotation about the coordinate axes, rad; in the plane the first entry alone.
     pub(super) turn: [X; 3],
 }
 
 impl<const C: usize, X: Packed> ObjectMotion<C, X> {
-    /// No motion.
+    /// No motion: all displacements and the rotation zero.
     pub(super) fn none() -> Self {
         Self { at: [[X::all(0.0); C]; MOST_SCREENED], turn: [X::all(0.0); 3] }
     }
 }
 
 impl<const C: usize, X: Packed> ObjectMotion<C, X> {
-    /// Computes the motion of an object held by two contacts in the plane.
+    /// Computes the motion of an object held by two contacts in the plane, from the contact forces under these commands and this load.
     #[inline(never)]
     pub(super) fn of_a_pair<V: Vectors>(
         &mut self,
@@ -52,7 +52,7 @@ impl<const C: usize, X: Packed> ObjectMotion<C, X> {
     }
 
     /// Computes the motion of an object held by three contacts in space: `ω = (m·d₂ e₁ - m·d₁ e₂ + ½ (e₂·d₁ - e₁·d₂) m) / |m|²`. Here d₁, d₂ are the
-    /// differences of displacements along two edges e₁, e₂, and m is their vector product.
+    /// differences of displacements between the ends of two edges e₁, e₂, and m = e₁ × e₂.
     #[inline(never)]
     pub(super) fn of_a_triangle<V: Vectors>(
         &mut self,
@@ -107,7 +107,8 @@ fn off_the_spring<const C: usize, X: Packed>(
 }
 
 /// The derivatives of the work of a contact force F under a motion of the object with displacement u and rotation ω at the contact. The derivative by
-/// the contact point is `ω × F`. That by a turn of the contact frame is `u × F`, returned as the change of the normal n, `(u × F) × n`.
+/// the contact point is `ω × F`. The derivative by a rotation of the contact frame is `u × F`, returned in the form `(u × F) × n` for a change of the
+/// normal n.
 #[inline(always)]
 pub(super) fn worked<const C: usize, X: Packed>([turn, at, force, normal]: [&[X; C]; 4]) -> ([X; C], [X; C]) {
     if const { C == 2 } {

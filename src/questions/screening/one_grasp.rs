@@ -1,4 +1,4 @@
-//! One grasp prepared for screening.
+//! One grasp prepared for screening: its data, springs, and the contact forces due to its commands.
 
 use nalgebra::SMatrix;
 
@@ -15,7 +15,7 @@ use crate::error::{Error, Field};
 use crate::grasp::{Contact, Hold};
 use crate::numerics::Compiled;
 
-/// The data of one grasp that do not depend on the load, computed once.
+/// The data of one grasp, its prepared springs, and the contact forces due to its commands (`squeezed`), computed once for all loads.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct OneGrasp<const C: usize> {
     pub(super) scene: OneScene<C>,
@@ -24,7 +24,7 @@ pub(super) struct OneGrasp<const C: usize> {
 }
 
 impl<const C: usize> OneGrasp<C> {
-    /// Checks and prepares the contacts, two to five.
+    /// Checks two to five contacts and prepares their springs. The error is that of [`write_all`].
     pub(super) fn new(contacts: &[Contact<C>]) -> Result<Self, Error> {
         let (scene, ready) = (OneScene::new(contacts.len()), StickingSprings::none(Method::Edges));
         let mut grasp = Self { scene, ready, squeezed: Forces::none() };
@@ -39,7 +39,7 @@ impl<const C: usize> OneGrasp<C> {
         Ok(grasp)
     }
 
-    /// Answers a question. `answers` has as many entries as the question has answers.
+    /// Answers a question about this grasp. `answers` has as many entries as the question has answers.
     pub(super) fn ask<Q: ScreeningQuestion<C>>(&self, question: &Q, answers: &mut [Q::Answer]) {
         let block = AnyScene::block(&self.scene);
         let (ready, squeezed) = (&self.ready, &self.squeezed);
@@ -50,7 +50,7 @@ impl<const C: usize> OneGrasp<C> {
         question.ask(&scenes, [&mut a, &mut b, &mut c], &mut told);
     }
 
-    /// Evaluates the margins of measured forces.
+    /// The margins of measured contact forces of this grasp, and the first slip from them; see [`Measured`].
     pub(super) fn watch(&self, measured: &Measured<'_, C>) -> Watched {
         let mut watched = [Watched::UNKNOWN];
         self.ask(measured, &mut watched);
@@ -58,7 +58,8 @@ impl<const C: usize> OneGrasp<C> {
     }
 }
 
-/// Checks contacts and stores their data. Where forces are found along edges between contacts, stiffnesses are replaced by compliances.
+/// Checks contacts and stores their data in `scene`. For [`Method::Edges`], stiffnesses are replaced by compliances. An error for a malformed
+/// contact, or one that screening does not support.
 pub(super) fn write_all<const C: usize>(
     scene: &mut AnyScene<C>,
     contacts: &[Contact<C>],
@@ -66,7 +67,7 @@ pub(super) fn write_all<const C: usize>(
     let mut before: Option<(&Contact<C>, SMatrix<f64, C, C>)> = None;
     for (index, contact) in contacts.iter().enumerate() {
         contact.check(index)?;
-        // Neighbouring points of a pad have the same frame, which is computed once.
+        // Neighbouring points of a soft fingertip often have the same frame, which is then computed once.
         let same =
             before.filter(|(other, _)| other.normal == contact.normal && other.tangent == contact.tangent);
         let frame = same.map_or_else(|| contact.frame(index), |(_, frame)| Ok(frame))?;
@@ -84,7 +85,7 @@ pub(super) fn write_all<const C: usize>(
     Ok(())
 }
 
-/// Stores the data of one contact, whose frame is known.
+/// Stores the data of one contact with this frame. An error for a contact held by a force or suction, or with unequal tangential stiffness in space.
 fn write<const C: usize>(
     scene: &mut AnyScene<C>,
     index: usize,

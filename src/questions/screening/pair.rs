@@ -1,4 +1,4 @@
-//! Two contacts in the plane: forces in closed form, in compliances.
+//! Two contacts in the plane: contact forces in closed form, from compliances.
 //!
 //! The vector from contact 1 to contact 2 is p, with `p_1 = p` and `p_2 = -p`. `p_i⊥` is p_i turned by a quarter turn, and m the midpoint. The
 //! compliances are `C_i = K_i⁻¹` in coordinate axes. Balance with a load (force W_f, moment W_m) leaves one unknown λ, the force along the line
@@ -14,7 +14,7 @@
 //! Σ p_i·(a_i - C_i F_i) = 0
 //! ```
 //!
-//! The coefficient of λ in it is a sum of positive terms. No stiffness cancels, whatever their ratios.
+//! The coefficient of λ in this condition is a sum of positive terms. Stiffnesses do not cancel, whatever their ratios.
 
 use super::block::{AnyScene, Block, Commanded, Layout, Sizes};
 use super::forces::AnyForces;
@@ -24,11 +24,11 @@ use crate::contact::ZERO_SLACK;
 use crate::numerics::Vectors;
 use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 
-/// Replaces stiffnesses by compliances.
+/// Replaces the stiffnesses of a pair by compliances.
 ///
 /// A contact without friction has an infinite tangential compliance: the condition on λ reads `F_t = 0` there, and all its other terms vanish. Two
-/// such contacts hold no load. Neither does one whose normal points along the line, because the object turns about the other contact. In these cases
-/// the compliances are NaN.
+/// such contacts hold no load. Nor does a pair with one whose normal is along the line through both: the object turns about the other contact. In
+/// these cases the compliances are NaN.
 pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
     let block = scene.block();
     let (points, normals, [k_n, k_t]) = (block.points(), block.normals(), block.springs());
@@ -58,7 +58,7 @@ pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
     scene.measure(&sizes);
 }
 
-/// The sizes of terms by which the rounding of forces is bounded, for a pair with compliances.
+/// Sums of absolute values of terms, which bound the rounding of contact forces, for a pair whose springs are compliances.
 fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     let pair = Pair::new(scene);
     let [x, y] = [0, 1].map(|axis| scene.points()[axis][1] - scene.points()[axis][0]);
@@ -75,7 +75,7 @@ fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     Sizes { commands, moment, force: moment * (x.abs() + y.abs()) + gives }
 }
 
-/// A pair of contacts and the line through both. Arrays have an entry for each contact.
+/// Two contacts in the plane and the line through both, for the grasp in each lane. Inner arrays of two have an entry for each contact.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pair<X: Packed> {
     normal: [[X; 2]; 2],
@@ -88,8 +88,8 @@ pub(super) struct Pair<X: Packed> {
     v: [X; 2],
     one_over_give: X,
     one_over_square: X,
-    /// The stretch of the line through both contacts for s = 1, `Σ p_i·C_i p_i⊥`. In the next field the part that the commands take up, `Σ p_i·a_i`.
-    /// Both are in m times |p|.
+    /// The stretch of the line through both contacts by the forces `p_i⊥`, times |p|: `Σ p_i·C_i p_i⊥`. The next field is the share of the commands
+    /// a_i, `Σ p_i·a_i`, m².
     sheared: X,
     commanded: X,
     sizes: Sizes<X>,
@@ -135,7 +135,7 @@ impl<X: Packed> Pair<X> {
         }
     }
 
-    /// The size of terms in the forces that commands cause; it bounds their rounding.
+    /// The sum of absolute values of terms, N, in the contact forces that these commands cause; it bounds their rounding.
     #[inline(always)]
     fn size_of<const C: usize>(&self, length: X, asked: &Commanded<'_, C, X>) -> X {
         let mut commands = X::all(0.0);
@@ -147,7 +147,7 @@ impl<X: Packed> Pair<X> {
 }
 
 impl<X: Packed> Pair<X> {
-    /// An empty value that [`Self::prepare`] fills.
+    /// A pair with all numbers zero, before [`Self::prepare`].
     pub(super) fn none() -> Self {
         let (zero, zeros) = (X::all(0.0), [X::all(0.0); 2]);
         Self {
@@ -195,12 +195,12 @@ impl<X: Packed> Pair<X> {
         );
     }
 
-    /// Forces that a load alone causes.
+    /// Writes the contact forces that a load alone causes.
     #[inline(always)]
     fn loaded<const C: usize>(&self, load: &[X; 6], forces: &mut AnyForces<C, X>) {
         let zero = [X::all(0.0); 2];
         let s = (load[2] - (self.midpoint[0] * load[1] - self.midpoint[1] * load[0])) * self.one_over_square;
-        // Minus half of the load's force.
+        // Minus half of the load's force, the share of each contact.
         let (x, y) = (X::all(-0.5) * load[0], X::all(-0.5) * load[1]);
         let (mut halves, mut given) = ([zero; 2], zero);
         for i in 0..2 {
@@ -218,7 +218,7 @@ impl<X: Packed> Pair<X> {
         (forces.unbalanced, forces.free) = (X::all(0.0), X::all(0.0));
     }
 
-    /// Forces that commands alone cause. They act along the line through both contacts.
+    /// Writes the contact forces due to commands alone, along the line through both contacts. The commands are those of the block, or `others`.
     #[inline(always)]
     fn squeezed<const C: usize>(
         &self,
@@ -242,7 +242,7 @@ impl<X: Packed> Pair<X> {
     }
 }
 
-/// `p_i·a_i`: the command of finger i along the line through both contacts.
+/// `p_i·a_i`, m²: the command of finger i along the line through both contacts, times |p|.
 #[inline(always)]
 fn taken<const C: usize, X: Packed>(i: usize, commands: &Commanded<'_, C, X>, (n, t): (X, X)) -> X {
     commands.pressed[i] * n + commands.sheared[0][i] * t

@@ -1,12 +1,12 @@
-//! Two contacts in space leave a free motion: the rotation about the line between them. This file exchanges coordinates so that the pivot of this
-//! rotation comes last when the stiffness matrix is factorised.
+//! Two contacts in space do not resist the rotation about the line between them. This file exchanges coordinates of the object so that the pivot of
+//! this rotation is the last one when the stiffness matrix is factorised.
 //!
 //! That pivot vanishes up to rounding. If the rotation about the coordinate axis nearest to the line comes last, no other pivot is small. Thus
-//! rounding does not decide which motion is free.
+//! rounding does not decide which motion counts as without resistance.
 
 use super::lanes::Packed;
 
-/// Exchanges the rotation about the coordinate axis nearest to the line between two contacts with the last coordinate.
+/// The exchange of two rotations in each lane: that about the coordinate axis nearest to the line between two contacts becomes the last coordinate.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct AlongTheLine<X: Packed> {
     /// Positive in the first entry if the coordinate axis nearest to the line is the first one, in the second entry if it is the second one.
@@ -14,7 +14,7 @@ pub(super) struct AlongTheLine<X: Packed> {
 }
 
 impl<X: Packed> AlongTheLine<X> {
-    /// The exchange for the line between these two points.
+    /// The exchange for the line between the two contacts of each grasp.
     #[inline(always)]
     pub(super) fn between<const C: usize>(points: &[&[X]; C]) -> Self {
         let (zero, one) = (X::all(0.0), X::all(1.0));
@@ -23,7 +23,7 @@ impl<X: Packed> AlongTheLine<X> {
         Self { is: [is_x, z.above(y, zero, one - is_x)] }
     }
 
-    /// Exchanges the two coordinates in a matrix of which only entries on and below the diagonal are stored.
+    /// Exchanges these two rotations in the stiffness matrix t, of which only entries on and below the diagonal are stored.
     #[inline(always)]
     pub(super) fn exchange(&self, t: &mut [[X; 6]; 6]) {
         for (k, is) in (3..).zip(self.is) {
@@ -40,7 +40,7 @@ impl<X: Packed> AlongTheLine<X> {
         }
     }
 
-    /// A load or a motion with the two coordinates exchanged. A second exchange restores it.
+    /// A load or a motion with these two rotations (or moments) exchanged. A second exchange restores it.
     #[inline(always)]
     pub(super) fn exchanged(&self, w: &[X; 6]) -> [X; 6] {
         let mut exchanged = *w;

@@ -1,4 +1,4 @@
-//! Many grasps with the same number of contacts; several lie side by side in each block.
+//! Many grasps with the same number of contact points, up to 64; several lie side by side in each block.
 
 use super::batch_part::BatchPart;
 use super::block::{AnyScene, Block, Layout, MOST_POINTS, WideScene};
@@ -12,10 +12,10 @@ use super::screened::Screened;
 use crate::grasp::Contact;
 use crate::prelude::*;
 
-/// Many grasps of equally many contact points, two to 64 of them, to be screened: the number of points is known at run time alone.
+/// Many grasps for screening, all with the same number of contact points, two to 64, which is known only at run time.
 ///
-/// The points of a [soft fingertip](crate::grasp::SoftFingertip) are contacts of one finger, which leaves where its first point does. All grasps have
-/// the same fingers with as many points each. The answers equal those of [`Batch`](super::Batch) bit for bit.
+/// The points of a [soft fingertip](crate::grasp::SoftFingertip) are contacts of one finger, which stops sticking where its first point does. All
+/// grasps have the same number of fingers, with the same number of points each. The answers equal those of [`Batch`](super::Batch) bit for bit.
 ///
 /// ```
 /// use grasp_lcp::spatial::{Contact, PointBatch, Pull, SoftFingertip, Wrench};
@@ -38,13 +38,13 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 pub struct PointBatch<const C: usize> {
     contacts: usize,
-    /// Bit i is set if contact point i is the last one of its finger; this is the same in every grasp.
+    /// Bit i is set if contact point i is the last point of its finger; this is the same in every grasp.
     ends: u64,
-    /// The data of all blocks one after the other, each laid out as in [`Block`].
+    /// The data of all blocks one after the other, each laid out as `numbers` of [`Block`].
     numbers: Vec<Lanes>,
     parted: Vec<Lanes>,
     len: usize,
-    /// Memory for the data of a grasp before they are appended.
+    /// Memory for the data of one grasp before they are appended to the batch; `None` before the first [`Self::push`].
     scene: Option<Box<WideScene<C>>>,
 }
 
@@ -71,8 +71,8 @@ impl<const C: usize> PointBatch<C> {
     }
 
     /// Appends a grasp. Its index in the batch is also that of its answers. Returns `false`, and appends nothing, if contacts are malformed or not
-    /// supported by screening (see [`Fingers::new`](super::Fingers::new)), or if their number differs from that of earlier grasps. For such contacts
-    /// use [`Grasp`](crate::ask::Grasp), which also names the fault.
+    /// supported by screening (see [`Fingers::new`](super::Fingers::new)), or if they do not fit the batch: another number of points or other
+    /// fingers. For such contacts use [`Grasp`](crate::ask::Grasp), which also names the fault.
     pub fn push(&mut self, contacts: &[Contact<C>]) -> bool {
         if contacts.len() != self.contacts || !(2..=MOST_POINTS).contains(&contacts.len()) {
             return false;
@@ -83,7 +83,7 @@ impl<const C: usize> PointBatch<C> {
         let is_written = write_all(scene, contacts).is_ok();
         let scene = scene.block();
         let fingers = (scene.ends << (u64::BITS as usize - contacts.len())).count_ones();
-        // Which fingers leave is stored in one floating-point number, one bit for each finger, so their number is limited.
+        // One floating-point number stores which fingers leave, one bit for each finger, so a grasp may have at most 52 fingers.
         let fits = fingers < f64::MANTISSA_DIGITS && (self.is_empty() || self.ends == scene.ends);
         if is_written && fits {
             self.push_scene(&scene);
@@ -92,13 +92,14 @@ impl<const C: usize> PointBatch<C> {
         is_written && fits
     }
 
-    /// Onsets of every grasp under each of the growing loads, on one thread, ordered as in [`Batch::onsets_into`](super::Batch::onsets_into).
+    /// The load factor at first slip of every grasp under each of the growing loads, on one thread, ordered as in
+    /// [`Batch::onsets_into`](super::Batch::onsets_into).
     pub fn onsets_into(&self, pulls: &[Pull<C>], answers: &mut Vec<Screened>) {
         self.parts(pulls, self.len, answers).for_each(Kernels::get().pull.many);
     }
 
-    /// The onset of each grasp under its own growing load, on one thread. `pulls` has one load for each grasp; if their number differs, the result is
-    /// empty.
+    /// The load factor at first slip of each grasp under its own growing load, on one thread. `pulls` has one load for each grasp; if their number
+    /// differs, the result is empty.
     #[must_use]
     pub fn own_onsets(&self, pulls: Vec<Pull<C>>) -> Vec<Screened> {
         let mut onsets = Vec::with_capacity(pulls.len());
@@ -112,7 +113,7 @@ impl<const C: usize> PointBatch<C> {
         self.len = 0;
     }
 
-    /// Appends a grasp, given as a block of one lane.
+    /// Appends a grasp, given as a block of one lane, which must fit the batch.
     pub(super) fn push_scene(&mut self, scene: &Block<'_, C, f64>) {
         let lane = self.len % LANES;
         self.ends = scene.ends;
@@ -130,7 +131,7 @@ impl<const C: usize> PointBatch<C> {
         self.len += 1;
     }
 
-    /// Divides the batch into parts of at most `blocks` blocks, each with the memory for its answers.
+    /// Divides the batch into parts of at most `blocks` blocks, each with the questions and the memory for its answers.
     pub(super) fn parts<'a, Q: ScreeningQuestion<C>>(
         &'a self,
         questions: &'a [Q],

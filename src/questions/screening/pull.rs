@@ -1,4 +1,4 @@
-//! The load on a grasp in screening.
+//! A load that grows from a base load, as a question of screening.
 
 use super::answer_slots::AnswerSlots;
 use super::first_exit::judge;
@@ -10,7 +10,7 @@ use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
 
-/// A load on a grasp in screening that grows from a base in a fixed direction.
+/// A load on a grasp in screening that grows from a base load in a fixed direction: `base + factor · direction`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pull<const C: usize> {
     pub(super) base: Wrench<C>,

@@ -1,4 +1,4 @@
-//! First slip, and the rotation of the object up to the whole load, for a batch of grasps each of which has its own load.
+//! First slip, and the rotation of the object up to the whole load, for a batch of grasps, each under its own load.
 
 use super::answer_slots::AnswerSlots;
 use super::block::Layout;
@@ -18,24 +18,24 @@ use crate::contact::ZERO_SLACK;
 use crate::numerics::Vectors;
 use crate::prelude::*;
 
-/// The question of screening for first slip and rotation if each grasp of a batch has its own load; `pulls` has one load for each grasp.
+/// The question for first slip and rotation of each grasp of a batch under its own load; `pulls` has one load for each grasp.
 pub(crate) struct PutOn<const C: usize> {
     pub(crate) pulls: Vec<Pull<C>>,
     /// Whether the rotation of the object is to be computed, too.
     pub(crate) turns: bool,
 }
 
-/// First slip and rotation as a load is applied to one grasp, as long as every contact sticks.
+/// First slip of one grasp as its load grows, and the rotation of its object computed as if every contact stuck.
 #[derive(Clone, Copy)]
 pub(crate) struct WhileSticking {
     pub(crate) first: Screened,
-    /// The larger of the rotations at rest and under the whole load, rad. NaN where the position of the object is not determined, or no rotation was
-    /// computed.
+    /// The larger of the object's rotations under the base load and under the whole load, factor 1, rad. NaN where the position of the object is not
+    /// determined, or no rotation was computed.
     pub(crate) turn: f64,
 }
 
 impl<const C: usize> PutOn<C> {
-    /// The answers for all grasps of a batch, on one thread.
+    /// First slip and rotation of every grasp of a batch, on one thread. Empty if the number of loads is not the number of grasps.
     pub(crate) fn answers(self, batch: &PointBatch<C>) -> Vec<WhileSticking> {
         let mut answers = Vec::new();
         if self.pulls.len() != batch.len() {
@@ -45,7 +45,8 @@ impl<const C: usize> PutOn<C> {
         answers
     }
 
-    /// One component of the loads, for the grasp in each lane.
+    /// One component of the loads: for the grasp in each lane of the block whose first grasp has index `first`. Lanes beyond the last grasp repeat
+    /// its load.
     #[inline(always)]
     fn lanes<X: Packed>(&self, first: usize, component: impl Fn(&Pull<C>) -> f64) -> X {
         let last = self.pulls.len() - 1;
@@ -90,7 +91,8 @@ impl<const C: usize> ScreeningQuestion<C> for PutOn<C> {
 }
 
 impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
-    /// The size of the rotation of the object under the commands and a load, given the contact forces of both together, rad.
+    /// The magnitude of the object's rotation under the commands and a load, rad, given the contact forces of both together. NaN where it is not
+    /// determined.
     #[inline(always)]
     fn turned(&self, load: &[X; 6], forces: &AnyForces<C, X>) -> X {
         let mut moved = ObjectMotion::none();

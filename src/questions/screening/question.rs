@@ -1,4 +1,4 @@
-//! A question of screening, such as the onset under a load, and the block of grasps for which it is answered.
+//! A question of screening, such as the first slip under a load, and the block of grasps for which it is answered.
 
 use super::answer_slots::AnswerSlots;
 use super::block::{Block, Commanded, MOST_SCREENED};
@@ -19,23 +19,24 @@ pub(crate) struct Scenes<'a, V, const C: usize, X: Packed> {
     pub(super) ready: &'a StickingSprings<C, X>,
     /// Index in the batch of the grasp in the first lane.
     pub(super) first: usize,
-    /// The forces that the commands, less the clearances, cause without a load.
+    /// The contact forces that the commands, less the clearances, cause without a load.
     pub(super) squeezed: &'a AnyForces<C, X>,
 }
 
-/// Working memory for the forces that a question needs, created once for all blocks.
+/// Working memory for three sets of contact forces that a question needs, created once for all blocks.
 pub(crate) type Room<'a, const C: usize, X> = [&'a mut AnyForces<C, X>; 3];
 
-/// A question of screening, such as the onset under a load, which is answered for every grasp of a batch.
+/// A question of screening, such as the first slip under a load, which is answered for every grasp of a batch.
 pub(crate) trait ScreeningQuestion<const C: usize>: Sync + Sized {
     type Answer: Copy + Send;
-    /// The initial value in memory, before an answer is written.
+    /// Fills the memory for answers before an answer is written.
     const UNKNOWN: Self::Answer;
-    /// The number of answers for a grasp with `contacts` contacts, stored side by side.
+    /// How many entries of type `Answer` answer the question for a grasp with `contacts` contacts; they are stored side by side.
     fn answers(_contacts: usize) -> usize {
         1
     }
-    /// Implementations must be inlined, or the caller's vector instructions would not be used.
+    /// Answers the question for the grasps of a block; the answers are written to the last argument. Implementations must be inlined, or the caller's
+    /// vector instructions would not be used.
     fn ask<V: Vectors, X: Packed>(
         &self,
         scenes: &Scenes<'_, V, C, X>,
@@ -45,7 +46,7 @@ pub(crate) trait ScreeningQuestion<const C: usize>: Sync + Sized {
 }
 
 impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
-    /// The forces that a load alone causes; all grasps have the same load.
+    /// Computes the contact forces that a load alone causes; all grasps have the same load.
     #[inline(always)]
     pub(super) fn under(&self, load: &Wrench<C>, forces: &mut AnyForces<C, X>) {
         let mut lanes = [X::all(0.0); 6];
@@ -55,21 +56,21 @@ impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
         self.under_lanes(&lanes, forces);
     }
 
-    /// The forces that a load alone causes; each grasp has its own load.
+    /// Computes the contact forces that a load alone causes; each grasp has its own load.
     #[inline(always)]
     pub(super) fn under_lanes(&self, load: &[X; 6], forces: &mut AnyForces<C, X>) {
         self.ready.load(self.vectors, &self.block, load, forces);
     }
 
-    /// The forces that the commands and a load cause together.
+    /// Computes the contact forces that the commands, less the clearances, and a load cause together.
     #[inline(always)]
     pub(super) fn squeezed_under(&self, load: &Wrench<C>, forces: &mut AnyForces<C, X>) {
         self.under(load, forces);
         forces.add_to(self.block.contacts, self.squeezed, ON_THE_EDGE / ZERO_SLACK);
     }
 
-    /// The forces that the commands alone cause, and those that the clearances alone cause. The bounds of their rounding are as small as those for
-    /// loads.
+    /// Computes the contact forces that the commands alone cause, and those that the clearances alone cause. Their rounding bounds are those for
+    /// loads, a factor smaller than for commands on the edge of a cone.
     #[inline(always)]
     pub(super) fn apart(&self, [commands, clearances]: [&mut AnyForces<C, X>; 2]) {
         let [commanded, clearance] = self.block.parted();
@@ -79,7 +80,7 @@ impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
             largest = largest.max(clearance.abs());
             *overlap = -*clearance;
         }
-        // Without clearances these forces are `squeezed`, which are copied so that answers agree to the last bit.
+        // Without clearances the forces by the commands are `squeezed`, which are copied so that answers agree to the last bit.
         commands.copy_from(self.squeezed);
         clearances.clear();
         if !largest.is_all(0.0) {
@@ -89,7 +90,8 @@ impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
             };
             squeeze(commanded, self.block.commands().sheared, commands);
             squeeze(&overlaps[..contacts], [&[X::all(0.0); MOST_SCREENED][..contacts]; C], clearances);
-            // Clearances only stretch springs and do no work on a free motion. Where their forces cancel, `free` would be positive by rounding.
+            // Clearances only stretch springs and do no work on a motion without resistance. Where their forces cancel, `free` would be positive by
+            // rounding.
             clearances.free = X::all(0.0);
         }
         for forces in [commands, clearances] {

@@ -4,12 +4,11 @@ use core::fmt;
 
 use super::first_slip::{ScreeningVerdict, SlipCode};
 
-/// The onset of sliding of one grasp as a load grows, or the reason why screening cannot determine it.
+/// The load factor at first slip of one grasp under a growing load, or the reason why screening has none.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Screened(pub(super) SlipCode);
 
-/// The onset of sliding of one grasp as a load turns, or the reason why screening cannot determine it. The onset is an angle, so this type has no
-/// load factor.
+/// The angle of the load at first slip of one grasp under a turning load, or the reason why screening has none. This type has no load factor.
 #[derive(Clone, Copy, PartialEq)]
 pub struct ScreenedTurn {
     pub(super) first: SlipCode,
@@ -18,34 +17,34 @@ pub struct ScreenedTurn {
 }
 
 impl Screened {
-    /// How the screening ended.
+    /// How the screening ended: with a first slip, without one, or without an answer.
     #[must_use]
     pub fn verdict(&self) -> ScreeningVerdict {
         self.0.verdict()
     }
 
-    /// The positive factor of the direction at which the first contact stops sticking. `None` for every verdict but [`ScreeningVerdict::Leaves`], so
-    /// also where no contact ever leaves.
+    /// The positive load factor, the multiple of the load direction, at which the first contact stops sticking. `None` for every verdict but
+    /// [`ScreeningVerdict::Leaves`], so also where no contact ever leaves.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         self.0.place()
     }
 
-    /// Whether every contact is known to stick up to and including this load factor; `false` for negative load factors.
+    /// Whether every contact is known to stick from load factor zero up to and including this one; `false` for negative load factors.
     #[must_use]
     pub fn holds_up_to(&self, factor: f64) -> bool {
         self.0.holds_up_to(factor)
     }
 
-    /// The contacts that leave at the load factor, counted from 0, in rising order. They are several if their load factors agree to twelve digits,
-    /// and none unless the verdict is [`ScreeningVerdict::Leaves`].
+    /// The contacts that stop sticking at [`Self::factor`], counted from 0, in rising order. They are several if their load factors agree to twelve
+    /// digits, and none unless the verdict is [`ScreeningVerdict::Leaves`].
     pub fn leaving(&self) -> impl Iterator<Item = usize> + use<> {
         self.0.leaving()
     }
 }
 
 impl ScreenedTurn {
-    /// How the screening ended.
+    /// How the screening ended: with a first slip, without one, or without an answer.
     #[must_use]
     pub fn verdict(&self) -> ScreeningVerdict {
         self.first.verdict()
@@ -65,8 +64,8 @@ impl ScreenedTurn {
         angle <= self.most && self.first.holds_up_to(angle)
     }
 
-    /// The contacts that leave at the angle, counted from 0, in rising order. They are several if their angles agree to twelve digits, and none unless
-    /// the verdict is [`ScreeningVerdict::Leaves`].
+    /// The contacts that stop sticking at [`Self::angle`], counted from 0, in rising order. They are several if their angles agree to twelve digits,
+    /// and none unless the verdict is [`ScreeningVerdict::Leaves`].
     pub fn leaving(&self) -> impl Iterator<Item = usize> + use<> {
         self.first.leaving()
     }

@@ -1,11 +1,11 @@
-//! Access to the derivatives of onsets.
+//! Access to the derivatives of load factors at first slip.
 
 use super::first_slip::SlipCode;
 use super::gradient_row::GradientRow;
 use super::screened::Screened;
 use crate::prelude::*;
 
-/// Derivatives of many load factors, in the order of their answers: one row of numbers for each load factor. The memory can be reused.
+/// Derivatives of many load factors at first slip, ordered as the load factors themselves: one row of numbers for each. The memory can be reused.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ScreenedGradients<const C: usize> {
     pub(super) contacts: usize,
@@ -19,13 +19,13 @@ impl<const C: usize> ScreenedGradients<C> {
         Self { contacts: 0, numbers: Vec::new() }
     }
 
-    /// The number of gradients.
+    /// The number of gradients, one for each load factor.
     #[must_use]
     pub fn len(&self) -> usize {
         self.numbers.len() / GradientRow::<C>::numbers(self.contacts)
     }
 
-    /// The count of numbers in a gradient of a grasp with `contacts` contacts.
+    /// How many numbers a gradient has for a grasp with `contacts` contacts.
     #[must_use]
     pub const fn width(contacts: usize) -> usize {
         GradientRow::<C>::numbers(contacts)
@@ -45,16 +45,16 @@ impl<const C: usize> ScreenedGradients<C> {
         Some(ScreenedGradient { contacts: self.contacts, row })
     }
 
-    /// All gradients in order.
+    /// All gradients, in the order of the load factors.
     pub fn iter(&self) -> impl Iterator<Item = ScreenedGradient<'_, C>> {
         let contacts = self.contacts;
         let rows = self.numbers.chunks_exact(GradientRow::<C>::numbers(contacts));
         rows.map(move |row| ScreenedGradient { contacts, row })
     }
 
-    /// All numbers, row by row, [`Self::width`] in each row. A row for n contacts begins with 4 numbers: verdict or load factor, leaving contacts,
-    /// contact and kink. The derivatives follow: by n points, n normals, n commands, n pairs of stiffnesses, n coefficients of friction, and the
-    /// components of the base load. [`ScreenedGradient`] returns each of them.
+    /// All numbers, row by row, [`Self::width`] in each row. A row for n contacts begins with 4 numbers: load factor or code of the verdict, leaving
+    /// contacts as bits, contact of the gradient, and kink. The derivatives follow: by n points, n normals, n commands, n pairs of stiffnesses, n
+    /// coefficients of friction, and the components of the base load. [`ScreenedGradient`] returns each of them.
     #[must_use]
     pub fn numbers(&self) -> &[f64] {
         &self.numbers
@@ -67,15 +67,15 @@ impl<const C: usize> ScreenedGradients<C> {
     }
 }
 
-/// The derivatives of the factor (without unit) at which one grasp begins to slide, by each datum while all others stay fixed. They are NaN where
-/// screening has no factor.
+/// The derivatives of the load factor at first slip of one grasp, by each of its data while all others stay fixed. They are NaN where screening has
+/// no load factor.
 ///
-/// Where [`Self::is_one_sided`] is true, several contacts leave together, or one leaves through the apex of its cone: the least of their factors has
-/// a kink. Derivatives are then those of [`Self::contact`]; [`Fingers::onset_gradients`](crate::screening::Fingers::onset_gradients) has those of
-/// each contact. Along a change of the data, the derivative of the factor is the least of the derivatives for these contacts.
+/// Where [`Self::is_one_sided`] is true, several contacts leave together, or one leaves through the apex of its cone: the least of their load factors
+/// has a kink. Derivatives are then those of [`Self::contact`]; [`Fingers::onset_gradients`](crate::screening::Fingers::onset_gradients) has those of
+/// each contact. Along a change of the data, the derivative of the load factor is the least of the derivatives for these contacts.
 ///
-/// Where a motion of the object is free, derivatives by points, normals and loads are NaN: with other data there may be no equilibrium. Two hard
-/// fingers in space are such a grasp. [`OnsetMargins::by`](crate::load_path::OnsetMargins::by) has derivatives for such grasps, too.
+/// Where no spring resists some motion of the object, derivatives by points, normals and loads are NaN: with other data there may be no equilibrium.
+/// Two hard fingers in space are such a grasp. [`OnsetMargins::by`](crate::load_path::OnsetMargins::by) has derivatives for such grasps, too.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ScreenedGradient<'a, const C: usize> {
     contacts: usize,
@@ -93,7 +93,7 @@ impl<const C: usize> ScreenedGradient<'_, C> {
         })
     }
 
-    /// The contact whose margin vanishes at the onset, counted from 0. `None` without a load factor.
+    /// The contact whose margin vanishes at first slip and whose gradient this is, counted from 0. `None` without a load factor.
     #[must_use]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // it is a small whole number
     pub fn contact(&self) -> Option<usize> {
@@ -101,13 +101,13 @@ impl<const C: usize> ScreenedGradient<'_, C> {
         (contact >= 0.0).then_some(contact as usize)
     }
 
-    /// Whether the load factor has a kink at these data, so that derivatives are one-sided.
+    /// Whether the load factor at first slip has a kink at these data, so that derivatives are one-sided.
     #[must_use]
     pub fn is_one_sided(&self) -> bool {
         self.row[GradientRow::<C>::KINK] > 0.0
     }
 
-    /// Derivative by the position of a contact along the coordinate axes, 1/m; its normal stays.
+    /// Derivative by the position of a contact along the coordinate axes, 1/m, while its normal stays the same.
     ///
     /// # Panics
     /// If there is no such contact; the same holds for all derivatives by data of a contact.
@@ -116,21 +116,21 @@ impl<const C: usize> ScreenedGradient<'_, C> {
         self.vector(GradientRow::<C>::POINTS, contact)
     }
 
-    /// Derivative by the normal of a contact along the coordinate axes, 1/rad. It lies across the normal, whose length is fixed. The contact frame
-    /// tilts with the normal, without a turn about it. Commands, clearance and springs stay along the axes of the frame.
+    /// Derivative by the unit normal of a contact, along the coordinate axes, 1/rad. This vector is perpendicular to the normal, whose length is
+    /// fixed. The contact frame tilts with the normal, without a turn about it. Commands, clearance and springs stay along the axes of the frame.
     #[must_use]
     pub fn normal(&self, contact: usize) -> [f64; C] {
         self.vector(GradientRow::<C>::normal(self.contacts), contact)
     }
 
-    /// Derivative by the command of a contact along the coordinate axes, 1/m.
+    /// Derivative of the load factor by the command of a contact along the coordinate axes, 1/m.
     #[must_use]
     pub fn command(&self, contact: usize) -> [f64; C] {
         self.vector(GradientRow::<C>::command(self.contacts), contact)
     }
 
-    /// Derivatives by the series stiffness of a contact, normal and tangential, m/N; the second changes both tangents together. Commands stay, so
-    /// that a stiffer finger presses more. Zero for a spring that does not exist.
+    /// Derivatives by the series stiffness of a contact, normal and tangential, m/N; the second changes both tangents together. Commands stay the
+    /// same, so that a stiffer finger presses more. Zero for a spring that does not exist.
     #[must_use]
     pub fn stiffness(&self, contact: usize) -> [f64; 2] {
         let of = GradientRow::<C>::stiffness(self.contacts)..GradientRow::<C>::friction(self.contacts);
@@ -138,14 +138,14 @@ impl<const C: usize> ScreenedGradient<'_, C> {
         [pair[0], pair[1]]
     }
 
-    /// Derivative by the coefficient of friction of a contact: zero for every contact but the one that slides.
+    /// Derivative by the coefficient of friction of a contact: zero for every contact but [`Self::contact`], and for that one if it only opens.
     #[must_use]
     pub fn friction(&self, contact: usize) -> f64 {
         self.row[GradientRow::<C>::friction(self.contacts)..GradientRow::<C>::load(self.contacts)][contact]
     }
 
-    /// Derivatives by the components of the base load, 1/N and 1/(N m), moments about the origin. Derivatives by the direction are the load factor
-    /// times these.
+    /// Derivatives of the load factor by the components of the base load, 1/N and 1/(N m), moments about the origin. Derivatives by the load
+    /// direction are the load factor times these.
     #[must_use]
     pub fn base_load(&self) -> &[f64] {
         &self.row[GradientRow::<C>::load(self.contacts)..]

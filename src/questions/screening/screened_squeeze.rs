@@ -1,30 +1,30 @@
-//! The answer of screening for the least squeeze of one grasp.
+//! The answer of screening for the least factor of the commands of one grasp.
 
 use core::fmt;
 
 use super::first_slip::{GIVES_WAY, UNCLEAR};
 use super::least_factor::NO_FACTOR;
 
-/// The least squeeze of one grasp under a list of loads, or the reason why screening cannot determine it.
+/// The least factor of the commands with which all contacts of one grasp stick under each load of a list, or the reason why screening has none.
 #[derive(Clone, Copy, PartialEq)]
 pub struct ScreenedSqueeze {
     /// The least factor on the commands, or for the other verdicts one of the codes in `least_factor` and `first_slip`.
     pub(super) code: f64,
-    /// The contact and the load that determine the factor, encoded as `8 load + contact`.
+    /// The contact and the load that determine the factor, encoded as `8 · load + contact`.
     pub(super) binding: f64,
 }
 
-/// How the screening of one grasp for its least squeeze ended.
+/// How the screening of one grasp for its least factor of the commands ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum SqueezeVerdict {
-    /// With the commands times the [factor](ScreenedSqueeze::factor) every contact touches and sticks under every load.
+    /// With the commands times [`ScreenedSqueeze::factor`] every contact touches and sticks under every load of the list.
     Suffices,
-    /// No factor suffices.
+    /// With no factor of the commands all contacts stick under all loads.
     NoFactor,
     /// A load works on a motion that no contact resists, however much the fingers press.
     GivesWay,
-    /// Single passes of floating-point arithmetic cannot decide. [`Grasp::least_squeeze`](crate::ask::Grasp::least_squeeze) can.
+    /// Screening cannot decide, because of rounding or missing friction. [`Grasp::least_squeeze`](crate::ask::Grasp::least_squeeze) can.
     ///
     /// * A factor would have fewer than six digits, because commands hardly change a margin or the line of forces only grazes a cone.
     /// * The least factor for one contact and the largest for another differ by no more than rounding.
@@ -34,10 +34,10 @@ pub enum SqueezeVerdict {
 }
 
 impl ScreenedSqueeze {
-    /// The initial value in memory, before a kernel writes the answer.
+    /// Fills the memory for answers before a kernel writes them: the code for [`SqueezeVerdict::Unclear`].
     pub(super) const UNKNOWN: Self = Self { code: UNCLEAR, binding: 0.0 };
 
-    /// How the screening ended.
+    /// How the screening ended: with a factor, without one, or without an answer.
     #[must_use]
     pub fn verdict(&self) -> SqueezeVerdict {
         match self.code {
@@ -48,15 +48,16 @@ impl ScreenedSqueeze {
         }
     }
 
-    /// The least factor of all commands that suffices, zero if no squeeze is needed. `None` for every verdict but [`SqueezeVerdict::Suffices`]. Larger
-    /// factors need not suffice: clearances are not scaled, and a contact may be pushed open by the others.
+    /// The least common factor of all commands with which every contact sticks under every load; zero if no squeeze is needed. `None` for every
+    /// verdict but [`SqueezeVerdict::Suffices`]. Larger factors need not suffice: clearances are not scaled, and a contact may be pushed open by the
+    /// others.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         (self.verdict() == SqueezeVerdict::Suffices).then_some(self.code)
     }
 
     /// The contact at the edge of its cone with this factor, and the index of the load under which the contact is there; both count from 0. If there
-    /// are several, the first is returned. `None` where the factor is zero, and without a factor.
+    /// are several, the first is returned. `None` where the factor is zero or there is none.
     #[must_use]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // it is a small whole number
     pub fn binding(&self) -> Option<(usize, usize)> {

@@ -1,4 +1,4 @@
-//! Forces of sticking contacts under loads and commands, by one of three methods.
+//! Contact forces while all contacts stick, under loads and commands, by one of three methods.
 
 use super::balance::RigidBody;
 use super::block::{Block, Commanded, Layout};
@@ -10,28 +10,28 @@ use super::pair::Pair;
 use super::triangle::Triangle;
 use crate::numerics::Vectors;
 
-/// The causes of the object's motion: the commands of the fingers and the load.
+/// The causes of contact forces and of the object's motion: the commands of the fingers and the load.
 pub(super) struct Cause<'a, const C: usize, X: Packed> {
     pub(super) commands: Commanded<'a, C, X>,
     /// The load on the grasp in each lane: force in N, then moments about the origin in N m. In the plane the last three are zero.
     pub(super) load: [X; 6],
 }
 
-/// The part of the solution that one of three methods computes from the springs once, before a load is known. Conditions on the constant C keep pairs
-/// in space and triangles in the plane from being compiled, for which the first two methods do not exist.
+/// The data that one of three methods computes once from the geometry and springs of a block, before a load is known. Conditions on the constant C
+/// keep pairs in space and triangles in the plane from being compiled, for which the first two methods do not exist.
 #[derive(Debug, Clone, Copy)]
 #[allow(clippy::large_enum_variant)] // none is ever moved about alone
 pub(super) enum StickingSprings<const C: usize, X: Packed> {
-    /// The closed form for two contacts in the plane.
+    /// Contact forces in closed form, for two contacts in the plane.
     Pair(Pair<X>),
-    /// Forces along the edges between three contacts in space.
+    /// Contact forces from forces along the edges, for triangles of contacts in space with [`Method::Edges`].
     Triangle(Triangle<C, X>),
-    /// The motion of the object, by its factorised stiffness matrix.
+    /// Contact forces from the motion of the object, by its factorised stiffness matrix.
     RigidBody(RigidBody<C, X>),
 }
 
 impl<const C: usize, X: Packed> StickingSprings<C, X> {
-    /// An empty value that [`Self::prepare`] fills.
+    /// Springs for this method with all numbers zero, before [`Self::prepare`].
     pub(super) fn none(method: Method) -> Self {
         match method {
             Method::Edges if C == 2 => Self::Pair(Pair::none()),
@@ -40,7 +40,7 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         }
     }
 
-    /// The method for which these springs are prepared. Grasps of a block that need the other method are skipped.
+    /// The method for which these springs are prepared. Answers are stored only for the grasps of a block that use this method.
     pub(super) fn method(&self) -> Method {
         match self {
             Self::Pair(_) | Self::Triangle(_) => Method::Edges,
@@ -57,7 +57,7 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         }
     }
 
-    /// The forces at the contacts that a load alone causes, with the fingers at rest.
+    /// Computes the contact forces that a load alone causes, with the fingers at rest.
     pub(super) fn load<V: Vectors>(
         &self,
         v: V,
@@ -73,8 +73,8 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         }
     }
 
-    /// The forces that commands alone cause, without a load on the object. The commands are those of the grasps in this block, less clearances, or
-    /// `others`.
+    /// Computes the contact forces that commands alone cause, without a load on the object. The commands are `others`, else those of the grasps in
+    /// this block less clearances.
     pub(super) fn squeeze<V: Vectors>(
         &self,
         v: V,
@@ -93,8 +93,8 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         }
     }
 
-    /// The rotation of the object alone, otherwise as [`Self::moved`]. If forces were found by the motion of the object, `forces` has the rotation
-    /// already.
+    /// Writes the rotation of the object under commands and a load into `moved`, at least; else as [`Self::moved`]. For [`Method::Motions`] `forces`
+    /// has the rotation already.
     #[inline(always)]
     pub(super) fn turned<V: Vectors>(
         &self,
@@ -107,11 +107,11 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         let Self::RigidBody(body) = self else { return self.moved(v, block, cause, forces, moved) };
         let coordinates = Layout::<C>::COORDINATES;
         moved.turn[..coordinates - C].copy_from_slice(&forces.motion[C..coordinates]);
-        // If a motion is free, the position of the object is not determined.
+        // If some motion stretches no spring, the position of the object is not determined.
         moved.turn[0] = body.free().above(X::all(0.0), X::all(f64::NAN), moved.turn[0]);
     }
 
-    /// The motion of the object under commands and a load; `forces` are the contact forces of both together.
+    /// Computes the motion of the object under commands and a load; `forces` are the contact forces of both together.
     pub(super) fn moved<V: Vectors>(
         &self,
         v: V,

@@ -1,4 +1,4 @@
-//! Three contacts in space: forces along the edges of their triangle, in compliances.
+//! Three contacts in space: contact forces from forces along the edges of their triangle, with compliances.
 //!
 //! Edges run around the triangle, `e_0 = p_2 - p_1` and so on: edge i lies opposite to contact i, edge j = i + 1 ends at contact i, and edge k = i +
 //! 2 begins there. All of them are normal to `m = e_1 × e_2`. Balance with a load (force W_f, moment M about the centroid) leaves three unknowns λ,
@@ -15,8 +15,8 @@
 //! e·[(a - C F)_head - (a - C F)_tail] = 0,   A λ = Nᵀ (a - C P),   A = Nᵀ C N,   (N λ)_i = λ_j e_j - λ_k e_k
 //! ```
 //!
-//! This takes half the operations of [`super::balance`], and forces balance for any λ. A small force among large ones is more accurate there:
-//! [`super::method`] chooses between the two.
+//! This takes half the operations of [`super::balance`], and forces balance for any λ. But a small force among large ones is more accurate with
+//! `balance`; [`super::method`] chooses between the two.
 
 use super::block::{Block, Commanded};
 use super::factors::LaneFactors;
@@ -26,29 +26,29 @@ use super::tolerances::ON_THE_EDGE;
 use crate::contact::ZERO_SLACK;
 use crate::numerics::Vectors;
 
-/// The two other indices of three. For an edge they are its tail and its head; for a contact they are the edge that ends there and the edge that
-/// begins there.
+/// The two other indices of 0, 1 and 2, in cyclic order after i. For edge i they are the contacts at its tail and its head; for a contact they are
+/// the edge that ends there and the edge that begins there.
 #[inline(always)]
 pub(super) fn others(i: usize) -> [usize; 2] {
     [(i + 1) % N, (i + 2) % N]
 }
 
-/// The number of contacts, and of edges.
+/// The number of contacts of a triangle, and of its edges.
 pub(super) const N: usize = 3;
 
-/// Three contacts and the edges between them; `C` must be three.
+/// Three contacts in space and the edges between them, for the grasp in each lane; `C` must be 3.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Triangle<const C: usize, X: Packed> {
     pub(super) edge: [[X; C]; N],
     pub(super) centre: [X; C],
-    /// The normal m of the triangle, and `|m|⁻²`.
+    /// The normal `m = e_1 × e_2` of the triangle, m², and in the next field `|m|⁻²`.
     pub(super) across: [X; C],
     pub(super) one_over_square: X,
     /// The products `n_i·e_j` and, in the next field, `n_i·e_k` of the normal of contact i with the edges that end and begin there.
     ends: [X; N],
     begins: [X; N],
-    /// Contributions of the tangential compliances to the stretch of the edges: `pushed` under equal unit forces along an edge, `turned` under forces
-    /// `P_i = e_i`.
+    /// Contributions of the tangential compliances to the stretch of the edges: `pushed` if all contacts have the same unit force along the edge,
+    /// `turned` if contact i has the force `P_i = e_i`.
     pushed: [X; N],
     turned: [X; N],
     pub(super) factors: LaneFactors<N, X>,
@@ -99,7 +99,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         *self = Self { edge, centre, across, one_over_square, ends, begins, pushed, turned, factors };
     }
 
-    /// Forces that a load alone causes.
+    /// Writes the contact forces that a load alone causes.
     #[inline(always)]
     fn loaded(&self, block: &Block<'_, C, X>, load: &[X; 6], forces: &mut AnyForces<C, X>) {
         let (normals, springs) = (block.normals(), block.springs());
@@ -139,7 +139,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         self.forces(block, &lambda, Some((&borne, &pressed)), X::all(ZERO_SLACK) * size, forces);
     }
 
-    /// The size of terms in the forces that commands cause; it bounds their rounding.
+    /// The sum of absolute values of terms, N, in the contact forces that these commands cause; it bounds their rounding.
     #[inline(always)]
     pub(super) fn size_of(&self, asked: &Commanded<'_, C, X>) -> X {
         let (mut stiffness, mut commands) = (X::all(0.0), X::all(0.0));
@@ -153,7 +153,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         stiffness * commands
     }
 
-    /// Forces that commands alone cause: the commands of the grasps in this block or, if given, `others`.
+    /// Writes the contact forces that commands alone cause: the commands of the grasps in this block or, if given, `others`.
     #[inline(always)]
     fn squeezed(
         &self,
@@ -174,7 +174,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         self.forces(block, &lambda, None, X::all(ON_THE_EDGE) * size, forces);
     }
 
-    /// The stretch of each edge if every contact moves along its normal, contact i by `way[i]`.
+    /// The stretch of each edge, times its length, if contact i moves by `way[i]` along its normal.
     #[inline(always)]
     fn along_normals(&self, way: &[X]) -> [X; N] {
         let mut given = [X::all(0.0); N];
@@ -185,7 +185,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         given
     }
 
-    /// Stores the forces of all contacts: the sum of the forces along the edges and the forces `borne`, which balance the load.
+    /// Stores the forces of all contacts: the sum of `lambda` times the edges that meet there and the forces `borne`, which balance the load.
     #[inline(always)]
     fn forces(
         &self,
@@ -221,14 +221,14 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
             }
             forces.of[i].normal = normal;
             forces.of[i].rounding = rounding;
-            // Comparisons ignore NaN. Adding zero times the force makes `unbalanced` NaN if the force is.
+            // Comparisons ignore NaN. Adding zero times the normal force makes `unbalanced` NaN if this force is.
             forces.unbalanced += X::all(0.0) * normal;
         }
     }
 }
 
 impl<const C: usize, X: Packed> Triangle<C, X> {
-    /// An empty value that [`Self::prepare`] fills.
+    /// A triangle with all numbers zero, before [`Self::prepare`].
     pub(super) fn none() -> Self {
         let (none, zero) = ([X::all(0.0); N], X::all(0.0));
         Self {

@@ -1,16 +1,16 @@
 //! The angle at which the first contact force leaves its friction cone while the load turns.
 //!
-//! Let n and t be `α F_n` and `β F_t` of a contact, as in [`StickingCone`]. Its margin is `n - |t|`, a function of the angle θ of the load. Angles
-//! are compared by their cotangents `u = cot(θ/2)`, which fall from +∞ to -∞ over a full turn. In the plane each margin is `c + a cos θ + b sin θ`,
-//! and its first root solves a quadratic equation:
+//! Let n and t be `α F_n` and `β F_t` of a contact, as in [`StickingCone`]. Its margin is `n - |t|`, a function of the angle θ by which the load has
+//! turned. Angles are compared by their cotangents `u = cot(θ/2)`, which fall from +∞ to -∞ over a full turn. In the plane each margin is
+//! `c + a cos θ + b sin θ`, and its first root solves a quadratic equation:
 //!
 //! ```text
 //! (c + a) u² + 2 b u + (c - a) = 0,   u = (√Δ - b) / (c + a) = (a - c) / (√Δ + b),   Δ = a² + b² - c²
 //! ```
 //!
-//! Of the two forms the one without cancellation is used. At the root the margin falls by √Δ per radian. In space bounds of n and |t| show for most
-//! contacts that they do not leave their cones. For each other contact the first root of `n² - |t|²`, an equation of degree four, is found as in
-//! [`Grasp::onset_of_turn`], one grasp at a time. Newton's method on the margin then supplies the last digits.
+//! Of the two forms the one without cancellation is used. At the root the margin falls at the rate √Δ per radian, with the discriminant Δ. In space
+//! bounds of n and |t| show for most contacts that they do not leave their cones. For each other contact the first root of `n² - |t|²`, an equation
+//! of degree four, is found as in [`Grasp::onset_of_turn`], one grasp at a time. Newton's method on the margin then supplies the last digits.
 //!
 //! [`Grasp::onset_of_turn`]: crate::ask::Grasp::onset_of_turn
 
@@ -29,30 +29,30 @@ use crate::contact::ZERO_SLACK;
 use crate::numerics::tolerances::{ROUNDED_SUM, SOLVED_ROUNDING};
 use crate::numerics::{Harmonic, Turning, Vectors};
 
-/// The first angle at which a margin falls below zero.
+/// The first angle at which a contact's margin falls below zero, as a root of the margin.
 struct MarginZero<X: Packed> {
-    /// cot(θ/2) of the angle θ, rad; the larger it is, the earlier the angle. Minus infinity if the margin does not fall below zero.
+    /// cot(θ/2) of this angle θ; the larger the cotangent, the smaller the angle. Minus infinity if the margin does not fall below zero.
     cotangent: X,
-    /// Bound of the error of the angle, rad.
+    /// Bound of the error of this angle, rad.
     off: X,
-    /// Positive if rounding decides whether this root exists, so that the answer is unclear.
+    /// Positive if rounding decides whether this root exists, or hides its first six digits, so that the answer is unclear.
     doubt: X,
 }
 
 impl<X: Packed> MarginZero<X> {
-    /// A root at `cotangent`, where the margin falls by `slope` per radian. `bend` bounds the change of this slope per radian, `noise` the rounding
-    /// of the margin.
+    /// A root at the angle with this cotangent cot(θ/2), where the margin falls by `slope` per radian. `bend` bounds the change of this slope per
+    /// radian, `noise` the rounding of the margin.
     #[inline(always)]
     fn at(cotangent: X, slope: X, bend: X, noise: X) -> Self {
         let (zero, one) = (X::all(0.0), X::all(1.0));
-        // The margin must fall below zero by at least a hundred times its rounding before it can rise again. Otherwise rounding could create or hide
-        // a root.
+        // The margin must fall below zero by at least a hundred times its rounding before it can rise again. Else rounding could create or hide a
+        // root.
         let deep = (slope * slope).above(X::all(2.0 * 100.0) * noise * bend, zero, one);
         let sharp = slope.above(X::all(SHARP_MARGIN) * noise * cotangent, zero, one);
         Self { cotangent, off: noise / slope, doubt: deep + sharp }
     }
 
-    /// Removes the root in lanes where `size` is larger than `bound`.
+    /// The same root, but none (minus infinity) in lanes where `size` is larger than `bound`.
     #[inline(always)]
     fn unless(self, size: X, bound: X) -> Self {
         let never = X::all(f64::NEG_INFINITY);
@@ -63,7 +63,7 @@ impl<X: Packed> MarginZero<X> {
         }
     }
 
-    /// The earlier of two roots.
+    /// The root at the smaller angle of two roots; doubts about either of them count.
     #[inline(always)]
     fn or(self, other: &Self) -> Self {
         Self {
@@ -74,7 +74,7 @@ impl<X: Packed> MarginZero<X> {
     }
 }
 
-/// The scaled normal force n and friction force t of one contact as functions of the angle, and a bound of the rounding of its margin.
+/// The scaled normal force n and friction force t of one contact as functions of the angle of the load, and a bound of the rounding of its margin.
 struct Waves<const C: usize, X: Packed> {
     n: Harmonic<X>,
     t: Harmonic<[X; C]>,
@@ -94,7 +94,7 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         }
     }
 
-    /// The values of n and t and their derivatives by the angle, at the angle with this cosine and sine.
+    /// The values of n and t, then their derivatives by the angle, at the angle with this cosine and sine.
     #[inline(always)]
     fn at(&self, cos: X, sin: X) -> [(X, [X; C]); 2] {
         let Harmonic { constant, cosine, sine } = &self.t;
@@ -107,7 +107,7 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         [(n.constant + (n.cosine * cos + n.sine * sin), t), (n.sine * cos - n.cosine * sin, rate)]
     }
 
-    /// The margin at angle zero.
+    /// The margin `n - |t|` of this contact at angle zero, N.
     #[inline(always)]
     fn margin(&self) -> X {
         let n = self.n.constant + self.n.cosine;
@@ -118,7 +118,8 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         n - if const { C == 2 } { t[0].abs() } else { dot(&t, &t).sqrt() }
     }
 
-    /// The first root of the margin of this contact.
+    /// The first angle at which the margin of this contact falls below zero; none where the load never takes it there. `sticking` is negative in
+    /// lanes whose grasp does not surely stick at angle zero.
     #[inline(always)]
     fn fall(&self, cone: &StickingCone<X>, sticking: X) -> MarginZero<X> {
         if const { C == 2 } {
@@ -142,13 +143,13 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         }
     }
 
-    /// The first root of the margin for a round cone with friction, in grasps that stick at angle zero.
+    /// The first angle at which the margin of a round cone with friction falls below zero, in lanes with `sticking` >= 0.
     #[inline(always)]
     fn round_fall(&self, cone: &StickingCone<X>, sticking: X) -> MarginZero<X> {
         let zero = X::all(0.0);
         let [t0, tc, ts] = [&self.t.constant, &self.t.cosine, &self.t.sine];
         let swing = (self.n.cosine * self.n.cosine + self.n.sine * self.n.sine).sqrt();
-        // As the load turns, t runs along an ellipse; this is its longest half axis.
+        // As the load turns, the end of t runs along an ellipse; its longest half axis is `turning`.
         let (c, s) = (dot(tc, tc), dot(ts, ts));
         let (less, twice) = (c - s, X::all(2.0) * dot(tc, ts));
         let half = X::all(0.5) * (c + s + (less * less + twice * twice).sqrt());
@@ -168,7 +169,7 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         }
         let bend = swing + turning;
         let (mut cotangent, mut slope, mut left) = (found, zero, zero);
-        // The start has an error of about 1e-7, so that the second step of Newton's method leaves only rounding.
+        // The root of the squared margin has an error of about 1e-7, so that the second step of Newton's method leaves only rounding.
         let newton_steps = 2;
         for step in 0..=newton_steps {
             let (u, one) = (cotangent, X::all(1.0));
@@ -197,7 +198,7 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         square.first_cotangent().unwrap_or(f64::NEG_INFINITY)
     }
 
-    /// Minus infinity if squares of these forces over- or underflow, so that the margin is unknown; else zero.
+    /// Minus infinity if squares of the forces of this contact over- or underflow, so that its margin is unknown; else zero.
     #[inline(always)]
     fn lost(&self, cone: &StickingCone<X>) -> X {
         let mut size = X::all(0.0);
@@ -214,7 +215,8 @@ impl<const C: usize, X: Packed> Waves<C, X> {
     }
 }
 
-/// The first root of `c + a cos θ + b sin θ`, which is positive at angle zero.
+/// The first angle at which the margin `c + a cos θ + b sin θ`, positive at angle zero, falls below zero. None if |c| exceeds the other terms by more
+/// than `noise`.
 #[inline(always)]
 fn straight<X: Packed>(margin: &Harmonic<X>, noise: X) -> MarginZero<X> {
     let Harmonic { constant: c, cosine: a, sine: b } = *margin;
@@ -225,7 +227,8 @@ fn straight<X: Packed>(margin: &Harmonic<X>, noise: X) -> MarginZero<X> {
     MarginZero::at(u, root, swing, noise).unless(c, swing + noise)
 }
 
-/// The verdicts on the grasps of a block, from their forces as functions of the angle. The load turns up to `most`, rad, infinite for a full turn.
+/// The first slip of the grasps of a block, from their contact forces as functions of the angle of the load. The load turns up to `most`, rad,
+/// infinite for a full turn.
 #[inline(never)]
 pub(super) fn judge<V: Vectors, const C: usize, X: Packed>(
     v: V,
@@ -252,7 +255,7 @@ fn judged<const C: usize, X: Packed>(
     for i in 0..contacts {
         let cone = StickingCone::of(friction[i]);
         let waves = Waves::new(&cone, i, forces);
-        // The bound of the rounding at angle zero is as large as under a growing load, where a contact may be on the edge of its cone.
+        // The rounding bound of the margin at angle zero is as large as under a growing load, so that a contact on the edge of its cone is unclear.
         let rounding = X::all(ON_THE_EDGE / ZERO_SLACK) * waves.noise;
         start.add(waves.margin(), rounding, waves.lost(&cone));
     }

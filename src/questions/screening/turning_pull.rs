@@ -1,4 +1,4 @@
-//! A load that turns, in screening.
+//! A load that turns through an angle, as a question of screening.
 
 use core::f64::consts::TAU;
 
@@ -13,22 +13,22 @@ use crate::grasp::Wrench;
 use crate::load_path::Turn;
 use crate::numerics::{Harmonic, Vectors};
 
-/// A load in screening that turns: a [`Turn`] whose values have been checked.
+/// A load in screening that turns: a [`Turn`] whose components and angle have been checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TurningPull<const C: usize> {
-    /// The constant, cosine and sine parts of the load.
+    /// The constant, cosine and sine terms of the load, N and N m.
     pub(super) load: Harmonic<Wrench<C>>,
     /// The angle up to which the load turns, rad; infinite for a full turn or more.
     pub(super) most: f64,
 }
 
 impl<const C: usize> TurningPull<C> {
-    /// The load on the object at angle θ is `constant + cosine cos θ + sine sin θ`. Forces are in N, moments in N m.
-    /// Moments are about the origin of the coordinates of each grasp.
+    /// The load on the object that at angle θ is `constant + cosine cos θ + sine sin θ`, with the three terms of `turn`. Forces are in N, moments in
+    /// N m. Moments are about the origin of the coordinates of each grasp.
     ///
     /// # Errors
-    /// [`Error::Wrench`] if a component of a part is not finite or larger than 1e50.
-    /// [`Error::Argument`] unless the angle is more than zero, and at most 1e6.
+    /// [`Error::Wrench`] if a component of a term is not finite or larger than 1e50. [`Error::Argument`] unless the angle is more than zero, and at
+    /// most 1e6.
     pub fn new(turn: &Turn<C>) -> Result<Self, Error> {
         turn.check()?;
         let [constant, cosine, sine] = turn.parts();

@@ -1,4 +1,4 @@
-//! The verdict on a grasp from the margins of its contacts.
+//! The verdict on a grasp in screening, from the margins of its contacts at the start and its first slip.
 
 use super::first_slip::{GIVES_WAY, NOT_STICKING, SlipCode, UNCLEAR};
 use super::lanes::Packed;
@@ -6,25 +6,26 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 
 /// The margins of the grasp in each lane at load factor or angle zero.
 pub(super) struct Start<X: Packed> {
-    /// The least margin of all contacts, except those whose squared forces over- or underflow.
+    /// The least margin of all contacts, N, except those whose squared forces over- or underflow.
     margin: X,
-    /// The least value of a contact's margin less the bound of its rounding.
+    /// The least value of a contact's margin less the bound of its rounding, N; contacts whose squared forces over- or underflow are left out.
     sure: X,
     /// Minus infinity where squared forces of some contact over- or underflow, so that the verdict is unclear; else zero.
     lost: X,
-    /// Positive if the load works on a motion that no contact resists.
+    /// Positive if the load at the start works on a motion that no contact resists.
     pub(super) free: X,
 }
 
 impl<X: Packed> Start<X> {
-    /// The state before any contact has been added.
+    /// The margins before any contact has been added: infinite. `free` is positive if the load there works on a motion that no contact resists.
     #[inline(always)]
     pub(super) fn new(free: X) -> Self {
         let infinite = X::all(f64::INFINITY);
         Self { margin: infinite, sure: infinite, lost: X::all(0.0), free }
     }
 
-    /// Adds a contact with this margin and the bound of its rounding.
+    /// Adds a contact with this margin and the bound of its rounding; `lost` is minus infinity where its squared forces over- or underflow, else
+    /// zero.
     #[inline(always)]
     pub(super) fn add(&mut self, margin: X, rounding: X, lost: X) {
         self.margin = self.margin.min(margin - lost);
@@ -32,15 +33,15 @@ impl<X: Packed> Start<X> {
         self.lost = self.lost.min(lost);
     }
 
-    /// The least value of a contact's margin less the bound of its rounding; minus infinity where squared forces of some contact over- or underflow.
+    /// The least value of a contact's margin less the bound of its rounding; minus infinity if squared forces of some contact over- or underflow.
     #[inline(always)]
     pub(super) fn sure(&self) -> X {
         self.sure + self.lost
     }
 }
 
-/// The verdicts on the grasps of a block. `first` is the load factor or angle at which the first contact leaves its cone, infinity, or a code. It
-/// becomes the answer only if all contacts stick at the start and the forces balance the load.
+/// The answers for the grasps of a block, made by `answer`. `first` is the load factor or angle at which the first contact leaves its cone, infinity,
+/// or a code. It becomes the answer only if all contacts stick at load factor or angle zero and the contact forces balance the load.
 #[inline(always)]
 pub(super) fn verdicts<A: Copy, X: Packed>(
     (first, leaving): (X, X),
@@ -50,7 +51,8 @@ pub(super) fn verdicts<A: Copy, X: Packed>(
     answer: impl Fn(SlipCode) -> A,
 ) -> X::Each<A> {
     let (zero, &Start { margin, sure, free, .. }) = (X::all(0.0), start);
-    // Without valid forces `sure` is NaN, so that the code becomes NaN, too. A contact that never leaves its cone has a margin of exactly zero.
+    // Where no forces were found, `sure` is NaN, so that the code becomes NaN, too. A contact that never leaves its cone has a margin of exactly
+    // zero.
     let code = first + X::all(0.0) * sure;
     let code = (-start.sure()).above(zero, X::all(UNCLEAR), code);
     let code = balanced(unbalanced, code, X::all(UNCLEAR));
@@ -62,7 +64,7 @@ pub(super) fn verdicts<A: Copy, X: Packed>(
     X::each(|lane| answer(SlipCode { code: code.lane(lane), leaving: leaving.lane(lane) }))
 }
 
-/// Returns `yes` if the forces balance the load, else `no`.
+/// Returns `yes` where the contact forces balance the load (the unbalanced part is small), else `no`; also `no` for NaN.
 #[inline(always)]
 pub(super) fn balanced<X: Packed>(unbalanced: X, yes: X, no: X) -> X {
     X::all(SOLVED_ROUNDING).above(unbalanced, yes, no)

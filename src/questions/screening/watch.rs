@@ -1,4 +1,4 @@
-//! Margins of measured contact forces, for a control loop.
+//! Margins of measured contact forces, and the first slip from them under a load to come, for a control loop.
 
 use core::fmt;
 
@@ -21,7 +21,8 @@ use crate::error::{ContactLabel, Error, Field};
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
 
-/// The margins of measured contact forces of one grasp, the load factor of first slip, and the extra squeeze that an expected load needs.
+/// The margins of measured contact forces of one grasp, the load factor of first slip, under an expected load, and the extra squeeze that this load
+/// needs.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Watched {
     margin: f64,
@@ -38,9 +39,9 @@ impl Watched {
         extra_squeeze: ScreenedSqueeze::UNKNOWN,
     };
 
-    /// The least margin of a contact, N: `μ F_n - |F_t|` where the contact may slide, `F_n` where it can only open. It is negative where a measured
-    /// force lies outside of its cone: the contact slides already, or the measurement or its friction coefficient is wrong. It is infinite if no
-    /// contact can leave.
+    /// The least margin over all contacts under the measured forces, N: `μ F_n - |F_t|` where the contact may slide, `F_n` where it can only open. It
+    /// is negative where a measured force lies outside of its cone: the contact slides already, or the measurement or its friction coefficient is
+    /// wrong. It is infinite if no contact can leave.
     #[must_use]
     pub fn margin(&self) -> f64 {
         self.margin
@@ -52,14 +53,15 @@ impl Watched {
         self.tightest
     }
 
-    /// The multiple of the expected load at which the first contact stops sticking, and that contact. Above one the grasp holds the whole load.
+    /// The multiple of the expected load at which the first contact stops sticking, and that contact. Above one all contacts stick under the whole
+    /// expected load.
     #[must_use]
     pub fn first_slip(&self) -> Screened {
         self.first_slip
     }
 
-    /// The least relative increase of all commands, applied together with the expected load, with which every contact keeps sticking. Zero if no
-    /// increase is needed. With the squeeze raised by this fraction the expected load is just held.
+    /// The least relative increase of all commands, applied together with the expected load, with which every contact sticks under this load. Zero if
+    /// no increase is needed. With the squeeze raised by this fraction the expected load is just held.
     #[must_use]
     pub fn extra_squeeze(&self) -> ScreenedSqueeze {
         self.extra_squeeze
@@ -78,8 +80,8 @@ impl fmt::Debug for Watched {
 }
 
 impl<const C: usize, const N: usize> Fingers<C, N> {
-    /// Margins of contact forces measured just now, under a load that is to come on top of the present one. Nothing is allocated and no loop depends
-    /// on the numbers: the steps are always the same, for a control loop with a deadline.
+    /// Margins of contact forces measured now, and first slip and extra squeeze under a load that is to come on top of the present one. Nothing is
+    /// allocated and no loop depends on the numbers: the steps are always the same, for a control loop with a deadline.
     ///
     /// Forces act on the object at the contacts, along the coordinate axes, N. They may differ from the forces that the springs of the fingers would
     /// give: past slip and model errors are contained in them. Only changes are computed from the springs, as long as every contact sticks: by the
@@ -114,14 +116,15 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
     }
 }
 
-/// Measured contact forces along the coordinate axes, and the load that is expected to come.
+/// Measured contact forces along the coordinate axes, N, and the load that is to come on top of the present one.
 pub(super) struct Measured<'a, const C: usize> {
     forces: &'a [[f64; C]],
     to_come: &'a Wrench<C>,
 }
 
 impl<const C: usize> Measured<'_, C> {
-    /// Splits the measured forces into parts along and across the normals. The bounds of their rounding are 1e-12 of each force.
+    /// Writes the measured forces, split into components along and across the normals, to `measured`. The bounds of their rounding are 1e-12 of each
+    /// force.
     #[inline(always)]
     fn write<X: Packed>(&self, normals: [&[X]; C], measured: &mut AnyForces<C, X>) {
         measured.clear();

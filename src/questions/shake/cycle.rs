@@ -1,4 +1,4 @@
-//! One cycle of loads: its beginning, its end, and the slips in it.
+//! One cycle of loads: the states at its beginning and end, and the slips between them.
 
 use super::tolerances::SAME_CYCLE;
 use nalgebra::{DVector, SVector};
@@ -10,15 +10,15 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// Units in which states of a cycle are compared. Forces are divided by the largest force of the cycle (N); gaps and slips by the stretch of the
-/// softest spring under that force (m).
+/// The units in which states between cycles are compared. For forces it is the largest contact force of the cycle, N; for gaps and slips the stretch
+/// of the softest spring under that force, m.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Scale {
     pub(super) force: f64,
     pub(super) stretch: f64,
 }
 
-/// One cycle of loads, with the states at its beginning and end.
+/// One cycle of loads, or several joined to one, with the states at its beginning and end.
 #[derive(Debug, Clone)]
 pub(super) struct Cycle {
     pub(super) from: CycleState,
@@ -28,7 +28,7 @@ pub(super) struct Cycle {
 }
 
 impl Cycle {
-    /// The next cycle; `None` if the load path ends before the cycle does.
+    /// Follows the next cycle; `None` if the load path ends before the cycle does.
     pub(super) fn next(engine: &Engine, cycles: &mut Cycles<'_>) -> Option<Self> {
         let from = cycles.cycle_state()?;
         let record = cycles.follow_cycle()?;
@@ -36,7 +36,8 @@ impl Cycle {
         Some(Self { scale: scale_of(engine, &record, &to), from, to, record })
     }
 
-    /// A cycle that begins at the state `there`, and the load program for the cycles after it.
+    /// The cycle that begins at the state `there`, and the load path for the cycles after it. `None` if no path begins there or it ends within the
+    /// cycle.
     pub(super) fn beginning_at<'g>(
         engine: &'g Engine,
         cycles: &Cycles<'g>,
@@ -61,27 +62,28 @@ impl Cycle {
         self.to = next.to.clone();
     }
 
-    /// The forces and gaps of a state, divided by the units of [`Scale`]. Gaps that stay open during the whole cycle count as zero.
+    /// The forces and gaps of a state as numbers, divided by the units of [`Scale`], and which contacts have kinetic friction. Gaps that stay open
+    /// during the whole cycle count as zero.
     pub(super) fn numbers(&self, place: &CycleState) -> DVector<f64> {
         place.numbers(&self.scale, &|i| self.record.open[i].is_some())
     }
 
-    /// The differences of forces and gaps between the beginning of the cycle and its end, in units of [`Scale`].
+    /// The numbers of the state at the end of the cycle less those at its beginning; see [`Self::numbers`].
     pub(super) fn difference(&self) -> DVector<f64> {
         self.numbers(&self.to) - self.numbers(&self.from)
     }
 
-    /// The largest entry of [`Self::difference`].
+    /// The largest absolute entry of [`Self::difference`].
     pub(super) fn change(&self) -> f64 {
         self.difference().amax()
     }
 
-    /// The largest difference of forces and gaps between both ends of a cycle that counts as repeating itself.
+    /// The largest [`Self::change`] with which a cycle counts as repeating itself: [`SAME_CYCLE`], or the errors of its steps if larger.
     pub(super) fn same(&self) -> f64 {
         SAME_CYCLE.max(self.record.step_error)
     }
 
-    /// The number of further cycles like this one before an open gap has closed. `None` if no gap shrinks.
+    /// The number of further cycles like this one before the first open gap closes. `None` if no gap shrinks, or for a billion cycles or more.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -92,19 +94,19 @@ impl Cycle {
         let nearer = |i: usize| self.from.gaps[i] - self.to.gaps[i];
         let open = self.record.open.iter().enumerate().filter_map(|(i, gap)| gap.map(|gap| (i, gap)));
         let cycles = open.filter(|(i, _)| nearer(*i) > still).map(|(i, gap)| (gap / nearer(i)).floor() - 1.0);
-        // A billion cycles count as never.
+        // A number of a billion cycles or more counts as never.
         let first = cycles.min_by(f64::total_cmp).filter(|cycles| *cycles < 1e9);
         first.map(|cycles| cycles.max(0.0) as usize)
     }
 
-    /// Whether a contact or drive slides in the cycle.
+    /// Whether a contact or drive slides in the cycle, by a path longer than rounding.
     pub(super) fn slides(&self, site: usize) -> bool {
         self.record.slid[site] > NEGLIGIBLE * self.scale.stretch
     }
 
-    /// Whether the object has moved during the cycle.
+    /// Whether the object has moved from the beginning of the cycle to its end, beyond rounding, with a contact that slid.
     pub(super) fn walks(&self) -> bool {
-        // Where directions of slip turn along the load path, the error of the slips in a cycle may reach a hundred times the estimated step errors.
+        // Where directions of slip turn along the load path, the error of the slips in a cycle may be a hundred times the estimated step errors.
         let still = NEGLIGIBLE.max(100.0 * self.record.step_error) * self.scale.stretch;
         let slips = self.to.slips.iter().zip(&self.from.slips);
         slips.enumerate().any(|(i, (to, from))| self.slides(i) && (to - from).norm() > still)
@@ -112,7 +114,7 @@ impl Cycle {
     }
 }
 
-/// The units in which states of this cycle are compared.
+/// The [`Scale`] of this cycle; 1 N if no contact force acted, and the size of the grasp if no spring is stretched.
 fn scale_of(engine: &Engine, record: &CycleRecord, at: &CycleState) -> Scale {
     let softness = |(site, force): (&Site, &SVector<f64, 3>)| {
         let size = force.norm();

@@ -1,4 +1,4 @@
-//! Conversion of answers about repeated loads between the engine, whose vectors have three components in the plane, too, and callers, with `C`
+//! Conversion of the types about repeated loads between the engine, whose vectors have three components in the plane, too, and callers, with `C`
 //! components.
 
 use super::shakedown::{BindingContact, Shakedown};

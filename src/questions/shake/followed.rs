@@ -1,4 +1,4 @@
-//! Follows cycle after cycle from rest until they repeat.
+//! Follows cycle after cycle of a repeated load until they repeat, and extrapolates.
 
 use super::cycle::Cycle;
 use super::recurrence::Recurrence;
@@ -12,7 +12,7 @@ use crate::numerics::mapped;
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// Number of states kept for extrapolation; each is a state between two cycles.
+/// Number of states kept for extrapolation, each at the end of a cycle.
 const KEPT_STATES: usize = 12;
 
 impl Engine {
@@ -59,23 +59,23 @@ impl Engine {
     }
 }
 
-/// A repeated load, and the data of the cycles that were followed so far.
+/// A repeated load on a grasp, and the data of the cycles that were followed so far.
 struct Shaking<'g, 's> {
     engine: &'g Engine,
     settings: &'s Settings,
     base: Wrench<3>,
     rest: CycleState,
     cycles: Cycles<'g>,
-    /// The states between successive cycles, up to the present state, as long as the events in these cycles were the same.
+    /// The states between successive cycles, oldest first, up to the present state, as long as the events in these cycles were the same.
     places: Vec<CycleState>,
-    /// Whether each contact or drive has slid so far.
+    /// For each contact or drive, whether it has slid in any cycle so far.
     slid: Vec<bool>,
     round: Round,
-    /// The period of the limit cycle, as a number of cycles of the load.
+    /// The period of the limit cycle, as a number of load cycles.
     every: usize,
-    /// Number of successive cycles with the same events (slips, sticking, opening, closing) as the cycle before.
+    /// Number of successive cycles up to now, each with the same events (slipping, sticking, opening, closing) as the cycle before it.
     alike: usize,
-    /// Number of cycles whose path was computed, including trials of extrapolated states.
+    /// Number of cycles whose load path was computed, including trials of extrapolated states.
     followed: usize,
     /// Number of load cycles from rest to the present state, including cycles that extrapolation skipped.
     cycles_gone: usize,
@@ -151,7 +151,7 @@ impl<'g> Shaking<'g, '_> {
         walked_out.unwrap_or_else(|| self.answer(Repeats::Undecided { doubt: None }, (change, 0.0), None))
     }
 
-    /// Continues from the state `state`, which the grasp reaches `passed` cycles after the present one.
+    /// Continues the followed cycles from `state`, which the grasp reaches `passed` cycles after the present state.
     fn restart_from(&mut self, state: CycleState, passed: usize) {
         self.places = vec![state];
         self.round = Round::new();
@@ -159,11 +159,12 @@ impl<'g> Shaking<'g, '_> {
         self.cycles_gone += passed;
     }
 
-    /// Extrapolates from cycles that all have the same events: to the limit of their states, or else over many cycles at once.
+    /// Extrapolates from cycles that all have the same events: to the limit of their states, or else over many cycles at once. [`Ahead::NotKnown`] if
+    /// all trials fail.
     ///
-    /// The states from which the same events follow form a convex set. Extrapolated states lie between the last state and the limit. If the events in
-    /// the cycles at both ends are the same, they are the same in between. Two events that only swap their order do not change the map from state to
-    /// state.
+    /// The states at the beginning of cycles with the same events form a convex set. Extrapolated states lie between the last state and the limit. If
+    /// the events in the cycles at both ends are the same, they are the same in between. Two events that only swap their order do not change the map
+    /// from state to state.
     fn extrapolate(&mut self, last: &Cycle) -> Ahead<'g> {
         let places = self.places.clone();
         let numbers: Vec<_> = mapped(&places, &|place| last.numbers(place));
@@ -205,19 +206,20 @@ impl<'g> Shaking<'g, '_> {
         }
     }
 
-    /// The cycle that begins at the limit of the states. `None` if the states have no limit, or if that cycle does not repeat itself.
+    /// The cycle that begins at the limit of the states. `None` if the states have no limit, that cycle does not repeat itself, or one of its gaps
+    /// shrinks.
     fn limit(&mut self, recurrence: &Recurrence<'_>, last: &Cycle) -> Option<Cycle> {
         self.followed += 1;
         let there = recurrence.fixed_point().filter(|_| recurrence.ratio() < 1.0)?;
         let (limit, _) = Cycle::beginning_at(self.engine, &self.cycles, &there, self.settings)?;
-        // If friction falls once contacts slide, events at the limit may differ from those just before the limit. The grasp then does not behave as
-        // at the limit.
+        // If friction falls once contacts slide, events at the limit may differ from those just before the limit. The cycle at the limit then does
+        // not show the behaviour of the grasp.
         let happens_there = limit.from.weaker.is_empty() || limit.record.is_like(&last.record);
         let is_one = limit.change() <= last.same() && limit.cycles_until_closing().is_none();
         (happens_there && is_one).then_some(limit)
     }
 
-    /// Whether the object has walked farther than the distance of its contacts, so that its motion is no longer small.
+    /// Whether the object, or a body, has walked from rest farther than the extent of its contacts, so that its motion is no longer small.
     fn has_walked_out(&self, cycle: &Cycle) -> bool {
         let is_out = |moved: &BodyMotion<3>| moved.speed() > moved.reach && moved.reach > 0.0;
         cycle.walks() && self.moves(&self.rest, &cycle.to).iter().any(is_out)
@@ -227,7 +229,7 @@ impl<'g> Shaking<'g, '_> {
         self.slid.iter_mut().enumerate().for_each(|(i, slid)| *slid |= cycle.slides(i));
     }
 
-    /// The verdict on the grasp where the load path ends within this cycle.
+    /// The behaviour where the load path ends within the cycle of this number: the loss, or undecided.
     fn repeats_at_end(&self, cycle: usize) -> Repeats<3> {
         match self.cycles.end() {
             Some(PathEnd::Lost(loss)) => {
@@ -244,8 +246,8 @@ impl<'g> Shaking<'g, '_> {
         self.engine.wholes().with(is_meant)
     }
 
-    /// The verdict on the grasp from a cycle that repeats itself. `number` is the number of this cycle from rest, or `None` for a cycle at the
-    /// extrapolated limit.
+    /// The behaviour that a repeating cycle shows: rest, slips to and fro, or a walk. `number` is the number of this cycle from rest, or `None` for a
+    /// cycle at the extrapolated limit.
     fn repeats_from(&self, cycle: &Cycle, number: Option<usize>) -> Repeats<3> {
         let (slides, dissipated) = (self.parts(&|i| cycle.slides(i)), cycle.record.dissipated);
         if !(0..self.slid.len()).any(|i| cycle.slides(i)) {
@@ -266,7 +268,7 @@ impl<'g> Shaking<'g, '_> {
         self.engine.each_moves(&(&to.twist - &from.twist))
     }
 
-    /// The answer, with the object's motion from rest to the state `at`; without `at`, to the end of the path.
+    /// The answer, with the motion of each body from rest to the state `at`; without `at`, to the end of the path.
     fn answer(&self, repeats: Repeats<3>, (change, ratio): (f64, f64), at: Option<&CycleState>) -> Shaken<3> {
         let here = self.cycles.cycle_state();
         let moved = at.or(here.as_ref()).map(|at| self.moves(&self.rest, at)).unwrap_or_default();
@@ -285,9 +287,9 @@ impl<'g> Shaking<'g, '_> {
     }
 }
 
-/// The result of an extrapolation.
+/// The result of an extrapolation over cycles with the same events.
 enum Ahead<'g> {
-    /// The cycles converge to one that repeats itself.
+    /// The cycles converge to `limit`, which repeats itself up to `error`; `ratio` is the factor per cycle.
     To {
         limit: Box<Cycle>,
         ratio: f64,

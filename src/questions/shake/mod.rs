@@ -1,25 +1,25 @@
-//! Repeated loads: does the grasp come to rest, or does the object move out of it step by step?
+//! Repeated loads: does the grasp come to rest, or does the object walk out of it cycle by cycle?
 //!
 //! A load that is held once may not be held when it is put on a thousand times: each cycle may slide a little further. From rest,
 //! [`Grasp::shake`](crate::ask::Grasp::shake) follows a cycle of legs again and again, as [`Grasp::follow`](crate::ask::Grasp::follow) would. Later
-//! cycles depend only on the state
+//! cycles depend only on the state e at their beginning,
 //!
 //! ```text
 //! e = (forces F_i of closed contacts, gaps of open ones)
 //! ```
 //!
-//! not on the position of the object, nor on the slip of a contact so far. If a cycle ends with the e of its beginning, all later cycles are like it.
-//! That is the verdict for all time ([`Repeats`]). If nothing slides in such a cycle, the grasp rests. Otherwise contacts slide to and fro, or the
-//! object walks by the same amount in each cycle.
+//! not on the position of the object, nor on the slip of a contact so far. If a cycle ends with the e of its beginning, all later cycles are like it,
+//! which is the verdict ([`Repeats`]). If nothing slides in such a cycle, the grasp rests. Otherwise contacts slide to and fro, or the object walks
+//! by the same motion in each cycle.
 //!
 //! If e converges, the verdict is that of its limit. In the plane, and on a polygonal cone, e changes from cycle to cycle by an affine map as long as
-//! the events stay the same. A few cycles determine the fixed point of this map (reduced rank extrapolation: the affine combination of them that
-//! changes least), and a cycle from there confirms it. On the round cone this holds up to the error of the steps.
+//! the events (slipping, sticking, opening, closing) stay the same. The states of a few cycles determine the fixed point of this map (minimal
+//! polynomial extrapolation), and a cycle from there confirms it. On the round cone this holds up to the error of the steps.
 //!
-//! If [friction falls](crate::grasp::Contact::kinetic) as contacts begin to slide, a grasp may repeat itself only after several cycles. Such periods
-//! are found, too.
+//! If [friction falls](crate::grasp::Contact::kinetic) as contacts begin to slide, the behaviour may repeat itself only after several cycles. Such
+//! periods are found, too.
 //!
-//! Forces, slips and motions are to first order, for small motions, as everywhere: a walk has a speed, but no end.
+//! Forces, slips and motions are computed for small motions, to first order, as everywhere: a walk has a constant motion per cycle, and no end.
 
 mod cycle;
 mod face;

@@ -1,4 +1,5 @@
-//! Extrapolation of states between cycles with the same events: the difference of successive states is a linear combination of earlier differences.
+//! Extrapolation of states between cycles with the same events: the difference of two successive states is a linear combination of earlier
+//! differences.
 //!
 //! An affine map leads from state to state, `e_{n+1} = A e_n + b`, so that the differences `d_n = e_{n+1} - e_n` obey `d_{n+1} = A d_n`. If m modes
 //! contribute, each difference is a combination of the m differences before it, `d_{n+m} = Σ c_j d_{n+j}`. If the differences die out, the states
@@ -12,9 +13,9 @@ use crate::load_path::CycleState;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::prelude::*;
 
-/// The last states between cycles, and the linear combination of earlier differences of states that gives the last difference.
+/// The last states between cycles, and the linear combination of earlier differences of successive states that gives the last difference.
 pub(super) struct Recurrence<'p> {
-    /// The last states, in order. `changes` holds the difference of each two neighbouring states, so it has one entry less.
+    /// The last states between cycles, in order. `changes` holds the difference of each two neighbouring ones, so it has one entry less.
     places: &'p [CycleState],
     changes: Vec<DVector<f64>>,
     /// Coefficients c of the combination: the last entry of `changes` is the sum of all entries before it, each multiplied by its coefficient.
@@ -22,8 +23,8 @@ pub(super) struct Recurrence<'p> {
 }
 
 impl<'p> Recurrence<'p> {
-    /// The recurrence with the fewest modes that reproduces the last difference of states up to `error`. `None` if up to eight modes do not, or if
-    /// there are too few states.
+    /// The recurrence with the fewest modes that reproduces the last difference of states up to `error`. `None` if up to eight modes do not suffice,
+    /// or if there are too few states.
     pub(super) fn of(places: &'p [CycleState], numbers: &[DVector<f64>], error: f64) -> Option<Self> {
         let n = places.len();
         // If more than eight modes contribute, the caller follows further cycles until some modes have died out.
@@ -40,14 +41,14 @@ impl<'p> Recurrence<'p> {
         })
     }
 
-    /// The norm of the last difference of states divided by the norm of the difference before it.
+    /// The norm of the last difference of successive states divided by the norm of the difference before it.
     pub(super) fn ratio(&self) -> f64 {
         let last = self.changes.len() - 1;
         self.changes[last].norm() / self.changes[last - 1].norm()
     }
 
     /// The number of cycles after which the difference of successive states is at most `small`, if it shrinks by [`Self::ratio`] in each cycle. The
-    /// result is at most about a million, also if differences do not shrink.
+    /// result is at most about a million, and just that if differences do not shrink.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to a million")]
     pub(super) fn cycles_until(&self, small: f64) -> usize {
         let last = self.changes[self.changes.len() - 1].amax();
@@ -56,20 +57,20 @@ impl<'p> Recurrence<'p> {
         if self.ratio() < 1.0 { cycles.clamp(0.0, farthest as f64).ceil() as usize } else { farthest }
     }
 
-    /// The state to which the recurrence converges; `None` if it determines no limit.
+    /// The state to which the recurrence converges; `None` if the coefficients add up to one, so that it determines no limit.
     pub(super) fn fixed_point(&self) -> Option<CycleState> {
         let rest = 1.0 - self.coefficients.iter().sum::<f64>();
         if rest.abs() <= SOLVED_ROUNDING {
             return None;
         }
-        // `changes` are differences of two states. A coefficient weights the later of the two states, so the first state has weight zero.
+        // `changes` are differences of two states. A coefficient counts for the later of the two states, so the first state has weight zero.
         let mut weights = vec![0.0];
         weights.extend(self.coefficients.iter().map(|c| -c / rest));
         weights.push(1.0 / rest);
         Some(self.combination(&weights))
     }
 
-    /// The state after this number of cycles, and the difference of states in the cycle after them.
+    /// The predicted state after this number of further cycles, and the predicted difference of states over the next cycle.
     pub(super) fn after(&self, cycles: usize) -> (CycleState, DVector<f64>) {
         let modes = self.coefficients.len();
         // The companion matrix of the recurrence: in each cycle the differences move up by one row, and the last row gives the new difference.
@@ -89,12 +90,12 @@ impl<'p> Recurrence<'p> {
         (self.combination(&weights), change)
     }
 
-    /// An affine combination of the states. It is in equilibrium, since all states are in equilibrium under the same load.
+    /// The sum of the states, multiplied by weights that add up to one. It is an equilibrium, since all states are equilibria under the same load.
     fn combination(&self, weights: &[f64]) -> CycleState {
         let from = &self.places[self.places.len() - 1];
         let mut sum = from.clone();
         for (place, weight) in self.places.iter().zip(weights) {
-            // The weights add up to one, so the differences from the last state are combined. Thus parts that all states share are not rounded.
+            // The weights add up to one, so the differences from the last state are combined. Thus numbers that all states share are not rounded.
             let add = |a: &mut f64, b: f64, base: f64| *a += weight * (b - base);
             for i in 0..sum.forces.len() {
                 for axis in 0..3 {
@@ -109,7 +110,7 @@ impl<'p> Recurrence<'p> {
     }
 }
 
-/// `Aⁿ` and `A + A² + … + Aⁿ`, by repeated squaring, with one step for each binary digit of n.
+/// `Aⁿ` and `A + A² + … + Aⁿ` for a square matrix A, by repeated squaring, with one step for each binary digit of n.
 fn power_and_sum(a: &DMatrix<f64>, n: usize) -> (DMatrix<f64>, DMatrix<f64>) {
     let size = a.nrows();
     let (mut power, mut sum) = (DMatrix::identity(size, size), DMatrix::zeros(size, size));
@@ -125,8 +126,8 @@ fn power_and_sum(a: &DMatrix<f64>, n: usize) -> (DMatrix<f64>, DMatrix<f64>) {
 }
 
 impl CycleState {
-    /// The forces and gaps of this state in units of `scale`, and which contacts slide with kinetic friction. Gaps of contacts for which `aside`
-    /// returns true count as zero.
+    /// The forces and gaps of this state in units of `scale`, and 1 for each contact with kinetic friction, else 0. Gaps of contacts for which
+    /// `aside` returns true count as zero.
     pub(super) fn numbers(&self, scale: &Scale, aside: &dyn Fn(usize) -> bool) -> DVector<f64> {
         let mut numbers = Vec::new();
         for force in &self.forces {
@@ -141,8 +142,8 @@ impl CycleState {
         DVector::from_vec(numbers)
     }
 
-    /// This state after further cycles: gaps, slips and motion change by `times` their difference between the state `from` and this one. Forces do
-    /// not change.
+    /// This state after `times` further cycles that repeat: in each of them gaps, slips and motion change by their difference from `from`, the state
+    /// one cycle before. Forces do not change.
     pub(super) fn moved_on(&self, from: &Self, times: f64) -> Self {
         let mut there = self.clone();
         there.slips.iter_mut().zip(&from.slips).for_each(|(slip, before)| *slip += (*slip - before) * times);

@@ -1,17 +1,17 @@
-//! Detection of periods that last several cycles. If friction falls as contacts begin to slide, a slip in one cycle may be absent in the next.
+//! Detection of periods that last several load cycles. If friction falls as contacts begin to slide, a slip in one cycle may not occur in the next.
 //!
-//! Each state is compared with one earlier state, which is replaced after 1, 2, 4, ... cycles (R. P. Brent, *An improved Monte Carlo factorization
-//! algorithm*, 1980). Thus every period is found, with a single state in store.
+//! The state after each cycle is compared with one earlier state, which is replaced after 1, 2, 4, ... cycles (R. P. Brent, *An improved Monte Carlo
+//! factorization algorithm*, 1980). Thus every period is found, with a single state in store.
 
 use super::cycle::Cycle;
 
-/// The cycles since the reference state, the earlier state with which the end of each new cycle is compared.
+/// The cycles since the reference state: an earlier state, with which the state after each new cycle is compared.
 #[derive(Debug)]
 pub(super) struct Round {
     /// All cycles since the reference state, joined to one; `many` is their number.
     all: Option<Cycle>,
     many: usize,
-    /// Once there are this many cycles, the latest state becomes the reference state.
+    /// Once `many` is this number, the latest state becomes the reference state.
     most: usize,
 }
 
@@ -21,7 +21,8 @@ impl Round {
         Self { all: None, many: 0, most: 1 }
     }
 
-    /// Adds a cycle. If it ends at the reference state, returns all cycles since then, joined to one, and their number.
+    /// Adds a cycle. If its end equals the reference state up to rounding, returns all cycles since then, joined to one, and their number; else
+    /// `None`.
     pub(super) fn closed_by(&mut self, cycle: &Cycle) -> Option<(&Cycle, usize)> {
         if self.many == self.most {
             (self.all, self.many, self.most) = (None, 0, 2 * self.most);

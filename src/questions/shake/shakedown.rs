@@ -1,13 +1,13 @@
-//! The static theorem of shakedown. How large may repeated loads be, if constant slips of the contacts exist with which no contact slides further
+//! The static theorem of shakedown. How large may repeated loads be, such that constant slips of the contacts exist with which no contact slides
 //! under any of them?
 //!
-//! While all contacts are closed and stick with constant slips s, forces under `W₀ + λ W_k` are `F(W₀) + λ F(W_k) - P s`. F is the elastic solution
-//! for a load, and P s the forces due to slips. If the grasp comes to rest under all loads of a cycle, its slips keep all contact forces inside their
-//! cones. So a linear program for the greatest λ with such an s gives an upper bound: with a larger λ the grasp never comes to rest. The multipliers
-//! of the program prove that no other slips allow a larger λ.
+//! While all contacts are closed and stick with constant slips s, contact forces under the base load W₀ plus λ times load W_k are
+//! `F(W₀) + λ F(W_k) - P s`. F is the elastic solution for a load, and P s the forces due to slips. If the grasp comes to rest under all loads of a
+//! cycle, its slips keep all contact forces inside their cones. So the greatest λ for which such an s exists, found by a linear program, is an upper
+//! bound: with a larger λ the grasp never comes to rest. The multipliers of the linear program prove that no other slips allow a larger λ.
 //!
-//! If slips change no normal force, the grasp does come to rest up to this λ (Melan's theorem for friction), unless friction falls as contacts slide.
-//! Otherwise the order of the loads matters, which [`shake`](super) follows.
+//! If slips change no normal force, the grasp does come to rest for every λ up to this bound (Melan's theorem for friction), unless friction falls as
+//! contacts slide. Otherwise the order of the loads matters, which [`shake`](super) follows.
 
 use nalgebra::{DMatrix, Matrix, SVector};
 
@@ -23,47 +23,49 @@ use crate::search::Settings;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// The factor on repeated loads up to which constant slips exist that keep all contacts from sliding; see
+/// The greatest factor on repeated loads at which constant slips exist that keep all contacts from sliding; see
 /// [`Statics::shakedown`](crate::ask::Statics::shakedown).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Shakedown<const C: usize> {
-    /// The factor on the loads; infinite if nothing slides however large they are. With a larger factor the grasp never comes to rest, in any order
-    /// of the loads, as long as no contact opens. This is a proof, by linear programming, up to 1e-9.
+    /// The greatest factor on the loads; infinite if contacts stick even as forces by the loads reach a million times those at rest. With a larger
+    /// factor the grasp never comes to rest, in any order of the loads, as long as no contact opens. This is a proof, by linear programming, up to
+    /// 1e-9.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub factor: f64,
     /// Slips of the contacts with which no contact slides under the loads times `factor`, m, in contact frames; their normal components are zero.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Vec<SVector<f64, C>>>"))]
     pub slips: Vec<SVector<f64, C>>,
-    /// The contacts that would slide first if the loads grew beyond `factor`, each with the load under which it slides.
+    /// The contacts at their limit of friction with these slips, which would slide if the loads grew beyond `factor`, each with its load.
     pub binding: Vec<BindingContact>,
-    /// Whether slips change normal forces. If not, the grasp comes to rest under loads up to `factor`; otherwise it may not.
+    /// Whether slips change normal forces. If not, the grasp comes to rest under loads up to `factor`, unless friction falls; if so, it may not.
     pub slips_change_normal_forces: bool,
-    /// Whether some contacts have [less friction](crate::grasp::Contact::kinetic) once they slide. Such a contact may slide past the slips at which
-    /// it would stay at rest.
+    /// Whether some contacts have [less friction](crate::grasp::Contact::kinetic) once they slide. Such a contact may slide past the slips with which
+    /// the grasp would be at rest.
     pub friction_falls: bool,
-    /// Whether friction is that of a polygon around its round cone. The factor is then only an upper bound, even if slips change no normal force.
+    /// Whether the round friction cones were replaced by polygons around them. The factor is then only an upper bound, even if slips change no normal
+    /// force.
     pub around_the_round_cone: bool,
 }
 
-/// A contact that would slide if the loads grew beyond [`Shakedown::factor`].
+/// A contact that would slide under one of the loads if they grew beyond [`Shakedown::factor`].
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct BindingContact {
-    /// The number of the load, from 0; `None` for the load at rest.
+    /// The number of the load, from 0; `None` for the base load alone.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub load: Option<usize>,
-    /// The contact at its limit of friction.
+    /// The contact that is at its limit of friction under this load.
     pub contact: WholeContact,
 }
 
 impl<const C: usize> Shakedown<C> {
-    /// Whether the grasp comes to rest under this multiple of the loads, in any order. `false` is proved as long as no contact opens. `None` if it
-    /// depends on the order of the loads, which [`Grasp::shake`](crate::ask::Grasp::shake) follows.
+    /// Whether the grasp comes to rest under this multiple of the loads, in any order. `false` is proved as long as no contact opens. `None` up to
+    /// `factor` if slips change normal forces, friction falls or cones are round; [`Grasp::shake`](crate::ask::Grasp::shake) then decides.
     #[must_use]
     pub fn rests(&self, times: f64) -> Option<bool> {
         if times > self.factor {
@@ -85,7 +87,7 @@ impl Engine {
         let at_rest = self.load_alone(base, "base load")?;
         let loads: Vec<_> =
             loads.iter().map(|load| self.inside(load, "load that repeats")).collect::<Result<_, _>>()?;
-        // An upper bound for rest needs a polygon outside the round cone.
+        // Cones that contain the round cone are needed: only then is the greatest factor an upper bound.
         let around = PolygonCone::new(settings.cone.facets(), Fit::Circumscribed)?;
         let cone = if settings.is_round(self.space()) { around } else { settings.cone };
         let sticking = StickingResponse::new(self, &Settings { cone, ..*settings }.on_the_polygon());
@@ -139,15 +141,16 @@ impl Engine {
     }
 }
 
-/// The linear program: the greatest λ >= 0 with `b + λ a + S s >= 0`. Each row is a facet of a friction cone under one load. In b are the margins at
-/// rest, in a their changes by the load, and in S their changes by unit slips. All are scaled to numbers near one.
+/// The linear program for the greatest factor λ >= 0 on the loads with slips s such that `b + λ a + S s >= 0`. Each row is one facet of a contact's
+/// cone under one load. It has the margin b under the base load, its change a by that load, and its changes S by unit slips. All are scaled to
+/// numbers near one.
 struct Program {
-    /// For each row of the program, the number of its load (0 for the load at rest) and the index of its contact or drive.
+    /// For each row of the program, the number of its load (0 for the base load alone, then from 1) and the index of its contact or drive.
     of: Vec<(usize, usize)>,
     b: Vec<f64>,
     a: Vec<f64>,
     s: DMatrix<f64>,
-    /// The values of λ and of each slip that count as 1 in the scaled program.
+    /// The value of λ, and the value of each slip, m, that count as 1 in the scaled program.
     units: (f64, Vec<f64>),
 }
 
@@ -165,7 +168,7 @@ impl Program {
         let units: Vec<f64> = mapped(slips, &|forces| force / or_one(size(forces)));
         let (mut of, mut b, mut a, mut rows) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for k in 0..=under.len() {
-            // All cones are polygons here, so that every condition of sticking is a linear row of the program.
+            // All cones are polygons here, so that every sticking condition `a·F >= 0` is a linear row of the program.
             for (i, edges) in edges.iter().enumerate() {
                 let Edges::Rows(facets) = edges else { continue };
                 for row in facets {
@@ -182,10 +185,11 @@ impl Program {
         Self { of, b, a, s, units: (unit, units) }
     }
 
-    /// The factor λ, the slips and the multipliers of the rows; `None` if no slips keep all contacts from sliding at rest, or because of rounding.
+    /// The greatest factor λ, the slips, m, and the multipliers of the rows. `None` if no slips keep all contacts from sliding under the base load,
+    /// or because of rounding.
     fn solved(&self) -> Option<(f64, Vec<f64>, Vec<f64>)> {
         let (rows, slips) = self.s.shape();
-        // λ is bounded so that the program has a solution. Loads held up to this multiple count as held at any size.
+        // λ is bounded so that the program has a solution. A scaled λ at this bound counts as infinite.
         let farthest = 1e6;
         // The unknowns are at least 0: λ, and each slip as the difference of two unknowns. The last row of the matrix bounds λ.
         let columns = 1 + 2 * slips;

@@ -1,21 +1,21 @@
-//! Limits of the change of forces and gaps in a cycle: for a cycle that repeats itself, and for one near the limit of the cycles.
+//! Limits of the change of forces and gaps in a cycle of a repeated load: for a cycle that repeats itself, and for one near the limit of the cycles.
 //!
-//! All changes are relative: forces to the largest force, gaps to the stretch of the softest spring under it.
+//! All changes are relative: forces to the largest contact force of the cycle, gaps to the stretch of the softest spring under it.
 
-/// A cycle repeats itself if the relative difference of forces and gaps between its ends is at most this, which is due to rounding.
+/// A cycle repeats itself if the relative difference of forces and gaps between its beginning and end is at most this, which is due to rounding.
 ///
 /// If smaller, rounding keeps cycles that repeat themselves from being recognised. If larger, a slow drift counts as repetition.
 pub(super) const SAME_CYCLE: f64 = 1e-11;
 
-/// Change per cycle below which the limit is near: from there on, all cycles are expected to have the same events.
+/// Relative change of forces and gaps per cycle below which the limit is near: all further cycles are expected to have the same events.
 ///
-/// If smaller, more cycles are followed before the limit is known. If larger, events between here and the limit are missed.
+/// If this were smaller, more cycles would be followed before the limit is known. If larger, events between here and the limit would be missed.
 pub(super) const NEAR_THE_LIMIT: f64 = 1e-6;
 
 /// The value of [`NEAR_THE_LIMIT`] if directions of slip turn along load paths, which then have step errors.
 pub(super) const NEAR_THE_LIMIT_ON_ARCS: f64 = 1e-5;
 
-/// Relative change of forces below which the answer calls them constant. It is larger than step errors.
+/// Relative change of forces per cycle below which the answer calls them constant. It is larger than step errors.
 ///
 /// If smaller, rounding is reported as a change. If larger, small changes that add up over the cycles are left out.
 pub(super) const CONSTANT_FORCES: f64 = 1e-8;

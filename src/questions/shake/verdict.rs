@@ -1,4 +1,4 @@
-//! The verdict about a repeated load.
+//! The behaviour of a grasp under a repeated load, and the data of the cycles.
 
 use crate::equilibrium::Equilibrium;
 use crate::grasp::{BodyMotion, Motion, WholeContact, Wrench};
@@ -8,35 +8,37 @@ use crate::search::Doubt;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// The answer to the question how a grasp bears a repeated load; its [`Display`](std::fmt::Display) is a sentence.
+/// The answer about a grasp under a repeated load: its behaviour in the long run. Its [`Display`](std::fmt::Display) is a sentence.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Shaken<const C: usize> {
-    /// The load at rest, where every cycle begins and ends.
+    /// The base load, N and N m, under which every cycle begins and ends.
     pub base: Wrench<C>,
-    /// The behaviour in the long run.
+    /// The behaviour of the grasp in the long run: rest, slip to and fro, a walk, a loss, or not known.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub repeats: Repeats<C>,
-    /// The period of the repeated motion in load cycles. It is 1 unless [friction falls](crate::grasp::Contact::kinetic) as contacts begin to slide.
+    /// The period of the repeated motion, as a number of load cycles. It is 1 unless [friction falls](crate::grasp::Contact::kinetic) as contacts
+    /// begin to slide.
     #[cfg_attr(feature = "serde", serde(default = "once", skip_serializing_if = "is_once"))]
     pub every: usize,
-    /// Number of cycles up to the verdict. The last one counts even if the object is lost within it.
+    /// Number of load cycles up to the verdict, including those skipped by extrapolation. The last one counts even if the object is lost within it.
     pub cycles: usize,
-    /// Number of cycles that were computed. Of many cycles with the same events a few are enough.
+    /// Number of cycles whose load path was computed, trials included. Of many cycles with the same events a few are enough.
     pub followed: usize,
-    /// The largest change in the last cycle or period: of forces relative to the largest force, of gaps relative to the springs' stretch under it.
-    /// Apart from rounding and step errors it is zero, unless the verdict is undecided, lost, or a walk with changing forces.
+    /// The largest change from the beginning to the end of the last cycle or period: of forces relative to the largest contact force, of gaps
+    /// relative to the softest spring's stretch under it. Apart from rounding and step errors it is zero, unless the verdict is undecided, lost, or a
+    /// walk with changing forces.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub change: f64,
-    /// The factor by which the distance from the limit of the cycles shrinks per cycle. Zero if the last cycle repeats itself; otherwise the verdict
-    /// is that of the limit.
+    /// The factor by which the difference of successive states shrinks per cycle, if the verdict is that of an extrapolated limit; else zero.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub ratio: f64,
-    /// The motion of the object, or of each body, from rest to the end of the last cycle; if slips die out, to the limit.
+    /// The motion of the object, or of each body, from the equilibrium under the base load to the end of the last cycle; if slips die out, to the
+    /// limit.
     pub moved: Vec<BodyMotion<C>>,
-    /// The equilibrium after the last cycle that was followed from rest, before the next one begins; `None` without an equilibrium.
+    /// The equilibrium after the last cycle that was followed, before the next one begins; `None` where the load path has ended.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub state: Option<Box<Equilibrium<C>>>,
 }
@@ -51,60 +53,60 @@ pub struct Shaken<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Repeats<const C: usize> {
-    /// No contact slides any more.
+    /// From some cycle on no contact slides any more.
     Rests {
-        /// Number of cycles until nothing slides any more; 0 if nothing ever slides.
+        /// Number of cycles until no contact or drive slides any more; 0 if nothing ever slides.
         after: usize,
-        /// The contacts that have slid until then.
+        /// The contacts that have slid until then; drives are not listed.
         slid: Vec<WholeContact>,
     },
     /// Slips shrink from cycle to cycle and die out: the grasp comes to rest in the limit.
     DiesOut {
-        /// The contacts that slide.
+        /// The contacts that slid in the cycles that were followed.
         slid: Vec<WholeContact>,
     },
-    /// Contacts slide to and fro for ever, and the object stays.
+    /// Contacts slide to and fro for ever, and the object is at the same place after every period.
     Alternates {
-        /// The contacts that slide.
+        /// The contacts that slide in a period.
         slides: Vec<WholeContact>,
-        /// The longest path that a contact slides in a period, m.
+        /// The longest path that a contact slides in a period, to and fro added up, m.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         way: f64,
-        /// Heat from friction in a period, J.
+        /// Heat from friction of all contacts in a period, J.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         dissipated: f64,
     },
-    /// The object moves by the same amount in every cycle. Or it has walked farther than the distance of its contacts while forces still
+    /// The object moves by the same motion in every period. Or it has walked farther than the extent of its contacts while forces still
     /// [change](Shaken::change); such motions are not small, so the walk is not followed further.
     Walks {
-        /// The motion per period, of the object or of each body.
+        /// The motion in one period, of the object or of each body.
         by: Vec<BodyMotion<C>>,
-        /// The contacts that slide.
+        /// The contacts that slide in a period.
         slides: Vec<WholeContact>,
-        /// Heat from friction in a period, J.
+        /// Heat from friction of all contacts in a period, J.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         dissipated: f64,
     },
-    /// The object is lost.
+    /// The object is lost: a cycle has no equilibrium from some load on.
     Lost {
         /// The cycle in which the object is lost, from 1.
         cycle: usize,
-        /// The leg of the cycle in which the object is lost, from 0.
+        /// The leg of this cycle in which the object is lost, from 0.
         leg: usize,
-        /// The load at the loss.
+        /// The load at which the object is lost, N and N m.
         load: Wrench<C>,
-        /// The loss; its factor is the fraction of the leg.
+        /// The loss; its factor is the fraction of the leg at which it comes.
         lost: Box<Lost<C>>,
     },
-    /// The grasp does not hold even the load at rest.
+    /// The grasp does not hold even the base load.
     NoRest {
-        /// The answer of [`hold`](crate::ask::Grasp::hold) for the load at rest.
+        /// The answer of [`hold`](crate::ask::Grasp::hold) for the base load alone.
         rest: Box<Verdict<C>>,
     },
-    /// The verdict is not known.
+    /// It is not known how the grasp behaves in the long run.
     Undecided {
-        /// The reason why the path ends in the last cycle; `None` if the [allowed](crate::Settings::most_cycles) number of cycles has passed, and
-        /// cycles still change.
+        /// The reason why the load path could not be followed through the last cycle; `None` if the [allowed](crate::Settings::most_cycles) number of
+        /// cycles has passed, and cycles still change.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         doubt: Option<Doubt>,
     },
@@ -122,7 +124,7 @@ fn is_once(every: &usize) -> bool {
 }
 
 impl<const C: usize> Shaken<C> {
-    /// The motion of a walking object per period.
+    /// The motion per period of the object or of the bodies if it walks; else `None`.
     #[must_use]
     pub fn drift(&self) -> Option<Motion<C>> {
         let Repeats::Walks { by, .. } = &self.repeats else { return None };
@@ -130,7 +132,7 @@ impl<const C: usize> Shaken<C> {
         by.first().map(|first| Motion { object: first.twist, joints: Vec::new(), bodies })
     }
 
-    /// Whether the grasp comes to rest; `None` if it is not known.
+    /// Whether the grasp comes to rest, at once or in the limit; `None` if it is not known.
     #[must_use]
     pub fn rests(&self) -> Option<bool> {
         match self.repeats {

@@ -1,4 +1,4 @@
-//! The verdict about a repeated load in a sentence.
+//! The verdict about a repeated load as a sentence.
 
 use core::fmt;
 
@@ -11,7 +11,7 @@ use crate::numerics::mapped;
 use crate::prelude::*;
 use crate::words::{Words, listed};
 
-/// The caution added to sentences about a walk or about sliding to and fro, because load paths leave inertia out.
+/// The caution added to sentences about a walk or about sliding to and fro, because load paths leave out the inertia of the object.
 const SLOWLY: &str = "Good for slow shaking: inertia acts only as far as the loads contain it";
 
 impl<const C: usize> fmt::Display for Shaken<C> {
@@ -88,7 +88,7 @@ impl<const C: usize> Shaken<C> {
         }
     }
 
-    /// The period as text: "every cycle", "every 3 cycles".
+    /// The period of the repeated motion as text: "every cycle", "every 3 cycles".
     fn in_every(&self) -> String {
         if self.every == 1 { "every cycle".to_owned() } else { format!("every {} cycles", self.every) }
     }
@@ -102,7 +102,7 @@ fn cycles(many: usize) -> String {
     if many == 1 { "a cycle".to_owned() } else { format!("{many} cycles") }
 }
 
-/// The motions as text: "the object moves 3 mm along +x", or the motion of each body.
+/// The motions of all bodies as text: "the object moves 3 mm along +x".
 fn moves<const C: usize>(words: Words, by: &[BodyMotion<C>]) -> String {
     listed(&mapped(by, &|body| words.body_motion(body)))
 }

@@ -1,4 +1,4 @@
-//! Bounds of the errors of commands and loads.
+//! Error bounds of commands and loads.
 
 use crate::numerics::IntoList;
 use nalgebra::SVector;
@@ -7,8 +7,8 @@ use crate::error::{Error, Field, is_moderate};
 use crate::grasp::{Engine, Wrench};
 use crate::prelude::*;
 
-/// Bounds of the data that enter the forces of a sticking grasp linearly. Each number may be off by its bound to either side, independently of
-/// the others. Data without bounds are exact.
+/// Error bounds of the commands and loads, which enter the forces of a sticking grasp linearly. Each number may be off by its bound to either side,
+/// independently of the others. Numbers without bounds are exact.
 ///
 /// ```
 /// use grasp_lcp::planar::{Bounds, Wrench};
@@ -25,27 +25,27 @@ pub struct Bounds<const C: usize> {
 }
 
 impl<const C: usize> Bounds<C> {
-    /// No bounds: all data are exact.
+    /// No error bounds: all commands and loads are exact.
     #[must_use]
     pub fn none() -> Self {
         Self { commands: None, base: Wrench::ZERO, direction: Wrench::ZERO }
     }
 
-    /// Bounds of the finger commands, one list of components a contact, along the axes of its frame, m.
+    /// Bounds of the errors of the finger commands: for each contact one bound per axis of its frame, m.
     #[must_use]
     pub fn with_commands(mut self, bounds: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         self.commands = Some(bounds.into_iter().map(|bound| SVector::from(bound.into())).list());
         self
     }
 
-    /// Bounds of the components of the base load, N and N m about the origin.
+    /// Bounds of the errors of the base load's components, N and N m about the origin.
     #[must_use]
     pub fn with_base(mut self, bounds: Wrench<C>) -> Self {
         self.base = bounds;
         self
     }
 
-    /// Bounds of the components of the load direction, N and N m for each unit of the load factor.
+    /// Bounds of the errors of the load direction's components, N and N m per unit of the load factor.
     #[must_use]
     pub fn with_direction(mut self, bounds: Wrench<C>) -> Self {
         self.direction = bounds;
@@ -54,7 +54,7 @@ impl<const C: usize> Bounds<C> {
 }
 
 impl Bounds<3> {
-    /// Refuses bounds below zero or beyond 1e50, and a list of bounds of commands that is not as long as the list of contacts.
+    /// An error for a bound below zero or beyond 1e50, and for a list of command bounds whose length is not the number of contacts.
     pub(super) fn check(&self, grasp: &Engine) -> Result<(), Error> {
         let allowed = "from 0 to 1e50";
         let is_bad = |x: &&f64| !(**x >= 0.0 && is_moderate(**x));

@@ -1,5 +1,5 @@
-//! Conversion of questions and answers about squeezes between the engine, whose vectors have three components in the plane, too, and callers, with
-//! `C` components.
+//! Conversion of the types about squeezes between the engine, whose vectors have three components in the plane, too, and callers, with `C`
+//! components.
 
 use super::bounds::Bounds;
 use super::least_onset::LeastOnset;

@@ -1,13 +1,14 @@
-//! The least onset of sliding over all commands and loads within bounds, exactly.
+//! The least load factor at which a contact stops sticking, over all commands and loads within bounds, exactly.
 //!
 //! While all contacts stick, forces are linear in commands and loads. Data within their bounds form a box. For all load factors τ >= 0 the margin
-//! `a·F` of a condition `a·F >= 0` is least at the same corner of this box. The sign of each datum's own contribution determines the corner:
+//! `a·F` of a sticking condition `a·F >= 0` is least at the same corner of this box. The sign of each datum's contribution to `a·F` determines the
+//! corner:
 //!
 //! ```text
 //! F(τ) = F⁰ + Σ δ_p c_p + τ (F¹ + Σ ε_q c_q),   |δ_p| <= b_p,   |ε_q| <= b_q:       δ_p = -b_p sign(a·c_p),   ε_q alike
 //! ```
 //!
-//! [`Edges::in_a_box`] returns a few conditions, among which is the one with the least margin over all corners.
+//! [`Edges::in_a_box`] returns a few conditions of a contact, among which is the one with the least margin over all corners.
 
 use nalgebra::SVector;
 
@@ -23,37 +24,37 @@ use crate::numerics::{Vector, mapped};
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// The answer to "what is the least onset of sliding, if commands and loads are off by no more than this?"
+/// The answer to "at which load factor does a contact first stop sticking, in the worst case of commands and loads within these bounds?"
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum LeastOnset<const C: usize> {
-    /// At this load factor a contact stops sticking in the worst case, and at no smaller one in any case.
+    /// At this load factor a contact stops sticking in the worst case; at smaller ones all contacts stick for all data within the bounds.
     #[non_exhaustive]
     At {
-        /// The load factor, exact up to rounding.
+        /// The load factor, exact up to rounding. All loads are the base load plus this multiple of the load direction.
         factor: f64,
-        /// The contact, from 0.
+        /// The contact that stops sticking, counted from 0.
         contact: usize,
-        /// The commands of the worst case, in the contact frames, m.
+        /// The finger commands of the worst case, in the contact frames, m.
         commands: Vec<SVector<f64, C>>,
-        /// The base load and the load direction of the worst case.
+        /// The base load and the load direction of the worst case, errors included.
         ramp: Ramp<C>,
     },
     /// All contacts keep sticking for all data within the bounds, at every load factor.
     Never,
-    /// For some data within the bounds this contact is open or slides at load factor 0 already.
+    /// For some data within the bounds this contact is open, slides or is on the edge of sticking at load factor 0 already.
     NotSticking {
-        /// The contact, from 0.
+        /// The contact that does not stick, counted from 0.
         contact: usize,
     },
-    /// Some load works on this motion, which nothing resists.
+    /// Nothing resists this motion, and the base load, the load direction or an error within its bound does work on it.
     GivesWay {
-        /// A unit motion of the object.
+        /// This motion, of unit size.
         motion: Motion<C>,
     },
 }
 
-/// A command or a component of a load that has an error bound.
+/// A command component (contact, axis) or a component of a load that has an error bound.
 #[derive(Clone, Copy)]
 enum Datum {
     Command(usize, usize),
@@ -61,7 +62,7 @@ enum Datum {
     Direction(usize),
 }
 
-/// The changes of all contact forces if `datum` has an error equal to its bound.
+/// The changes of all contact forces if the error of `datum` equals its bound.
 struct Share {
     datum: Datum,
     bound: f64,
@@ -114,7 +115,7 @@ impl Engine {
         })
     }
 
-    /// The commands and the ramp at one corner of the box of data. Each datum has an error equal to its bound times its sign in `signs`.
+    /// The commands and the ramp if the error of each datum equals its bound times its entry in `signs`.
     fn case(&self, ramp: &Ramp<3>, shares: &[Share], signs: &[f64]) -> (Vec<SVector<f64, 3>>, Ramp<3>) {
         let space = self.space();
         let mut commands: Vec<_> = mapped(self.contacts(), &Contact::commanded);
@@ -132,7 +133,7 @@ impl Engine {
     }
 }
 
-/// A [`Share`] for each datum whose error bound is above zero.
+/// A [`Share`] for each datum whose error bound is above zero; an error with the motion if its load works on a motion without resistance.
 fn shares(sticking: &StickingResponse, bounds: &Bounds<3>) -> Result<Vec<Share>, Motion<3>> {
     let space = sticking.grasp.space();
     let nothing = Vector::zeros();
@@ -158,7 +159,7 @@ fn shares(sticking: &StickingResponse, bounds: &Bounds<3>) -> Result<Vec<Share>,
     Ok(shares)
 }
 
-/// The force of a contact at a corner of the box of data, as a linear function of the load factor.
+/// The force of a contact, as a linear function of the load factor, if the error of each datum equals its bound times its entry in `signs`.
 fn corner([base, rate]: [&ContactForces; 2], shares: &[Share], signs: &[f64], contact: usize) -> Line {
     let mut line = Line {
         force: base.of[contact],

@@ -1,4 +1,4 @@
-//! The least factor of the commands with which all contacts stick under a set of loads.
+//! The least factor of the commands with which all contacts touch and stick under every one of a set of loads.
 
 use super::loads::Loads;
 use super::parts::{Condition, Parts};
@@ -7,35 +7,37 @@ use crate::error::Error;
 use crate::grasp::{Engine, Motion, Wrench};
 use crate::search::Settings;
 
-/// The answer to "how much squeeze do I need?"
+/// The answer to "by which factor must the commands be multiplied so that all contacts stick under these loads?"
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum LeastSqueeze<const C: usize> {
-    /// With the commands of the grasp times this factor all contacts touch and stick under every load; with a smaller factor some contact does not.
+    /// With the commands of the grasp times this factor all contacts touch and stick under every load; with a smaller factor some contact does not
+    /// stick under some load.
     #[non_exhaustive]
     Factor {
-        /// At least zero, exact up to rounding.
+        /// The least factor, at least zero, exact up to rounding.
         factor: f64,
-        /// The contact on the edge of its cone at this factor, from 0, and the load under which it is; `None` if no squeeze is needed.
+        /// The contact on the edge of its friction cone at this factor, from 0, and the load that brings it there; `None` at factor zero, which
+        /// suffices then.
         binding: Option<(usize, Wrench<C>)>,
     },
     /// No factor suffices. With this factor, and with any larger one, the contact does not stick under this load. With a smaller factor the sticking
     /// condition of another contact or load fails.
     #[non_exhaustive]
     NoFactor {
-        /// The contact, from 0.
+        /// The contact that does not stick, counted from 0.
         contact: usize,
-        /// The load under which the contact does not stick.
+        /// The load under which this contact does not stick.
         load: Wrench<C>,
-        /// The least factor with which all other sticking conditions hold.
+        /// The least factor with which all sticking conditions found before this one hold.
         factor: f64,
     },
-    /// Some load works on this motion, which nothing resists at any squeeze.
+    /// Nothing resists this motion at any squeeze, and some load does work on it.
     GivesWay {
-        /// A unit motion of the object.
+        /// This motion, of unit size.
         motion: Motion<C>,
     },
-    /// Rounding keeps the search from ending.
+    /// Rounding keeps the factor from rising further although a sticking condition is broken.
     Undecided,
 }
 
@@ -53,7 +55,7 @@ impl Engine {
             Err(motion) => return Ok(LeastSqueeze::GivesWay { motion }),
         };
         let (mut factor, mut binding) = (0.0, None);
-        // Each round imposes one more sticking condition and so raises the factor, with quadratic convergence. Beyond this many rounds only rounding
+        // Each round raises the factor until the condition that was broken holds, with quadratic convergence. After this many rounds only rounding
         // could change the factor.
         for _ in 0..1000 {
             let Some((contact, Condition { row, value, load, .. })) = parts.broken(factor) else {

@@ -1,4 +1,4 @@
-//! The loads that a grasp must hold.
+//! The sets of loads under which all contacts of a grasp must stick.
 
 use nalgebra::SVector;
 
@@ -7,27 +7,27 @@ use crate::grasp::{Engine, Wrench};
 use crate::load_path::Turn;
 use crate::prelude::*;
 
-/// The loads that a grasp must hold.
+/// The set of loads under which all contacts must stick, one load at a time.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Loads<const C: usize> {
-    /// Each load of the list, one at a time.
+    /// Each load of the list, N and N m, one at a time; a list without loads is an error.
     Each(Vec<Wrench<C>>),
-    /// A constant load plus a force of any direction.
+    /// The constant load `base` plus a force of size `size` in any direction.
     AnyForce {
-        /// The constant load, N and N m.
+        /// The constant load beside the force, N and N m.
         base: Wrench<C>,
-        /// The size of the force, N.
+        /// The size of the force, N, at least zero.
         size: f64,
-        /// The point at which the force acts, m.
+        /// The point at which the force acts, m, in coordinate axes.
         point: [f64; C],
     },
-    /// A load that turns, through a full turn or up to its last angle.
+    /// A load that turns: each load from angle zero through a full turn, or up to its last angle.
     Turn(Turn<C>),
 }
 
 impl Loads<3> {
-    /// Refuses sets without a load, and loads that are not finite or beyond 1e50.
+    /// An error for an empty list of loads, a size below zero, and loads, points or sizes that are not finite or beyond 1e50.
     pub(super) fn check(&self, grasp: &Engine) -> Result<(), Error> {
         self.check_size()?;
         match self {
@@ -42,7 +42,7 @@ impl Loads<3> {
 }
 
 impl<const C: usize> Loads<C> {
-    /// Refuses sets without a load, and forces without a size.
+    /// An error for an empty list of loads, and for a force whose size is below zero, beyond 1e50 or NaN.
     pub(crate) fn check_size(&self) -> Result<(), Error> {
         match self {
             Self::Each(list) if list.is_empty() => {
@@ -57,7 +57,8 @@ impl<const C: usize> Loads<C> {
     }
 }
 
-/// Loads in the form of the fields of a question: `load`, `loads` and `turn`, or `any_force` that acts at the point `at` beside `load`.
+/// [`Loads`] written as the fields of a question in a scene file: `load`, `loads` and `turn`, or `any_force` that acts at the point `at` beside
+/// `load`.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct LoadFields<const C: usize> {
     pub(crate) load: Option<Wrench<C>>,
@@ -84,7 +85,8 @@ impl<const C: usize> From<Loads<C>> for LoadFields<C> {
 }
 
 impl<const C: usize> Loads<C> {
-    /// The loads of a question whose fields give them in exactly one way.
+    /// The [`Loads`] given by the fields of a question: exactly one of `load`, `loads` and `any_force`; `load` may also be the constant load beside
+    /// `any_force`.
     ///
     /// # Errors
     /// [`Error::Question`] with a field that is missing or given beside another one.
@@ -122,7 +124,7 @@ impl<const C: usize> From<Vec<Wrench<C>>> for Loads<C> {
     }
 }
 
-/// Refuses a point that is not finite or beyond 1e50.
+/// An error for a point with a coordinate that is not finite or beyond 1e50.
 pub(super) fn check_point(point: &[f64; 3]) -> Result<(), Error> {
     match point.iter().find(|x| !is_moderate(**x)) {
         Some(&value) => Err(Error::Argument { what: "point of the force", value, allowed: MODERATE }),

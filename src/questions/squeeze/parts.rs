@@ -1,4 +1,4 @@
-//! Finds the sticking conditions that are broken under a set of loads, if all commands are multiplied by a factor.
+//! Finds the sticking condition that is broken most under a set of loads, if all commands are multiplied by a factor.
 
 use nalgebra::SVector;
 
@@ -9,8 +9,8 @@ use crate::grasp::{Motion, Wrench};
 use crate::numerics::{Each, Harmonic, IntoList, Vector, mapped, moved, summed};
 use crate::prelude::*;
 
-/// The condition `row·F >= 0` of a contact, with the value of `row·F` under `load`. `size` is the sum of the sizes of the summed forces, which bounds
-/// their rounding.
+/// The condition `row·F >= 0` of a contact, with the value of `row·F` under `load`, N. `size` is the sum of the magnitudes of the forces that F is
+/// the sum of; it bounds the rounding of F.
 pub(super) struct Condition {
     pub(super) row: SVector<f64, 3>,
     pub(super) value: f64,
@@ -18,13 +18,14 @@ pub(super) struct Condition {
     pub(super) load: Wrench<3>,
 }
 
-/// The contact forces as a sum: those by the commands (the squeeze), which a factor multiplies, and those by the loads alone.
+/// The contact forces while all contacts stick, as a sum of two shares: one by the commands at factor 1 (`squeeze`), and one without commands, by the
+/// loads and clearances.
 pub(super) struct Parts<'l> {
     loads: &'l Loads<3>,
     edges: Vec<Edges>,
     squeeze: ContactForces,
-    /// Contact forces without commands, in one entry for each part of the loads. A list of loads has an entry for each load. A turning load has
-    /// entries for its constant, cosine and sine parts. A force of any direction has one entry for the base load.
+    /// Contact forces without commands, by the loads and clearances. A list of loads has an entry for each load. A turning load has three entries,
+    /// for its constant, cosine and sine terms. A force of any direction has one entry for the base load.
     base: Vec<ContactForces>,
     influences: Vec<Influence>,
 }
@@ -57,7 +58,8 @@ impl<'l> Parts<'l> {
         Ok(Self { loads, edges: sticking.edges, squeeze, base, influences })
     }
 
-    /// Among the conditions that are broken if the commands are multiplied by `factor`, the one that needs the largest factor, with its contact.
+    /// Among the sticking conditions that are broken if the commands are multiplied by `factor`, the one that needs the largest factor, with its
+    /// contact. `None` if no condition is broken.
     pub(super) fn broken(&self, factor: f64) -> Option<(usize, Condition)> {
         let mut most: Option<(f64, usize, Condition)> = None;
         for contact in 0..self.edges.len() {
@@ -75,14 +77,15 @@ impl<'l> Parts<'l> {
         most.map(|(_, contact, condition)| (contact, condition))
     }
 
-    /// The amount that the commands at factor 1 add to `row·F`, the margin of a sticking condition; zero if this is only rounding.
+    /// The force, N, that the commands at factor 1 add to `row·F`, the margin of a sticking condition; zero if this is only rounding.
     pub(super) fn gain(&self, contact: usize, row: &SVector<f64, 3>) -> f64 {
         let gain = row.dot(&self.squeeze.of[contact]);
         if gain.abs() > ZERO_SLACK * row.norm() * self.squeeze.sizes[contact] { gain } else { 0.0 }
     }
 
-    /// The sticking conditions of a contact with the least margins. There is one under each load of a list, or one for each facet under the worst
-    /// force of any direction. For a turning load they are those at the worst angles.
+    /// The sticking conditions of a contact that have the least margins `row·F` if the commands are multiplied by `factor`. There is one under each
+    /// load of a list, or one for each facet under the worst force of any direction. For a turning load there is one at each angle where a margin is
+    /// least.
     fn worst(&self, contact: usize, factor: f64) -> Vec<Condition> {
         let edges = &self.edges[contact];
         let (squeeze, pressed) = (self.squeeze.of[contact] * factor, self.squeeze.sizes[contact] * factor);

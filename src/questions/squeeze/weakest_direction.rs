@@ -1,4 +1,4 @@
-//! The least force, of all directions, at which a contact slides.
+//! The least force, over all directions, that makes a contact stop sticking when it acts at a given point.
 
 use crate::numerics::IntoList;
 use core::f64::consts::FRAC_PI_2;
@@ -15,32 +15,33 @@ use crate::load_path::Leaver;
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// The answer to "a force of which direction slides first?"
+/// The answer to "in which direction does the least force at this point make a contact stop sticking?"
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum WeakestDirection<const C: usize> {
-    /// A force of this size in this direction makes a contact slide; no smaller force does in any direction.
+    /// A force of this size in this direction makes a contact stop sticking, or a drive of a hand reach its limit. A smaller force does not, in any
+    /// direction.
     #[non_exhaustive]
     Force {
-        /// Size of the force, N, exact up to rounding.
+        /// Size of the least force, N, exact up to rounding.
         size: f64,
-        /// Unit vector along the force, in coordinate axes.
+        /// Unit vector along the least force, in coordinate axes.
         direction: [f64; C],
-        /// The base load together with the least force.
+        /// The base load plus the least force at its point, N and N m.
         load: Wrench<C>,
         /// The contact that stops sticking, or the drive of a hand that reaches its limit.
         leaver: Leaver,
     },
-    /// All contacts keep sticking under a force of any size in any direction.
+    /// All contacts keep sticking, and no drive reaches its limit, under a force of any size in any direction.
     Never,
-    /// Some force works on this motion, which nothing resists.
+    /// Nothing resists this motion, and a force at this point can do work on it.
     GivesWay {
-        /// A unit motion of the object.
+        /// This motion, of unit size.
         motion: Motion<C>,
     },
-    /// Under the base load a contact slides or is open, or no equilibrium exists.
+    /// Under the base load a contact slides or is open, a drive is at its limit, or no equilibrium with all contacts sticking exists.
     NotSticking,
-    /// Rounding keeps the search from ending.
+    /// The search for the least force did not end within its number of steps, because of rounding.
     Undecided,
 }
 
@@ -82,7 +83,7 @@ impl Engine {
     }
 }
 
-/// The least force known so far that makes a contact slide, and its contact.
+/// The least force known so far that makes a contact (or drive) reach the edge of its cone (or limit), and the index of this site.
 struct Least {
     size: f64,
     direction: SVector<f64, 3>,
@@ -90,8 +91,8 @@ struct Least {
 }
 
 impl Least {
-    /// Lowers the least force to the one at which this contact leaves its cone, if that is smaller. The cone is replaced by more and more planes that
-    /// touch it. Returns whether the allowed number of planes was enough.
+    /// Lowers the least force to the least one that takes this contact to the edge of its cone, if that is smaller. More and more planes that touch
+    /// the cone replace it. Returns whether the allowed number of rounds was enough.
     fn lowered_to(
         &mut self,
         site: usize,
@@ -109,21 +110,21 @@ impl Least {
             }
             self.size
         };
-        // The first planes are all facets of a polygonal cone. For a round cone they are four facets: towards, against and across the friction force.
+        // The first planes are all facets of a polygonal cone. Those of a round cone are four facets: towards, against and across the friction force.
         let begin = force[2].atan2(force[1]);
         let quarters = |quarter: u8| begin + f64::from(quarter) * FRAC_PI_2;
         let mut size = cut(edges.rows(&|_| (0..4).map(quarters).list()));
-        // Each further plane lowers the force, with quadratic convergence. Beyond this many planes only rounding could change the force.
+        // Each round with further planes lowers the force, with quadratic convergence. After this many rounds only rounding could change the force.
         for _ in 0..200 {
-            // The margin on the facet at angle φ of the round cone has the gradient a + b cos φ + c sin φ by the force. If this vanishes at four
-            // angles, it vanishes at all of them, and no force makes this contact slide.
+            // The margin on the facet at angle φ of the round cone has the gradient a + b cos φ + c sin φ by the force at the point. If this gradient
+            // vanishes at four angles, it vanishes at all of them, and no force makes this contact slide.
             if size.is_infinite() {
                 return true;
             }
             let before = size;
             size = cut(edges.on_a_sphere(force, &influence.of, size));
             if size >= before {
-                // If a further plane does not lower the force, the bound and the true least force differ only by rounding.
+                // If further planes do not lower the force, this force and the true least force differ only by rounding.
                 return true;
             }
         }

@@ -1,4 +1,4 @@
-//! Whether any contact forces could balance a load, regardless of springs and commands.
+//! A motion that proves that no contact forces balance a load, regardless of springs and commands.
 
 use crate::contact::Polygon;
 use crate::error::Error;
@@ -10,8 +10,8 @@ use crate::proofs::separating_motion;
 use crate::search::Settings;
 
 impl Engine {
-    /// A motion that proves that no contact forces inside their cones balance this load together with the constant loads. No contact force works
-    /// against the motion, and the loads do positive work along it. `None` where no such proof was found.
+    /// A motion that proves that no contact forces inside their cones balance this load together with the permanent loads. No such contact force does
+    /// negative work along the motion, and the loads do positive work along it. `None` where no such proof was found.
     pub(crate) fn unbalanced_along(
         &self,
         load: &Wrench<3>,
@@ -23,7 +23,7 @@ impl Engine {
         Ok(separating_motion(&problem).map(|v| v.as_slice().to_vec()))
     }
 
-    /// The total work of this load and of the constant loads along `motion`, which [`Self::unbalanced_along`] found.
+    /// The total work, J, of this load and of the permanent loads along `motion`, which [`Self::unbalanced_along`] found.
     pub(crate) fn work_along(&self, load: &Wrench<3>, motion: &[f64]) -> Result<f64, Error> {
         let load = self.load_alone(load, "load")?;
         Ok(load.dot(&Vector::from_fn(self.size(), |k| motion.get(k).copied().unwrap_or(0.0))))

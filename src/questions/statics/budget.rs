@@ -1,11 +1,11 @@
-//! The budget that bounds the normal forces, and the scale that makes forces and moments comparable.
+//! The budget that bounds the normal forces, and the scale in which moments are compared with forces.
 
 use nalgebra::SVector;
 
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::Contact;
 
-/// Bounds of the normal forces, and thus of friction.
+/// Bounds of the normal forces, and thus of the friction forces, of some contact forces.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Budget {
     /// Each contact may press with this force, N, independently of the others. The possible wrenches are sums of the contacts' wrenches (L∞).
@@ -25,19 +25,20 @@ impl Budget {
     }
 }
 
-/// Scale of wrenches: moments about a point, divided by a length, count as forces. The size of a wrench depends on both.
+/// The scale in which the size of a wrench is measured: moments about a point, divided by a length, count as forces. The size depends on the point
+/// and the length.
 ///
 /// By default the point is the centroid of the contacts, and the length the largest distance of a contact from it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WrenchScale<const C: usize> {
     /// Point about which moments are taken, m; usually the centre of mass.
     pub about: [f64; C],
-    /// Length by which moments are divided, m.
+    /// Length by which moments about this point are divided, m.
     pub length: f64,
 }
 
 impl<const C: usize> WrenchScale<C> {
-    /// Default scale of a grasp.
+    /// Default scale for these contacts: their centroid, and the largest distance of a contact from it; 1 m if all are at one point.
     pub(crate) fn of(contacts: &[Contact<C>]) -> Self {
         let points = || contacts.iter().map(Contact::point);
         let about = points().sum::<SVector<f64, C>>() / contacts.len() as f64;

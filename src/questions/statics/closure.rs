@@ -1,11 +1,11 @@
 //! Force closure and form closure, each with its proof.
 //!
-//! A grasp is closed if its friction cones together reach every wrench: then forces *strictly inside* all cones balance each other, and no motion is
-//! free. For several bodies the wrenches are those on all of them at once, and a motion has a part for each.
+//! A grasp is closed if sums of forces in its friction cones reach every wrench. Then forces *strictly inside* all cones balance each other, and
+//! contacts resist every motion. For several bodies the wrenches are those on all of them at once, and a motion moves each of them.
 //!
 //! Take a unit force along the normal at every contact, and seek forces in the cones that balance the sum of these unit forces (see
-//! `proofs/wrench_cone`). If there are none, the unbalanced remainder is a motion against which no contact force works. Otherwise the sums of both
-//! forces at each contact are projected onto forces that balance each other to the last digit. These must lie clearly inside the cones.
+//! `proofs/wrench_cone`). If there are none, the unbalanced remainder is a motion against which no contact force works. Otherwise the two forces at
+//! each contact are added, and the sums are projected onto forces that balance each other to the last digit. These must lie clearly inside the cones.
 //!
 //! J. K. Salisbury and B. Roth, *Kinematic and force analysis of articulated mechanical hands*, 1983; A. Bicchi, *On the closure properties of
 //! robotic grasping*, 1995.
@@ -22,26 +22,27 @@ use crate::prelude::*;
 use crate::proofs::{Generator, NearestForces, nearest_forces, round_generators, straight_generators};
 use crate::search::Settings;
 
-/// Whether contact forces could balance any load.
+/// Whether contact forces could balance any load on the object.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Closure<const C: usize> {
-    /// Contact forces could balance any load.
+    /// Contact forces inside their friction cones could balance any load.
     #[non_exhaustive]
     Closed {
-        /// Forces on the object in the contact frames, the largest 1 N, strictly inside their cones, that balance each other. The grasp can be
-        /// squeezed with them as much as a load needs. For several bodies they act on the body that a normal points into, and balance on every body.
+        /// Forces on the object in the contact frames, the largest 1 N, strictly inside their cones, that balance each other. Multiples of them can
+        /// be added to any contact forces until all are inside their cones. For several bodies they act on the body that a normal points into, and
+        /// balance on every body.
         internal: Vec<SVector<f64, C>>,
     },
-    /// Contact forces could not balance every load.
+    /// Contact forces inside their friction cones could not balance every load.
     #[non_exhaustive]
     Open {
-        /// A unit motion v against which no contact force works. A load that works along it, W·v > 0, cannot be balanced.
+        /// A unit motion v along which no contact force in its cone does negative work. A load W that works along it, W·v > 0, cannot be balanced.
         motion: Twist<C>,
-        /// Motions of several bodies, where `motion` is that of the body that loads act on. Empty for a single object.
+        /// The motions of all bodies in `motion`, which itself is that of the body that loads act on. Empty for a single object.
         bodies: Vec<BodyMotion<C>>,
     },
-    /// Up to rounding, the grasp is on the boundary between `Closed` and `Open`.
+    /// Up to rounding, the grasp is on the boundary between `Closed` and `Open`, so that neither is proved.
     Boundary,
 }
 
@@ -76,8 +77,8 @@ impl Engine {
         self.whatever_vacuums_hold(closure, "form_closure")
     }
 
-    /// Refuses an answer that a vacuum might change. If the contacts alone can balance every load, they can do so with a vacuum, too. Otherwise the
-    /// vacuum may hold loads that the contacts do not, so [`Closure`] cannot be decided here.
+    /// This closure, or an error where a vacuum might change it. If the contacts alone can balance every load, they can do so with a vacuum, too.
+    /// Otherwise the vacuum may hold loads that the contacts do not, so [`Closure`] cannot be decided here.
     fn whatever_vacuums_hold(
         &self,
         closure: Closure<3>,
@@ -89,8 +90,8 @@ impl Engine {
         }
     }
 
-    /// Decides closure for friction cones that are spanned by fixed generators, `straight`, and by those of round cones. `round` returns the latter
-    /// for a direction. Forces have only the components in `axes`, each a contact and one of its axes. `inside` returns whether forces are strictly
+    /// Decides closure for friction cones that are spanned by fixed generators, `straight`, and by generators of round cones, which `round` returns
+    /// for a motion. Forces have only the components in `axes`, each a contact and one of its axes. `inside` returns whether forces are strictly
     /// inside their cones.
     fn closure(
         &self,
@@ -133,13 +134,13 @@ impl Engine {
         if inside(&internal) { Closure::Closed { internal } } else { Closure::Boundary }
     }
 
-    /// An open grasp, with a motion against which no contact force works.
+    /// [`Closure::Open`] with this motion, against which no contact force works.
     fn open(&self, motion: &Vector) -> Closure<3> {
         let outside = self.outside_coordinates(motion);
         Closure::Open { motion: Twist::among(self.space(), &outside), bodies: self.body_motions(&outside) }
     }
 
-    /// The wrench of a unit force along the normal of each contact.
+    /// For each contact the wrench of a unit force along its normal.
     fn normals(&self) -> impl Iterator<Item = Generator> {
         let sites = self.sites().iter().enumerate();
         sites.map(|(contact, site)| Generator::along(contact, site, unit(0)))

@@ -1,5 +1,4 @@
-//! Conversion of questions and answers of statics between the engine, whose vectors have three components in the plane, too, and callers, with `C`
-//! components.
+//! Conversion of the types of statics between the engine, whose vectors have three components in the plane, too, and callers, with `C` components.
 
 use super::budget::WrenchScale;
 use super::closure::Closure;

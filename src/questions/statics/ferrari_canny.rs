@@ -1,7 +1,7 @@
-//! The measure of Ferrari and Canny: the largest load, in the worst direction, that contact forces within a budget can balance.
+//! The measure of Ferrari and Canny: the size up to which contact forces within a budget can balance loads of every direction.
 //!
-//! C. Ferrari and J. Canny, *Planning optimal grasps*, 1992: the largest ball about the origin in the set of wrenches. On the round cone that set has no
-//! facets to list; it is known by its support points, from which two bounds close in on the radius.
+//! C. Ferrari and J. Canny, *Planning optimal grasps*, 1992: its radius is that of the largest ball about the origin in the set of wrenches within
+//! the budget. On the round cone that set has no facets to list; it is known by its support points, from which two bounds close in on the radius.
 
 use super::budget::{Budget, WrenchScale};
 use super::wrench_set::WrenchSet;
@@ -11,17 +11,19 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Vector, largest_ball, simplex};
 use crate::search::Settings;
 
-/// The largest load that some contact forces can balance whatever its direction: bounds of the measure ε, and the weakest direction.
+/// The size up to which some contact forces within a budget can balance loads whatever their direction: bounds of the measure ε, and the weakest
+/// direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct WrenchBall<const C: usize> {
-    /// Lower bound of ε, N: every load of this size in its [scale](WrenchScale) can be balanced. Zero if in some direction no load can be balanced.
+    /// Lower bound of ε, N: every load of this size, measured in the [scale](WrenchScale), can be balanced. Zero if in some direction no load can be
+    /// balanced.
     pub at_least: f64,
     /// Upper bound of ε, N. Lower and upper bound differ by at most 1e-9 of the largest wrench: in the plane, with polygonal friction cones, and
     /// mostly with round cones. For a symmetric grasp with round cones, thin faces or too many faces end the search with bounds up to a percent
-    /// apart. [`Settings::most_steps`] may end it before.
+    /// apart. [`Settings::most_steps`] may end the search before.
     pub at_most: f64,
-    /// A load of size 1 N in its scale; more than `at_most` times this load cannot be balanced.
+    /// A load of size 1 N, measured in the scale; more than `at_most` times this load cannot be balanced.
     pub weakest: Wrench<C>,
 }
 
@@ -45,7 +47,8 @@ impl Engine {
         Ok(WrenchBall { at_least, at_most, weakest: set.outside(-direction) })
     }
 
-    /// The wrenches that contact forces within this budget can exert, in this scale.
+    /// The set of wrenches that contact forces within this budget can exert, in this scale. An error for a bad budget or scale, hands, and contacts
+    /// without a limit.
     pub(super) fn wrench_set(
         &self,
         budget: Budget,

@@ -1,8 +1,8 @@
-//! Limit analysis: the largest load that contact forces within a budget balance and, as its inverse, the budget that a load needs.
+//! Limit analysis: the largest multiple of a load that contact forces within a budget balance and, as its inverse, the budget that a load needs.
 //!
 //! The result is the largest λ with `Σ G_i F_i + W₀ + λ W = 0` for some forces F_i in their cones. The wrenches that contact forces can exert form a
-//! convex set. A plane with this set on one side gives an upper bound of λ. A ray from inside the set towards the load at this bound either ends in
-//! the set, or leaves it through a plane with a smaller bound.
+//! convex set. A plane that touches this set, with the set on one side, gives an upper bound of λ. A ray from inside the set towards the load at this
+//! bound either ends in the set, or leaves it through a plane with a smaller bound.
 
 use nalgebra::SVector;
 
@@ -15,29 +15,30 @@ use crate::numerics::{Each, RayExit, Size, Vector, Vertex, shoot, simplex};
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// Largest multiple of a load that some contact forces balance.
+/// Largest multiple of a load, beside a base load, that some contact forces within a budget balance.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum LoadLimit<const C: usize> {
-    /// The load can be balanced up to a multiple of it.
+    /// The base load plus a multiple of the load can be balanced, up to this factor.
     #[non_exhaustive]
     Factor {
-        /// Lower bound of the load factor.
+        /// Lower bound of the largest load factor: with it the load can be balanced.
         at_least: f64,
-        /// Upper bound of the load factor. The bounds differ by about 1e-9 of it at most, unless rounding ended the search before.
+        /// Upper bound of the largest load factor. The two bounds differ by at most about 1e-9 of it, unless rounding ended the search before.
         at_most: f64,
-        /// Forces on the object in the contact frames, N, that balance the load at `at_least`.
+        /// Forces on the object in the contact frames, N, within the budget, that balance the base load and `at_least` times the load.
         forces: Vec<SVector<f64, C>>,
-        /// Motion of the object under more than `at_most`: no forces within the budget work as much against it as the load along it.
+        /// A motion of the object that proves `at_most`: along it a larger multiple of the load does more work than contact forces within the budget
+        /// can do against it.
         motion: Twist<C>,
     },
-    /// Not even the base load can be balanced.
+    /// Contact forces within the budget cannot balance even the base load.
     #[non_exhaustive]
     NoBase {
-        /// Motion of the object under the base load: no forces within the budget work as much against it as the load along it.
+        /// A motion of the object that proves this: along it the base load does more work than contact forces within the budget can do against it.
         motion: Twist<C>,
     },
-    /// Rounding prevented an answer.
+    /// Rounding prevented bounds of the load factor.
     Undecided,
 }
 
@@ -65,7 +66,7 @@ impl Engine {
 }
 
 impl<const C: usize> LoadLimit<C> {
-    /// Converts factors on a unit load to factors on a load that is `size` times as large.
+    /// The same limit with factors on a load that is `size` times as large, so that they are divided by `size`.
     fn over(self, size: f64) -> Self {
         match self {
             Self::Factor { at_least, at_most, forces, motion } => {
@@ -76,11 +77,11 @@ impl<const C: usize> LoadLimit<C> {
     }
 }
 
-/// The factors by which the unit load `rate` may grow on top of `base` before their sum leaves the set of wrenches that can be balanced.
+/// Bounds of the factor by which the unit load `rate` may grow beside `base` before their sum leaves the set of wrenches that can be balanced.
 fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLimit<3> {
     set.flat = simplex(size, &|v: &Vector| set.support(v)).err().unwrap_or_default();
-    // `set.flat` has directions in which no contact force acts. The set of wrenches is widened along these directions so that the search works. A
-    // load with a component in them cannot be balanced.
+    // `set.flat` has directions of wrenches in which no contact force acts. The set is widened along them so that it has an interior. A load with a
+    // component in them cannot be balanced.
     let unheld = |load: &Vector| {
         let mut part = Vector::zeros();
         for v in &set.flat {
@@ -106,8 +107,8 @@ fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLi
     let plane = |normal: &Vector| normal.dot(&(support(normal) - base)) / normal.dot(rate);
     let (mut at_most, mut normal) = (plane(rate), rate.clone());
     let mut last: Option<(f64, RayExit)> = None;
-    // On round cones each supporting plane of the set doubles the number of correct digits. Without rounding the search ends long before a hundred
-    // planes.
+    // With round cones each further supporting plane of the set doubles the number of correct digits. Without rounding the search ends long before a
+    // hundred planes.
     for _ in 0..100 {
         let Some(there) = shoot(&(base + rate * at_most)) else { break };
         let (inside, nearer) = (there.stretch <= 1.0 + SOLVED_ROUNDING, plane(&there.normal));
@@ -123,8 +124,8 @@ fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLi
     if at_most <= SOLVED_ROUNDING * base.norm().max(support(rate).norm()) {
         return LoadLimit::Factor { at_least: 0.0, at_most: 0.0, forces: at_begin, motion };
     }
-    // The lower bound is the largest factor whose load was found inside the set of wrenches. If no load was found inside, the upper bound is reduced
-    // by ever larger fractions.
+    // The lower bound is a factor whose load was found inside the set of wrenches: the last one tried, or else the upper bound reduced by ever larger
+    // fractions.
     let reached = |(factor, crossing): &(f64, RayExit)| crossing.stretch <= 1.0 && *factor <= at_most;
     let nearer = [1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-6, 1e-3].iter().filter_map(|part| {
         let factor = at_most * (1.0 - part);
@@ -138,7 +139,7 @@ fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLi
     }
 }
 
-/// Contact forces that balance the load at the end of the ray `crossing`. They are the forces of the set's vertices around the crossing, weighted by
+/// Contact forces that balance the load at which the ray `crossing` ends. They are the forces of the set's vertices around the crossing, weighted by
 /// their shares. The rest of the weight is distributed evenly over the vertices of the simplex.
 fn forces(set: &WrenchSet, simplex: &[Vertex], crossing: &RayExit) -> Vec<SVector<f64, 3>> {
     let rest = (1.0 - crossing.shares.iter().sum::<f64>()) / simplex.len() as f64;

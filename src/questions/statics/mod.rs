@@ -1,19 +1,19 @@
-//! Static questions of grasp planning, from geometry and friction alone: which loads *could* contact forces balance?
+//! Static questions of grasp planning, from geometry and friction alone: which loads *could* some contact forces balance?
 //!
 //! Springs and commands do not matter here. With [force closure](crate::ask::Statics::force_closure) some contact forces balance any load. The
-//! [measure of Ferrari and Canny](crate::ask::Statics::ferrari_canny) is the largest load, in the worst direction, that they balance within a
+//! [measure of Ferrari and Canny](crate::ask::Statics::ferrari_canny) is the size up to which they balance loads of every direction within a
 //! [`Budget`] of normal forces. [Limit analysis](crate::ask::Statics::load_limit) finds the largest multiple of a given load. Whether these fingers
 //! balance a load, with their squeeze, is answered by [`Grasp::solve`](crate::ask::Grasp::solve) and [`Grasp::onset`](crate::ask::Grasp::onset).
 //!
-//! The pull of a vacuum does not depend on the contact forces: it counts as part of every load. Closure, which is about loads of any size, is refused
-//! where loads could not be balanced without the vacuum.
+//! The pull of a vacuum does not depend on the contact forces: it is added to every load. Closure is about loads of any size, so it is an error where
+//! loads could not be balanced without the vacuum.
 //!
 //! | file | idea |
 //! |---|---|
 //! | `closure` | force and form closure, with forces or a motion as the proof |
-//! | `budget` | bounds of the normal forces, and the scale of moments |
+//! | `budget` | bounds of the normal forces, and the scale that compares moments with forces |
 //! | `wrench_set` | the wrenches within a budget, by their support points |
-//! | `ferrari_canny` | the largest ball in that set |
+//! | `ferrari_canny` | the radius of the largest ball about the origin in that set |
 //! | `balance` | a motion which proves that no forces balance a load |
 //! | `load_limit` | the largest multiple of a load that forces within a budget balance |
 

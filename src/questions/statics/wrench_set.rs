@@ -1,8 +1,8 @@
-//! The wrenches of contact forces within a budget, given by their support points.
+//! The set of wrenches of contact forces within a budget, known by its support points.
 //!
-//! The support point in the direction v consists of the forces that do most work along it. At each contact this is the force in the friction cone
-//! with the most work on `u = G_iᵀv`. On the round cone this work is `u_n + μ |u_t|` per newton of normal force. A contact whose force would work
-//! against v does not press.
+//! The support point in the direction v is the sum of the contact forces that do most work along v. At each contact this is the force in the friction
+//! cone with the most work on `u = G_iᵀv`. On the round cone this work is `u_n + μ |u_t|` per newton of normal force. A contact whose force could
+//! only do negative work does not press.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -14,20 +14,20 @@ use crate::numerics::{Map, Vector, mapped, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The forces that one contact may exert per newton along its normal.
+/// The forces that one contact may exert per newton of normal force: a round cone, or the corners of a polygonal one.
 enum Cone {
     Round(Coulomb),
     Corners(Vec<SVector<f64, 3>>),
 }
 
 struct Pushing {
-    /// Maps a force in the contact frame to its wrench, with moments divided by the length of the [`WrenchScale`].
+    /// Maps a force in the contact frame to its wrench about the point of the [`WrenchScale`], with moments divided by its length.
     map: Map,
     cone: Cone,
 }
 
 impl Pushing {
-    /// The force of this contact that does most work along the motion `v`, per newton along the normal, and that work.
+    /// The force of this contact, per newton of normal force, that does most work along the motion `v`, and that work.
     fn most(&self, v: &Vector) -> (SVector<f64, 3>, f64) {
         let u = self.map.tr_mul(v);
         match &self.cone {
@@ -45,15 +45,16 @@ impl Pushing {
     }
 }
 
-/// The wrenches that contact forces within a budget can exert, with moments divided by the length of `scale`.
+/// The wrenches that contact forces within a budget can exert, about the point and with moments divided by the length of `scale`.
 pub(super) struct WrenchSet {
     space: Space,
     contacts: Vec<Pushing>,
     budget: Budget,
     scale: WrenchScale<3>,
-    /// Wrench of the suction cups' vacuum, which does not depend on the contact forces.
+    /// Wrench of the suction cups' vacuum, which is added to every wrench of the set and does not depend on the contact forces.
     vacuum: Vector,
-    /// Directions in which no contact force acts. The set is widened along them, so that it has an interior.
+    /// Directions of wrenches in which no contact force acts. The set is widened along them, so that it has an interior; empty unless the caller sets
+    /// them.
     pub(super) flat: Vec<Vector>,
 }
 
@@ -96,11 +97,11 @@ impl WrenchSet {
         Ok(Self { vacuum: set.inside(&grasp.with_vacuum(&Wrench::ZERO)), ..set })
     }
 
-    /// The contact forces of the support point in direction `v`.
+    /// The contact forces within the budget whose wrench is the support point in direction `v`.
     pub(super) fn forces(&self, v: &Vector) -> Vec<SVector<f64, 3>> {
         let (Budget::Each(bound) | Budget::Total(bound)) = self.budget;
         let mut forces = Vec::with_capacity(self.contacts.len());
-        // The contact that does most work; the last one among equals.
+        // The contact whose force does most work along `v`; the last one among equals.
         let mut best = (0, f64::NEG_INFINITY);
         for (i, contact) in self.contacts.iter().enumerate() {
             let (force, work) = contact.most(v);
@@ -119,7 +120,7 @@ impl WrenchSet {
         forces
     }
 
-    /// The support point in direction `v`: the wrench of the set that does most work along it.
+    /// The support point in direction `v`: the wrench of the set (vacuum and widening included) that does most work along it.
     pub(super) fn support(&self, v: &Vector) -> Vector {
         let (Budget::Each(bound) | Budget::Total(bound)) = self.budget;
         let mut sum = self.vacuum.clone();
@@ -132,7 +133,7 @@ impl WrenchSet {
         sum
     }
 
-    /// Converts a wrench in the user's coordinates to one about the point and with the length of the [`WrenchScale`].
+    /// Converts a wrench about the origin, in the user's coordinates, to one about the point and with the length of the [`WrenchScale`].
     pub(super) fn inside(&self, wrench: &Wrench<3>) -> Vector {
         let about = SVector::from(self.scale.about);
         let moved = self.space.moved_wrench(&-about, &wrench.coordinates(self.space));
@@ -146,8 +147,8 @@ impl WrenchSet {
         Wrench::among(self.space, &self.space.moved_wrench(&about, &wrench))
     }
 
-    /// The motion in the user's coordinates that corresponds to a direction of the set. Along it a wrench does the work `direction · w`, where w is
-    /// this wrench converted by [`Self::inside`].
+    /// The motion in the user's coordinates that corresponds to a direction of the set. Along this motion a wrench does the work `direction · w`,
+    /// where w is the wrench converted by [`Self::inside`].
     pub(super) fn motion(&self, direction: Vector) -> Twist<3> {
         let about = SVector::from(self.scale.about);
         let direction = scaled(self.space, direction, 1.0 / self.scale.length);
@@ -155,7 +156,7 @@ impl WrenchSet {
     }
 }
 
-/// The vector `v` with its angular components multiplied by `by`.
+/// The vector `v` with its angular components (moments or rotations) multiplied by `by`.
 fn scaled(space: Space, mut v: Vector, by: f64) -> Vector {
     v.iter_mut().skip(space.axes()).for_each(|x| *x *= by);
     v

@@ -1,13 +1,13 @@
-//! Screening of batches of small grasps on all cores.
+//! Screening of batches of grasps of two to five contacts on all cores.
 
 use crate::prelude::*;
 use crate::screening::{
     Batch, LoadCases, Pull, Screened, ScreenedGradients, ScreenedSqueeze, ScreenedTurn, TurningPull,
 };
 
-/// The load factors at which the first contact of each grasp of a batch stops sticking, for each of the loads: [`Batch::onsets_into`] on all cores.
-/// `answers` is overwritten and its memory reused. It contains the load factors of the first grasp in the order of the loads, then those of the next
-/// grasp. [`Batch`] has an example.
+/// The load factor at which the first contact stops sticking, for each grasp of a batch and each of the growing loads: [`Batch::onsets_into`] on all
+/// cores. `answers` is overwritten and its memory reused. It then has the answers of the first grasp in the order of the loads, then those of the
+/// next grasp. [`Batch`] has an example.
 pub fn onsets_of_batch<const C: usize, const N: usize>(
     batch: &Batch<C, N>,
     pulls: &[Pull<C>],
@@ -16,8 +16,8 @@ pub fn onsets_of_batch<const C: usize, const N: usize>(
     batch.onsets_on_all_cores(pulls, answers);
 }
 
-/// Derivatives of the onset of each grasp of a batch by all of its data, for each of the loads: points, normals, commands, stiffnesses, friction
-/// and load. Gradients come in the order of [`onsets_of_batch`].
+/// Derivatives of the load factor at first slip, for each grasp of a batch and each of the growing loads: by points, normals, commands, stiffnesses,
+/// friction and load. Gradients come in the order of [`onsets_of_batch`].
 ///
 /// ```
 /// use grasp_lcp::spatial::{Batch, Contact, Fingers, Pull, Wrench};
@@ -47,8 +47,8 @@ pub fn onset_gradients_of_batch<const C: usize, const N: usize>(
     batch.onset_gradients_on_all_cores(pulls, gradients);
 }
 
-/// The angle at which the first contact of each grasp of a batch stops sticking, for each of the turning
-/// loads: [`Batch::turn_onsets_into`] on all cores. Answers come in the order of [`onsets_of_batch`].
+/// The angle at which the first contact stops sticking, for each grasp of a batch and each of the turning loads: [`Batch::turn_onsets_into`] on all
+/// cores. Answers come in the order of [`onsets_of_batch`].
 pub fn turn_onsets_of_batch<const C: usize, const N: usize>(
     batch: &Batch<C, N>,
     turns: &[TurningPull<C>],
@@ -57,9 +57,8 @@ pub fn turn_onsets_of_batch<const C: usize, const N: usize>(
     batch.turn_onsets_on_all_cores(turns, answers);
 }
 
-/// The least factor of the commands with which each grasp of a batch holds every load of a list, for
-/// each of the lists: [`Batch::least_squeezes_into`] on all cores. Answers come in the order of
-/// [`onsets_of_batch`].
+/// The least factor of the commands with which all contacts stick under every load of a list, for each grasp of a batch and each of the lists:
+/// [`Batch::least_squeezes_into`] on all cores. Answers come in the order of [`onsets_of_batch`].
 pub fn least_squeezes_of_batch<const C: usize, const N: usize>(
     batch: &Batch<C, N>,
     cases: &[LoadCases<C>],

@@ -1,11 +1,11 @@
-//! Conversion of a panic during the answer to a question into an error of that question; all other questions are still answered. A panic is a fault
-//! of this library.
+//! Conversion of a panic during the answer for one item into an error of that item; all other items are still answered. A panic is a fault of this
+//! library.
 
 use super::in_order::map_in_order;
 use crate::error::Error;
 use crate::prelude::*;
 
-/// The results of `ask` for all items, in the order of the items. An error or a panic for one item does not stop the others.
+/// The results of `ask` for all items, in the order of the items and possibly in parallel. An error or a panic for one item does not stop the others.
 pub(crate) fn each_answered<T: Sync, R: Send>(
     items: &[T],
     ask: &(dyn Fn(&T) -> Result<R, Error> + Sync),
@@ -23,7 +23,7 @@ pub(crate) fn caught<R>(ask: &dyn Fn() -> Result<R, Error>) -> Result<R, Error> 
     )
 }
 
-/// Runs `work` and returns the message of its panic; `None` without a panic. Without the standard library a panic is not caught.
+/// Runs `work` and returns the message of its panic; `None` without a panic. The other version, without the standard library, catches no panic.
 #[cfg(feature = "std")]
 pub(crate) fn fault_in(work: &mut dyn FnMut()) -> Option<String> {
     let panic = std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).err()?;
@@ -31,7 +31,7 @@ pub(crate) fn fault_in(work: &mut dyn FnMut()) -> Option<String> {
     Some(said.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no message").to_owned())
 }
 
-/// Runs `work`. Without the standard library a panic is not caught.
+/// Runs `work` and returns `None`. Without the standard library a panic is not caught.
 #[cfg(not(feature = "std"))]
 fn fault_in(work: &mut dyn FnMut()) -> Option<String> {
     work();

@@ -1,5 +1,5 @@
-//! Contact forces as a sum over sources (commands, components of the load), and the changes of these forces if data are in error. Contacts keep their
-//! states.
+//! Contact forces as a sum over sources (commands with constant loads, each component of the load), and their changes if data are in error. Contacts
+//! stay sticking or open as under the base load.
 
 use core::slice::from_ref;
 
@@ -15,16 +15,16 @@ use crate::object::PieceState;
 use crate::prelude::*;
 
 /// The forces of all contacts and drives that one source causes: for the data as given, and their changes by each uncertain datum. For an open
-/// contact the gap is stored in place of the force.
+/// contact its gap, m, is stored in place of the force.
 #[derive(Debug, Clone)]
 pub(super) struct Course {
     pub(super) known: Vec<SVector<f64, 3>>,
-    /// For each uncertain datum, the change of the force on each contact or drive, as a polynomial.
+    /// For each uncertain datum and each contact or drive, the change of the force by an error of this datum, as a polynomial.
     pub(super) off: Vec<Vec<Effect>>,
 }
 
 impl Course {
-    /// Adds `times` times the forces of another source.
+    /// Adds `times` times the forces, and their changes, of another source.
     pub(super) fn add(&mut self, times: f64, other: &Self) {
         self.known.iter_mut().zip(&other.known).for_each(|(sum, more)| *sum += more * times);
         for (sum, more) in self.off.iter_mut().flatten().zip(other.off.iter().flatten()) {
@@ -32,7 +32,7 @@ impl Course {
         }
     }
 
-    /// The forces that a load causes, from those that one unit of each of its components causes.
+    /// The [`Course`] of a load, as a sum of those of one unit of each of its components.
     pub(super) fn of(by_component: &[Self], space: Space, load: &Wrench<3>) -> Self {
         let none = by_component[0].off.iter().map(|sites| vec![Effect::default(); sites.len()]);
         let mut sum = Self { known: vec![SVector::zeros(); by_component[0].known.len()], off: none.list() };
@@ -42,13 +42,14 @@ impl Course {
         sum
     }
 
-    /// The largest force of a contact or drive for the data as given.
+    /// The largest force of a contact or drive, N, for the data as given.
     pub(super) fn largest(&self) -> f64 {
         largest(&self.known, &Matrix::norm)
     }
 }
 
-/// A [`Course`] for each source while no contact slides: first commands together with constant loads, then one unit of each component of the load.
+/// The [`Course`] of each source while no contact slides: first commands together with constant loads, then 1 N or 1 N m of each component of the
+/// load.
 pub(super) fn courses(
     response: &StickingResponse<'_>,
     cone: Cone,
@@ -73,8 +74,8 @@ pub(super) fn courses(
     Ok(courses)
 }
 
-/// The forces of all contacts and drives, source by source. The first source is commands together with constant loads; then comes one unit of each
-/// component of the load.
+/// The forces of all contacts and drives (gaps of open contacts), source by source. The first source is commands together with constant loads; then
+/// comes 1 N or 1 N m of each component of the load.
 fn by_source(response: &StickingResponse<'_>) -> Vec<Vec<SVector<f64, 3>>> {
     let grasp = response.grasp;
     let mut sources = vec![forces_or_gaps(response, &grasp.offsets(), &grasp.load_unchecked(&Wrench::ZERO))];
@@ -85,8 +86,8 @@ fn by_source(response: &StickingResponse<'_>) -> Vec<Vec<SVector<f64, 3>>> {
     sources
 }
 
-/// The forces of all contacts and drives under the spring offsets `offsets` and the load `load` (in the engine's coordinates). For an open contact
-/// the gap is returned in place of the force.
+/// The forces of all contacts and drives under the spring offsets `offsets` and the load `load` (a vector in the engine's coordinates of the object).
+/// For an open contact its gap, m, is returned in place of the force.
 pub(super) fn forces_or_gaps(
     response: &StickingResponse<'_>,
     offsets: &[SVector<f64, 3>],
@@ -101,7 +102,7 @@ pub(super) fn forces_or_gaps(
     forces
 }
 
-/// The load of 1 N or 1 N m along one component.
+/// The load of 1 N or 1 N m along component number `component`.
 pub(super) fn unit(space: Space, component: usize) -> Wrench<3> {
     Wrench::among(space, &Vector::unit(Size::of(space.of_the_object()), component))
 }

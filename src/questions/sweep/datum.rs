@@ -1,4 +1,4 @@
-//! The data of a grasp that are not known exactly, one by one.
+//! The uncertain data of a grasp that change forces, one by one.
 
 use super::off::{ContactErrors, factor};
 use super::uncertainty::Uncertainty;
@@ -7,16 +7,16 @@ use crate::grasp::{ContactPoints, Engine};
 use crate::numerics::unit;
 use crate::prelude::*;
 
-/// One uncertain datum, with its error of one standard deviation σ.
+/// One uncertain datum of a grasp, with its error of one standard deviation σ.
 #[derive(Debug, Clone)]
 pub(super) enum UncertainDatum {
-    /// A datum that all points of this contact share, with their errors.
+    /// A datum that all points of the contact with this index share, with the errors that one σ makes.
     OfContact(usize, ContactErrors),
-    /// The stiffness of this joint, with the σ of its logarithm.
+    /// The stiffness of the joint with this index, with the σ of its logarithm.
     OfJoint(usize, f64),
 }
 
-/// The engine with the data in error: each datum is changed by its entry of `z`, a number of standard deviations.
+/// The grasp if each of `data` is in error by its entry of `z`, a number of standard deviations. An error if a datum leaves its allowed range.
 pub(super) fn with_errors(of: &Engine, data: &[UncertainDatum], z: &[f64]) -> Result<Engine, Error> {
     let mut errors = vec![ContactErrors::default(); of.wholes().len()];
     for (datum, z) in data.iter().zip(z) {
@@ -40,8 +40,8 @@ pub(super) fn with_errors(of: &Engine, data: &[UncertainDatum], z: &[f64]) -> Re
 }
 
 impl Engine {
-    /// The uncertain data that change forces while contacts stick. Friction does not change them. An uncertain load is treated apart, since one
-    /// factor multiplies all forces that it causes.
+    /// The uncertain data that change contact forces while contacts stick: stiffness, squeeze, positions and normals with σ other than zero. Friction
+    /// does not change these forces. An uncertain load is treated apart, since one factor multiplies all forces by it.
     pub(super) fn data(&self, uncertainty: &Uncertainty) -> Vec<UncertainDatum> {
         let Uncertainty { stiffness, squeeze, position, normal, .. } = *uncertainty;
         let none = ContactErrors::default();

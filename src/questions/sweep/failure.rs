@@ -1,16 +1,17 @@
-//! The probability that a contact leaves its cone under one load, where data are uncertain.
+//! The probability that a contact stops sticking under one load, where data of the grasp are uncertain.
 //!
-//! Each facet of the cone has a margin, and fails if the margin is negative. The distance of the given data from failure, in standard deviations, is
-//! the reliability β of the facet. The failure probability is `Φ(-β)`, which [`second_order`](super::second_order) corrects. On the round cone the
-//! facet is chosen by the angle θ of its direction. The gradient u(θ) of its margin by the data, scaled to length one, turns with θ. The probability
-//! that the contact fails at any θ is at most
+//! Each facet of the friction cone has a margin, and fails if the margin is negative. The distance of the given data from failure, in standard
+//! deviations, is the reliability β of the facet. The failure probability is `Φ(-β)`, which [`second_order`](super::second_order) corrects. On the
+//! round cone the facet is chosen by the angle θ of its direction. The gradient u(θ) of its margin by the data, scaled to length one, turns with θ.
+//! The probability that the contact fails at any θ (its margin is negative there) is at most
 //!
 //! ```text
 //! Φ(-β(θ₀)) + ∫ φ(β) E[(X' - β')₊] dθ,      X' normal, mean 0, deviation |u'|
 //! ```
 //!
-//! by the mean number of crossings (Rice, Mathematical analysis of random noise, 1944); φ is the normal density, Φ its distribution, and a prime the
-//! derivative by θ. The bound is nearly reached where failures are rare. θ₀ is a direction in which a failure is very unlikely.
+//! by the mean number of zero crossings of the margin over θ (Rice, Mathematical analysis of random noise, 1944); φ is the normal density, Φ its
+//! distribution, and a prime the derivative by θ. The bound is nearly reached where failures are rare. θ₀ is a direction in which a failure is very
+//! unlikely.
 
 use core::f64::consts::{PI, TAU};
 
@@ -23,7 +24,8 @@ use crate::contact::{Edges, round_rows};
 use crate::numerics::{Harmonic, normal_tail};
 use crate::prelude::*;
 
-/// Adds to `events` the failures of this contact under a load. `margin` is scratch memory.
+/// Adds to `events` the possible failures of one contact under a load: its force leaves the cone. A failure rarer than `rare` counts without
+/// correlation. `margin` is scratch memory.
 pub(super) fn failures(
     (contact, edges): (usize, &Edges),
     here: &UncertainForce<'_>,
@@ -31,7 +33,7 @@ pub(super) fn failures(
     margin: &mut FacetMargin,
     events: &mut Failures,
 ) {
-    // Each search for a point of failure starts from the data as given, because the point of failure of another facet is a bad start.
+    // Each search for a point of failure starts from the data as given, because the point of failure of another facet would be a bad start.
     match edges {
         Edges::Rows(rows) => {
             for (k, row) in rows.iter().enumerate() {
@@ -43,8 +45,8 @@ pub(super) fn failures(
         Edges::Round { limit } => {
             let around = round_rows(*limit);
             let (worst, least) = worst_around(&here.first_order(), &around);
-            // If the reliability exceeds `sigmas`, the required one, by three, failures are a thousand times rarer than allowed. The first-order
-            // probability is then accurate enough.
+            // If the reliability exceeds `sigmas`, the required one, by three, failures are a thousand times rarer than allowed, and the first-order
+            // probability suffices. If it is not positive, the contact counts as sure to fail.
             if least <= 0.0 || least > here.sigmas + 3.0 {
                 events.add_alone(if least <= 0.0 { 1.0 } else { normal_tail(least) });
                 return;
@@ -57,7 +59,8 @@ pub(super) fn failures(
     }
 }
 
-/// The facets of a contact for which failure is computed. For a round cone this is the one facet that most probably fails to first order.
+/// The facets of a contact for which interactions of errors are computed: all of a polygonal cone; of a round cone the facet that most probably
+/// fails, to first order.
 pub(super) fn facets(edges: &Edges, here: &UncertainForce<'_>) -> Vec<SVector<f64, 3>> {
     match edges {
         Edges::Rows(rows) => rows.clone(),
@@ -68,8 +71,8 @@ pub(super) fn facets(edges: &Edges, here: &UncertainForce<'_>) -> Vec<SVector<f6
     }
 }
 
-/// The failure probability of a contact under one load, with its force linearised in the data. It gives the starting value for the search of the
-/// load.
+/// The failure probability of a contact under one load, with its force linearised in the data. It gives the starting value for the search of the load
+/// factor.
 pub(super) fn roughly(edges: &Edges, here: &UncertainForce<'_>) -> f64 {
     let first_order = here.first_order();
     match edges {
@@ -80,7 +83,7 @@ pub(super) fn roughly(edges: &Edges, here: &UncertainForce<'_>) -> f64 {
     }
 }
 
-/// The direction in which a contact with a round cone most probably fails to first order, rad, and the reliability β in this direction.
+/// The direction in which a contact with a round cone most probably fails to first order, rad, and the first-order reliability β there.
 fn worst_around(first_order: &FirstOrder, around: &Harmonic<SVector<f64, 3>>) -> (f64, f64) {
     let mut worst = (0.0, f64::INFINITY);
     for k in 0..AROUND_A_CONE {
@@ -93,8 +96,8 @@ fn worst_around(first_order: &FirstOrder, around: &Harmonic<SVector<f64, 3>>) ->
     worst
 }
 
-/// The failure probability of a contact on a round cone: Rice's bound around the angle `worst`, where it most probably fails. `least` is the
-/// first-order reliability there.
+/// The failure probability of a contact with a round cone under one load: Rice's bound around the angle `worst`, where it most probably fails.
+/// `least` is the first-order reliability there.
 fn failure_of_round(
     around: &Harmonic<SVector<f64, 3>>,
     here: &UncertainForce<'_>,
@@ -104,8 +107,8 @@ fn failure_of_round(
     let first_order = here.first_order();
     let roughly = |angle: f64| first_order.reliability(&around.at(angle));
     let narrower = 0.75;
-    // The integral extends to where the normal density has fallen to exp(-9) of its maximum. That range is narrow where β grows steeply with the
-    // angle.
+    // The integral extends to where the normal density has fallen to exp(-9) of its maximum. That range of angles is narrow where β grows steeply
+    // with the angle.
     let enough = (least * least + 2.0 * 9.0).sqrt();
     let mut half = PI;
     while half > TAU / AROUND_A_CONE as f64

@@ -1,5 +1,5 @@
-//! The interaction of errors of several data in their effect on a force. It is the change of the force if all data are in error at once, less the sum
-//! of its changes by one datum each.
+//! The interaction of errors of several data in their effect on a contact force. It is the change of the force if all data are in error at once, less
+//! the sum of its changes by one datum each.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -14,24 +14,25 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Draw, IntoList, dot, numbered};
 use crate::prelude::*;
 
-/// Number of random sets of errors, each of one standard deviation per datum, from which the size of interactions is estimated.
+/// Number of random sets of errors, each with plus or minus one standard deviation per datum, from which the size of interactions is estimated.
 ///
 /// If larger, each reserve needs more equilibria. If smaller, the estimate is less certain.
 const PROBES: u64 = 8;
 
-/// The grasp whose data are uncertain, for its exact forces with several data in error at once.
+/// The grasp whose data are uncertain, in fixed contact states: gives exact contact forces with several data in error at once.
 #[derive(Debug, Clone)]
 pub(super) struct OffTogether {
     pub(super) grasp: Engine,
     pub(super) cone: Cone,
     pub(super) states: Vec<State>,
     pub(super) data: Vec<UncertainDatum>,
-    /// Standard deviation of the logarithm of the load.
+    /// Standard deviation σ of the logarithm of the factor on the load.
     pub(super) load_spread: f64,
 }
 
 impl OffTogether {
-    /// The exact force on a contact or drive if the data have the errors `z`, in standard deviations. `None` where a datum leaves its allowed range.
+    /// The exact force on contact or drive `i` under `load`, N, if the data and last the load factor have the errors `z`, in standard deviations.
+    /// `None` where a datum leaves its allowed range.
     fn force(&self, i: usize, load: &Wrench<3>, z: &[f64]) -> Option<SVector<f64, 3>> {
         let grasp = with_errors(&self.grasp, &self.data, z).ok()?;
         let response = StickingResponse::in_states(&grasp, self.cone, &self.states);
@@ -39,8 +40,8 @@ impl OffTogether {
         Some(forces_or_gaps(&response, &grasp.offsets(), &grasp.load_unchecked(&load))[i])
     }
 
-    /// The interaction of errors for each facet of a contact, at the facet's point of failure under a load. It is set to zero for facets whose
-    /// failure probability is below `rare`.
+    /// The interaction of errors for each facet of a contact, at the facet's point of failure under a load. Zero for facets whose failure probability
+    /// is below `rare`; an empty list without uncertain data.
     pub(super) fn of_facets(
         &self,
         (i, edges): (usize, &Edges),
@@ -63,8 +64,8 @@ impl OffTogether {
             let force = beyond(&margin.fails_at);
             // If the point of failure is nearer than one standard deviation, a division by its squared distance would only amplify rounding.
             let bend = force * (2.0 / dot(&margin.fails_at, &margin.fails_at).max(1.0));
-            // C holds the second derivatives of the force by two data. For random signs v, the mean square of `vᵀCv` is twice the sum of the squares
-            // of C.
+            // C holds the second derivatives of a force component by two different data. For random signs v, the mean square of `vᵀCv` is twice the
+            // sum of the squares of C.
             let mut squares = SMatrix::zeros();
             for probe in 0..PROBES {
                 let mut signs = Draw::new([probe, 0, 0]);

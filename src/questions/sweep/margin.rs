@@ -1,14 +1,14 @@
-//! The margin of one facet of a friction cone under one load, and how far the data may be off before it vanishes.
+//! The margin of one facet of a friction cone under one load, and the smallest errors of the data with which it vanishes.
 //!
 //! ```text
 //! m(z) = μ exp(σ z_f) F_n(z) - h·F_t(z),      F(z) = F + Σ_i Δ_i(z_i)
 //! ```
 //!
-//! Here μ is the coefficient of friction with the deviation σ of its logarithm, h the unit vector of the facet, and z the errors of the data, in
-//! standard deviations. The change Δ_i of the force by one datum is a polynomial through exact forces at a few errors. The
-//! [interaction](super::joint_effects) of several data is computed at the point of failure and added as a constant force.
+//! Here μ is the coefficient of friction, with the standard deviation σ of its logarithm, h the unit vector of the facet, and z the errors of the
+//! data, in standard deviations. The change Δ_i of the contact force by the error of datum i is a polynomial through exact forces at a few errors.
+//! The [interaction](super::joint_effects) of several data is computed at the point of failure and added as a constant force.
 //!
-//! The reliability β is the distance of the nearest z at which the margin vanishes, the point of failure (Hasofer and Lind, Exact and invariant
+//! The reliability β is the length of the shortest z at which the margin vanishes, the point of failure (Hasofer and Lind, Exact and invariant
 //! second-moment code format, 1974). Steps towards it are shortened until a merit function of distance and margin falls (Zhang and Der Kiureghian,
 //! Two improved algorithms for reliability analysis, 1995). No step goes beyond the distance at which the failure probability is negligible.
 
@@ -19,14 +19,14 @@ use crate::numerics::tolerances::SUFFICIENT_DECREASE;
 use crate::numerics::{Each, by_axis, dot, normal_density, normal_tail};
 use crate::prelude::*;
 
-/// Errors of a datum at which exact forces are computed, as multiples of `sigmas`, the standard deviations that the user wants in reserve.
+/// Errors of a datum at which exact forces are computed, as multiples of `sigmas`, the number of standard deviations that the user wants in reserve.
 pub(super) const LOOKED_AT: [f64; 4] = [-1.0, -0.5, 0.5, 1.0];
 
-/// The change of a force by the error of one datum: coefficients c_k of the polynomial `Σ c_k x^k`, k from 1. Here x is the error in standard
-/// deviations, divided by `sigmas`.
+/// The change of a contact force by the error of one datum, N: coefficients c_k of the polynomial `Σ c_k x^k`, k from 1. Here x is the error in
+/// standard deviations, divided by `sigmas`.
 pub(super) type Effect = [SVector<f64, 3>; LOOKED_AT.len()];
 
-/// The polynomial through the changes of a force at the multiples [`LOOKED_AT`] of `sigmas`.
+/// The polynomial in the error of one datum through the four changes of a contact force at the errors [`LOOKED_AT`] times `sigmas`, in that order.
 pub(super) fn effect([low, half_low, half_high, high]: [SVector<f64, 3>; 4]) -> Effect {
     let (even, half_even) = (0.5 * (high + low), 0.5 * (half_high + half_low));
     let (odd, half_odd) = (0.5 * (high - low), 0.5 * (half_high - half_low));
@@ -35,50 +35,53 @@ pub(super) fn effect([low, half_low, half_high, high]: [SVector<f64, 3>; 4]) -> 
     [odd - third, even - fourth, third, fourth]
 }
 
-/// The interaction of the errors of all data in their effect on a force, at a point of failure z. It is the exact change of the force less the sum of
-/// its changes by one datum each.
+/// The interaction of the errors of all data in their effect on a contact force, at a facet's point of failure z. `force` is the exact change of the
+/// force less the sum of its changes by one datum each.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct JointEffect {
     pub(super) force: SVector<f64, 3>,
-    /// Second derivative of the interaction along the direction of z: twice the interaction divided by |z|².
+    /// Second derivative of the interaction along the direction of z, N: twice `force` divided by |z|², or by 1 if |z|² is smaller.
     pub(super) bend: SVector<f64, 3>,
-    /// For each two components of the force, the sum over all pairs of data of the product of the second derivatives of these components.
+    /// For each two components of the force, the sum, over all pairs of data, of the product of their second derivatives by the pair, estimated at
+    /// random.
     pub(super) squares: SMatrix<f64, 3, 3>,
 }
 
-/// The force on a contact under one load: for the data as given, and its change by each uncertain datum.
+/// The force on a contact under one load, N: for the data as given, and its change by each uncertain datum.
 pub(super) struct UncertainForce<'a> {
     pub(super) force: SVector<f64, 3>,
     pub(super) changes: &'a [Effect],
-    /// The interaction of the errors of all data, for each facet; one for a round cone. An empty list means that interactions are neglected.
+    /// The interaction of the errors of all data: one entry for each facet of a polygonal cone, a single one for a round cone. An empty list means
+    /// that interactions are neglected.
     pub(super) joint: &'a [JointEffect],
-    /// The standard deviations that the user wants in reserve.
+    /// The number of standard deviations that the user wants in reserve.
     pub(super) sigmas: f64,
-    /// Standard deviation σ of the logarithm of friction.
+    /// Standard deviation σ of the logarithm of the coefficient of friction.
     pub(super) friction: f64,
 }
 
 /// The search for the point of failure of one facet, and its result. The memory is reused for one facet after the other.
 #[derive(Debug)]
 pub(super) struct FacetMargin {
-    /// The present point z of the search, at its end the point of failure: errors of the data in the order of `changes`, then of friction.
+    /// The present point z of the search, at its end the point of failure: errors in standard deviations, first of the data as in `changes`, then of
+    /// friction.
     pub(super) fails_at: Vec<f64>,
-    /// The point z before the last step.
+    /// The point z before the last step of the search.
     from: Vec<f64>,
-    /// The polynomials by which each datum changes the margin. They have two parts: the change by the normal force, which is multiplied by the factor
-    /// on friction, and the rest.
+    /// For each datum the polynomial of its change of the margin. Each coefficient has two parts: the change by the normal force, which the factor on
+    /// friction multiplies, and the rest.
     pub(super) parts: Vec<[[f64; 2]; LOOKED_AT.len()]>,
     /// The point z at which `gradient` and `steepness` (its norm) were computed.
     pub(super) linearised_at: Vec<f64>,
     pub(super) gradient: Vec<f64>,
     pub(super) steepness: f64,
     reliability: f64,
-    /// The correction by [`second_order`](super::second_order): the failure probability divided by `Φ(-β)`.
+    /// The failure probability divided by `Φ(-β)`: the correction by [`second_order`](super::second_order), 1 without one.
     curved: f64,
 }
 
 impl UncertainForce<'_> {
-    /// The force and its covariance to first order about the data as given. They are the same for all facets.
+    /// The force for the data as given, and its covariance to first order about these data. Both are the same for all facets.
     pub(super) fn first_order(&self) -> FirstOrder {
         let mut spread = SMatrix::zeros();
         for [slope, ..] in self.changes {
@@ -88,12 +91,12 @@ impl UncertainForce<'_> {
         FirstOrder { force: self.force, spread, friction: self.friction }
     }
 
-    /// The force for the data as given, plus the interaction of errors for facet number `row`.
+    /// The force for the data as given, N, plus the interaction of errors for facet number `row`.
     fn known(&self, row: usize) -> SVector<f64, 3> {
         self.joint.get(row).map_or(self.force, |joint| self.force + joint.force)
     }
 
-    /// The force if the data have the errors z, without the interaction of errors.
+    /// The force if the data have the errors z (in standard deviations), without the interaction of errors.
     pub(super) fn at(&self, z: &[f64]) -> SVector<f64, 3> {
         let mut force = self.force;
         for (change, z) in self.changes.iter().zip(z) {
@@ -104,8 +107,8 @@ impl UncertainForce<'_> {
         force
     }
 
-    /// Finds the smallest errors z of the data at which the margin of facet number `row` vanishes. If there are none up to the largest distance at
-    /// which failures count, this distance becomes the reliability of the facet.
+    /// Finds the smallest errors z of the data at which the margin of facet number `row` vanishes. They and the reliability are stored in `margin`.
+    /// If there are none up to the largest distance at which failures count, the reliability is about this distance.
     pub(super) fn find(&self, row: usize, facet: &SVector<f64, 3>, margin: &mut FacetMargin) {
         if margin.fails_at.len() != self.changes.len() + 1 {
             margin.start_over(self.changes.len());
@@ -123,7 +126,7 @@ impl UncertainForce<'_> {
                 margin.reliability = ratio(known[0] + known[1], 0.0);
                 return;
             }
-            // A step to the nearest zero of the linearised margin, shortened to the largest distance.
+            // A step to the nearest zero of the linearised margin, shortened so that z is no longer than `farthest`.
             let along = dot(&margin.gradient, &margin.fails_at);
             let step = (along - value) / (margin.steepness * margin.steepness);
             let reach = (step * margin.steepness).abs();
@@ -143,8 +146,7 @@ impl UncertainForce<'_> {
         }
         let mut nearest = dot(&margin.fails_at, &margin.fails_at).sqrt();
         if !arrived {
-            // The search has not converged. The present distance or the first-order reliability is taken, whichever is smaller, which errs on the
-            // safe side.
+            // The search has not converged. The smaller of the present distance and the first-order reliability counts, which errs on the safe side.
             margin.start_over(self.changes.len());
             let value = self.linearise(known, rubs(facet), margin);
             nearest = nearest.min(ratio(value, margin.steepness).abs());
@@ -161,7 +163,8 @@ impl UncertainForce<'_> {
         }
     }
 
-    /// Shortens the last step until the merit function `½|z|² + c |m|` falls. Returns the margin there, and keeps its gradient.
+    /// Halves the last step until the merit function `½|z|² + c |m|`, with the margin m, falls enough. Returns the margin there, and stores its
+    /// gradient.
     fn shortened(
         &self,
         known: [f64; 2],
@@ -191,7 +194,7 @@ impl UncertainForce<'_> {
         }
     }
 
-    /// The margin at the present point; stores its gradient there.
+    /// The margin at the present point z, N; stores its gradient and the gradient's norm.
     fn linearise(&self, known: [f64; 2], rubs: bool, margin: &mut FacetMargin) -> f64 {
         let FacetMargin { fails_at, parts, linearised_at, gradient, .. } = margin;
         let rubs = if rubs { fails_at.last().map(|z| (self.friction * z).exp()) } else { None };
@@ -216,8 +219,8 @@ impl UncertainForce<'_> {
         factor * normal + other
     }
 
-    /// The mean number of crossings `φ(β) E[(X' - β')₊]` per unit of the angle θ, see [`super::failure`]. `turned` is the derivative of the facet by
-    /// θ.
+    /// The mean number of zero crossings of the margin, `φ(β) E[(X' - β')₊]`, per radian of the facet's angle θ, see [`super::failure`]. `turned` is
+    /// the derivative of the facet by θ.
     pub(super) fn crossings(&self, margin: &FacetMargin, turned: &SVector<f64, 3>) -> f64 {
         if margin.steepness == 0.0 {
             return 0.0;
@@ -243,16 +246,17 @@ impl UncertainForce<'_> {
     }
 }
 
-/// A contact force and its covariance, to first order about the data as given.
+/// A contact force, N, and its covariance, to first order about the data as given.
 pub(super) struct FirstOrder {
     force: SVector<f64, 3>,
-    /// Covariance of the force by all uncertain data except friction.
+    /// Covariance of the force due to all uncertain data except friction, N².
     spread: SMatrix<f64, 3, 3>,
     friction: f64,
 }
 
 impl FirstOrder {
-    /// The reliability β of a facet to first order: its margin over the standard deviation of that margin.
+    /// The reliability β of a facet to first order: its margin over the standard deviation of that margin, friction included. Infinite if nothing is
+    /// uncertain.
     pub(super) fn reliability(&self, facet: &SVector<f64, 3>) -> f64 {
         let by_friction = if rubs(facet) { self.friction * facet[0] * self.force[0] } else { 0.0 };
         let variance = facet.dot(&(self.spread * facet)) + by_friction * by_friction;
@@ -260,13 +264,14 @@ impl FirstOrder {
     }
 }
 
-/// The margin `row·F` of a facet in two parts: that of the normal force, which is multiplied by the factor on friction, and the rest.
+/// The margin `row·F` of a facet, N, in two parts: the term of the normal force, which the factor on friction multiplies, and the rest.
 fn parts(row: &SVector<f64, 3>, force: &SVector<f64, 3>) -> [f64; 2] {
     let normal = row[0] * force[0];
     [normal, row.dot(force) - normal]
 }
 
-/// Value and derivatives of an [`Effect`] at one error. Outside the range of exact forces the polynomial is continued linearly.
+/// Value and first two derivatives of one component of an [`Effect`] at the error x (per `sigmas`). For |x| > 1, where no exact forces are known, it
+/// is continued linearly.
 pub(super) struct ContinuedEffect {
     value: f64,
     pub(super) slope: f64,
@@ -292,24 +297,24 @@ impl Default for FacetMargin {
 }
 
 impl FacetMargin {
-    /// Lets the next search start from the data as given, z = 0; `data` is the number of data without friction.
+    /// Lets the next search start from the data as given, z = 0; `data` is the number of uncertain data, friction not counted.
     pub(super) fn start_over(&mut self, data: usize) {
         self.fails_at.clear();
         self.fails_at.resize(data + 1, 0.0);
     }
 
-    /// The reliability β with the sign of the margin for the data as given; infinite if no datum changes the margin.
+    /// The reliability β of the facet, with the sign of its margin for the data as given; infinite if no datum changes the margin.
     pub(super) fn reliability(&self) -> f64 {
         self.reliability
     }
 
-    /// The failure probability of the facet, corrected to second order.
+    /// The failure probability of the facet, `Φ(-β)` corrected to second order, at most 1.
     pub(super) fn fails(&self) -> f64 {
         (normal_tail(self.reliability) * self.curved).min(1.0)
     }
 }
 
-/// A value in units of a standard deviation; infinite, with the sign of the value, if the deviation is zero.
+/// A value divided by a standard deviation; infinite, with the sign of the value, if the deviation is zero.
 fn ratio(value: f64, deviation: f64) -> f64 {
     if deviation == 0.0 { f64::INFINITY.copysign(value) } else { value / deviation }
 }

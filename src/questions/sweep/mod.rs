@@ -1,9 +1,8 @@
-//! Many questions at once, with answers in the order of the questions and the same bits for any number of threads. Also grasps with uncertain data:
-//! random samples of them, and the load that they hold with a reserve.
+//! The same question for many loads or grasps at once, with answers in the order of the items and the same bits for any number of threads. Also
+//! grasps with uncertain data: random samples of them, and the load up to which they stick with a reserve.
 //!
-//! Every question is answered independently by the same serial code. Threads (feature `parallel`,
-//! rayon's global pool) only share the questions among them. Outside this module only
-//! the sums over very many contacts of one scene use threads; they give the same bits, too.
+//! Every item is computed independently by the same serial code. Threads (feature `parallel`, rayon's global pool) only share the items among them.
+//! Outside this module only the sums over very many contacts of one scene use threads; they give the same bits, too.
 
 mod batch;
 mod caught;

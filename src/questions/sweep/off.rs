@@ -1,4 +1,4 @@
-//! A contact whose data have errors.
+//! A contact whose data are in error.
 
 use crate::numerics::Each;
 use nalgebra::SVector;
@@ -7,20 +7,20 @@ use crate::grasp::Contact;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Errors of a contact's data: logarithms of factors, and additions to its place and direction.
+/// Errors of a contact's data. For friction, stiffness and squeeze they are logarithms of factors; for the point and the normal, additions.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct ContactErrors {
     pub(super) friction: f64,
     pub(super) stiffness: f64,
     pub(super) squeeze: f64,
-    /// Displacement of the contact point, m.
+    /// Displacement of the contact point along the coordinate axes, m.
     pub(super) moved: SVector<f64, 3>,
-    /// Angles by which the normal tilts towards each tangent, rad.
+    /// Angles by which the normal tilts towards each tangent of the contact frame, rad.
     pub(super) tilt: SVector<f64, 3>,
 }
 
 impl ContactErrors {
-    /// Adds `times` times other errors.
+    /// Adds `times` times the errors `other` to these errors.
     pub(super) fn add(&mut self, times: f64, other: &Self) {
         self.friction += other.friction * times;
         self.stiffness += other.stiffness * times;
@@ -42,9 +42,9 @@ impl ContactErrors {
     }
 }
 
-/// The factor by which a datum changes whose logarithm is off by `log`.
+/// The factor on a datum whose logarithm is in error by `log`.
 pub(super) fn factor(log: f64) -> f64 {
-    // The factor is clamped: a datum that became zero or infinite would change its meaning. Data out of range are refused later.
+    // The factor is limited: a datum that became zero or infinite would change its meaning. Data out of range are errors later.
     let least = 1e-200_f64;
     log.exp().clamp(least, least.recip())
 }

@@ -6,19 +6,19 @@ use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use super::in_order::map_in_order;
 use crate::prelude::*;
 
-/// The progress of [`map_watched`].
+/// The progress of [`map_watched`] after one more result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Progress {
-    /// Number of items with a result so far.
+    /// Number of items whose result has been computed so far.
     pub answered: usize,
     /// Number of all items.
     pub of: usize,
 }
 
-/// The results of `f` for all items, in the order of the items. After every result `watch` is called from the thread that computed it, once with each
-/// number of answers from 1 on. When `watch` breaks, items that were not begun have the result `None`. Which items these are depends on the threads;
-/// the other results do not.
+/// The results of `f` for all items, in the order of the items. After every result `watch` is called on the thread that computed it, once for each
+/// number of results from 1 on. When `watch` breaks, items that were not begun have the result `None`. Which items have no result depends on the
+/// threads; the results of the others do not.
 ///
 /// ```
 /// use std::ops::ControlFlow;

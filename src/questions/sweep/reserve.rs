@@ -1,4 +1,4 @@
-//! The load up to which a grasp with uncertain data keeps sticking with a given reserve.
+//! The load up to which all contacts of a grasp with uncertain data keep sticking with a given number of standard deviations in reserve.
 
 use super::courses::{courses, unit};
 use super::joint_effects::OffTogether;
@@ -11,7 +11,7 @@ use crate::grasp::{Engine, Wrench, face_of_struct, inside, same_on_both_sides};
 use crate::numerics::{Vector, numbered};
 use crate::prelude::*;
 
-/// The load up to which a grasp keeps sticking with a number of standard deviations in reserve. The load has any direction and acts in addition to
+/// The loads up to which all contacts of a grasp keep sticking with a number of standard deviations in reserve. A load of any direction is added to
 /// one base load. [`Grasp::reserve`](crate::ask::Grasp::reserve) returns this type.
 #[derive(Debug, Clone)]
 pub struct Reserve<const C: usize> {
@@ -19,7 +19,7 @@ pub struct Reserve<const C: usize> {
     sigmas: f64,
 }
 
-/// The state of the grasp under the base load: everything sticks, some contact slides, or the equilibrium is not known.
+/// The state of the grasp under the base load: no contact slides, some contact slides or no equilibrium exists, or the equilibrium is undecided.
 #[derive(Debug, Clone)]
 enum AtBase {
     Sticks(Box<StuckGrasp>),
@@ -34,11 +34,11 @@ face_of_struct! {
 }
 
 impl<const C: usize> Reserve<C> {
-    /// The largest multiple of this load, from 0, with which all contacts keep sticking if the load acts in addition to the base load. Infinite if
-    /// there is no largest multiple; NaN where the equilibrium under the base load is undecided.
+    /// The largest multiple of this load, from 0, such that all contacts keep sticking, with the reserve, if the load is added to the base load.
+    /// Infinite if there is no largest multiple; NaN where the equilibrium under the base load is undecided.
     ///
     /// Zero where a contact slides under the base load, or fails there with more than the allowed probability. Contacts that are open under the base
-    /// load count as leaving where they close, since later events are not computed.
+    /// load count as failing where they close, since later events are not computed.
     #[must_use]
     pub fn along(&self, direction: &Wrench<C>) -> f64 {
         match &self.rest {
@@ -48,7 +48,7 @@ impl<const C: usize> Reserve<C> {
         }
     }
 
-    /// The standard deviations in reserve.
+    /// The number of standard deviations in reserve.
     #[must_use]
     pub fn sigmas(&self) -> f64 {
         self.sigmas
@@ -64,7 +64,7 @@ impl Engine {
         sigmas: f64,
         settings: &Settings,
     ) -> Result<Reserve<3>, Error> {
-        // A reserve of more than eight standard deviations means a failure probability below 1e-15, which rounding hides.
+        // A reserve of more than eight standard deviations means a failure probability below 1e-15, which rounding would hide.
         if !(sigmas > 0.0 && sigmas <= 8.0) {
             let what = "standard deviations in reserve";
             return Err(Error::Argument { what, value: sigmas, allowed: "above 0, at most 8" });

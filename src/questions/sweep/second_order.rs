@@ -1,8 +1,8 @@
-//! The failure probability of a facet to second order in the data.
+//! The failure probability of a facet of a friction cone to second order in the errors of the data.
 //!
-//! Near the point of failure z the margin m is expanded to second order; H is its second derivative, g its gradient, n = g / |g|. If the margin
-//! curves upwards across n, failures are rarer than `Φ(-β)` by the factor (Hohenbichler and Rackwitz, Improvement of second-order reliability
-//! estimates by importance sampling, 1988)
+//! Near the point of failure z the margin m is expanded to second order; g is its gradient, H its second derivative by the data, and n = g / |g|. The
+//! failure probability is `Φ(-β)` times a factor below 1 if the margin curves upwards across n (Hohenbichler and Rackwitz, Improvement of
+//! second-order reliability estimates by importance sampling, 1988)
 //!
 //! ```text
 //! det(A on the complement of n)^(-1/2),      A = 1 + ψ H / |g|,      ψ = φ(β) / Φ(-β)
@@ -20,8 +20,8 @@ use crate::numerics::{Each, normal_density, normal_tail};
 use crate::prelude::*;
 
 impl FacetMargin {
-    /// The failure probability divided by `Φ(-β)`, for a margin that is linearised at its point of failure and positive for the data as given.
-    /// `joint` returns nᵀCn and |C|² of the formulas above; its argument is the factor on friction.
+    /// The failure probability divided by `Φ(-β)`, for a margin whose gradient is stored at its point of failure and that is positive for the data as
+    /// given. `joint` returns nᵀCn and |C|² of the formulas above; its argument is the factor on friction.
     pub(super) fn curved(
         &self,
         rubs: bool,
@@ -66,8 +66,8 @@ mod tests {
     use super::super::margin::{Effect, FacetMargin, UncertainForce};
     use crate::numerics::{normal_density, normal_tail};
 
-    /// The failure probability of the facet (1/2, -1) of a cone, and the same to first order. The polynomials count errors in units of three standard
-    /// deviations.
+    /// The failure probability of the facet (1/2, -1) of a cone, then the same to first order. The polynomials `changes` count errors in units of
+    /// three standard deviations.
     fn fails(force: [f64; 3], changes: &[Effect], friction: f64) -> (f64, f64) {
         let here = UncertainForce { force: SVector::from(force), changes, joint: &[], sigmas: 3.0, friction };
         let mut margin = FacetMargin::default();
@@ -75,7 +75,7 @@ mod tests {
         (margin.fails(), normal_tail(margin.reliability()))
     }
 
-    /// `∫ φ(z) P(z) dz` by midpoints: the total probability of failure if it is P(z) once one datum is known to be off by z.
+    /// `∫ φ(z) P(z) dz` by midpoints: the total probability of failure if it is P(z) once the error of one datum is known to be z.
     fn averaged(given: &dyn Fn(f64) -> f64) -> f64 {
         let (steps, width) = (4000, 4e-3);
         let at = |k: i32| f64::from(2 * k + 1 - steps) * 0.5 * width;

@@ -1,7 +1,8 @@
-//! A grasp in which all contacts stick under a base load, and the probability that one of them fails before a further load is applied in full.
+//! A grasp in which all contacts stick under a base load, and the probability that one of them stops sticking before a further load is applied in
+//! full.
 //!
-//! While all stick, forces are linear in the load, and margins are concave functions of it. So if all contacts stick at both ends of the way from the
-//! base load to the whole load, they stick in between. [`failure`](super::failure) gives the probability that a contact fails at an end;
+//! While all stick, forces are linear in the load, and margins are concave functions of it. So if all contacts stick under the base load and with the
+//! whole further load, they stick in between. [`failure`](super::failure) gives the probability that a contact fails under one of these two loads;
 //! [`union`](super::union) bounds the probability that any does.
 
 use super::courses::Course;
@@ -23,7 +24,7 @@ const ROUNDS: usize = 2;
 /// For each contact or drive and each of its facets, the interaction of the errors of all data in their effect on the force.
 type JointEffects = Vec<Vec<JointEffect>>;
 
-/// A load in addition to the base load: `factor` times `direction`. One unit of `direction` causes the forces `rate`.
+/// A load added to the base load: `factor` times `direction`. One unit of `direction` causes the forces `rate`.
 #[derive(Clone, Copy)]
 struct Further<'a> {
     direction: &'a Wrench<3>,
@@ -31,34 +32,35 @@ struct Further<'a> {
     factor: f64,
 }
 
-/// A grasp in which everything sticks under the base load, with contact forces for each source (commands, components of the load) and possible
-/// failures under that load.
+/// A grasp in which no contact slides under the base load, with contact forces for each source (commands, components of the load) and the possible
+/// failures under the base load.
 #[derive(Debug, Clone)]
 pub(super) struct StuckGrasp {
     off: OffTogether,
     edges: Vec<Edges>,
     /// Which sites share one coefficient of friction: for each point of a contact the index of its first point; for a drive its own index.
     contacts: Vec<usize>,
-    /// The load under which everything sticks.
+    /// The base load, N and N m, under which no contact slides.
     base_load: Wrench<3>,
-    /// For each component of the load, the forces that one unit of it causes.
+    /// For each component of the load, the forces that 1 N or 1 N m of it causes, and their changes by the data.
     by_component: Vec<Course>,
-    /// `base` has all forces under the base load; `by_base_load` only those that the load itself causes, not the commands.
+    /// `base` has the contact forces under commands and base load; `by_base_load` only those that the base load itself causes.
     base: Course,
     by_base_load: Course,
     /// The interactions of errors under the base load, and the possible failures under the base load.
     joint_at_base: JointEffects,
     fails_at_base: Failures,
     sigmas: f64,
-    /// `friction` is the σ of friction. `load` is the relative growth of an uncertain load at each multiple in [`LOOKED_AT`].
+    /// `friction` is the σ of friction. `load` is the relative growth of the load with an error of each multiple of `sigmas` in [`LOOKED_AT`].
     friction: f64,
     load: [f64; LOOKED_AT.len()],
-    /// Work of each component of the load on the motions that nothing resists.
+    /// For each motion that nothing resists, its work with 1 N or 1 N m of each component of the load.
     unresisted: Vec<Wrench<3>>,
 }
 
 impl StuckGrasp {
-    /// Computes interactions of errors and failures under the base load. `courses` has the forces by commands, then by each component of the load.
+    /// Computes the interactions of errors and the possible failures under the base load. `courses` has the forces by commands and constant loads,
+    /// then by each component of the load.
     pub(super) fn new(
         off: OffTogether,
         edges: Vec<Edges>,
@@ -100,12 +102,13 @@ impl StuckGrasp {
         sticking
     }
 
-    /// The allowed failure probability, less a share that is kept for neglected effects.
+    /// The allowed failure probability `Φ(-sigmas)`, less a share that is kept for neglected effects.
     fn allowed(&self) -> f64 {
         (1.0 - NEGLECTED_SHARE) * normal_tail(self.sigmas)
     }
 
-    /// The interactions of errors at the points of failure. These points are computed with the interactions `before`.
+    /// The interactions of errors at the points of failure under the base load and, if given, a further load. These points are computed with the
+    /// interactions `before`.
     fn joint(&self, more: Option<Further<'_>>, before: &JointEffects) -> JointEffects {
         let load = more.map_or(self.base_load, |more| self.base_load + *more.direction * more.factor);
         let mut memory = Vec::new();
@@ -117,7 +120,8 @@ impl StuckGrasp {
         joint
     }
 
-    /// The largest load factor with at most the allowed failure probability.
+    /// The largest factor on the further load `direction` with at most the allowed failure probability. Zero if nothing resists this load, or the
+    /// base load alone exceeds the probability; infinite without a limit.
     pub(super) fn most(&self, direction: &Wrench<3>) -> f64 {
         let size = largest(direction.components(), &|x| x.abs());
         let work = |motion: &Wrench<3>| dot(motion.components(), direction.components());
@@ -137,12 +141,12 @@ impl StuckGrasp {
         }
         let start = here.max(f64::MIN_POSITIVE) / growth;
         let roughly = |factor: f64| allowed - reliability(self.roughly(further(factor)));
-        // If no failure is found up to forces this many times those under the base load, the load factor has no limit.
+        // If no failure is found up to forces this many times those under the base load, the load factor counts as infinite.
         let far = 1e6;
-        // A search with forces linearised in the data gives the starting value.
+        // A search with forces linearised in the data gives the starting value of the load factor.
         let guess = root(&roughly, (start, f64::NAN), far * start, 1e-3);
         let guess = if guess > 0.0 && guess.is_finite() { guess } else { start };
-        // Relative step of the difference quotient that gives the initial slope.
+        // Relative step of the difference quotient for the initial slope of the reliability by the load factor.
         let apart = 1e-3;
         let slope = (roughly((1.0 + apart) * guess) - roughly(guess)) / (apart * guess);
         let (mut most, mut joint) = (guess, self.joint_at_base.clone());
@@ -158,7 +162,7 @@ impl StuckGrasp {
         most
     }
 
-    /// The sum of the first-order failure probabilities of all contacts under this load.
+    /// The sum of the first-order failure probabilities of all contacts under the base load and this further load.
     fn roughly(&self, more: Further<'_>) -> f64 {
         let mut memory = Vec::new();
         let mut sum = 0.0;
@@ -168,7 +172,7 @@ impl StuckGrasp {
         sum
     }
 
-    /// The possible failures of all contacts under the base load; with `more`, under the base load and this further load.
+    /// The possible failures of all contacts and drives under the base load; with `more`, under the base load and this further load.
     fn failures(&self, more: Option<Further<'_>>, joint: &JointEffects) -> Failures {
         let (mut margin, mut memory, mut events) = (FacetMargin::default(), Vec::new(), Failures::default());
         for (i, edges) in self.edges.iter().enumerate() {
@@ -178,7 +182,7 @@ impl StuckGrasp {
         events
     }
 
-    /// The force of a contact and its changes by the data, under the base load and, if given, a further load.
+    /// The force on contact or drive `i` and its changes by the data and an uncertain load, under the base load and, if given, a further load.
     fn spread<'m>(
         &self,
         i: usize,
@@ -203,14 +207,15 @@ impl StuckGrasp {
     }
 }
 
-/// An approximate reliability β with `Φ(-β) = fails`. Only differences of it are used, and they are nearly linear in the load factor, as those of β.
+/// An approximate reliability β with about `Φ(-β) = fails`. Only differences of it are used, and they are nearly linear in the load factor, as those
+/// of β.
 fn reliability(fails: f64) -> f64 {
     // Smaller probabilities count as 1e-300, so that the logarithm is finite.
     (-2.0 * fails.clamp(1e-300, 1.0).ln()).sqrt()
 }
 
 /// The root of an increasing function that is negative at zero, to the relative accuracy `precise`: the lower end of the last bracket. It is infinite
-/// if there is no root up to `end`. Secant steps start from a guess and a slope (NaN if unknown) and stay within the bracket.
+/// if the function is still negative beyond `end`. Secant steps start from a guess and a slope (NaN if unknown) and stay within the bracket.
 fn root(f: &dyn Fn(f64) -> f64, (guess, mut slope): (f64, f64), end: f64, precise: f64) -> f64 {
     let (mut low, mut high) = (0.0, f64::INFINITY);
     let (mut at, mut last) = (guess, None);

@@ -1,29 +1,29 @@
-//! Accuracies of load factors and failure probabilities.
+//! Accuracies of the load factors and failure probabilities of a reserve.
 
 /// Relative accuracy of the load factor at which the failure probability is the allowed one.
 ///
 /// If smaller, the search takes more steps, each with the failure probabilities of all contacts. If larger, the load factor jumps with the data.
 pub(super) const PRECISE_FACTOR: f64 = 1e-8;
 
-/// Number of directions around a round cone among which the one that most probably fails is sought.
+/// Number of directions around a round cone that are compared to find the one that most probably fails.
 ///
 /// The integral around this direction extends at least to its neighbours on both sides, so that it contains the true worst direction. Fewer
 /// directions can miss it; each further one costs a search.
 pub(super) const AROUND_A_CONE: usize = 16;
 
-/// Lower limit of the curvature terms (an eigenvalue, a determinant) by which a failure probability is corrected to second order.
+/// Lower limit of the curvature terms (a diagonal entry, a determinant) by which a failure probability is corrected to second order.
 ///
 /// Below it the expansion about the point of failure no longer describes the margin. If smaller, corrected probabilities may become far too large, so
 /// that no reserve is left. If larger, frequent failures are counted as rare.
 pub(super) const LEAST_CURVED: f64 = 0.1;
 
-/// Share of the allowed failure probability that is reserved for neglected effects: interactions of errors of two data in the curvature of a margin.
+/// Share of the allowed failure probability that is kept back for neglected effects of interactions of errors.
 ///
 /// If larger, reserves are smaller. If smaller, grasps may slide more often than allowed.
 pub(super) const NEGLECTED_SHARE: f64 = 0.25;
 
-/// If a failure is rarer than this share of the allowed probability, neither interactions of errors nor its correlation with other failures are
-/// computed.
+/// If the failure of a facet or contact is rarer than this share of the allowed failure probability, neither interactions of errors nor its
+/// correlation with other failures are computed.
 ///
 /// If larger, reserves are smaller. If smaller, the search also computes failures that hardly matter.
 pub(super) const RARE_SHARE: f64 = 1e-3;

@@ -1,4 +1,4 @@
-//! Grasps with uncertain data, and random samples of these data, which depend only on a seed.
+//! Grasps with uncertain data, and random samples of grasps, which depend only on a seed and a number.
 
 use super::caught::each_answered;
 use super::off::{ContactErrors, factor};
@@ -10,9 +10,9 @@ use crate::numerics::{Draw, Each, IntoList, by_axis};
 use crate::prelude::*;
 
 /// Uncertainty of the data of a grasp and of its load. Each friction, stiffness and squeeze of each contact is multiplied by a factor of its own,
-/// `exp(σ z)` with z normally distributed (mean 0, variance 1). The median of the product is the datum. The datum keeps its sign, and zero and
-/// infinity are unchanged. For small σ that is the relative standard deviation; σ = 0 leaves the datum alone. All points of a soft fingertip have the
-/// same errors.
+/// `exp(σ z)` with z normally distributed (mean 0, variance 1). The median of the product is the given value. The value keeps its sign, and zero and
+/// infinity are unchanged. Small σ are relative standard deviations; σ = 0 leaves the value alone. All points of a soft fingertip have the same
+/// errors.
 ///
 /// Positions and normals have no natural scale, so their σ are absolute. `σ z` is added to each
 /// coordinate of a contact point, and is the angle by which a normal tilts towards each of its
@@ -45,19 +45,19 @@ use crate::prelude::*;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Uncertainty {
-    /// σ of the coefficient of friction.
+    /// σ of the logarithm of the coefficient of friction.
     pub friction: f64,
-    /// σ of the stiffness, one factor for all axes of a contact, body and finger.
+    /// σ of the logarithm of the stiffness; one factor for all axes of a contact, body and finger.
     pub stiffness: f64,
-    /// σ of the normal command, and of a force that holds a contact.
+    /// σ of the logarithm of the normal command, of a force that holds a contact, and of suction.
     pub squeeze: f64,
-    /// σ of the contact points along each coordinate axis, m. Not for hands.
+    /// σ of the contact points along each coordinate axis, m. Not for hands if other than zero.
     pub position: f64,
     /// σ of the angles by which a normal tilts, rad: one in the plane, two in space.
     pub normal: f64,
-    /// σ of the factor on the load.
+    /// σ of the logarithm of the factor on the load.
     pub load: f64,
-    /// Seed of the samples: another seed gives other samples.
+    /// Seed of the random samples: another seed gives other samples.
     pub seed: u64,
 }
 
@@ -68,50 +68,50 @@ impl Uncertainty {
         Self { friction: 0.0, stiffness: 0.0, squeeze: 0.0, position: 0.0, normal: 0.0, load: 0.0, seed }
     }
 
-    /// This uncertainty with the σ of the coefficients of friction.
+    /// This uncertainty with another σ of the coefficients of friction.
     #[must_use]
     pub const fn with_friction(mut self, sigma: f64) -> Self {
         self.friction = sigma;
         self
     }
 
-    /// This uncertainty with the σ of the stiffnesses.
+    /// This uncertainty with another σ of the stiffnesses.
     #[must_use]
     pub const fn with_stiffness(mut self, sigma: f64) -> Self {
         self.stiffness = sigma;
         self
     }
 
-    /// This uncertainty with the σ of the squeeze: of the commands along the normals, relative.
+    /// This uncertainty with another σ of the squeeze: of normal commands and of forces that hold contacts, relative.
     #[must_use]
     pub const fn with_squeeze(mut self, sigma: f64) -> Self {
         self.squeeze = sigma;
         self
     }
 
-    /// This uncertainty with the σ of the contact points, m.
+    /// This uncertainty with another σ of the contact points, m.
     #[must_use]
     pub const fn with_position(mut self, sigma: f64) -> Self {
         self.position = sigma;
         self
     }
 
-    /// This uncertainty with the σ of the directions of the normals, rad.
+    /// This uncertainty with another σ of the directions of the normals, rad.
     #[must_use]
     pub const fn with_normal(mut self, sigma: f64) -> Self {
         self.normal = sigma;
         self
     }
 
-    /// This uncertainty with the σ of the factor on the load.
+    /// This uncertainty with another σ of the factor on the load.
     #[must_use]
     pub const fn with_load(mut self, sigma: f64) -> Self {
         self.load = sigma;
         self
     }
 
-    /// The factor of sample `number` on the load, for [`Ramp::with_load_times`]. The grasp of
-    /// that sample is [`Grasp::sample`](crate::ask::Grasp::sample).
+    /// The random factor on the load in sample `number`, for [`Ramp::with_load_times`]. The grasp of that sample is
+    /// [`Grasp::sample`](crate::ask::Grasp::sample).
     ///
     /// ```
     /// use grasp_lcp::sweep::Uncertainty;
@@ -138,7 +138,7 @@ impl Engine {
             let [friction, stiffness, squeeze] =
                 [uncertainty.friction, uncertainty.stiffness, uncertainty.squeeze]
                     .each(|sigma| sigma * draw.normal());
-            // These numbers are drawn last, and also if σ = 0. So samples of the other data do not change with these σ.
+            // Displacements and tilts are drawn last, and also if σ = 0. So the other data of a sample do not depend on these σ.
             let mut displaced = |sigma: f64| by_axis(|_| sigma * draw.normal());
             let (moved, tilt) = (displaced(uncertainty.position), displaced(uncertainty.normal));
             ContactErrors { friction, stiffness, squeeze, moved, tilt }

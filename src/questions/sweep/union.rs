@@ -1,6 +1,6 @@
-//! An upper bound of the probability that any of several conditions fails, if their margins are correlated.
+//! An upper bound of the probability that any of several failures happens, if their margins are correlated.
 //!
-//! For failures E_i and a tree that connects them by pairs (Hunter, An upper bound for the probability of a union, 1976)
+//! For failures E_i and a tree whose edges connect pairs (i, j) of them (Hunter, An upper bound for the probability of a union, 1976)
 //!
 //! ```text
 //! P(∪ E_i) <= Σ P(E_i) - Σ P(E_i ∩ E_j),      second sum over the pairs of the tree
@@ -13,30 +13,30 @@ use super::margin::FacetMargin;
 use crate::numerics::{IntoList, dot, normal_tail, normal_tail_of_both};
 use crate::prelude::*;
 
-/// Possible failures of contacts, under one load or under several.
+/// Possible failures of contacts, under one load or under several; a failure is a negative margin.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Failures {
     frequent: Vec<Failure>,
-    /// Sum of the probabilities of failures that are too rare for their correlation with others to count.
+    /// Sum of the probabilities of failures that count without their correlation with others: too rare, or more often than not.
     rare: f64,
 }
 
-/// One possible failure: the margin of one facet becomes negative.
+/// One possible failure: the margin of one facet (or of one round cone) becomes negative.
 #[derive(Debug, Clone)]
 struct Failure {
     probability: f64,
     reliability: f64,
     /// The failure probability to first order, `Φ(-β)`.
     first_order: f64,
-    /// The contact whose friction the last entry of the gradient belongs to.
+    /// The first point of the contact to whose coefficient of friction the last entry of the gradient belongs.
     contact: usize,
-    /// Gradient of the margin by the data, scaled to length one.
+    /// Gradient of the margin by the data in standard deviations, friction last, scaled to length one.
     gradient: Vec<f64>,
 }
 
 impl Failures {
-    /// Adds a possible failure of this contact. For a round cone `margin` belongs to the facet that most probably fails. If the failure is rarer than
-    /// `rare`, its correlation with others is neglected.
+    /// Adds a possible failure of this contact, with its probability. For a round cone `margin` belongs to the facet that most probably fails. If the
+    /// failure is rarer than `rare`, its correlation with others is neglected.
     pub(super) fn add(&mut self, probability: f64, margin: &FacetMargin, contact: usize, rare: f64) {
         let reliability = margin.reliability();
         // A negative reliability means that the contact fails more often than not; then any bound is far above the allowed probability.
@@ -49,7 +49,7 @@ impl Failures {
         self.frequent.push(Failure { probability, reliability, first_order, contact, gradient });
     }
 
-    /// Adds a failure whose correlation with others is neglected.
+    /// Adds the probability of a failure whose correlation with others is neglected.
     pub(super) fn add_alone(&mut self, probability: f64) {
         self.rare += probability;
     }
@@ -59,7 +59,8 @@ impl Failures {
         let mut left: Vec<(f64, &Failure)> =
             self.frequent.iter().chain(&others.frequent).map(|of| (0.0, of)).list();
         let mut sum = self.rare + others.rare;
-        // Prim's method grows the tree: the next failure to join is the one with the greatest joint probability with a failure in it.
+        // Prim's method grows the tree: the next failure to join is the one with the greatest joint probability with some failure already in the
+        // tree.
         while let Some(next) = (0..left.len()).max_by(|a, b| left[*a].0.total_cmp(&left[*b].0)) {
             let (both, joins) = left.swap_remove(next);
             sum += joins.probability - both;
@@ -72,9 +73,9 @@ impl Failures {
 }
 
 impl Failure {
-    /// The probability that both failures happen.
+    /// An approximate probability that both failures happen: that to first order, times the smaller of both second-order corrections.
     fn with(&self, other: &Self) -> f64 {
-        // Only two points of one contact share their friction; that of different contacts is independent.
+        // Only points of one contact share their friction; the frictions of different contacts are independent.
         let data = self.gradient.len() - usize::from(self.contact != other.contact);
         let correlation = dot(&self.gradient[..data], &other.gradient[..data]);
         let first_order = normal_tail_of_both([self.reliability, other.reliability], correlation);
@@ -88,8 +89,7 @@ mod tests {
     use super::*;
     use crate::numerics::normal_density;
 
-    /// As many failures of different contacts as there are reliabilities, every two of them with the correlation ρ: their margins are `β - √ρ z₀ -
-    /// √(1 - ρ) zᵢ`.
+    /// One failure of a contact for each reliability; every two of them have the correlation ρ: their margins are `β - √ρ z₀ - √(1 - ρ) zᵢ`.
     fn alike(reliabilities: &[f64], rho: f64) -> Failures {
         let mut all = Failures::default();
         for (i, reliability) in reliabilities.iter().enumerate() {
@@ -108,7 +108,8 @@ mod tests {
         all
     }
 
-    /// Given z₀ these margins are independent, so that the exact probability is an integral: `1 - ∫ φ(z) Π Φ((βᵢ - √ρ z) / √(1 - ρ)) dz`.
+    /// The exact probability that any of the failures of [`alike`] happens. Given z₀ their margins are independent, so it is the integral
+    /// `1 - ∫ φ(z) Π Φ((βᵢ - √ρ z) / √(1 - ρ)) dz`.
     fn exact(reliabilities: &[f64], rho: f64) -> f64 {
         let (steps, width) = (8000, 2e-3);
         let none = |z: f64| -> f64 {

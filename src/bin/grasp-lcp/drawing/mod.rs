@@ -13,7 +13,7 @@ use crate::failure::Failure;
 use crate::files::Pictures;
 use grasp_lcp::scene::{Answer, Setup};
 
-/// Draws a scene: a page and stills of its answers, or of the grasp alone, and charts.
+/// Draws a scene: an HTML page and still pictures (SVG) of its answers, or of the grasp alone, and charts.
 pub(crate) fn draw(scene: &Scene, pictures: &Pictures) -> Result<(), Failure> {
     let setup = &scene.setup;
     let words = setup.words(Words::default().in_unit(scene.unit));
@@ -78,7 +78,8 @@ fn said_first(says: &mut Vec<String>) -> String {
     if says.is_empty() { String::new() } else { says.remove(0) }
 }
 
-/// Saves the charts of the fraction of friction that each contact uses, one below the other for each question with a load path; and charts of cycles.
+/// Saves the charts of the fraction of friction that each contact uses, one below the other for each question with a load path. Saves the charts of
+/// repeated loads, too.
 fn charts(setup: &Setup<3>, answers: &[Answer<3>], pictures: &Pictures) -> Result<(), Failure> {
     let (grasp, title) = (setup.grasp()?, pictures.title());
     let mut charts = Vec::new();

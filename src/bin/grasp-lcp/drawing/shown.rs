@@ -15,7 +15,7 @@ use crate::failure::Failure;
 use crate::words::NO_WORDS;
 use grasp_lcp::scene::{Answer, Question, Setup};
 
-/// One answer in a picture.
+/// One state of a grasp that a picture shows, with its label and its sentences.
 pub(super) struct Shown {
     pub(super) label: String,
     pub(super) says: Vec<String>,
@@ -24,7 +24,7 @@ pub(super) struct Shown {
     pub(super) what: What,
 }
 
-/// The content of a picture.
+/// The content of a picture: an equilibrium, or the grasp alone.
 pub(super) enum What {
     /// An equilibrium; if the object is lost at this state, also its motion.
     State { state: Box<Equilibrium<3>>, leaving: Option<Motion<3>> },
@@ -125,7 +125,7 @@ fn held(verdict: Verdict<3>, load: Wrench<3>) -> Vec<Shown> {
     if states.is_empty() { vec![nothing("does it hold?", Some(load))] } else { states }
 }
 
-/// The grasp between two cycles, with the motion of the object in each cycle.
+/// The equilibrium between two cycles, with the motion of the object in each cycle; without an equilibrium the grasp under the base load.
 fn shaken(shaken: Shaken<3>) -> Shown {
     let (drift, base) = (shaken.drift(), shaken.base);
     match shaken.state {
@@ -134,7 +134,8 @@ fn shaken(shaken: Shaken<3>) -> Shown {
     }
 }
 
-/// The grasp with the needed amount, in its equilibrium under the most demanding load of the question.
+/// The grasp with the needed amount of the sought quantity, in its equilibrium under the most demanding load of the question. Without such an amount,
+/// the given grasp and the load alone.
 fn needed(grasp: &Grasp<3>, need: &Need<3>, needed: &Needed) -> Result<Shown, Failure> {
     let (amount, label) = match &needed.amount {
         Amount::Bound { does, .. } => (Some(*does), "with what it needs"),
@@ -173,7 +174,7 @@ fn improved(grasp: &Grasp<3>, asked: &Improve<3>, improved: &Improved<3>) -> Res
     Ok(vec![Shown { grasp: Some(other), ..after }, before])
 }
 
-/// The equilibrium; if there is none, the state where a load that grows from rest is lost.
+/// The equilibrium under the load. Without one, the load is put on from rest: the equilibrium under the whole load, or the one where it is lost.
 fn solved(
     grasp: &Grasp<3>,
     load: &Wrench<3>,
@@ -195,7 +196,7 @@ fn solved(
     Ok(vec![shown])
 }
 
-/// The grasp at first slip, or at the end of the path if nothing slides.
+/// The grasp at first slip. If nothing slides, the end of the load path along `leg`; if there is no path, the grasp alone under the load `start`.
 fn first_slip<At>(
     grasp: &Grasp<3>,
     onset: OnsetAnswer<3, At>,
@@ -225,7 +226,7 @@ fn first_slip<At>(
         .map_or_else(|| nothing(&label, Some(*start)), |found| state(label.clone(), found, leaving)))
 }
 
-/// The events of a program, and its end.
+/// The equilibria at the events of a load program, then that at its end. Without an equilibrium at the end, the grasp alone.
 fn followed(path: PathAnswer<3>, start: &Wrench<3>, legs: usize, words: Words) -> Vec<Shown> {
     let mut states: Vec<_> = path.events.into_iter().map(|event| changed(event, words)).collect();
     let (found, leaving, (leg, fraction), how) = match path.end {

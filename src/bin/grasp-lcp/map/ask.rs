@@ -20,9 +20,9 @@ pub(crate) fn base<const C: usize>(setup: &Setup<C>) -> Wrench<C> {
 
 /// First slip in one direction.
 pub(crate) struct First {
-    /// The force at first slip, N; infinite if no contact ever slips, NaN if unknown.
+    /// The force at first slip, or at which the grasp gives way, N; infinite if no contact ever slips, NaN if unknown.
     pub(crate) factor: f64,
-    /// The contacts that stop sticking and how (slide, open), in words; or why there is no first slip.
+    /// The contacts that stop sticking and how (slide, open), in words; or the reason why there is no first slip.
     pub(crate) contacts: String,
 }
 
@@ -32,7 +32,8 @@ impl First {
     }
 }
 
-/// The direction of the least force at first slip, and that force, N. `None` if a contact is open under the base load.
+/// The direction of the least force at first slip, and that force, N. `None` if no force makes a contact slip, or if a contact slides or is open
+/// under the base load.
 pub(crate) fn weakest<const C: usize>(
     grasp: &Grasp<C>,
     base: &Wrench<C>,

@@ -110,7 +110,7 @@ impl Last {
     }
 }
 
-/// The number of paths of each kind of end, as text.
+/// For each kind of end that occurs, its name and the number of paths that end so, as text.
 pub(crate) fn count(lasts: &[Last]) -> String {
     let parts = LimitEnd::ALL.into_iter().filter_map(|end| {
         let count = lasts.iter().filter(|last| last.end == end).count();

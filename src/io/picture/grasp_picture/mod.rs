@@ -28,7 +28,7 @@ use crate::picture::words::{caution, lines};
 /// Layout of a picture, pixels.
 struct Paper {
     size: Place,
-    /// The part for the grasp. Sentences below the title move it down.
+    /// The rectangle for the grasp. Sentences below the title move it down.
     window: Window,
     /// Margins for names: to either side, and above and below the grasp.
     border: (f64, f64),
@@ -56,13 +56,13 @@ pub(super) struct Picture<'a> {
     tips: Vec<Tip<'a>>,
     load: Option<PlanarLoad>,
     way_out: Option<MovedOutlines>,
-    /// Size of the scene, m.
+    /// Largest extent of contact points, outlines and links of the hand along an axis, m; 1 m if there is none.
     span: f64,
     /// Scale of forces, m/N.
     scale: f64,
 }
 
-/// Pictures of one page, on the same axes and with the same scale of forces.
+/// The pictures of the answers of one HTML page, as SVG, on the same axes and with the same scale of forces.
 pub(super) fn stills_of_a_page(of: &[PlanarPicture]) -> Result<Vec<String>, PictureError> {
     of.iter().try_for_each(PlanarPicture::check)?;
     let mut pictures: Vec<_> = mapped(of, &Picture::new);

@@ -11,6 +11,8 @@ use crate::picture::layout::MARKS;
 use crate::picture::palette::{CONTOUR, FACE, GREY, hex};
 
 impl Drawing<'_> {
+    /// The data of the page as a JSON object with these keys.
+    ///
     /// | key | meaning |
     /// |---|---|
     /// | `view` | yaw and pitch at first |

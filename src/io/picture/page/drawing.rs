@@ -1,4 +1,5 @@
-//! Geometry that page and still share: points in the coordinates of the grasp, and the scales of forces, moments and displacements.
+//! The geometry of a spatial grasp for both its HTML page and its still picture (SVG). It has points in the coordinates of the grasp, and the scales
+//! of forces, moments and displacements.
 
 use crate::numerics::IntoList;
 use nalgebra::{Vector3, Vector6};
@@ -18,10 +19,10 @@ use crate::spatial::{Contact, ContactState, Equilibrium, Twist, Wrench};
 pub(super) struct Drawing<'p> {
     pub(super) page: &'p Page,
     pub(super) tips: &'p [ContactPoints],
-    /// Convex parts of the object.
+    /// Corners of each convex body of which the object is drawn, m.
     pub(super) bodies: Vec<Vec<[f64; 3]>>,
     pub(super) centre: Vector3<f64>,
-    /// Largest extent of the contacts and outlines along an axis, m.
+    /// Largest extent of contact points, outlines and fixtures along an axis, m; 1 m for a single point.
     pub(super) span: f64,
     /// The span, or the distance from the centre to the farthest load if that is larger, m.
     pub(super) size: f64,
@@ -154,7 +155,7 @@ impl<'p> Drawing<'p> {
         most
     }
 
-    /// The scale of forces of the answer that needs the smallest one, m/N.
+    /// Scale of forces, m/N: the smallest of the scales that the answers need, so that all answers have the same one.
     fn force_scale<'s>(&self, states: impl Iterator<Item = &'s Equilibrium>, largest: f64) -> f64 {
         let grasp = &self.page.grasp;
         let frames: Vec<_> = grasp.frames().list();

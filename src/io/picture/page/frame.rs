@@ -13,11 +13,11 @@ pub(super) struct Frame {
     pub(super) shown: Result<Equilibrium<3>, String>,
     /// Sentences beside the answer.
     pub(super) says: Vec<String>,
-    /// The motion by which the object is lost.
+    /// The motion by which the object is lost, if the caller has given one.
     pub(super) leaving: Option<Motion<3>>,
     /// The load, if there is no equilibrium.
     pub(super) load: Option<Wrench<3>>,
-    /// The grasp of the answer, if it may differ from that of the page.
+    /// The grasp of the answer, if its friction or its commands may differ from those of the page's grasp.
     pub(super) grasp: Option<Grasp<3>>,
 }
 
@@ -35,13 +35,13 @@ impl Frame {
         self.state().map(|state| &state.load).or(self.load.as_ref())
     }
 
-    /// The coefficient of friction of a contact; `given` is that of the page.
+    /// The coefficient of friction of a contact in this answer; `given` is that in the page's grasp.
     pub(super) fn friction(&self, contact: usize, given: f64) -> f64 {
         let own = self.grasp.as_ref().and_then(|grasp| grasp.contacts().get(contact));
         own.map_or(given, |contact| contact.friction)
     }
 
-    /// The slope of the cone of a contact in pictures.
+    /// The slope of the cone of a contact in the picture of this answer; `given` is the coefficient of friction in the page's grasp.
     pub(super) fn slope(&self, contact: usize, given: f64) -> f64 {
         self.friction(contact, given).min(STEEPEST_CONE)
     }

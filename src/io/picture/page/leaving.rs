@@ -15,7 +15,7 @@ pub(super) struct MovedLines {
 }
 
 impl Drawing<'_> {
-    /// The outlines after the motion, each moved with its body; without outlines arrows at the contacts.
+    /// The outlines after the motion, each moved with its body; without outlines arrows at the contacts. Empty if nothing moves.
     pub(super) fn way_out(&self, motion: &Motion<3>) -> MovedLines {
         let moving = |line: &MovingLine| {
             let twist = *motion.of_body(line.body);

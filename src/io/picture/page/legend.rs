@@ -96,7 +96,7 @@ fn entry(sample: Sample, words: &str) -> Entry {
     Entry { sample, words: words.into(), size: 14.0, ink: BLACK }
 }
 
-/// A round force or moment and its arrow, at a scale of `pixels` pixels per unit.
+/// The legend entry for a scale of `pixels` pixels per `unit`: a round force or moment with its arrow. `None` if no arrow can be drawn at this scale.
 fn scale(pixels: f64, width: f64, heads: usize, unit: &str) -> Option<Entry> {
     // The arrow that shows the scale is at most 100 pixels long.
     let shown = 100.0 / pixels;

@@ -7,7 +7,7 @@ use crate::picture::error::PictureError;
 use crate::picture::palette::{Rgb, hex};
 use nalgebra::Vector3;
 
-/// Parts of a picture that a reader of the page can show or hide.
+/// Groups of marks that a reader of the page can show or hide.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum MarkLayer {
     Forces,
@@ -40,9 +40,9 @@ impl MarkLayer {
 /// One mark of a picture.
 pub(super) struct Mark {
     pub(super) shape: MarkShape,
-    /// The layer of the mark; without one it is always shown.
+    /// The layer by which the mark is shown or hidden; a mark without a layer is always shown.
     pub(super) layer: Option<MarkLayer>,
-    /// The index of the fingertip to which the mark belongs.
+    /// The index of the fingertip to which the mark belongs, if it belongs to one.
     pub(super) tip: Option<usize>,
 }
 

@@ -139,7 +139,7 @@ fn dots(contacts: &[Contact], state: &Equilibrium, tip: &ContactPoints) -> Vec<M
     tip.range.clone().filter(|i| tip.shows(word(&state.contacts[*i]))).map(dot).collect()
 }
 
-/// The rim of a soft fingertip: the convex hull of its points, seen along its normal.
+/// The rim of a soft fingertip: the convex hull of its points, seen along its normal. `None` for a single point or a link.
 fn rim(contacts: &[Contact], frame: &Matrix3<f64>, tip: &ContactPoints, ink: Rgb) -> Option<Mark> {
     if !tip.is_soft() || tip.label.link.is_some() {
         return None;

@@ -32,7 +32,7 @@ impl Page {
         Ok(page)
     }
 
-    /// The picture of an answer with its sentences, for paper.
+    /// The picture of an answer with its sentences below the title, as an SVG for paper.
     pub(super) fn planar_svg(&self, frame: Option<&Frame>) -> Result<String, PictureError> {
         let picture = PlanarPicture { title: &self.title, ..self.planar_picture(frame) };
         let Some(frame) = frame else { return picture.to_svg() };

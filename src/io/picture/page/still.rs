@@ -1,4 +1,4 @@
-//! One answer of a page as a still picture.
+//! One answer of a page as a still picture: an SVG, for paper.
 
 use super::content::Page;
 use super::drawing::Drawing;
@@ -67,7 +67,7 @@ impl Page {
         });
         let top = 20.0 + 24.0 * title.len() as f64 + 20.0 * label.len() as f64;
         let window = Window { left: STILL.margin, top, wide: STILL.room.0, high: STILL.room.1 };
-        // The view contains the marks of all answers, so that stills have one scale and can be compared.
+        // The view contains the marks of all answers, so that the still pictures of all answers have one scale and can be compared.
         let mut marks = marks_of_the_grasp(&drawing);
         let mut everything = mapped(&marks, &Mark::points).concat();
         for frame in [None].into_iter().chain(self.frames.iter().map(Some)) {

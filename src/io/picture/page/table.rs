@@ -32,7 +32,7 @@ const TABLE_COLUMNS: [(&str, &str); 10] = [
 /// Index of the moment of a pad among the numbers of a row, the first of which is in the third column of the table. Tables without pads leave it out.
 const MOMENT: usize = 2;
 
-/// Writes the sentences of each answer, at the top of the page.
+/// Writes the sentences of each answer, or the reason why it has no equilibrium, at the top of the page.
 pub(super) fn write_says(page: &mut String, frames: &[Frame]) {
     for (k, frame) in frames.iter().enumerate() {
         open(page, k);
@@ -43,7 +43,7 @@ pub(super) fn write_says(page: &mut String, frames: &[Frame]) {
             Err(why) => {
                 let _ = writeln!(page, "<p class=\"none\">{}</p>", escaped(why));
             }
-            // Without sentences the label of the answer is written.
+            // An equilibrium to which no sentence was added gets the label of its answer as its only sentence.
             Ok(_) if frame.says.is_empty() => {
                 let _ = writeln!(page, "<p class=\"says\">{}</p>", escaped(&frame.label));
             }
@@ -144,7 +144,8 @@ fn write_rows(
     Ok(())
 }
 
-/// The numbers of a row in the order of the columns, lengths in mm. The gap or slip is the largest one among the points of the fingertip.
+/// The numbers of a contact for its row of the table, in the order of the columns, lengths in mm. The gap or slip is the largest one among the points
+/// of the fingertip.
 fn numbers(
     space: Space,
     answer: WholeAnswer<'_, 3>,

@@ -23,7 +23,7 @@ impl Engine {
         self.bodies().map_or(1.0, |bodies| bodies.sign(contact, bodies.object))
     }
 
-    /// Combines one wrench on each body into a vector in the engine's coordinates.
+    /// Combines one wrench on each body, in the user's coordinates, into one vector of forces in the engine's coordinates (module `inside`).
     pub(crate) fn combine_wrenches(&self, bodies: &PlacedBodies, loads: &[Wrench<3>]) -> Vector {
         let mut inside = Vector::zeros();
         for (body, (place, load)) in bodies.places.iter().zip(loads).enumerate() {
@@ -71,8 +71,8 @@ impl Engine {
         moments
     }
 
-    /// A grasp of the same bodies in which all loads grow from zero. For each newton of the first force component of a question's load, each body
-    /// carries its constant load plus its share of `base`. No constant load remains. `None` for a single object.
+    /// A grasp of the same bodies without constant loads, in which all loads grow from zero together. Let f, N, be the first force component of a
+    /// question's load. Each body then carries f times the sum of its constant load and its share of `base`. `None` for a single object.
     pub(crate) fn growing_from_nothing(&self, base: &Wrench<3>) -> Option<Self> {
         let bodies = self.bodies()?;
         let shared = bodies.shared(base);
@@ -101,12 +101,14 @@ impl Engine {
         self.bodies().map_or_else(|| Err(no_body(name)), |bodies| bodies.called(name))
     }
 
-    /// A copy of this grasp with one load on each body from a load program, in addition to the constant loads.
+    /// A copy of this grasp in which each body carries its entry of `loads`, applied by a load program, in addition to its constant load. A single
+    /// object stays unchanged.
     pub(crate) fn under_body_loads(&self, loads: Vec<Wrench<3>>) -> Self {
         self.bodies().map_or_else(|| self.clone(), |bodies| self.with_bodies(bodies.under(loads)))
     }
 
-    /// A copy of this grasp with the body loads of an answer, for further questions about this answer.
+    /// A copy of this grasp in which the bodies named in `loads` carry these loads of a load program, and no other body does. It serves further
+    /// questions about the answer that lists these loads.
     pub(crate) fn with_body_loads(&self, loads: &[BodyLoad<3>]) -> Result<Self, Error> {
         let mut all = vec![Wrench::ZERO; self.bodies().map_or(0, |bodies| bodies.names.len())];
         for BodyLoad { body, load } in loads {
@@ -116,7 +118,7 @@ impl Engine {
         Ok(self.under_body_loads(all))
     }
 
-    /// Nonzero loads that a load program has applied to bodies.
+    /// The nonzero loads that a load program has applied to bodies; empty for a single object.
     pub(crate) fn body_loads(&self) -> Vec<BodyLoad<3>> {
         let Some(bodies) = self.bodies() else { return Vec::new() };
         let named = bodies.names.iter().zip(&bodies.program_loads).filter(|(_, load)| **load != Wrench::ZERO);
@@ -150,7 +152,7 @@ impl Engine {
         vec![BodyMotion { body: "the object".into(), twist, centre, reach }]
     }
 
-    /// Reference lengths of the rotations of all bodies other than the object, m.
+    /// For each coordinate of rotation of the bodies other than the object, the length with which the engine multiplies the angle, m.
     pub(crate) fn rotation_lengths(&self, bodies: &PlacedBodies) -> Vec<f64> {
         let Some(linkage) = self.linkage() else { return Vec::new() };
         let mut lengths = Vec::new();
@@ -164,7 +166,8 @@ impl Engine {
         lengths
     }
 
-    /// A copy of the coordinates in which only those of one body are kept, the body into which the contact's normal points; all others are zero.
+    /// A copy of the coordinates in which only those of one body are kept, all others zero. It is the body into which the contact's normal points, or
+    /// the single object. For the force of a drive all coordinates are kept.
     pub(crate) fn body_alone(&self, contact: usize, coordinates: &Vector) -> Vector {
         let Some(bodies) = self.bodies() else { return self.space.object_alone(coordinates) };
         let Some((on, _)) = bodies.sides.get(contact) else { return coordinates.clone() };

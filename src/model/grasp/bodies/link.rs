@@ -50,7 +50,8 @@ pub struct Link<const C: usize> {
     pub(crate) against: Option<Arc<str>>,
     pub(crate) stiffness: Option<f64>,
     pub(crate) pretension: f64,
-    /// Pull of a cable or spring after all springs have yielded, without the load of a question, N; in place of the pretension.
+    /// Pull of a cable or spring in the equilibrium without the load of a question, after all springs have yielded, N. It replaces the pretension;
+    /// `None` if a pretension is given.
     pub(crate) tension: Option<f64>,
     pub(crate) slack: f64,
 }

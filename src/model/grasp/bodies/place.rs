@@ -161,7 +161,7 @@ impl PlacedBodies {
         columns
     }
 
-    /// The loads on all bodies that follow from the load of a question.
+    /// For each body the load that follows from the load of a question, without constant loads.
     pub(crate) fn shared(&self, load: &Wrench<3>) -> Vec<Wrench<3>> {
         let list = match &self.sharing {
             Sharing::OnObject => {
@@ -183,7 +183,7 @@ impl PlacedBodies {
         at_centres.iter().zip(list).map(|(wrench, (part, _))| *wrench + left * *part).list()
     }
 
-    /// Wrenches on all bodies other than the object, with moments about the user's origin.
+    /// The wrench on each body other than the object, with moments about the user's origin, from forces in all coordinates, in the user's units.
     pub(crate) fn others<'a>(&'a self, outside: &'a Vector) -> impl Iterator<Item = Wrench<3>> + 'a {
         self.places.iter().enumerate().filter(|(body, _)| *body != self.object).map(|(_, place)| {
             let first = place.first;

@@ -75,8 +75,8 @@ impl Hand<3> {
 }
 
 impl Assembly {
-    /// Chooses a reference length for each joint displacement: a power of two near the largest displacement of a contact per unit of that joint.
-    /// Scaling by a power of two causes no rounding.
+    /// Chooses a reference length for each coordinate after the object's: a power of two near the largest displacement of a contact per unit of it.
+    /// Scaling by a power of two causes no rounding. A joint that moves no contact is an error.
     fn measure(&mut self) -> Result<(), Error> {
         for k in 0..self.used {
             let mut longest = 0.0_f64;

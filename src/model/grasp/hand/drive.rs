@@ -94,7 +94,7 @@ impl Drive {
         site
     }
 
-    /// Stretch of the drive's springs under these commands, in its frame.
+    /// Stretch of the drive's springs under these commands, along the axes of the drive's contact frame, m.
     pub(super) fn stretch(&self, commands: &[f64]) -> SVector<f64, 3> {
         let mut stretch = self.change(commands);
         stretch[self.axis()] += self.rest;
@@ -104,7 +104,7 @@ impl Drive {
         stretch
     }
 
-    /// Change of the stretch of the drive's spring for a change of the commands.
+    /// Change of the stretch of the drive's spring for a change of the commands, along the axes of the drive's contact frame, m.
     pub(super) fn change(&self, commands: &[f64]) -> SVector<f64, 3> {
         let mut stretch = SVector::zeros();
         stretch[self.axis()] = self.commands.iter().map(|&(k, weight)| weight * commands[k]).sum();

@@ -106,7 +106,7 @@ impl<const C: usize> Finger<C> {
         self.contact_on(all, contact)
     }
 
-    /// Adds a contact on another link. The first `joints` of the joints move it; With 0 the contact is on the palm.
+    /// Adds a contact on another link. The first `joints` of the joints move it; with 0 the contact is on the palm.
     pub fn contact_on(mut self, joints: usize, contact: Contact<C>) -> Self {
         self.contacts.push(Carried { contact, by: ContactMover::Link(joints) });
         self

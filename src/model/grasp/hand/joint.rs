@@ -150,7 +150,7 @@ impl<const C: usize> Joint<C> {
 }
 
 impl<const C: usize> JointMotion<C> {
-    /// The point about which a revolute joint turns.
+    /// The point about which a revolute joint turns; `None` for other joints.
     pub(super) fn centre(&self) -> Option<SVector<f64, C>> {
         if let Self::Revolute { point, .. } = self { Some(*point) } else { None }
     }
