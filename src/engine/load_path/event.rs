@@ -1,4 +1,4 @@
-//! Events of a load path, and how it ends.
+//! Events of a load path, at which contacts change their states, and the end of a path.
 
 use nalgebra::SVector;
 
@@ -145,7 +145,7 @@ impl<const C: usize> PathEnd<C> {
         self.place().map(|(leg, _)| leg)
     }
 
-    /// The fraction of [`Self::leg`] at which the path ended, from 0 to 1.
+    /// The fraction of [`Self::leg`] at which the path ended, from 0 to 1; `None` where it was completed or had no start.
     #[must_use]
     pub fn fraction(&self) -> Option<f64> {
         self.place().map(|(_, fraction)| fraction)
