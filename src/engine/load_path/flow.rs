@@ -78,7 +78,8 @@ pub(super) struct Flow<'s, 'g> {
     point: &'s PathPoint,
     /// Friction forces of the sliding contacts at the start, N, in the order of `arc.sliding`.
     begin: Vec<SVector<f64, 3>>,
-    /// For each sliding contact, whether it is losing its normal force, so that its direction of friction is no longer known accurately.
+    /// For each sliding contact, whether its normal force has almost vanished and still decreases, so that its direction of friction needs extra
+    /// accuracy.
     vanishing: Vec<bool>,
     /// The largest force, N, and the largest displacement, m, at the start.
     sizes: [f64; 2],
