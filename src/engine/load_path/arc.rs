@@ -37,7 +37,7 @@ pub(super) struct Arc<'s, 'g> {
     unit: f64,
     /// Unit motions that no spring resists, each with the velocity of the object along it per unit of the load factor.
     free_motions: Vec<(Vector, f64)>,
-    /// The terms of `T q' = b λ'` from contacts that do not slide, computed on first use: the rates at which friction forces turn need only the
+    /// The terms of `T q' = b λ'` from contacts that do not slide, computed on first use. The rates at which friction forces turn need only the
     /// sliding contacts.
     fixed: OnceCell<Fixed>,
     /// Whether a finger command, and so the offset of a contact, changes along the leg.
@@ -143,8 +143,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.segment.course.rate_at(factor) + &self.fixed().push
     }
 
-    /// Norm of [`Self::push_at`], N per unit of the load factor: the rate of the load plus that of the forces by which commands push contacts that do
-    /// not slide.
+    /// Norm of [`Self::push_at`], N per unit of the load factor. This is the rate of the load and of the forces by which commands push contacts that
+    /// do not slide.
     pub(super) fn load_rate(&self, factor: f64) -> f64 {
         self.push_at(factor).norm()
     }
@@ -241,7 +241,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         [stretch, tangent.force(&stretch)]
     }
 
-    /// The rates of all contact forces in the direction `way` of the path; `slid` are the tangent stiffnesses of the sliding contacts, in the order
+    /// The rates of all contact forces in the direction `way` of the path. `slid` are the tangent stiffnesses of the sliding contacts, in the order
     /// of `sliding`.
     pub(super) fn force_rates(&self, slid: &[Tangent], way: &Direction) -> Vec<SVector<f64, 3>> {
         let mut slid = slid.iter();

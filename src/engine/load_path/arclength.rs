@@ -29,8 +29,8 @@ impl Pieces<'_> {
         if size > 0.0 { size } else { 1.0 }
     }
 
-    /// Deflection, m, of the softest spring under the largest present force and the load that one unit of the load factor adds, plus the largest
-    /// change of a command.
+    /// Deflection, m, of the softest spring under the largest present force and the change of the load per unit of the load factor. The largest
+    /// change of an offset is added.
     fn springs_give(&self, point: &PathPoint) -> f64 {
         let sites = self.segment.grasp.sites();
         let softest = least(sites, &|site| site.springs.softest());

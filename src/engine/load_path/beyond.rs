@@ -1,9 +1,9 @@
 //! Beyond the end of a path: whether any other equilibrium exists at a slightly larger load factor.
 //!
 //! A motion may prove that no equilibrium exists: the motion with which the object leaves, or another motion that separates the load from all
-//! possible contact forces. In the plane, and in space with polygonal friction cones, every combination of contact states is tried at the load factor
-//! `τ* + ε`, with τ* at the end and ε infinitesimal. A condition of a contact state holds there if its value at τ* is positive, or zero with a rate
-//! that is not negative. On the round cone an equilibrium slightly beyond the end is searched for without regard to the path.
+//! possible contact forces. In the plane, and in space with polygonal friction cones, every combination of contact states is tried. The load factor
+//! is `τ* + ε`, with τ* at the end and ε infinitesimal. A condition of a contact state holds there if its value at τ* is positive, or zero with a
+//! rate that is not negative. On the round cone an equilibrium slightly beyond the end is searched for without regard to the path.
 
 use nalgebra::SVector;
 
@@ -154,8 +154,8 @@ pub(super) fn beyond_end(
     }
 }
 
-/// Whether Farkas' lemma excludes every choice of slip rates and gap rates, so that the rate problem `rates` has no solution; false if the form would
-/// be too large. The lemma is applied to the kinematic form of `rates`, which is computed in floating point: the proof holds up to the rounding of
+/// Whether Farkas' lemma excludes every choice of slip rates and gap rates, so that the rate problem `rates` has no solution. False if the form would
+/// be too large. The lemma is applied to the kinematic form of `rates`, which is computed in floating point. The proof holds up to the rounding of
 /// its matrix. Linear programs with twice as many rows as the form search for the proof.
 pub(super) fn no_rates(rates: &Problem) -> bool {
     if !dense_is_affordable(rates, 2) {
@@ -204,7 +204,7 @@ fn from_scratch<'g>(
 }
 
 /// Whether `found` could be the forces of a continued path at the distance `part` beyond the end. The force of each contact then differs from that in
-/// `forces` by at most the fraction `√part`, or `√LITTLE_BEYOND` if less, of the largest of `forces`.
+/// `forces` by at most `√part`, or `√LITTLE_BEYOND` if less, times the largest force.
 fn is_near(found: &[SVector<f64, 3>], forces: &[SVector<f64, 3>], part: f64) -> bool {
     let largest = largest(forces, &nalgebra::Matrix::norm);
     let near = part.min(LITTLE_BEYOND).sqrt();
@@ -218,8 +218,8 @@ fn way_beyond(problem: &Problem, rates: &Problem) -> f64 {
     if way > ZERO_SLACK { way } else { 1.0 }
 }
 
-/// The change of the load factor that would build up the whole present load from zero at its present rate, or all present offsets, whichever is less.
-/// Zero if this is not finite.
+/// The change of the load factor that would build up the whole present load at its present rate, or all present offsets, whichever is less. Zero if
+/// this is not finite.
 fn whole_way(problem: &Problem, rates: &Problem) -> f64 {
     let total = |offsets: &[SVector<f64, 3>]| summed(offsets, &nalgebra::Matrix::norm);
     let load_way = problem.wrench.norm() / rates.wrench.norm();
@@ -259,8 +259,8 @@ fn search_beyond(problem: &Problem, rates: &Problem) -> Beyond<3> {
         for_each_condition(rates, &states, &next.forces, &next.twist, |rate, rate_size| {
             let (value, size) = values[at];
             at += 1;
-            // A condition that is positive at the end also counts as zero if its rate would make it zero within the fraction `NEGLIGIBLE` of `way`,
-            // the change of the load factor that builds up the whole load. The load factor at the end is known only to about this accuracy.
+            // A condition that is positive at the end also counts as zero if, at its rate, it becomes zero within the fraction `NEGLIGIBLE` of `way`.
+            // `way` is the change of the load factor that builds up the whole load. The load factor at the end is known only to about this accuracy.
             let fleeting = rate < 0.0 && value <= NEGLIGIBLE * way * -rate;
             let zero = value.abs() <= rounding * size || (value > 0.0 && fleeting);
             holds &= if zero { rate >= -rounding * rate_size } else { value > 0.0 };

@@ -65,8 +65,8 @@ impl<const C: usize> Leg<C> {
         self
     }
 
-    /// Refuses, with an error, loads of this leg on bodies that do not exist, two loads on one body, loads out of range, and body loads while the
-    /// load of the leg turns.
+    /// Refuses, with an error, loads of this leg on bodies that do not exist, two loads on one body, and loads out of range. Also refuses body loads
+    /// while the load of the leg turns.
     pub(super) fn check_bodies(&self, grasp: &Engine) -> Result<(), Error> {
         for (k, (name, goal)) in self.bodies.iter().enumerate() {
             let refuse = |fault: &str| Err(Error::Body { name: name.to_string(), fault: fault.to_owned() });
@@ -85,7 +85,7 @@ impl<const C: usize> Leg<C> {
     }
 }
 
-/// The loads of all bodies, beside their permanent loads, at the beginning and at the end of the present leg; `None` until a leg of the program
+/// The loads of all bodies, beside their permanent loads, at the beginning and at the end of the present leg. `None` until a leg of the program
 /// changes one.
 #[derive(Debug, Clone, Default)]
 pub(super) struct BodyLoads(Option<Arc<[Vec<Wrench<3>>; 2]>>);
@@ -122,7 +122,7 @@ impl BodyLoads {
         self.0.as_ref().map_or(&[], |loads| &loads[end])
     }
 
-    /// The grasp with its bodies under the loads that they have at a fraction of the leg; the grasp itself if no leg has changed one.
+    /// The grasp with its bodies under the loads that they have at a fraction of the leg. The grasp itself if no leg has changed one.
     pub(super) fn apply<'g>(&self, grasp: &'g Engine, fraction: f64) -> Cow<'g, Engine> {
         let Some(loads) = &self.0 else { return Cow::Borrowed(grasp) };
         let at = |(from, to): (&Wrench<3>, &Wrench<3>)| *from + (*to - *from) * fraction;

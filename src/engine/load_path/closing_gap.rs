@@ -37,7 +37,7 @@ struct FreeWay {
     still: Vec<bool>,
 }
 
-/// Whether a contact with this force lets the object move at this velocity (in the contact frame) without a change of the force: no spring is
+/// Whether a contact with this force lets the object move at this velocity (in the contact frame) without a change of the force. Then no spring is
 /// stretched, and friction is at its limit against the slip. Velocities up to `none` count as zero.
 fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f64, 3>, none: f64) -> bool {
     match local.resistance(velocity) {
@@ -57,8 +57,8 @@ fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f
 }
 
 impl<'g> Pieces<'g> {
-    /// The free motion from the present state along `motion`, up to the gap that closes first. `None` if a contact resists it or a touching one
-    /// blocks it, if no gap closes, or if rotations or slips exceed the limits of small motions.
+    /// The free motion from the present state along `motion`, up to the gap that closes first. `None` if a contact resists or blocks it, if no gap
+    /// closes, or if rotations or slips exceed the limits of small motions.
     fn free_way(&self, motion: &Vector) -> Option<FreeWay> {
         let grasp = self.segment.grasp;
         let offsets = self.segment.offsets(self.factor);
@@ -188,7 +188,7 @@ impl<'g> Pieces<'g> {
 
 impl<'g> JumpInProgress<'g> {
     /// Continues after the loss `loss` on this leg. If contacts begin to slide with lower kinetic friction, a new leg starts along which the friction
-    /// force that they lose is to be removed: returns true. Otherwise the object moves until a gap closes: returns false.
+    /// force that they lose is removed: returns true. Otherwise the object moves until a gap closes: returns false.
     ///
     /// # Errors
     /// The loss, if no gap closes.

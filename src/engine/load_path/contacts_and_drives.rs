@@ -1,4 +1,4 @@
-//! Events of a grasp by a hand: the engine treats the drive of a joint or tendon like a contact, with an index after the contacts. Answers name the
+//! Events of a grasp by a hand. The engine treats the drive of a joint or tendon like a contact, with an index after the contacts. Answers name the
 //! joint or tendon.
 
 use super::drive_change::{DriveChange, PartChange};

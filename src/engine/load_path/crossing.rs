@@ -1,4 +1,4 @@
-//! Steps along an arc, on which directions of sliding turn, that end where a condition of a contact state is just met (its value is zero).
+//! Steps along an arc, on which directions of sliding turn. They end where a condition of a contact state is just met (its value is zero).
 //!
 //! The last step is repeated from its start with other lengths, by Newton's method on the value of the condition, within a bracket. States of the
 //! path are never interpolated.
@@ -9,7 +9,7 @@ use super::segment::PathPoint;
 use super::watch::{Watch, watch};
 use crate::prelude::*;
 
-/// A step along an arc with its length in arclength, the state at its end, and the watched conditions of contact states, evaluated at the end.
+/// A step along an arc: its arclength, the state at its end, and the watched conditions of contact states, evaluated at the end.
 pub(super) struct StepEnd {
     pub(super) length: f64,
     pub(super) rule: Rule,
@@ -34,8 +34,8 @@ impl Pieces<'_> {
         Some(StepEnd { length, rule, reached, watches, located: None })
     }
 
-    /// Of the conditions that are violated at the end of a step, the index of the one that vanishes first by linear interpolation between both ends;
-    /// `None` if none is violated.
+    /// The index of the condition, among those violated at the end of a step, that vanishes first by linear interpolation between both ends. `None`
+    /// if none is violated.
     pub(super) fn first_crossing(start: &[Watch], end: &StepEnd) -> Option<usize> {
         let part = |k: usize| {
             let (from, to) = (start[k].value.max(0.0), end.watches[k].value);

@@ -41,7 +41,7 @@ pub(crate) struct CycleState {
 /// Totals and extremes of one cycle of legs; a list has an entry for each contact and drive.
 #[derive(Debug, Clone)]
 pub(crate) struct CycleRecord {
-    /// The length that each contact or drive has slid during the cycle, m: the sum over pieces of the path of the change of its slip.
+    /// The length that each contact or drive has slid during the cycle, m: the sum of the changes of its slip over pieces of the path.
     pub(crate) slid: Vec<f64>,
     /// Heat from friction during the cycle, J.
     pub(crate) dissipated: f64,
@@ -66,8 +66,7 @@ impl CycleRecord {
         self.states.extend(next.states.iter().cloned());
     }
 
-    /// Whether contacts and drives have gone through the same states on the same legs in both cycles, apart from directions of sliding on the round
-    /// cone.
+    /// Whether contacts and drives had the same states on the same legs in both cycles, apart from directions of sliding on the round cone.
     pub(crate) fn is_like(&self, other: &Self) -> bool {
         let mut both = self.states.iter().zip(&other.states);
         self.states.len() == other.states.len()
@@ -96,8 +95,8 @@ impl<'g> Cycles<'g> {
         Ok(Self { path, legs: legs.to_vec(), base: *base, completed: 0 })
     }
 
-    /// The cycle before it is followed, at the state `from`; `None` if this state is no equilibrium of the grasp: some contact would slide at once,
-    /// or the equilibrium with the slips of `from` has other forces.
+    /// The cycle before it is followed, at the state `from`. `None` if this state is no equilibrium of the grasp: a contact would slide at once, or
+    /// the equilibrium with these slips has other forces.
     pub(crate) fn beginning_at(&self, from: &CycleState, settings: &Settings) -> Option<Self> {
         let grasp = self.path.journey.grasp;
         let largest = largest(&from.forces, &Matrix::norm);
@@ -185,7 +184,7 @@ impl<'g> Cycles<'g> {
         Some(record)
     }
 
-    /// The state of the grasp at the present place, after the cycles so far; `None` without a path, where no equilibrium exists under the base load.
+    /// The state of the grasp at the present place, after the cycles so far. `None` without a path, where no equilibrium exists under the base load.
     pub(crate) fn cycle_state(&self) -> Option<CycleState> {
         let follower = self.path.follower.as_ref()?;
         let (at, segment) = (&follower.node.at, &follower.segment);

@@ -1,4 +1,4 @@
-//! The kind of end of a load path at which no rates of forces and motion satisfy the contact laws, determined from the state at the end.
+//! The kind of end of a load path where no rates of forces and motion satisfy the contact laws, from the state there.
 
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end, no_rates};
 use super::event::{Loss, LossKind, PathEnd};
@@ -14,7 +14,7 @@ use crate::search::{Effort, Settings, Settled};
 /// `loss` with kind and motions.
 ///
 /// The object gives way if a motion meets no resistance. Otherwise the end is a corner: no combination of states of the contacts on the edge of their
-/// cones admits rates. If the search for rates was undecided, it is a corner only if a proof excludes rates, or an equilibrium beyond; else the end
+/// cones admits rates. If the search for rates was undecided, it is a corner only if a proof excludes rates, or an equilibrium beyond. Else the end
 /// is undecided.
 pub(super) fn end_of_path(
     edge: &StateAtEdge<'_>,

@@ -87,8 +87,8 @@ impl<'g> Pieces<'g> {
         self.stalls = 0;
     }
 
-    /// On a leg along which neither load nor commands change, contacts that slide with kinetic friction come to rest, since such a leg represents
-    /// passing time. Returns their changes to sticking; empty on every other leg.
+    /// On a leg along which neither load nor commands change, contacts that slide with kinetic friction come to rest. Such a leg represents passing
+    /// time. Returns their changes to sticking; empty on every other leg.
     pub(super) fn pause(&mut self) -> Vec<(usize, Change<3>)> {
         let segment = &self.segment;
         let is_still = matches!(&segment.course, Trajectory::Straight { rate, .. } if rate.norm() == 0.0)

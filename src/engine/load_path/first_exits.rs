@@ -1,18 +1,18 @@
-//! The first place along a piece of the path at which a contact force reaches an edge or the apex of its friction cone, or a gap closes: an exit.
+//! The first exit along a piece of the path, where a contact force reaches an edge or the apex of its cone, or a gap closes.
 
 use crate::contact::Exit;
 use crate::prelude::*;
 
-/// Indices of contacts whose present state ends, each with its exits: the edges of its cone that the force reaches, the apex, or a closing gap.
+/// Indices of contacts whose present state ends, each with its exits: edges of its cone that the force reaches, the apex, or a closing gap.
 pub(super) type ExitsReached = Vec<(usize, Vec<Exit>)>;
 
 /// The first place along a piece of the path at which the present state of a contact ends, and touches of cone edges before it.
 pub(super) struct FirstExits {
-    /// The least step (a change of the load factor, or an angle) at which the present state of a contact ends, with all contacts whose states end
-    /// there. `None` if none ends.
+    /// The least step, a change of the load factor, at which the present state of a contact ends, with all contacts whose states end there. `None` if
+    /// none ends.
     pub(super) reached: Option<(f64, ExitsReached)>,
-    /// While a load turns: indices of contacts and drives whose force touches the edge of its cone before the step of `reached`, without crossing it,
-    /// each with the angle, rad.
+    /// While a load turns: contacts and drives whose force touches the edge of its cone before the step of `reached`, without crossing it. Each index
+    /// has the angle, rad.
     pub(super) touches: Vec<(usize, f64)>,
 }
 

@@ -1,8 +1,8 @@
-//! The onset (first slip or opening) in the common case: everything clearly sticks under the base load, and one contact reaches the edge of its cone
-//! before all others.
+//! The onset (first slip or opening) in the common case. Everything clearly sticks under the base load, and one contact leaves its cone before all
+//! others.
 //!
-//! This case is cheap: one factorisation, solved for the base load and for its change, a ratio test, and one more solve at the onset, which makes the
-//! last digits of its load factor exact. [`super::sticking_path`] handles all other cases.
+//! This case is cheap: one factorisation, solved for the base load and for its change, and a ratio test. One more solve at the onset makes the last
+//! digits of its load factor exact. [`super::sticking_path`] handles all other cases.
 
 use nalgebra::{Matrix, SVector};
 
@@ -20,8 +20,8 @@ use crate::numerics::{Harmonic, Vector, cleared_for};
 use crate::object::{Imbalance, PieceState};
 use crate::search::{Found, FoundBy};
 
-/// The contact (or drive) that stops sticking first, the load factor or, while a load turns, the angle in rad where it does, and forces and twist
-/// there.
+/// The contact (or drive) that stops sticking first, and forces and twist there. `factor` is the load factor or, while a load turns, the angle in
+/// rad.
 pub(super) struct FirstToLeave {
     pub(super) factor: f64,
     pub(super) contact: usize,
@@ -29,7 +29,7 @@ pub(super) struct FirstToLeave {
     pub(super) there: PieceState,
 }
 
-/// The first contact that stops sticking along a ramp; `None` if everything sticks for ever, or if the simple case of this file does not apply.
+/// The first contact that stops sticking along a ramp. `None` if everything sticks for ever, or if the simple case of this file does not apply.
 pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) -> Option<FirstToLeave> {
     let problem = &segment.problem;
     let piece = problem.trial();
@@ -91,7 +91,7 @@ pub(super) fn first_to_leave_on_turn(
         return None;
     }
     let mut turned = segment.harmonics(inside, 1.0, &parts);
-    // The solutions under the constant, cosine and sine terms of the load are not refined, so each force has the rounding error of the largest force.
+    // The solutions under the constant, cosine and sine terms of the load are not refined. So each force has the rounding error of the largest force.
     // Cases that this error could change are left to `sticking_path`.
     let roughly = parts.map(|part| problem.largest_force(&part.forces, &part.twist));
     let roughly = roughly.parts().into_iter().sum::<f64>();
@@ -163,8 +163,7 @@ impl FirstToLeave {
 /// conditions are those of being open.
 fn clearly_sticks(local: &LocalLaw<'_>, at: &SpringState<'_>) -> bool {
     let mut clear = true;
-    // If the margin of a condition is smaller, relative to the size of its terms, the contact may be on the edge of its cone, and `StickingPath`
-    // decides.
+    // If the margin of a condition is a smaller fraction, the contact may be on the edge of its cone, and `StickingPath` decides.
     local.for_each_condition(&local.unjumped(), at, |value, size| clear &= value > NEGLIGIBLE * size);
     clear
 }

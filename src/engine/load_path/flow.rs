@@ -92,7 +92,7 @@ pub(super) struct FlowStep {
     /// The state at the end of the step, with rates per unit of arclength.
     pub(super) point: PathPoint,
     pub(super) energy: LegEnergy,
-    /// Estimated relative error of the step, by [`Flow::error_size`]: roughly the error of forces by the largest force, or that of the twist by the
+    /// Estimated relative error of the step, by [`Flow::error_size`]. It is roughly that of forces by the largest force, or that of the twist by the
     /// largest displacement, whichever is larger. Zero for a straight step.
     pub(super) error: f64,
     /// Whether, anywhere in the step, some contact slipped against its friction force, or the load factor decreased (unless the load turns).
@@ -153,9 +153,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         self.relaxations().map(|(_, rate)| rate).fold(0.0, f64::max)
     }
 
-    /// For each sliding contact its index and the rate, per unit of arclength, at which its friction force turns towards the direction of its slip at
-    /// the start: the stiffness across the slip times the slip rate along the friction force, divided by the friction force. Zero without friction
-    /// force.
+    /// For each sliding contact its index and the rate, per unit of arclength, at which its friction force at the start turns towards its slip. This
+    /// is the stiffness across the slip times the slip rate along the friction force, divided by the friction force. Zero without friction force.
     pub(super) fn relaxations(&self) -> impl Iterator<Item = (usize, f64)> {
         let rate = |(&i, friction): (&usize, &SVector<f64, 3>)| {
             let tangent = self.arc.tangent(i, friction);
@@ -290,8 +289,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         })
     }
 
-    /// Work of the fingers per unit of the load factor: the sum of F·a' over the contacts, with the forces F and the rates a' of their offsets. `y`
-    /// are the changes of all variables since the start.
+    /// Work of the fingers per unit of the load factor: the sum of F·a' over the contacts, with force F and rate a' of the offset. `y` are the
+    /// changes of all variables since the start.
     fn power_of_fingers(&self, y: &[f64]) -> f64 {
         let [load, _] = self.places();
         let (moved, further) = (self.twist_change(y), y[load]);
@@ -332,7 +331,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         (norm(&others[..count]) / travel).max(of_forces / force).max(of_load / force).max(of_themselves)
     }
 
-    /// The step from the start that ends at the load factor `goal`, of arclength less than `most`; `None` if sixty trials do not find it or a trial
+    /// The step from the start that ends at the load factor `goal`, of arclength less than `most`. `None` if sixty trials do not find it or a trial
     /// fails.
     pub(super) fn step_to_factor(&self, goal: f64, most: f64, rule: Rule) -> Option<FlowStep> {
         let (mut low, mut high) = (0.0, most);

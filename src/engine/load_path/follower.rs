@@ -27,7 +27,7 @@ pub(crate) enum Advance<T> {
     EndOfLeg,
 }
 
-/// The contact forces at the present place of a path, and `rates`, the rate problem there: its solution decides whether contacts on the edge of their
+/// The contact forces at the present place of a path, and the rate problem `rates` there. Its solution decides whether contacts on the edge of their
 /// cones stick, slide or open.
 #[derive(Debug)]
 pub(crate) struct StateAtEdge<'g> {
@@ -82,7 +82,7 @@ pub(crate) trait Follower<'g>: Debug {
         &[]
     }
 
-    /// Whether the path has passed this fraction of this leg and the state there is stored; false from a follower that does not store its past.
+    /// Whether the path has passed this fraction of this leg and the state there is stored. False from a follower that does not store its past.
     fn is_behind(&self, _leg: usize, _fraction: f64) -> bool {
         false
     }
@@ -93,18 +93,18 @@ pub(crate) trait Follower<'g>: Debug {
         None
     }
 
-    /// Suction cups whose lips are open all around at the present place, so that their vacuum is gone; empty from a follower that does not check
+    /// Suction cups whose lips are open all around at the present place, so that their vacuum is gone. Empty from a follower that does not check
     /// them.
     fn cups_open(&self, _journey: &Journey<'g>) -> Vec<WholeContact> {
         Vec::new()
     }
 
-    /// The place on the path at which a motion exceeded its limit of small motions; `None` if none has, or from a follower that does not check them.
+    /// The place on the path at which a motion exceeded its limit of small motions. `None` if none has, or from a follower that does not check them.
     fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions> {
         None
     }
 
-    /// The largest ratio, on the path so far, of a rotation, slip or opening to its limit of small motions; zero from a follower that does not check
+    /// The largest ratio, on the path so far, of a rotation, slip or opening to its limit of small motions. Zero from a follower that does not check
     /// them.
     fn farthest(&self) -> f64 {
         0.0

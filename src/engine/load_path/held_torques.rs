@@ -55,7 +55,8 @@ impl<const C: usize> Leg<C> {
         Self { torques: LegGoal::To(torques.into_iter().list()), ..self }
     }
 
-    /// Refuses, with an error, torques of this leg that are not one for each joint, not finite or too large, or that change while the load turns.
+    /// Refuses, with an error, torques of this leg that are not one for each joint, or not finite or too large. Also refuses them while the load
+    /// turns.
     pub(super) fn check_torques(&self, grasp: &Engine) -> Result<(), Error> {
         let (LegGoal::By(torques) | LegGoal::To(torques)) = &self.torques else { return Ok(()) };
         let what = "torques of a leg";
@@ -95,8 +96,8 @@ impl HeldTorques {
         self.0 = Some(Arc::new(both));
     }
 
-    /// The torques that hold the joints, minus those of the hand before the program, as generalised forces on the coordinates of the grasp, at the
-    /// beginning and at the end of the leg. `None` if no leg so far changes them.
+    /// The torques that hold the joints, minus those of the hand before the program, at the beginning and at the end of the leg. They are generalised
+    /// forces on the coordinates of the grasp. `None` if no leg so far changes them.
     pub(super) fn inside(&self, grasp: &Engine) -> Option<[Vector; 2]> {
         let (torques, linkage) = self.0.as_ref().zip(grasp.linkage())?;
         Some([0, 1].each(|end| {

@@ -1,5 +1,5 @@
-//! Follows a growing load while contacts stick or slide, with the slips of the sliding contacts as unknowns: for verdicts on a load (`hold`) of many
-//! grasps.
+//! Follows a growing load while contacts stick or slide, with the slips of the sliding contacts as unknowns. Used for verdicts on a load (`hold`) of
+//! many grasps.
 //!
 //! As long as no contact opens or closes, forces F and motion are affine in the load factor λ and in the slips s_j. The matrices R_ij are responses
 //! of the grasp in which everything sticks to unit slips of contact j. A contact slips along its friction force,
@@ -279,7 +279,7 @@ impl Slips<'_> {
     }
 }
 
-/// The slip rates of the chosen contacts, per unit of the load factor, with which their margins `μ F_n - |F_t|` stay zero; those of all other
+/// The slip rates of the chosen contacts, per unit of the load factor, with which their margins `μ F_n - |F_t|` stay zero. Those of all other
 /// contacts are zero. `None` if the equations do not determine them.
 fn slid(margins: &[Equation], is_chosen: &dyn Fn(usize) -> bool) -> Option<[f64; MOST_UNKNOWNS]> {
     let mut equations = [[0.0; MOST_UNKNOWNS + 1]; MOST_UNKNOWNS];

@@ -1,7 +1,7 @@
 //! A jump at constant load: other contacts take over the force that contacts lose when their friction falls from the static to the kinetic value.
 //!
-//! A contact j that leaves its static cone has, at the same stretch of its springs, the force F_j' on its kinetic cone in place of F_j. The
-//! difference is first applied as an external force, and then removed along a leg of its own, at the same load W and commands:
+//! A contact j that leaves its static cone has the force F_j' on its kinetic cone in place of F_j, at the same stretch. The difference is first
+//! applied as an external force, and then removed along a leg of its own, at the same load W and commands:
 //!
 //! ```text
 //! Σ G_i F_i + W + (1 - τ) Σ G_j (F_j - F_j') = 0,      τ from 0 to 1
@@ -113,7 +113,7 @@ impl<'g> JumpInProgress<'g> {
 }
 
 impl<'g> Pieces<'g> {
-    /// The leg along which the friction forces lost by the contacts `begin`, which begin to slide, are removed as an external force; at its end the
+    /// The leg along which the friction forces lost by the contacts `begin`, which begin to slide, are removed as an external force. At its end the
     /// load is `goal`. `None` if these contacts are at the apex of their cones, with no force to lose. The caller then decides again how the path
     /// continues, now with kinetic friction.
     pub(super) fn leg_of_release(

@@ -15,7 +15,7 @@
 //! W(θ) = W₀ + W_c cos θ + W_s sin θ        F(θ) = F₀ + F_c cos θ + F_s sin θ
 //! ```
 //!
-//! **Beyond.** At an event the rates of forces and motion solve a complementarity problem for the contacts on the edge of their cones: a gap or a
+//! **Beyond.** At an event the rates of forces and motion solve a complementarity problem for the contacts on the edge of their cones. A gap or a
 //! slip grows only where the normal force or the friction reserve stays zero. In this problem a contact inside its cone is bonded, and an open one
 //! absent. A solution gives the contact states and rates with which the equilibrium continues ([`Continuation`]); without one the equilibrium ends
 //! ([`Loss`]). Whether another equilibrium exists just beyond ([`Beyond`]) is a separate question: if there is none, the end is a limit load, else a

@@ -1,5 +1,5 @@
-//! A node of the load path, the place of an event: for each contact the edges of its cone on which its force lies (its active set), and the decision
-//! how the path continues.
+//! A node of the load path, the place of an event. It has for each contact the edges of its cone on which its force lies (its active set). Here the
+//! continuation of the path is decided.
 
 use nalgebra::{Matrix, SVector};
 
@@ -24,15 +24,14 @@ use crate::search::{
 
 /// The rate problem at a node, and `settled`, the outcome of the search for its solution.
 struct Decided<'g> {
-    /// The load factor at which the rates of load and commands in the problem are taken: that of the node, or while the load turns one slightly
-    /// ahead.
+    /// The load factor whose rates of load and commands the problem has: that of the node, or one slightly ahead while the load turns.
     ahead: f64,
     rates: Problem<'g>,
     settled: Settled,
     effort: Effort,
 }
 
-/// The state of the path at a node, or at the end of the last piece: each list has an entry for each contact and drive.
+/// The state of the path at a node, or at the end of the last piece. Each list has an entry for each contact and drive.
 #[derive(Debug, Clone)]
 pub(super) struct Node {
     /// Contact states. A slide on the round cone is stored with the direction of its friction force.
@@ -48,13 +47,11 @@ pub(super) struct Node {
     /// Indices of contacts whose slip has ended at this node.
     pub(super) stopped: Vec<usize>,
     pub(super) at: PieceState,
-    /// The load factor at which the rates of load and commands were taken to decide how the path continues: that of the node, or one a little ahead
-    /// while the load turns.
+    /// The load factor whose rates of load and commands decided the continuation: that of the node, or one a little ahead while the load turns.
     pub(super) ahead: f64,
 }
 
-/// The continuation of the path from a node: the state with its rates, the changes of contact states, and the number of other continuations, if
-/// known.
+/// The continuation of the path from a node: the state with rates, the changes of contact states, and the number of other continuations.
 pub(super) struct NextPiece {
     pub(super) point: PathPoint,
     pub(super) changes: Vec<(usize, Change<3>)>,
@@ -225,8 +222,8 @@ impl Node {
         }
     }
 
-    /// Sets the states of all contacts to those in `found`, the solution of the rate problem `rates`, and returns the changes, each with the index of
-    /// its contact or drive.
+    /// Sets the states of all contacts to those in `found`, the solution of the rate problem `rates`. Returns the changes, each with the index of its
+    /// contact or drive.
     pub(super) fn apply_rates(
         &mut self,
         segment: &mut Segment<'_>,

@@ -30,9 +30,9 @@ pub enum Leaver {
 /// dF_i = -K_i (G_iᵀdq + dG_iᵀq),      Σ (G_i dF_i + dG_i F_i) = 0
 /// ```
 ///
-/// Commands, clearances and stiffnesses then keep their components along the axes of the contact frames, and so do changes of commands along a ramp. A
-/// command a that stays along the **coordinate** axes changes in a frame that tilts by φ towards the tangent t: by φ `a·t` along the normal, by
-/// -φ `a·n` along t.
+/// Commands, clearances and stiffnesses then keep their components along the axes of the contact frames. So do changes of commands along a ramp. A
+/// command a that stays along the **coordinate** axes changes in a frame that tilts by φ towards the tangent t: by φ `a·t` along the normal, by -φ
+/// `a·n` along t.
 pub struct OnsetMargins<'g> {
     response: StickingResponse<'g>,
     state: PieceState,
@@ -50,8 +50,8 @@ struct Margin {
 }
 
 impl<'g> OnsetMargins<'g> {
-    /// The margins at the onset `event`. `None` if a contact with friction has closed before the onset, or one closes there and slides, or if the
-    /// event has another number of contacts.
+    /// The margins at the onset `event`. `None` if a contact with friction closed before the onset, if one closes there and slides, or if the event
+    /// has another number of contacts.
     pub(crate) fn new(grasp: &'g Engine, event: &OnsetEvent<3>) -> Option<Self> {
         let StickingState { found, slips, offset_rates, wrench_rate, leaving, .. } = &event.local;
         let found = found.found();
@@ -82,7 +82,7 @@ impl<'g> OnsetMargins<'g> {
         mapped(&self.margins, &|margin| margin.leaver)
     }
 
-    /// The derivative of the load factor by one datum, for each contact or drive of [`Self::leavers`]; its unit is the inverse of the datum's unit,
+    /// The derivative of the load factor by one datum, for each contact or drive of [`Self::leavers`]. Its unit is the inverse of the datum's unit,
     /// for the base load 1/N and 1/(N m). `None` if [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative of the forces.
     #[must_use]
     pub fn by(&self, parameter: Parameter) -> Option<Vec<f64>> {
@@ -106,8 +106,8 @@ impl<'g> OnsetMargins<'g> {
 }
 
 impl Margin {
-    /// The change of the load factor at which this margin vanishes, by the change `forces` of all contact forces and the change `direct` of the
-    /// margin at constant forces.
+    /// The change of the load factor at which this margin vanishes. All contact forces change by `forces`, and at constant forces the margin changes
+    /// by `direct`.
     fn factor_change(&self, forces: &[SVector<f64, 3>], direct: f64) -> f64 {
         -(self.row.dot(&forces[self.site]) + direct) / self.slope
     }

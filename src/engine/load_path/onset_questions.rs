@@ -33,7 +33,8 @@ impl Engine {
         self.onset_in_memory(ramp, settings, &mut OnsetMemory::default())
     }
 
-    /// Implements [`OnsetWorkspace::onset`](crate::ask::OnsetWorkspace::onset), which reuses the memory of the last question and of its answer `returned`.
+    /// Implements [`OnsetWorkspace::onset`](crate::ask::OnsetWorkspace::onset), which reuses the memory of the last onset and of its answer
+    /// `returned`.
     pub(crate) fn onset_in(
         &self,
         ramp: &Ramp<3>,
@@ -48,8 +49,7 @@ impl Engine {
         self.onset_in_memory(ramp, settings, memory)
     }
 
-    /// [`Self::onset`]; also returns the result of the search for the equilibrium under the base load, if one was made, so that a path can start from
-    /// it.
+    /// [`Self::onset`]. Also returns the result of the search for the equilibrium under the base load, if one was made. A path can start from it.
     pub(crate) fn onset_from_rest(
         &self,
         ramp: &Ramp<3>,

@@ -8,7 +8,7 @@ const ERROR_ORDER: f64 = 8.0;
 /// The length of the next step is this fraction of the length that the error estimate allows. Its error is then a sixth of the allowed one: few steps
 /// are refused, and errors that add up have a reserve.
 const CAUTION: f64 = 0.8;
-/// Least ratio of the length of a step to that of the step before, since the error estimate is only valid for small changes of the length.
+/// Least ratio of the length of a step to that before it, since the error estimate is only valid for small changes of the length.
 const LEAST_RATIO: f64 = 0.2;
 
 /// State of the step control along an arc.
@@ -76,8 +76,7 @@ impl Pace {
         self.steps += 1;
     }
 
-    /// Whether steps have been explicit for a while, and `stable`, the largest stable step, is so short that more than fifty of them cover `rest`,
-    /// the rest of the leg.
+    /// Whether steps have been explicit for a while, and the rest of the leg `rest` is more than fifty times `stable`, the longest stable step.
     pub(super) fn is_cramped(&self, stable: f64, rest: f64) -> bool {
         // An implicit step costs as much as a few explicit ones, and may be as long as hundreds of them.
         self.patience == 0 && stable * 50.0 < rest

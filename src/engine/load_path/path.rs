@@ -248,7 +248,7 @@ impl<const C: usize> LoadPath<'_, C> {
         self.0.end_of_small_motions()
     }
 
-    /// The largest ratio of a rotation, slip or opening to its limit of small motions, at the ends of the pieces of the path so far.
+    /// The largest ratio of a rotation, slip or opening to its limit of small motions, at the ends of all pieces so far.
     pub(crate) fn farthest(&self) -> f64 {
         self.0.farthest()
     }

@@ -1,5 +1,5 @@
-//! Active sets (for each contact the edges of its cone on which its force lies) and slip memory at a node of the path, the place of an event or the
-//! start.
+//! Active sets and slip memory at a node of the path, the place of an event or the start. The active set of a contact is the edges of its cone on
+//! which its force lies.
 
 use crate::numerics::IntoList;
 use nalgebra::{Matrix, SVector};
@@ -188,8 +188,8 @@ impl Node {
         self.stopped.iter().find(leaves).copied().filter(|_| straight)
     }
 
-    /// Called when steps have become too short to advance: treats contacts whose force is near the edge of its cone, or whose gap is nearly closed,
-    /// as there. All events within the error of steps then happen at one place. Returns the largest distance of such a contact from the edge,
+    /// Called when steps have become too short to advance. Treats contacts whose force is nearly on the edge of its cone, or whose gap is nearly
+    /// closed, as there. All events within the error of steps then happen at one place. Returns the largest distance of such a contact from the edge,
     /// relative to the size of its force or gap. Without such contacts it is zero if contacts slide on the round cone and the load does not turn,
     /// else `None`.
     pub(super) fn gather(&mut self, segment: &Segment<'_>, point: &PathPoint) -> Option<f64> {

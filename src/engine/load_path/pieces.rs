@@ -34,7 +34,7 @@ use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{Doubt, Settings};
 
-/// The follower of a [`LoadPath`], piece by piece: its place on the present leg, the load factor `factor`, and all pieces that the path has passed.
+/// The follower of a [`LoadPath`], piece by piece, with its place on the present leg (`factor`) and all pieces that the path has passed.
 #[derive(Debug)]
 pub(crate) struct Pieces<'g> {
     pub(super) factor: f64,
@@ -53,7 +53,7 @@ pub(crate) struct Pieces<'g> {
     pub(super) gathered: f64,
     /// The load factor at which slips last ended on an arc, and the contacts whose slips ended there.
     pub(super) stopped: (f64, Vec<usize>),
-    /// Number of times that the object has snapped over to another equilibrium on this leg so far, and the load factor at which it last came to rest.
+    /// Number of times that the object has snapped over to another equilibrium on this leg, and the load factor of its last rest.
     pub(super) snapped: Snapped,
     /// Sum of the estimated relative errors of all steps so far: of integration along arcs, on which directions of sliding turn, and of gathered
     /// events.
@@ -79,8 +79,8 @@ impl Engine {
         Ok(Path::new(Box::new(Following::start(self, (start, legs), settings, Pieces::at_start)?)))
     }
 
-    /// As [`Self::follow`], but starts from `rest`, the equilibrium under the load `start` that the computation of an onset with the same settings
-    /// has found, if it is there.
+    /// As [`Self::follow`], but starts from `rest`, if it is given. This is the equilibrium under the load `start` that the computation of an onset
+    /// with the same settings has found.
     pub(crate) fn follow_from_rest(
         &self,
         (start, rest): (&Wrench<3>, Option<Rest>),
@@ -225,8 +225,8 @@ impl<'g> Pieces<'g> {
         Ok(if leg_done? { Advance::EndOfLeg } else { Advance::OnTheWay })
     }
 
-    /// The first stored piece that contains this place of the path. `None` if the path has not passed it, or between the load factor at which the
-    /// object snaps over and the slightly larger one at which it rests again.
+    /// The first stored piece that contains this place of the path. `None` if the path has not passed it. Also `None` between the load factor at
+    /// which the object snaps over and the slightly larger one at which it rests again.
     fn stretch_behind(&self, leg: usize, fraction: f64) -> Option<&Stretch<'g>> {
         self.behind.iter().find(|s| s.leg == leg && fraction >= s.from && fraction <= s.to)
     }
@@ -235,14 +235,14 @@ impl<'g> Pieces<'g> {
         stretch.state_at(self.segment.grasp, self.segment.answer_for, fraction)
     }
 
-    /// The equilibrium at the present place with the contact states of the last piece, before the event; `None` at the start, or if it cannot be
+    /// The equilibrium at the present place with the contact states of the last piece, before the event. `None` at the start, or if it cannot be
     /// computed.
     pub(super) fn state_before_event(&self) -> Option<Equilibrium<3>> {
         self.behind.last()?.state_before_event(self.segment.grasp, self.segment.answer_for)
     }
 
-    /// Decides the continuation of the path from the present node. Returns an event if a contact or drive changes its state, a motion loses its
-    /// resistance, or the continuation at the start of a leg is not unique.
+    /// Decides the continuation of the path from the present node. Returns an event if a contact or drive changes its state, or a motion loses its
+    /// resistance. Also if the continuation at the start of a leg is not unique.
     fn decide(&mut self, journey: &Journey<'g>) -> Result<Option<Event<3>>, PathEnd<3>> {
         if let Some(first) = self.first.take() {
             self.at_node = true;

@@ -34,7 +34,7 @@ pub(super) struct Program {
     /// Names of the bodies, if there are several, else empty; `bodies` has their own loads at both ends of the present leg.
     names: Vec<Arc<str>>,
     pub(super) bodies: BodyLoads,
-    /// The torques that hold the joints of the hand before the program; `torques` has them at both ends of the present leg, if a leg changes them.
+    /// The torques that hold the joints of the hand before the program. `torques` has them at both ends of the present leg, if a leg changes them.
     held: Vec<f64>,
     pub(super) torques: HeldTorques,
 }
@@ -86,8 +86,8 @@ impl Program {
         true
     }
 
-    /// Checks that the program closes: load, commands, body loads and joint torques at its end differ from those at its beginning by at most the
-    /// fraction `part` of their largest component along the program.
+    /// Checks that load, commands, body loads and joint torques at the end of the program are those at its beginning. They may differ by the fraction
+    /// `part` of their largest component along the program.
     ///
     /// # Errors
     /// [`Error::NotClosed`] naming the quantity that differs at the end.
@@ -130,7 +130,7 @@ impl Program {
         }
     }
 
-    /// Called after the last leg of a closed program: sets the load at its end to `load`, and commands, body loads and joint torques to those of the
+    /// Called after the last leg of a closed program. Sets the load at its end to `load`, and commands, body loads and joint torques to those of the
     /// grasp, which removes rounding.
     pub(super) fn return_to(&mut self, grasp: &Engine, load: &Wrench<3>) {
         self.goal = *load;
@@ -151,8 +151,8 @@ impl Program {
         self.begin_leg()
     }
 
-    /// For each contact and drive the offset (command minus clearance, m, without slip) at the beginning of the present leg, and the change of it
-    /// over the whole leg.
+    /// For each contact and drive the offset (command minus clearance, m, without slip) at the beginning of the present leg. Then its change over the
+    /// whole leg.
     pub(super) fn offsets(&self, grasp: &Engine) -> [Vec<SVector<f64, 3>>; 2] {
         let mut offsets = [Vec::new(), Vec::new()];
         self.offsets_into(grasp, &mut offsets);
@@ -167,8 +167,8 @@ impl Program {
         grasp.changed_by(to.iter().zip(from).map(|(to, from)| to - from), Some(&of_joints), change);
     }
 
-    /// The sum of all loads as a function of the load factor along the present leg: the program's load, loads on bodies and torques that hold joints.
-    /// Moments are about the centroid of the contacts.
+    /// The sum of the program's load, loads on bodies and torques that hold joints, as a function of the load factor along the present leg. Moments
+    /// are about the centroid of the contacts.
     pub(super) fn inside_course(&self, grasp: &Engine) -> Trajectory<Vector> {
         match &self.course {
             Trajectory::Straight { from, .. } => {

@@ -24,8 +24,7 @@ impl Segment<'_> {
         if moves { self.nearest(piece, rate, pushed) } else { rate }
     }
 
-    /// A state or a rate, shifted along free and neutral motions of `piece`, along which forces stay in balance, until its twist is nearest to
-    /// `near`.
+    /// A state or a rate, shifted along free and neutral motions of `piece` until its twist is nearest to `near`. Forces stay in balance.
     pub(super) fn nearest(
         &self,
         piece: &Piece,

@@ -13,7 +13,7 @@ use crate::numerics::mapped;
 use crate::prelude::*;
 
 /// A load and commands that change in proportion to a load factor τ >= 0. The load is `base + τ direction`; commands are those of the grasp plus τ
-/// times their given change. τ has no unit; with a direction of 1 N it is the load in newtons.
+/// times their given change. τ has no unit. With a direction of 1 N it is the load in newtons.
 ///
 /// ```
 /// use grasp_lcp::planar::{Ramp, Wrench};
@@ -87,8 +87,8 @@ impl<const C: usize> Ramp<C> {
         }
     }
 
-    /// Refuses, with an error, lists of changes whose length is not the number of contacts or of drives (joints, then tendons), and a ramp along
-    /// which nothing changes.
+    /// Refuses, with an error, lists of changes whose length is not the number of contacts or of drives (joints, then tendons). Also refuses a ramp
+    /// along which nothing changes.
     #[cfg(feature = "serde")]
     pub(crate) fn check_changes(&self, [contacts, drives, _]: [usize; 3]) -> Result<(), Error> {
         if let Some(change) = &self.command_change {

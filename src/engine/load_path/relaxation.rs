@@ -11,8 +11,8 @@
 //! T δq - b δλ = Σ G_i v_i φ_i,      (δq, δλ) across the path
 //! ```
 //!
-//! For D coordinates of the twist, J is a diagonal matrix plus a matrix of rank D + 1, and so is the inverse of 1 - hJ for a step of length h. With c
-//! = Cᵀ d
+//! For D coordinates of the twist, J is a diagonal matrix plus a matrix of rank D + 1. So is the inverse of 1 - hJ for a step of length h. With c =
+//! Cᵀ d
 //!
 //! ```text
 //! (1 - hJ) Δ = g:     φ_i = (d_i·g_i + h c_i·s_i') / e_i,     e_i = |F_t,i| - h d_i·v_i
@@ -59,17 +59,16 @@ pub(super) struct Relaxation<'f, 's, 'g> {
 /// The factors of the matrix 1 - hJ for the length h = `length`, with the matrix J of [`Relaxation`].
 pub(super) struct Damped {
     length: f64,
-    /// LU factors of the matrix `[T' | -b']` of this file, the tangent stiffness and right-hand side as the implicit step changes them, with one more
-    /// row transverse to the path.
+    /// LU factors of the matrix `[T' | -b']` of this file, with one more row transverse to the path. T' and b' are T and b as the implicit step
+    /// changes them.
     bordered: PathFactors,
-    /// For each sliding contact the divisor `e_i = |F_t,i| - h d_i·v_i` of this file, N: the friction force minus h times the derivative, by its
-    /// angle, of the rate of its component along d_i.
+    /// For each sliding contact the divisor `e_i = |F_t,i| - h d_i·v_i` of this file, N.
     sizes: Vec<f64>,
 }
 
 impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
-    /// The matrix J of this file for the friction forces `frictions` of the sliding contacts, at the load factor `factor`, where `way` is the
-    /// direction of the path.
+    /// The matrix J of this file for the friction forces `frictions` of the sliding contacts. `way` is the direction of the path at the load factor
+    /// `factor`.
     pub(super) fn new(
         arc: &'f Arc<'s, 'g>,
         frictions: &[SVector<f64, 3>],

@@ -1,4 +1,4 @@
-//! The motion with which bodies leave while no contact carries a force: that of rigid bodies under the load, with Coulomb friction at the contacts
+//! The motion with which bodies leave while no contact carries a force. It is that of rigid bodies under the load, with Coulomb friction at contacts
 //! that touch.
 //!
 //! Springs then do not determine the motion, and the elastic trial, in which all contacts stick, turns about an arbitrary point. A rigid body that
@@ -8,8 +8,8 @@
 //! v = W + Σ G_i r_i,     0 <= r_n ⟂ n·G_iᵀv >= 0,     |r_t| <= μ r_n against G_iᵀv
 //! ```
 //!
-//! as if its mass matrix were the identity: unit mass, with the root mean square distance of contacts from their centroid as radius of gyration. n
-//! are normals and G_i grasp maps. Bonded links allow no displacement at their points.
+//! as if its mass matrix were the identity: unit mass, and as radius of gyration the root mean square distance of contacts from their centroid. n are
+//! normals and G_i grasp maps. Bonded links allow no displacement at their points.
 
 use super::tolerances::NO_RIGID_MOTION;
 use crate::contact::Law;

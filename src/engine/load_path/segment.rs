@@ -13,8 +13,8 @@ use crate::numerics::{Each, IntoList, Vector, cleared_for, mapped, paired};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
-/// A leg, ramp or turn: the load as a function of the load factor, and for each contact and drive its offset at load factor 0, the rate of this
-/// offset, and its accumulated slip.
+/// A leg, ramp or turn: the load as a function of the load factor. Each contact and drive has its offset at load factor 0, the rate of this offset,
+/// and its accumulated slip.
 #[derive(Debug, Clone)]
 pub(super) struct Segment<'g> {
     pub(super) grasp: &'g Engine,
@@ -29,8 +29,8 @@ pub(super) struct Segment<'g> {
     pub(super) largest: f64,
 }
 
-/// Forces, twist and gaps of the grasp at a load factor, with their rates: per unit of the load factor on a straight piece, per unit of arclength
-/// along an arc.
+/// Forces, twist and gaps of the grasp at a load factor, with their rates. These are per unit of the load factor on a straight piece, per unit of
+/// arclength along an arc.
 #[derive(Debug, Clone)]
 pub(super) struct PathPoint {
     pub(super) lines: Vec<Line>,
@@ -54,8 +54,7 @@ pub(super) struct PathPoint {
 }
 
 impl PathPoint {
-    /// Forces and twist after a change `step` of the load factor (an arclength along an arc), extrapolated from this state: linearly, or with the
-    /// load's angle.
+    /// Forces and twist after a change `step` of the load factor (an arclength along an arc), extrapolated linearly or with the load's angle.
     pub(super) fn after(&self, step: f64) -> PieceState {
         if let Some(turned) = &self.turned {
             let PieceState { forces, twist } = turned.after(step);
@@ -82,8 +81,8 @@ impl PathPoint {
 }
 
 impl<'g> Segment<'g> {
-    /// Forces, twist, gaps and their rates at the load factor `factor`, while contacts have the states `states`. If springs resist some motion not at
-    /// all, the twist is the solution nearest to `near`, and its rate the one nearest to `pushed`: a contact that touches without force may push the
+    /// Forces, twist, gaps and their rates at the load factor `factor`, while contacts have the states `states`. If no spring resists some motion,
+    /// the twist is the solution nearest to `near`, and its rate the one nearest to `pushed`. So a contact that touches without force may push the
     /// object. An error if forces cannot balance the load or its rate.
     pub(super) fn point_at(
         &self,
@@ -113,7 +112,7 @@ impl<'g> Segment<'g> {
         Ok(self.point_with_rates(piece, factor, at, (&rate, 1.0), (0.0, &base)))
     }
 
-    /// The state `at` on an arc, at the load factor `factor`, with its rates `rate` and the rate `factor_rate` of the load factor, per unit of
+    /// The state `at` on an arc, at the load factor `factor`. Its rates `rate`, and `factor_rate`, that of the load factor, are per unit of
     /// arclength.
     pub(super) fn point_on_arc(
         &self,
@@ -134,8 +133,8 @@ impl<'g> Segment<'g> {
         NoEquilibrium { proof }
     }
 
-    /// The state `at` at the load factor `factor` with its rates. The sizes for rounding errors are those of two terms, since their sum may vanish:
-    /// of the state `base` at the load factor `since`, and of the change from there to `factor`.
+    /// The state `at` at the load factor `factor` with its rates. The sizes for rounding errors are those of the state `base` at the load factor
+    /// `since`, and of the change from there to `factor`. The sum of both may vanish.
     pub(super) fn point_with_rates(
         &self,
         piece: alloc::sync::Arc<Piece>,
@@ -196,16 +195,16 @@ impl<'g> Segment<'g> {
         }
     }
 
-    /// Forces and twist at a load factor, solved there: extrapolation from another load factor would add the rounding of larger terms. If springs
-    /// resist some motion not at all, the twist is the solution nearest to `near`. `None` if forces cannot balance the load.
+    /// Forces and twist at a load factor, solved there: extrapolation from another load factor would add the rounding of larger terms. If no spring
+    /// resists some motion, the twist is the solution nearest to `near`. `None` if forces cannot balance the load.
     pub(super) fn state(&self, piece: &Piece, factor: f64, near: Option<&Vector>) -> Option<PieceState> {
         let wrench = self.course.at(factor);
         let at = piece.solve(self.problem.sites, &self.offsets(factor), &wrench).ok()?;
         Some(if let Some(near) = near { self.nearest(piece, at, near) } else { at })
     }
 
-    /// The change of the load factor along a straight piece, from the state `at` at `factor` to the exit `exit` of a contact, where its present state
-    /// ends. Rates are those of `point`.
+    /// The change of the load factor along a straight piece, from the state `at` at `factor` to the exit `exit` of a contact. Rates are those of
+    /// `point`.
     pub(super) fn step_to_exit(
         &self,
         contact: usize,
@@ -273,13 +272,13 @@ impl<'g> Segment<'g> {
         self.problem.offsets[contact] -= slip;
     }
 
-    /// The exits at which a contact's present state may end (edges of its cone, the apex, a closing gap, a reversal of slip), with the step to each.
+    /// The exits at which a contact's present state may end, with the step to each: edges of its cone, the apex, a closing gap, a reversal of slip.
     pub(super) fn ways_out(&self, contact: usize, state: &State, point: &PathPoint) -> Vec<Exit> {
         self.problem.local(contact).ways_out(state, &point.lines[contact], &point.gaps[contact])
     }
 
-    /// For every contact the law that the rates of its force and motion obey, from its active set (the edges of its cone on which its force lies) and
-    /// its state.
+    /// For every contact the law for the rates of its force and motion. It follows from the active set, the edges of its cone on which its force
+    /// lies, and from the contact state.
     pub(super) fn laws_of_rates(&self, active_sets: &[ActiveSet], states: &[State]) -> Vec<Law> {
         let locals = self.problem.locals().zip(active_sets).zip(states);
         locals.map(|((local, active), state)| local.law_of_rates(active, state)).list()
@@ -295,7 +294,7 @@ impl<'g> Segment<'g> {
         FirstExits { reached: first_reached(ways.list()), touches: Vec::new() }
     }
 
-    /// The rate problem on this segment at a load factor: the complementarity problem for the rates of forces and motion, with the laws `laws` of the
+    /// The complementarity problem for the rates of forces and motion (rate problem) on this segment at a load factor, with the laws `laws` of the
     /// contacts.
     pub(super) fn rates(&self, factor: f64, laws: Vec<Law>) -> Problem<'g> {
         self.problem.at_rates(laws, self.change.clone(), self.course.rate_at(factor))

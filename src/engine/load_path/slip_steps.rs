@@ -8,8 +8,8 @@ use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{Stepped, explicit_step, largest, numbered, paired, regula_falsi};
 use crate::prelude::*;
 
-/// The end of a step of arclength `length` along which contacts slide or stick: the state `at`, its rates, and the estimated relative error of the
-/// step.
+/// The end of a step of arclength `length` along which contacts slide or stick. It has the state `at`, its rates, and the step's estimated relative
+/// error.
 pub(super) struct SlipStep {
     pub(super) length: f64,
     pub(super) at: Vec<f64>,
@@ -18,7 +18,7 @@ pub(super) struct SlipStep {
     /// The values at the end of the step of the conditions that must stay positive, in the order described at [`GROWS`].
     pub(super) values: Vec<f64>,
 }
-/// Indices of the conditions that must stay positive: the load factor grows, it is below the largest one to be followed (`GOES_ON`), and motions are
+/// Indices of the conditions that must stay positive: the load factor grows and is below the largest one to follow (`GOES_ON`), and motions are
 /// small. After these come the slip rates along friction of the sliding contacts, their normal forces, and the margins `μ F_n - |F_t|` of the
 /// sticking contacts.
 pub(super) const GROWS: usize = 0;
@@ -49,8 +49,8 @@ impl Slips<'_> {
         Some(SlipStep { length, at, rates: there, error, values })
     }
 
-    /// The step `end` from the state and rates `from`, shortened to the place where the first condition becomes zero within it, and the index of that
-    /// condition; without one the whole step. `None` if several conditions become zero together, or if the place is not found.
+    /// The step `end` from the state and rates `from`, shortened to the place where the first condition becomes zero. Also the index of that
+    /// condition. Without one the whole step. `None` if several conditions become zero together, or if the place is not found.
     pub(super) fn up_to_an_event(
         &self,
         from: (&[f64], &[f64]),
@@ -78,7 +78,7 @@ impl Slips<'_> {
     }
 
     /// The step that ends where condition `k` becomes zero, or another one that becomes zero before it, with the index of that condition. `None` if
-    /// thirty trials do not find it. Each trial ends at the root of the cubic through values and slopes at both ends of a bracket; mostly the first
+    /// thirty trials do not find it. Each trial ends at the root of the cubic through values and slopes at both ends of a bracket. Mostly the first
     /// trial is close enough.
     fn located(
         &self,
@@ -111,7 +111,7 @@ impl Slips<'_> {
         None
     }
 
-    /// The end of a step, moved by Heun's method to the place where condition `k` becomes zero, about the short arclength `rest` away; `None` if this
+    /// The end of a step, moved by Heun's method to the place where condition `k` becomes zero, about the short arclength `rest` away. `None` if this
     /// does not converge.
     fn moved_to(&self, k: usize, mut end: SlipStep, mut rest: f64) -> Option<SlipStep> {
         let length = end.length;
@@ -135,7 +135,7 @@ impl Slips<'_> {
         (rest.abs() <= NEGLIGIBLE * length).then_some(end)
     }
 
-    /// The derivative of the value of condition `k` by arclength, from a difference over a millionth of `length`; `None` if the rates are not unique
+    /// The derivative of the value of condition `k` by arclength, from a difference over a millionth of `length`. `None` if the rates are not unique
     /// there.
     fn slope(&self, k: usize, (at, rates): (&[f64], &[f64]), length: f64) -> Option<f64> {
         // The length of the difference. With a slope this accurate each Newton iteration gains six digits.
@@ -146,8 +146,8 @@ impl Slips<'_> {
         Some((self.condition(k, &ahead, &rates_ahead) - self.condition(k, at, rates)) / little)
     }
 
-    /// The least fraction of a step at which the force of a sticking contact leaves its cone by more than `tolerance`, although it may be inside
-    /// again at the end. One half for a contact whose forces at both ends do not decide this; `None` if no contact leaves.
+    /// A fraction of the step `end` at which a sticking contact is clearly outside its cone, although it may be inside again at the end. It is the
+    /// least one found over the contacts. One half for a contact for which this is not decided; `None` if all forces stay inside.
     fn first_dip(&self, (at, rates): (&[f64], &[f64]), end: &SlipStep, tolerance: f64) -> Option<f64> {
         let mut first: Option<f64> = None;
         for i in self.sticking() {
@@ -185,8 +185,8 @@ impl Slips<'_> {
         }
     }
 
-    /// Arclength of the first step. At the present rates no direction of friction turns by more than 0.3 rad, no normal force of a sliding contact
-    /// falls to less than half, and the load factor does not exceed the largest one.
+    /// Arclength of the first step. At the present rates no direction of friction turns by more than 0.3 rad. No normal force of a sliding contact
+    /// falls to less than half. The load factor does not exceed the largest one.
     pub(super) fn first_length(&self, at: &[f64], rates: &[f64]) -> f64 {
         let mut length = (self.most - at[1]) / rates[1];
         for i in &self.sliding {
@@ -206,8 +206,8 @@ fn between(low: (f64, f64, f64), high: (f64, f64, f64), to: f64) -> f64 {
     low.1 + part * (rise + (1.0 - part) * ((1.0 - part) * before + part * behind))
 }
 
-/// Of the conditions that are violated at the end of a step, the index of the one that vanishes first by linear interpolation between both ends;
-/// `None` if none is violated.
+/// The index of the condition, among those violated at the end of a step, that vanishes first by linear interpolation between both ends. `None` if
+/// none is violated.
 fn first_crossing(start: &[f64], end: &[f64]) -> Option<usize> {
     let part = |k: usize| start[k] / (start[k] - end[k]);
     (0..start.len()).filter(|k| end[*k] < 0.0).min_by(|a, b| part(*a).total_cmp(&part(*b)))

@@ -69,8 +69,8 @@ impl<'g> Pieces<'g> {
         self.end_of_small_motions = found.and_then(end);
     }
 
-    /// The beginning (leg and fraction) of the first of those pieces, up to the place `until`, on which every contact with friction that presses
-    /// slides without interruption. `None` if such a contact sticks just before `until`.
+    /// The leg and fraction from which on, without interruption up to the place `until`, every contact with friction that presses slides. It is the
+    /// beginning of a piece. `None` if such a contact sticks just before `until`.
     pub(super) fn pieces_all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
         let mut since = None;
         for piece in self.behind.iter().rev() {

@@ -1,13 +1,14 @@
-//! Snapping over: the equilibrium ends at a fold, a corner or an asymptote, and the object moves on under nearly the same load until it rests again.
+//! Snapping over: the equilibrium ends at a fold, a corner or an asymptote. The object moves on under nearly the same load until it rests again.
 //!
-//! Other equilibria may exist beyond the end of a path. Which of them the object reaches depends on its motion there. This motion is taken to be that of
-//! viscous contacts, with dampers in proportion to their springs K_i, under a load slightly beyond the end of the path:
+//! Other equilibria may exist beyond the end of a path. Which of them the object reaches depends on its motion there. This motion is taken to be that
+//! of viscous contacts, with dampers in proportion to their springs K_i. The load W is slightly beyond the end of the path. G_i are grasp maps, and R
+//! is the imbalance:
 //!
 //! ```text
 //! Σ G_i K_i G_iᵀ dq/dt = R(q),      R(q) = Σ G_i F_i(a_i - s_i - G_iᵀq) + W
 //! ```
 //!
-//! A step in time of length h solves `(T + D/h) Δq = R`, where D is the matrix on the left and T the tangent stiffness; then the slip of every
+//! A step in time of length h solves `(T + D/h) Δq = R`, where D is the matrix on the left and T the tangent stiffness. Then the slip of every
 //! contact is added to its slip memory s_i. Steps grow as long as the imbalance after them is nearly the expected one, D Δq/h. Once forces nearly
 //! balance, the rest of R is removed along a leg of its own, as in [`super::jump_leg`], and the path continues from there. If the motion would exceed
 //! the limits of small motions it is not made, and the equilibrium counts as lost.
@@ -34,7 +35,7 @@ use crate::object::{Problem, tangent_stiffness, uses_band};
 use crate::prelude::*;
 use crate::search::{Found, SmallMotions};
 
-/// The moving object at one time: its twist, the force and state of each contact at this twist, and the imbalance `left` of contact forces and load.
+/// The moving object at one time: its twist, the force and state of each contact, and the imbalance `left` of contact forces and load.
 struct MovingObject {
     twist: Vector,
     contacts: Vec<ContactResponse>,
@@ -51,8 +52,8 @@ pub(super) struct RestsAgain<'g> {
 }
 
 impl<'g> RestsAgain<'g> {
-    /// Moves the object, as with viscous contacts under the load of `problem`, from the twist `start`, at which forces do not balance, to one at
-    /// which they nearly do. `None` if the motion exceeds the limits `small`, does not end, or has very many coordinates.
+    /// Moves the object from the twist `start`, at which forces do not balance, to one at which they nearly do, as with viscous contacts. `None` if
+    /// the motion exceeds the limits `small`, does not end, or has very many coordinates.
     pub(super) fn near(
         grasp: &Engine,
         small: &SmallMotions,
@@ -124,7 +125,7 @@ pub(super) fn a_little(sites: &[Site], change: &[SVector<f64, 3>], mut rate: Vec
     LITTLE_BEYOND * (largest / rate.norm()).max(LEAST_FORCE)
 }
 
-/// Number of times that the object has snapped over to another equilibrium on a leg so far, and the load factor at which it did so last.
+/// Number of times that the object has snapped over to another equilibrium on a leg so far, and the load factor of the last time.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Snapped {
     count: usize,
@@ -139,7 +140,7 @@ impl Snapped {
     pub(super) const NEVER: Self = Self { count: 0, at: f64::NAN, step: 0.0 };
 }
 
-/// Whether, in the motion `moved`, no body turns and the object moves at no contact by more than the limits of small motions for rotations and slips.
+/// Whether, in the motion `moved`, no body turns, and no contact point moves, by more than the limits of small motions for rotations and slips.
 fn is_small(grasp: &Engine, small: &SmallMotions, moved: &Vector) -> bool {
     let turns_little =
         grasp.each_moves(moved).iter().all(|body| body.twist.parts().1.size() <= small.rotation);
@@ -147,7 +148,7 @@ fn is_small(grasp: &Engine, small: &SmallMotions, moved: &Vector) -> bool {
     turns_little && grasp.sites()[..grasp.len()].iter().all(|site| site.map.tr_mul(moved).norm() <= most)
 }
 
-/// Factor by which the length of a step grows after an accepted step, both for steps in time and for steps of the load factor; `SHORTER` is the
+/// Factor by which the length of a step grows after an accepted step, both for steps in time and for steps of the load factor. `SHORTER` is the
 /// factor after a refused step.
 const LONGER: f64 = 2.0;
 const SHORTER: f64 = 0.25;
@@ -195,7 +196,7 @@ impl<'g> Pieces<'g> {
         }
     }
 
-    /// The event at which the object snaps over and rests again at a load factor larger by `step`, at most 1; `None` if it does not rest.
+    /// The event at which the object snaps over and rests again at a load factor larger by `step`, at most 1. `None` if it does not rest.
     fn snaps_within(&mut self, step: f64, journey: &Journey<'g>) -> Option<Event<3>> {
         let state = self.state_before_event().or_else(|| self.present_state(journey))?;
         let beyond = (self.factor + step).min(1.0);
@@ -219,15 +220,15 @@ impl<'g> Pieces<'g> {
         Some(Event { jump: Some(Box::new(Jump { snaps: true, ..jump })), ..event })
     }
 
-    /// The state in which the object, moving from its present twist, rests again under the load at the factor `beyond`, slightly past this loss;
+    /// The state in which the object, moving from its present twist, rests again under the load at the factor `beyond`, slightly past this loss.
     /// `None` if it does not.
     fn rests_again(&self, beyond: f64) -> Option<RestsAgain<'g>> {
         let Segment { grasp, answer_for, .. } = &self.segment;
         RestsAgain::near(grasp, &answer_for.small, self.segment.problem_at(beyond), &self.node.at.twist)
     }
 
-    /// The leg along which the remaining imbalance of `rests` is removed, at the constant load factor `factor`, and the changes of contact states
-    /// from the present ones to those of `rests`.
+    /// The leg along which the remaining imbalance of `rests` is removed, at the constant load factor `factor`. Also the changes from the present
+    /// contact states to those of `rests`.
     fn back_to_balance(&self, rests: RestsAgain<'g>, factor: f64) -> (Self, Vec<(usize, Change<3>)>) {
         let RestsAgain { problem, contacts, twist } = rests;
         let mut segment = self.segment.at_rest(factor);

@@ -1,4 +1,4 @@
-//! Follows a ramp or a turn of the load while nothing slides, from one closing contact to the next, up to the first contact that stops sticking.
+//! Follows a ramp or a turn of the load while nothing slides, from one closing contact to the next, until a contact stops sticking.
 
 use crate::numerics::IntoList;
 use nalgebra::SVector;
@@ -81,8 +81,8 @@ impl StickingPath<'_> {
         Onset::Undecided(Undecided { doubt: Doubt::OnTheBoundary, work: WorkDone::default() })
     }
 
-    /// Contacts on the edge of their cones under the base load, each with its exits: contacts whose step to an exit (edge, apex or closing gap) is
-    /// zero up to rounding, and contacts that touch without force. For both, only the rates of the forces decide whether they leave their cones.
+    /// Contacts on the edge of their cones under the base load, each with its exits. Their step to an exit (edge, apex or closing gap) is zero up to
+    /// rounding, or they touch without force. For both, only the rates of the forces decide whether they leave their cones.
     fn at_edge_at_base(&self, states: &[State], point: &PathPoint) -> ExitsReached {
         let mut at_edge = Vec::new();
         for (i, state) in states.iter().enumerate() {
@@ -152,7 +152,7 @@ impl StickingPath<'_> {
     }
 }
 
-/// For every contact its active set, the edges of its cone that its force has reached by the exits in `at_edge`; empty for contacts not listed there.
+/// For every contact its active set, the edges of its cone that its force has reached by the exits in `at_edge`. Empty for contacts not listed there.
 /// A listed contact without exits touches without force and is at the apex.
 fn active_sets_after(
     axes: usize,

@@ -9,7 +9,7 @@ use super::watch::{Watch, WatchedCondition, watch};
 use crate::contact::{Mode, State};
 
 impl Pieces<'_> {
-    /// Whether a contact whose slip has ended at the present place can neither stick nor slide from there: both states fail in trial steps with
+    /// Whether a contact whose slip has ended at the present place can neither stick nor slide from there. Then both states fail in trial steps with
     /// errors up to `tolerance`.
     pub(super) fn neither_sticks_nor_slides(&self, contact: usize, tolerance: f64) -> bool {
         let slides = State::sliding_along(&self.node.at.forces[contact]);
@@ -17,7 +17,7 @@ impl Pieces<'_> {
     }
 
     /// Whether a contact in the state `state` clearly violates the condition of this state after three trial steps, ever shorter, with errors up to
-    /// `tolerance`, and after none satisfies it.
+    /// `tolerance`. False if it does not after one of them.
     fn fails_at_once(&self, contact: usize, state: State, tolerance: f64) -> bool {
         let mut states = self.node.states.clone();
         states[contact] = state;

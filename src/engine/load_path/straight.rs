@@ -67,14 +67,14 @@ impl<'g> Pieces<'g> {
         Ok(leg_done)
     }
 
-    /// Forces and twist after the change `step` of the load factor along the present piece, which begins at `point`; solved there, or extrapolated if
+    /// Forces and twist after the change `step` of the load factor along the present piece, which begins at `point`. Solved there, or extrapolated if
     /// that fails.
     pub(super) fn state_after(&self, point: &PathPoint, step: f64) -> PieceState {
         let near = point.after(step);
         self.segment.state(&point.piece, self.factor + step, Some(&near.twist)).unwrap_or(near)
     }
 
-    /// The step `step` to the exits `reached`, corrected from the state solved there: a step that is only extrapolated has the rounding error of the
+    /// The step `step` to the exits `reached`, corrected from the state solved there. A step that is only extrapolated has the rounding error of the
     /// present state. A correction that is too large is not made.
     fn corrected(&self, point: &PathPoint, step: f64, reached: &ExitsReached) -> f64 {
         let mut clearest: Option<(usize, &Exit)> = None;

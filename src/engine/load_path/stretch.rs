@@ -18,8 +18,7 @@ use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{Effort, Found, FoundBy, reported_at_rest};
 
-/// One stored piece of the path, from the fraction `from` to the fraction `to` of a leg: the data from which the state at any fraction between is
-/// computed.
+/// One stored piece of the path, from the fraction `from` to the fraction `to` of a leg. The state at any fraction between is computed from it.
 #[derive(Debug)]
 pub(super) struct Stretch<'g> {
     pub(super) leg: usize,
@@ -84,7 +83,7 @@ impl<'g> Stretch<'g> {
         Some(self.answer(grasp, answer_for, fraction, &problem, found))
     }
 
-    /// The equilibrium at the end of this piece, with the contact states along the piece; the event at its end lists the changes of these states.
+    /// The equilibrium at the end of this piece, with the contact states along the piece. The event at its end lists the changes of these states.
     /// `None` if it cannot be computed.
     pub(super) fn state_before_event(
         &self,

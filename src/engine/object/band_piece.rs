@@ -4,7 +4,7 @@
 //! T = BᵀA = Σ G_i C_i G_iᵀ,      T q = Bᵀx + W,      x - A q
 //! ```
 //!
-//! Row r of A is the scaled stretch of spring r per unit of each coordinate, and row r of B the direction in which this spring pushes (see `piece`).
+//! Row r of A is the scaled stretch of spring r per unit of each coordinate. Row r of B is the direction in which this spring pushes (see `piece`).
 //! The tangent stiffness T is the sum over the contacts of their tangent stiffnesses C_i, with the grasp maps G_i. Under the load W, scaled spring
 //! forces x at zero motion become x - A q at the twist q.
 //!
@@ -71,7 +71,7 @@ pub(super) struct Side {
 }
 
 impl BandPiece {
-    /// The factorised tangent stiffness of these contacts and their springs; `first_springs` holds the index of the first spring of each contact and,
+    /// The factorised tangent stiffness of these contacts and their springs. `first_springs` holds the index of the first spring of each contact and,
     /// last, the number of springs. `None` with fewer than 36 coordinates, or if a pivot is not finite.
     pub(super) fn new(sites: &[Site], springs: &[Spring], first_springs: &[usize]) -> Option<Self> {
         let count = size_of(sites).count();
@@ -205,8 +205,7 @@ impl BandPiece {
         2.0 * growth
     }
 
-    /// The rows of the matrix A and, if a contact slides, of the matrix B of the tangent stiffness `BᵀA`, with an entry for each coordinate in its
-    /// usual order.
+    /// The rows of the matrix A and, if a contact slides, of the matrix B. Each row has an entry for each coordinate in its usual order.
     pub(super) fn rows(&self) -> [Option<Vec<Vector>>; 2] {
         let whole = |side: &Side| {
             let mut list = Vec::new();
@@ -264,7 +263,7 @@ impl SpringLists {
         q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
     }
 
-    /// Multiplies each entry of the motion q by the factor that scales its column to length one, and calls `visit(spring, stretch)` for every spring
+    /// Multiplies each entry of the motion q by the factor that scales its column to length one. Then calls `visit(spring, stretch)` for every spring
     /// with its scaled stretch, a row of A q or B q.
     pub(super) fn stretch(&self, side: &Side, q: &mut [f64], mut visit: impl FnMut(usize, f64)) {
         q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);

@@ -28,8 +28,8 @@ pub(crate) struct Correction {
     pub(crate) forces: Vec<SVector<f64, 3>>,
     /// The exact twist minus the given one, without components along motions that no spring resists.
     pub(crate) twist: Vector,
-    /// Uncertainty of the corrected forces, N: the largest spring force of the last correction if refinement did not converge, plus machine precision
-    /// times the largest residual force. It is large where the linear problem is nearly singular.
+    /// Uncertainty of the corrected forces, N: machine precision times the largest residual force. If refinement did not converge, the largest force
+    /// of the last correction is added. It is large where the linear problem is nearly singular.
     pub(crate) doubt: f64,
 }
 
@@ -119,8 +119,8 @@ impl Piece {
     }
 }
 
-/// For a contact that slides on the round cone: the tangential component of its residual displacement w perpendicular to the friction force F_t,
-/// `c·w` with `c = (-F_2, F_1) / |F_t|`. The direction is taken from the force, since w may have any direction before convergence.
+/// For a contact that slides on the round cone: the tangential component of its residual displacement w across the friction force F_t, `c·w` with
+/// `c = (-F_2, F_1) / |F_t|`. The direction is taken from the force, since w may have any direction before convergence.
 struct Across {
     along: [DoubleDouble; 3],
     length: f64,

@@ -1,14 +1,13 @@
-//! Contacts in energy coordinates: the maps from the motion of the object to the stretch of each contact, and the slips across facets of friction
-//! cones.
+//! Contacts in energy coordinates: maps from the motion of the object to the stretch of each contact, and slips across facets of friction cones.
 //!
 //! ```text
 //! x = K^{-1/2}F,   K^{1/2}Gᵀ = QR,   u = x⁰ - Q y,   x = P u
 //! ```
 //!
-//! F are the contact forces, K the stiffnesses, G the grasp maps, and QR an orthogonal factorisation. x⁰ are the forces in energy coordinates of the
-//! elastic trial, in which every contact sticks, and y is the further motion of the object. u are the stretches, and P is the projection of each
-//! contact's state, which leaves the part that becomes force. A facet of a cone is `κ x_n + c·x_t >= 0` with c of length one and a number κ for the
-//! normal part; slip across it moves x along (0, c). Consecutive equal contacts share their facets.
+//! F are the contact forces, K the stiffnesses, G the grasp maps, and QR an orthogonal factorisation. The elastic trial, in which every contact
+//! sticks, has the forces x⁰ in energy coordinates. Under the further motion y of the object the stretches are u. For each contact state a projection
+//! P leaves the part of u that becomes force. A facet of a cone is `κ x_n + c·x_t >= 0` with c of length one and a number κ for the normal part. Slip
+//! across it moves x along (0, c). Consecutive equal contacts share their facets.
 
 use nalgebra::{SMatrix, SVector};
 

@@ -1,9 +1,9 @@
 //! Lazy pricing of a pivoting path: a step evaluates only the contacts whose present state may end within the step.
 //!
-//! While every contact keeps its state, every condition of these states is affine in the motion y of the object and the parameter s that drives the
-//! path. So the path is a piecewise straight curve in d + 1 dimensions, whose direction e mostly changes little from one event to the next. The
-//! path's length has two parts: a along e, and b across e. A condition of value v and gradient g stays positive as long as
-//! `max(-g·e, 0) a + |g| b < v`. With the clock t = a + b/ε and a small number ε this is certain until
+//! While every contact keeps its state, every condition of a state is affine in the object's motion y and the parameter s that drives the path. So
+//! the path is a piecewise straight curve in d + 1 dimensions, whose direction e mostly changes little from one event to the next. The path's length
+//! has two parts: a along e, and b across e. A condition of value v and gradient g stays positive as long as `max(-g·e, 0) a + |g| b < v`. With the
+//! clock t = a + b/ε and a small number ε this is certain until
 //!
 //! ```text
 //! t = min over the conditions of   v / max(-g·e, ε |g|)
@@ -50,8 +50,8 @@ impl Point {
     }
 }
 
-/// The clock time during which a condition is certain to stay positive, from its value, its rate per length along the reference direction e, and the
-/// norm of its gradient. Infinite for a constant condition.
+/// The clock time during which a condition is certain to stay positive. `rate` is its rate per length along the reference direction e, and `gradient`
+/// the norm of its gradient. Infinite for a constant condition.
 #[inline]
 pub(crate) fn slack(value: f64, rate: f64, gradient: f64) -> f64 {
     let fastest = (-rate).max(PRICED_ACROSS * gradient);
@@ -73,8 +73,8 @@ pub(crate) struct LazyPricing {
 }
 
 impl LazyPricing {
-    /// Queues all contacts for a path in the direction `along`, and resets the clock. For the unit direction e, `slack(contact, e)` returns a stamp,
-    /// by which the caller recognises an outdated entry, and the clock time until which the contact waits.
+    /// Queues all contacts for a path in the direction `along`, and resets the clock. For the unit direction e, `slack(contact, e)` returns a stamp
+    /// and the clock time until which the contact waits. By the stamp the caller recognises an outdated entry.
     pub(crate) fn line_up(
         &mut self,
         contacts: usize,
@@ -102,8 +102,7 @@ impl LazyPricing {
         self.steps += 1;
     }
 
-    /// Whether the path has turned so far from its reference direction, and made so many steps, that queueing all contacts for the new direction is
-    /// worthwhile.
+    /// Whether queueing all contacts for the present direction is worthwhile: the path has turned from its reference direction and made enough steps.
     pub(crate) fn has_turned(&self) -> bool {
         // The clock runs faster than the path's length where the path deviates from its reference direction. Beyond this ratio a new reference
         // direction is due.

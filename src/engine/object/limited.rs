@@ -20,7 +20,7 @@ pub(super) struct Limited {
 /// The directions in which a contact may slide, by the shape of its friction cone.
 enum Slides {
     Never,
-    /// In the plane: indices of the facets of the friction cone whose friction force lies along -t and along +t; `None` without such a facet:
+    /// In the plane: indices of the facets of the friction cone whose friction force lies along -t and along +t. `None` without such a facet:
     /// friction in this direction has no limit.
     Along([Option<u16>; 2]),
     /// In space: on the facets `h·F_t = r` of a polygonal friction cone, with outward normals h and the friction limit r. `corners` are the corners
@@ -112,7 +112,7 @@ impl Limited {
         answer
     }
 
-    /// The response if the tangential part of `force`, the force that the springs would have while sticking, exceeds the friction limit; `None` if it
+    /// The response if the tangential part of `force`, the force that the springs would have while sticking, exceeds the friction limit. `None` if it
     /// does not.
     fn at_limit(&self, force: &SVector<f64, 3>, limit: f64) -> Option<AtLimit> {
         // Stiffness in the tangential directions perpendicular to `normal`, in which friction still follows the motion.

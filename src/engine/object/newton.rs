@@ -48,8 +48,8 @@ impl Imbalance {
     }
 }
 
-/// The law by which a contact responds: force, state and tangent stiffness from the contact's index, its stretch, and its last response, from which
-/// an iteration may start.
+/// The law by which a contact responds: force and state from the contact's index, its stretch, and its last response. From the last one an iteration
+/// may start.
 pub(super) type Response<'r> =
     dyn Fn(usize, &SVector<f64, 3>, &ContactResponse) -> ContactResponse + Sync + 'r;
 

@@ -1,6 +1,6 @@
 //! Null vectors of the tangent stiffness T = BᵀA as a band matrix, and their mechanical meaning.
 //!
-//! A maps a motion of the object to the scaled stretches of all springs, and Bᵀ their scaled forces to a wrench on the object (see `piece`).
+//! A maps a motion of the object to the scaled stretches of all springs. Bᵀ maps their scaled forces to a wrench on the object (see `piece`).
 //!
 //! ```text
 //! A n = 0             the motion n stretches no spring: free
@@ -31,7 +31,7 @@ pub(super) struct NullMotions {
     without_response: Vec<(Vector, Vec<f64>)>,
 }
 
-/// Null vectors in two lists: motions that stretch no spring, and the others, each with the stretches of all springs, scaled so that these have norm
+/// Null vectors in two lists: motions that stretch no spring, and the others. Each of the others has the stretches of all springs, scaled to norm
 /// one.
 struct Apart {
     unstretched: Vec<Vector>,
@@ -69,7 +69,7 @@ impl NullMotions {
         Some(found)
     }
 
-    /// The sum of the motions in `without_response`, each weighted by the work that offsets and load do on it; `None` if each of them is zero. The
+    /// The sum of the motions in `without_response`, each weighted by the work that offsets and load do on it. `None` if each of them is zero. The
     /// slice `x` has the scaled stretch `right·a` of each spring by the offsets alone.
     pub(super) fn motion_of_work(&self, x: &[f64], load: &Vector) -> Option<Vector> {
         let mut sum = Vector::zeros();

@@ -30,7 +30,7 @@ pub(crate) struct Piece {
     first: Vec<usize>,
     /// An orthonormal basis of the motions that stretch no spring (A q = 0).
     pub(super) free: Vec<Vector>,
-    /// An orthonormal basis of the motions along which no spring pushes (B q = 0): a load that does work along one of them cannot be balanced.
+    /// An orthonormal basis of the motions along which no spring pushes (B q = 0). A load that does work along one of them cannot be balanced.
     pub(super) unbalanced: Vec<Vector>,
     /// LU factors of the tangent stiffness T = BᵀA as a band matrix, with its null vectors. `None` with few coordinates, or if T is nearly, but not
     /// exactly, singular.
@@ -40,12 +40,13 @@ pub(crate) struct Piece {
     size: Size,
 }
 
-/// Orthogonal factors Q_A R_A of the matrix A of [`Piece`] (spring stretches under a motion), and Q_B R_B of B (push directions) if a contact slides.
+/// Orthogonal factors of [`Piece`]'s matrices: Q_A R_A of A (spring stretches under a motion), and Q_B R_B of B (push directions) if a contact
+/// slides.
 #[derive(Debug, Clone)]
 pub(super) struct OrthogonalPiece {
     pub(super) right: Orthogonal,
-    /// Orthogonal factors Q_B R_B of the matrix B of push directions, and LU factors of `Q_BᵀQ_A`, where Q_A is the orthogonal factor of the
-    /// stretches A. `None` if nothing slides, since then B = A.
+    /// Orthogonal factors Q_B R_B of the push directions B, and LU factors of `Q_BᵀQ_A`, where Q_A is the orthogonal factor of A. `None` if nothing
+    /// slides, since then B = A.
     pub(super) left: Option<(Orthogonal, CompletePivoting)>,
 }
 
@@ -131,8 +132,8 @@ impl Piece {
         Some(self.band.as_ref()?.0.displacements_under(contact, &self.along_springs(contact, pushes)[..]))
     }
 
-    /// Σ_r times_r (A u)_r over the springs r of a contact: its scaled stretches for the changes `displacements` of the coordinates, in the band's
-    /// order, weighted by `times` along each axis. Zero without a band.
+    /// The sum of the scaled stretches of a contact's springs for the changes `displacements` of the coordinates, in the band's order. Each is
+    /// weighted by the entry of `times` for the spring's axis. Zero without a band.
     pub(crate) fn weighted_stretch(
         &self,
         contact: usize,
@@ -245,8 +246,8 @@ impl OrthogonalPiece {
         Self { right, left: Some((left, coupling)) }
     }
 
-    /// Orthogonal factors of the matrix B of push directions, which occurs in the balance of forces `Bᵀx = -W`; those of A if nothing slides, since
-    /// then B = A.
+    /// Orthogonal factors of the matrix B of push directions, which occurs in the balance of forces `Bᵀx = -W`. If nothing slides, B = A, and they
+    /// are those of A.
     pub(super) fn balance(&self) -> &Orthogonal {
         self.left.as_ref().map_or(&self.right, |(left, _)| left)
     }

@@ -5,8 +5,8 @@
 //! ```
 //!
 //! q is the twist of the object, G_i the grasp map of contact i, and W the load. In the static problem, the offset a_i is the commanded displacement
-//! minus clearance and slip, and each contact has its full law. In the rate problem, a_i and W are derivatives of offset and load along a path, and
-//! v_i, q and F_i those of stretch, twist and force. Each law is then that of the rates at the present contact state ([`Law`]).
+//! minus clearance and slip, and each contact has its full law. In the rate problem, a_i and W are derivatives of offset and load along a path; v_i,
+//! q and F_i those of stretch, twist and force. Each law is then that of the rates at the present contact state ([`Law`]).
 
 use crate::numerics::{IntoList, Size, Vector, by_axis, indexed};
 use alloc::sync::Arc;
@@ -21,15 +21,15 @@ use crate::grasp::{Engine, Remembered, Site, Space, Wrench, size_of};
 use crate::numerics::{DoubleDouble, cleared_for};
 use crate::prelude::*;
 
-/// The static problem or the rate problem of this file: the law and the offset a_i of each contact, and the load W, with moments about the centroid
-/// of the contacts.
+/// The static problem or the rate problem of this file: the law and the offset a_i of each contact, and the load W. Moments are about the centroid of
+/// the contacts.
 #[derive(Debug, Clone)]
 pub(crate) struct Problem<'g> {
     pub(crate) sites: &'g [Site],
     /// The friction polygon of every contact without a polygon of its own.
     pub(crate) polygon: Arc<Polygon>,
-    /// For each contact its friction polygon, rotated so that a corner lies along the contact's friction force in the elastic trial, in which all
-    /// contacts stick. If the list is empty, contacts use their own polygon, or `polygon`.
+    /// For each contact its friction polygon, with a corner along the contact's friction force in the elastic trial, in which all contacts stick. If
+    /// the list is empty, contacts use their own polygon, or `polygon`.
     pub(crate) turned: Vec<Polygon>,
     /// The friction cone of each contact now: that of the lower kinetic coefficient if it slides, else that of static friction. If the list is empty,
     /// every contact has static friction.
@@ -263,7 +263,7 @@ impl<'g> Problem<'g> {
     }
 }
 
-/// An iterator over the laws of all contacts, in order. It is a named type so that iterator adapters are compiled once for it, not once for each closure.
+/// An iterator over the laws of all contacts, in order. It is a named type so that iterator adapters are compiled once, not for each closure.
 pub(crate) struct Locals<'p> {
     problem: &'p Problem<'p>,
     next: usize,

@@ -22,7 +22,7 @@ use crate::prelude::*;
 
 /// The path on which the object relaxes, from the equilibrium in which everything sticks.
 ///
-/// It iterates over twists at which the object has nearly relaxed: the estimated remaining path is a hundredth of the path covered, then a hundredth
+/// It iterates over twists at which the object has nearly relaxed. The estimated remaining path is a hundredth of the path covered, then a hundredth
 /// of that, and so on. The last twist comes after `RELAXING_STEPS` steps, or once R is zero. Short steps indicate an equilibrium, or a place where a
 /// stable one has just vanished. If Newton's method finds none there, the caller asks for the next twist.
 pub(crate) struct ViscousRelaxation<'p, 'a> {
@@ -40,7 +40,7 @@ pub(crate) struct ViscousRelaxation<'p, 'a> {
 }
 
 impl<'p, 'a> ViscousRelaxation<'p, 'a> {
-    /// The path from the twist `stuck`, at which everything sticks and is in balance; `None` if some motion of the stuck grasp is resisted by no
+    /// The path from the twist `stuck`, at which everything sticks and is in balance. `None` if some motion of the stuck grasp is resisted by no
     /// spring.
     pub(crate) fn from_stuck(problem: &'p Problem<'a>, stuck: &Vector) -> Option<Self> {
         let factors = problem.tangent_factors(&|i| problem.local(i).unjumped());

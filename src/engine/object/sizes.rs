@@ -86,8 +86,7 @@ impl Problem<'_> {
         SpringState { stretch: self.stretch(contact, twist), force, span, largest }
     }
 
-    /// The norm of the imbalance `Σ G_i F_i + W` of contact forces and load, and the sum of the norms |F_i| of these forces (without that of the
-    /// load).
+    /// The norm of the imbalance `Σ G_i F_i + W` of contact forces and load, and the sum of the norms |F_i|, without that of the load.
     pub(crate) fn imbalance(&self, forces: &[SVector<f64, 3>]) -> (f64, f64) {
         let Imbalance { left, size } = Imbalance::of(self.sites, forces, &self.wrench, 0.0);
         (left.norm(), size)

@@ -1,5 +1,5 @@
-//! The tangent stiffness T of the object, from the tangent stiffness C_i of each contact: the derivative of its force by its stretch in its present
-//! state.
+//! The tangent stiffness T of the object. It follows from the tangent stiffness C_i of each contact, the derivative of its force by its stretch in
+//! its present state.
 //!
 //! ```text
 //! R = Σ G_i F_i + W,     T = Σ G_i C_i G_iᵀ,     dq = T⁻¹R,     F_i -= C_i G_iᵀ dq
@@ -109,9 +109,9 @@ fn add_tangent(t: &mut Square, site: &Site, springs: &SpringTangent) {
     }
 }
 
-/// Corrects the forces and twist of `state` by at most three Newton steps, until the norm of their imbalance is at most the fraction `part` of the
-/// sum of the norms of contact forces and load. Returns the sum over the steps of the largest change of a contact force, N; `None` if the steps do
-/// not suffice.
+/// Corrects the forces and twist of `state` by at most three Newton steps. They end where the norm of the imbalance is at most the fraction `part` of
+/// the sum of the norms of contact forces and load. Returns the sum over the steps of the largest change of a contact force, N; `None` if the steps
+/// do not suffice.
 pub(crate) fn balance(
     sites: &[Site],
     springs: &[SpringTangent],

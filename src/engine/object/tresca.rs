@@ -27,7 +27,7 @@ use crate::numerics::{
 };
 use crate::prelude::*;
 
-/// All contacts with given friction limits, in N, and the coordinates of the twist in an order that makes the band of the stiffness matrix narrow.
+/// All contacts with given friction limits, N, and the twist's coordinates in an order that makes the band of the stiffness matrix narrow.
 struct GivenLimits {
     contacts: Vec<Limited>,
     limits: Vec<f64>,
@@ -187,8 +187,8 @@ impl GivenLimits {
         self.contacts.iter().zip(answers).map(|(contact, answer)| contact.limit(answer.force[0])).list()
     }
 
-    /// Newton's method from the twist `q` to the least energy with the given friction limits, until the imbalance is at most `enough` or for ten
-    /// steps. `None` if the stiffness matrix is not positive definite.
+    /// Newton's method from the twist `q` to the least energy with the given friction limits. It ends where the imbalance is at most `enough`, or
+    /// after ten steps. `None` if the stiffness matrix is not positive definite.
     fn least_energy(&mut self, q: &mut Vec<f64>, (kept, enough): (&mut f64, f64)) -> Option<Answers> {
         let mut present = self.answers(q);
         // Maximum number of Newton steps for the same limits.

@@ -1,7 +1,7 @@
 //! A second path with the same steps, each made at once and not in two halves. The distance between both paths, in contact forces, measures the error
 //! that all steps so far have left.
 //!
-//! The error of a step in two halves is a third of its difference from the step made at once. But errors do not add up: directions of slip turn
+//! The error of a step in two halves is a third of its difference from the step made at once. But errors do not add up. Directions of slip turn
 //! towards the friction force, so that their errors decay, and errors of different steps affect different contacts. Errors of the second path decay
 //! in the same way, so that
 //!
@@ -33,7 +33,7 @@ impl Coarse {
     }
 
     /// Makes on the second path the step that the first path has made between the states `from` and `to`. `at_once` is the end of that step made at
-    /// once. If the second path finds no step of its own, or only one to a distant state, or nearly agrees with the first, it moves to `at_once`.
+    /// once. The second path moves to `at_once` if it finds no step of its own, only one to a distant state, or nearly agrees with the first.
     /// `beside` is memory for its own step.
     pub(super) fn follow(
         &mut self,
@@ -48,8 +48,8 @@ impl Coarse {
         // would happen at each change of contact states, and errors would be added up although they decay.
         let by = 10.0 * distance + to.distance_to(at_once);
         let step = || along.step(&self.present, (to.fraction - from.fraction, near), beside);
-        // If the paths differ by less than this fraction of the largest force, the difference is below the tolerance of Newton's method, and the second
-        // path moves to `at_once`. With a larger fraction, errors would be added up although they decay.
+        // If the paths differ by at most this fraction of the largest force, the difference is within the tolerance of Newton's method. The second
+        // path then moves to `at_once`. With a larger fraction, errors would be added up although they decay.
         if distance > SOLVED_ROUNDING * largest && step().is_some() && beside.distance_to(at_once) <= by {
             core::mem::swap(&mut self.present, beside);
         } else {

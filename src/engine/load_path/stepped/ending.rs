@@ -10,8 +10,8 @@ use crate::prelude::*;
 use crate::search::{Doubt, Settled, settle};
 
 impl<'g> Steps<'g> {
-    /// The end of the path, if no step leads further. It is a loss if the speed of the object grows without bound, or if the search shows that no
-    /// rates of forces and motion exist. Otherwise the path is undecided, for the reason `doubt`.
+    /// The end of the path, if no step leads further. It is a loss if the object's speed grows without bound, or if the search shows that no rates of
+    /// forces and motion exist. Otherwise the path is undecided, for the reason `doubt`.
     pub(super) fn end_here(&self, journey: &Journey<'g>, doubt: Doubt) -> PathEnd<3> {
         let fraction = self.present.fraction;
         let edge = self.present.edge(journey);

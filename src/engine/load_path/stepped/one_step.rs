@@ -108,7 +108,7 @@ impl<'g> StepProblem<'g> {
     }
 }
 
-/// Writes to `to` the equilibrium at the end of a step that begins at `from`; the slips of `from` are subtracted from the offsets of `problem`.
+/// Writes to `to` the equilibrium at the end of a step that begins at `from`. The slips of `from` are subtracted from the offsets of `problem`.
 /// `before` are the stretches before the step. Newton's method starts at the twist `near`. `None` if Newton's method does not converge, or if a
 /// contact would have to pull although it cannot.
 fn equilibrium_after(

@@ -9,16 +9,15 @@ use crate::numerics::Vector;
 /// The state of the step control along a leg.
 #[derive(Debug, Clone)]
 pub(super) struct StepPace {
-    /// Change of the twist in the last step, divided by the fraction of the leg that it covered; `None` before the first step of a leg.
+    /// Change of the twist in the last step, divided by the fraction of the leg that it covered. `None` before the first step of a leg.
     pub(super) rate: Option<Vector>,
     /// Growing speeds of the object along the leg, each with its place.
     pub(super) speeds: Speeds,
-    /// Largest change of a contact force in the last step, divided by the largest change that the object's motion in it would cause if all contacts
-    /// stuck.
+    /// Largest change of a contact force in the last step, divided by the largest that the object's motion would cause if all contacts stuck.
     pub(super) changed: f64,
     /// Length of the next step, as a fraction of the leg; at most `longest` of it is made.
     pub(super) step: f64,
-    /// Longest step, as a fraction of the leg: the whole leg, or a quarter turn of a load that turns, which after a full turn would seem unchanged.
+    /// Longest step, as a fraction of the leg: the whole leg, or a quarter turn of the load. After a full turn the load would seem unchanged.
     pub(super) longest: f64,
     /// Whether the last step was refused: the step length then does not grow after the next one.
     pub(super) refused: bool,

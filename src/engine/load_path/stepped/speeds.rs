@@ -12,7 +12,7 @@
 
 use crate::prelude::*;
 
-/// Pairs of a place on a leg, as a fraction of it, and the speed of the object there; each speed is more than twice the one before.
+/// Pairs of a place on a leg, as a fraction of it, and the speed of the object there. Each speed is more than twice the one before.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Speeds(Vec<[f64; 2]>);
 
@@ -22,8 +22,8 @@ impl Speeds {
         self.0.clear();
     }
 
-    /// Records the speed of the object in a step that has ended at this fraction of the leg: the force that its motion would cause in sticking
-    /// springs, N per unit of the fraction.
+    /// Records the speed of the object in a step that has ended at this fraction of the leg. The speed is the force that its motion would cause in
+    /// sticking springs, N per unit of the fraction.
     pub(super) fn note(&mut self, fraction: f64, speed: f64) {
         // A speed is recorded if it is more than twice the last recorded one.
         if self.0.last().is_none_or(|[_, fastest]| speed > 2.0 * fastest) {

@@ -37,11 +37,9 @@ pub(crate) struct Steps<'g> {
     pub(super) error: f64,
     /// A second path with the same steps, each made at once instead of in two halves. Its distance from this path measures the error.
     pub(super) coarse: Coarse,
-    /// Over all steps so far, the largest error of a contact force that this path and the second one may have in common, divided by the largest
-    /// contact force of the step.
+    /// The largest error of a contact force that both paths may have in common in a step so far, divided by the largest contact force of that step.
     pub(super) unseen: f64,
-    /// Sum, over all steps so far, of the largest change of a contact force in the step, divided by the largest contact force at the ends of this
-    /// step.
+    /// Sum over all steps so far. Each step adds the largest change of a contact force in it, divided by the largest contact force at its ends.
     pub(super) way: f64,
 }
 

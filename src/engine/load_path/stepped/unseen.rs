@@ -23,8 +23,8 @@ use crate::contact::{Mode, Slide, tangential, tangential_norm};
 use crate::numerics::{Each, Vector};
 
 impl StepProblem<'_> {
-    /// Estimate of the largest error of a contact force, N, at the end of a step in two halves that the difference from the step made at once does
-    /// not show. `at` are the states at the beginning, middle and end.
+    /// Estimate of the largest error of a contact force, N, at the end of a step in two halves. It is the error that the difference from the step
+    /// made at once does not show. `at` are the states at the beginning, middle and end.
     pub(super) fn unseen(&self, at: [&SteppedState; 3]) -> f64 {
         (0..self.problem.len()).map(|i| self.unseen_by(i, at)).fold(0.0, f64::max)
     }
