@@ -35,7 +35,8 @@ impl Engine {
         (contacts, drives)
     }
 
-    /// Separates contacts that stop sticking from drives that yield; a drive is labelled by its joint or tendon.
+    /// Separates contacts that stop sticking, whose labels are filled in, from drives that yield or slacken. A drive is labelled by its joint or
+    /// tendon.
     pub(super) fn leaving_apart(&self, mut leaving: Vec<Leaving<3>>) -> (Vec<Leaving<3>>, Vec<PartChange>) {
         let mut drives = Vec::new();
         leaving.retain_mut(|Leaving { contact, how }| {
@@ -50,7 +51,7 @@ impl Engine {
         (leaving, drives)
     }
 
-    /// Separates contacts from drives; a drive is labelled by its joint or tendon.
+    /// The labels of the contacts among the indices `sites`, and of the joints and tendons of the drives among them.
     pub(super) fn sites_apart(&self, sites: Vec<usize>) -> (Vec<ContactLabel>, Vec<PartLabel>) {
         let (contacts, drives): (Vec<usize>, Vec<usize>) = sites.into_iter().partition(|i| *i < self.len());
         let contact = |i: usize| self.contacts()[i].label(i);

@@ -30,7 +30,7 @@ pub(crate) struct Cycles<'g> {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct CycleState {
     pub(crate) forces: Vec<SVector<f64, 3>>,
-    /// Gaps of open contacts and drives, m; zero for closed ones.
+    /// For each contact and drive its gap, m, if it is open; zero if it is closed.
     pub(crate) gaps: Vec<f64>,
     pub(crate) slips: Vec<SVector<f64, 3>>,
     pub(crate) twist: Vector,
@@ -50,7 +50,7 @@ pub(crate) struct CycleRecord {
     /// The smallest gap of each contact or drive that was open during the whole cycle, m; `None` for others.
     pub(crate) open: Vec<Option<f64>>,
     pub(crate) step_error: f64,
-    /// Successive lists of the states of all contacts and drives, each with the leg on which it occurs.
+    /// Successive lists of the states of all contacts and drives, each with the index of the leg, within the cycle, on which it occurs.
     states: Vec<(usize, Vec<State>)>,
 }
 
@@ -131,7 +131,7 @@ impl<'g> Cycles<'g> {
         self.path.journey.settings.most_steps = most_steps;
     }
 
-    /// The end of the path, unless it has completed all legs so far.
+    /// The end of the path, if it has ended before all legs so far were completed; else `None`.
     pub(crate) fn end(&self) -> Option<&PathEnd<3>> {
         self.path.end().filter(|end| !matches!(end, PathEnd::Completed))
     }

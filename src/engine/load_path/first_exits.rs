@@ -11,8 +11,8 @@ pub(super) struct FirstExits {
     /// The least step, a change of the load factor, at which the present state of a contact ends, with all contacts whose states end there. `None` if
     /// none ends.
     pub(super) reached: Option<(f64, ExitsReached)>,
-    /// While a load turns: contacts and drives whose force touches the edge of its cone before the step of `reached`, without crossing it. Each index
-    /// has the angle, rad.
+    /// While a load turns: contacts and drives whose force touches the edge of its cone before the step of `reached`, without crossing it. Each entry
+    /// is the index and the angle, rad.
     pub(super) touches: Vec<(usize, f64)>,
 }
 

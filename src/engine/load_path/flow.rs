@@ -37,7 +37,7 @@ pub(super) enum Rule {
 }
 
 impl Rule {
-    /// This rule with its allowed error, if it has one, multiplied by `times`.
+    /// This rule; the allowed error of an implicit rule is multiplied by `times`.
     fn looser(self, times: f64) -> Self {
         if let Self::Implicit { tolerance } = self {
             Self::Implicit { tolerance: tolerance * times }
@@ -74,14 +74,14 @@ impl StepGoal {
 pub(super) struct Flow<'s, 'g> {
     arc: Arc<'s, 'g>,
     from: f64,
-    /// The state at the start of the step, with rates for one unit of arclength.
+    /// The state at the start of a step, with rates per unit of arclength.
     point: &'s PathPoint,
     /// Friction forces of the sliding contacts at the start, N, in the order of `arc.sliding`.
     begin: Vec<SVector<f64, 3>>,
     /// For each sliding contact, whether its normal force has almost vanished and still decreases, so that its direction of friction needs extra
     /// accuracy.
     vanishing: Vec<bool>,
-    /// The largest force, N, and the largest displacement, m, at the start.
+    /// The largest force, N, and the largest displacement, m, at the start, to which errors are compared.
     sizes: [f64; 2],
 }
 
@@ -239,7 +239,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         self.arc.segment.grasp.size()
     }
 
-    /// The change of the twist since the start, from the list `y` of the changes of all variables.
+    /// The change of the twist since the start of a step, from the list `y` of the changes of all variables.
     fn twist_change(&self, y: &[f64]) -> Vector {
         let first = 2 * self.begin.len();
         Vector::from_fn(self.size(), |k| y[first + k])

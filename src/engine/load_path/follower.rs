@@ -39,7 +39,7 @@ pub(crate) struct StateAtEdge<'g> {
 /// A method of following a load program: piece by piece for a few contacts, or in steps for thousands. The follower stores its place on the present
 /// leg and the accumulated slips; the [`Journey`] stores the legs.
 pub(crate) trait Follower<'g>: Debug {
-    /// The type of the items that the path returns: events, or steps.
+    /// The type of the items that the path returns to its caller: events, or steps.
     type Report;
 
     /// Starts the present leg of the program.
@@ -57,7 +57,7 @@ pub(crate) trait Follower<'g>: Debug {
     /// The fraction of the present leg already followed, from 0 to 1.
     fn fraction(&self) -> f64;
 
-    /// The equilibrium at the present place; `None` if it cannot be computed because of rounding.
+    /// The equilibrium at the present place of the path; `None` if it cannot be computed because of rounding.
     fn state(&self, journey: &Journey<'g>) -> Option<Equilibrium<3>>;
 
     /// Forces of all contacts and drives at the present place, N, in the contact frames.

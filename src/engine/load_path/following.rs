@@ -22,14 +22,14 @@ use crate::search::{Settings, settle};
 #[derive(Debug)]
 pub(crate) struct Following<'g, F> {
     pub(super) journey: Journey<'g>,
-    /// The follower; `None` if there is no equilibrium to start from.
+    /// The follower; `None` if no equilibrium to start from was found.
     pub(super) follower: Option<F>,
     end: Option<PathEnd<3>>,
 }
 
 impl<'g, F: Follower<'g>> Following<'g, F> {
-    /// The path of the load program with the legs `legs`, from the equilibrium under the load `start`. `begin` makes the follower there; its error,
-    /// as if there is no equilibrium, is the end of the path.
+    /// The path of the load program with the legs `legs`, from the equilibrium under the load `start`. `begin` makes the follower there. Its error,
+    /// such as that no equilibrium exists, is the end of the path.
     pub(super) fn start(
         grasp: &'g Engine,
         (start, legs): (&Wrench<3>, &[Leg<3>]),
@@ -65,7 +65,7 @@ impl<'g, F: Follower<'g>> Following<'g, F> {
         }
     }
 
-    /// Ends the path if the lip of a suction cup is open all around: the grasp with its vacuum then no longer describes the object.
+    /// Ends the path, as a loss, if the lip of a suction cup is open all around. The grasp with its vacuum then no longer describes the object.
     fn end_without_vacuum(&mut self) {
         let Some(follower) = &self.follower else { return };
         let open = follower.cups_open(&self.journey);

@@ -53,8 +53,8 @@ impl<'g> JumpInProgress<'g> {
         Self { leg, record, changes: Vec::new(), reaches: Vec::new() }
     }
 
-    /// Follows the leg of the jump to its end, where the load is `goal`. Friction forces that further contacts lose on it are removed as well. If the
-    /// equilibrium is lost, the object moves until a gap closes; otherwise the error is the end of the path.
+    /// Follows the leg of the jump to its end, where the load is `goal`. Friction forces that further contacts lose on it are removed as well. Where
+    /// the equilibrium is lost, the object moves until a gap closes. The error is the end of the path, if no gap closes or forces are lost too often.
     pub(super) fn run(&mut self, goal: &Vector, journey: &Journey<'g>) -> Result<(), PathEnd<3>> {
         // A lost force is removed at most sixteen times for each contact or drive. Each time energy is lost, so only rounding could make contacts
         // stick and slide again more often.

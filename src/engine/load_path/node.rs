@@ -42,7 +42,7 @@ pub(super) struct Node {
     /// For each contact, whether it has infinite friction and carries a tangential force. It loses such a force at once when its normal force
     /// vanishes.
     pub(super) holds: Vec<bool>,
-    /// Whether a contact starts to slide from the apex of its cone: it has a direction, but no friction force yet.
+    /// Whether some contact starts to slide from the apex of its cone: it has a direction of sliding, but no friction force yet.
     pub(super) starts_at_apex: bool,
     /// Indices of contacts whose slip has ended at this node.
     pub(super) stopped: Vec<usize>,

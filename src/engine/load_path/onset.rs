@@ -34,7 +34,7 @@ pub enum Onset<const C: usize> {
         /// The reason why no equilibrium exists beyond; its work is that of the rate of the load, J per unit of the load factor (J/rad for a turn).
         reason: NoEquilibrium<C>,
     },
-    /// The equilibrium at load factor 0 could not be decided.
+    /// The search for the equilibrium at load factor 0 was undecided, or the path to the onset depends on rounding.
     Undecided(Undecided),
 }
 
@@ -70,7 +70,7 @@ pub struct OnsetEvent<const C: usize> {
     pub factor: f64,
     /// The load at the onset.
     pub load: Wrench<C>,
-    /// The contacts that stop sticking, all at this load factor. Contacts that have closed on the way are not among them.
+    /// The contacts that stop sticking, all at this load factor. Contacts that have closed before and stick are not among them.
     pub leaving: Vec<Leaving<C>>,
     /// Drives of a hand that yield at the onset: joints and tendons at their limit, tendons that slacken.
     pub drives: Vec<PartChange>,
@@ -86,7 +86,7 @@ pub struct OnsetEvent<const C: usize> {
 pub(super) struct StickingState {
     pub(super) found: Kept,
     pub(super) rule: FoundBy,
-    /// The active set of each contact or drive: the edges of its cone that its force has reached.
+    /// For each contact or drive its active set: the edges of its cone that its force has reached.
     pub(super) active_sets: Vec<ActiveSet>,
     /// Indices of the contacts and drives that stop sticking.
     pub(super) leaving: Vec<usize>,

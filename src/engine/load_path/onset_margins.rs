@@ -11,7 +11,7 @@ use crate::numerics::mapped;
 use crate::object::PieceState;
 use crate::prelude::*;
 
-/// The part of a grasp that stops sticking at an onset.
+/// A contact or a drive of a hand that stops sticking at an onset.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Leaver {
@@ -75,8 +75,9 @@ impl<'g> OnsetMargins<'g> {
         Some(Self { response, state, margins })
     }
 
-    /// The contacts and drives that stop sticking, in the order of the derivatives. Each has a load factor at which its margin vanishes; the onset is
-    /// the least of them. So the one-sided derivative of the onset along a change of the data is the least of their derivatives.
+    /// The contacts and drives that stop sticking at the onset, in the order of the derivatives of [`Self::by`]. Each has a load factor at which its
+    /// margin vanishes; the onset is the least of them. So the one-sided derivative of the onset along a change of the data is the least of their
+    /// derivatives.
     #[must_use]
     pub fn leavers(&self) -> Vec<Leaver> {
         mapped(&self.margins, &|margin| margin.leaver)

@@ -3,7 +3,7 @@
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// The error of a step is proportional to this power of its length.
+/// The estimated error of a step is proportional to this power of its length.
 const ERROR_ORDER: f64 = 8.0;
 /// The length of the next step is this fraction of the length that the error estimate allows. Its error is then a sixth of the allowed one: few steps
 /// are refused, and errors that add up have a reserve.
@@ -11,7 +11,7 @@ const CAUTION: f64 = 0.8;
 /// Least ratio of the length of a step to that before it, since the error estimate is only valid for small changes of the length.
 const LEAST_RATIO: f64 = 0.2;
 
-/// State of the step control along an arc.
+/// The data of the step control along an arc: the length and kind of the next step, and counters.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pace {
     /// Arclength of the next step; `None` after a node, where it is chosen anew.

@@ -230,9 +230,9 @@ impl<const C: usize, T> Iterator for Path<'_, C, T> {
 }
 
 impl<const C: usize> LoadPath<'_, C> {
-    /// Sum of the estimated errors of all integration steps along which directions of sliding turn on the round cone. The estimated error of each
-    /// step is below [`Settings::step_error`] unless rounding forbids that. Zero if nothing had to be integrated, as always in the plane and on
-    /// polygonal friction cones.
+    /// Sum of the estimated errors of all integration steps so far, along which directions of sliding turn on the round cone. The estimated error of
+    /// each step is below [`Settings::step_error`] unless rounding forbids that. Zero if nothing had to be integrated, as in the plane and on
+    /// polygonal friction cones. Small forces and margins that were set to zero where events accumulate are added, relative to the largest force.
     ///
     /// The estimate is relative: of forces to the largest force of the step, of displacements to the largest one, whichever is worse. The error is
     /// usually smaller. The growth of an earlier error on later steps is not included; sliding damps most of it.
@@ -259,14 +259,14 @@ impl<const C: usize> LoadPath<'_, C> {
         core::iter::from_fn(|| self.0.next_small()).list()
     }
 
-    /// The leg and fraction from which every contact with friction and a normal force slides, without interruption up to the leg and fraction
-    /// `until`. `None` if such a contact sticks just before `until`.
+    /// The leg and fraction from which on, without interruption up to the leg and fraction `until`, every contact with friction that carries a force
+    /// slides. `None` if such a contact sticks just before `until`.
     #[must_use]
     pub fn everything_slides_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
         self.0.all_slide_from(until)
     }
 
-    /// Energies of every leg entered so far, J, up to the present place.
+    /// Energies of each leg entered so far, J; those of the present leg up to the present place.
     #[must_use]
     pub fn energies(&self) -> &[LegEnergy] {
         self.0.energies()

@@ -41,7 +41,7 @@ pub(super) enum PathStiffness {
     Narrow { order: Arc<NarrowOrder>, band: Band },
 }
 
-/// LU factors of the tangent stiffness with one more column and row: the bordered matrix.
+/// LU factors of the bordered matrix: the tangent stiffness with one more column and row.
 #[derive(Debug, Clone)]
 pub(super) enum PathFactors {
     Whole(Bordered),
@@ -84,7 +84,7 @@ impl PathStiffness {
         }
     }
 
-    /// Multiplies all entries by a factor.
+    /// Multiplies all entries of the matrix by a factor.
     pub(super) fn scale(&mut self, factor: f64) {
         let entries = match self {
             Self::Whole(square) => square.as_mut_slice(),
@@ -95,7 +95,7 @@ impl PathStiffness {
         }
     }
 
-    /// The largest absolute value of an entry.
+    /// The largest absolute value of an entry of the matrix.
     pub(super) fn amax(&self) -> f64 {
         match self {
             Self::Whole(square) => square.amax(),

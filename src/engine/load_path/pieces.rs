@@ -51,14 +51,14 @@ pub(crate) struct Pieces<'g> {
     pub(super) pace: Pace,
     /// The load factor at which events that follow each other ever more closely were last moved to one place; NaN before that.
     pub(super) gathered: f64,
-    /// The load factor at which slips last ended on an arc, and the contacts whose slips ended there.
+    /// The load factor at which slips last ended on an arc of this leg, NaN before that, and the contacts whose slips ended there.
     pub(super) stopped: (f64, Vec<usize>),
     /// Number of times that the object has snapped over to another equilibrium on this leg, and the load factor of its last rest.
     pub(super) snapped: Snapped,
     /// Sum of the estimated relative errors of all steps so far: of integration along arcs, on which directions of sliding turn, and of gathered
     /// events.
     pub(super) step_error: f64,
-    /// An event to return before the first leg: a contact slides at the start, and its friction falls from the static to the kinetic value.
+    /// An event to return before all others: a contact slides at the start, and its friction falls from the static to the kinetic value.
     pub(super) first: Option<Box<Event<3>>>,
     /// The static problem at the load of a jump that found no equilibrium, with slips and friction at the end of the jump.
     pub(super) failed_jump: Option<Problem<'g>>,

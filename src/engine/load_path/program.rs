@@ -25,7 +25,7 @@ pub(super) struct Program {
     pub(super) leg: usize,
     /// The load as a function of the load factor, the fraction of the present leg.
     pub(super) course: Trajectory<Wrench<3>>,
-    /// The load at the end of the present leg.
+    /// The program's load at the end of the present leg.
     goal: Wrench<3>,
     /// Commands of all contacts at the beginning and at the end of the present leg, m, in the contact frames.
     pub(super) commands: [Vec<SVector<f64, 3>>; 2],

@@ -27,7 +27,7 @@ use crate::contact::{Tangent, tangential_norm};
 use crate::numerics::{Each, IntoList, Vector};
 use crate::prelude::*;
 
-/// A sliding contact at the start of a step, whose friction force may turn.
+/// A sliding contact at the start of a step, with the derivatives by the angle of its friction force.
 struct Turning {
     contact: usize,
     tangent: Tangent,
@@ -51,7 +51,7 @@ pub(super) struct Relaxation<'f, 's, 'g> {
     contacts: Vec<Turning>,
     /// The tangent stiffness T of the object, with all contacts in their present states and directions of sliding.
     stiffness: PathStiffness,
-    /// The right-hand side b of `T q' = b λ'`, with the tangent stiffness T, the twist q and the load factor λ.
+    /// The right-hand side b of `T q' = b λ'` at the start of the step, with the twist q and the load factor λ.
     load: Vector,
     way: Direction,
 }
@@ -62,7 +62,8 @@ pub(super) struct Damped {
     /// LU factors of the matrix `[T' | -b']` of this file, with one more row transverse to the path. T' and b' are T and b as the implicit step
     /// changes them.
     bordered: PathFactors,
-    /// For each sliding contact the divisor `e_i = |F_t,i| - h d_i·v_i` of this file, N.
+    /// For each sliding contact its friction force minus a change by the step, `e_i = |F_t,i| - h d_i·v_i`, N: a divisor in this file. d_i is
+    /// `Turning::across`, v_i is `Turning::change`, and h is `length`.
     sizes: Vec<f64>,
 }
 

@@ -87,7 +87,7 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     (free.norm() > NO_RIGID_MOTION * load.norm()).then(|| free.normalize())
 }
 
-/// Adds a motion to the basis of resisted motions, unless it depends linearly on the basis.
+/// Adds the direction of `motion` to `basis`, an orthonormal basis of resisted motions, unless it depends linearly on the basis.
 fn resist(basis: &mut Vec<Vector>, motion: &Vector) {
     let rest = orthogonal_part(motion.clone(), basis);
     // A motion depends linearly on the basis if less than this fraction of it remains after its components along the basis are removed.

@@ -47,7 +47,7 @@ impl Slips<'_> {
         self.twists.push(twist.clone());
     }
 
-    /// Number of contacts.
+    /// Number of contacts of the grasp, which has no drives.
     pub(super) fn contacts(&self) -> usize {
         self.problem.len()
     }
@@ -78,7 +78,7 @@ impl Slips<'_> {
         Some(())
     }
 
-    /// The unit directions of the friction forces of sliding contacts in the state `at`.
+    /// For each sliding contact the unit direction of its friction force in the state `at`.
     pub(super) fn directions(&self, at: &[f64]) -> OfSliding {
         let mut directions = OfSliding::default();
         for (direction, i) in directions.iter_mut().zip(&self.sliding) {

@@ -42,7 +42,7 @@ struct MovingObject {
     left: Vector,
 }
 
-/// The state in which the object rests again after it has snapped over.
+/// The state in which the object rests again after it has snapped over, with forces in balance up to a small remainder.
 pub(super) struct RestsAgain<'g> {
     /// The static problem with the slips after the motion. Its load is the one that the contact forces balance exactly, which nearly is the load of
     /// the leg.
@@ -53,7 +53,7 @@ pub(super) struct RestsAgain<'g> {
 
 impl<'g> RestsAgain<'g> {
     /// Moves the object from the twist `start`, at which forces do not balance, to one at which they nearly do, as with viscous contacts. `None` if
-    /// the motion exceeds the limits `small`, does not end, or has very many coordinates.
+    /// the motion exceeds the limits `small` or does not end, and with very many coordinates.
     pub(super) fn near(
         grasp: &Engine,
         small: &SmallMotions,

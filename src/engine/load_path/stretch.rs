@@ -38,11 +38,11 @@ pub(super) struct Stretch<'g> {
     pub(super) states: Vec<State>,
     /// State at the fraction `from`, with its rates along the piece.
     pub(super) here: PathPoint,
-    /// State at the fraction `to`.
+    /// Forces and twist at the fraction `to`.
     pub(super) there: PieceState,
     /// The integration step that made this piece; `None` unless a contact slides on the round cone.
     pub(super) arc_step: Option<ArcStep>,
-    /// The jump that led to this piece of zero length; `None` for other pieces.
+    /// The jump after which this piece, of zero length, was stored; `None` for all other pieces.
     pub(super) jump: Option<Box<JumpRecord>>,
 }
 
@@ -57,7 +57,7 @@ pub(super) struct JumpRecord {
     pub(super) states: Vec<Vec<State>>,
 }
 
-/// The integration step that made a piece of the path along which directions of sliding turn.
+/// The integration step that made a piece of the path on an arc, along which directions of sliding turn.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ArcStep {
     /// The displacement, m, that counts in arclength as much as the whole leg.

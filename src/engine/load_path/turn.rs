@@ -135,7 +135,7 @@ impl<const C: usize> Turn<C> {
         self.check_in(Space::of::<C>())
     }
 
-    /// [`Self::check`] for a turn with three components, whose plane or space is `space`.
+    /// [`Self::check`] for a turn of the engine, which has three components in the plane, too; `space` is the plane or space.
     pub(crate) fn check_in(&self, space: Space) -> Result<(), Error> {
         self.load.constant.check_in(space, "constant load")?;
         self.load.cosine.check_in(space, "cosine of the load")?;

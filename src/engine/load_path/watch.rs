@@ -7,14 +7,14 @@ use crate::contact::{Line, Mode, State, tangential, tangential_norm};
 use crate::numerics::Each;
 use crate::prelude::*;
 
-/// The object of a condition that is watched along an arc: a contact, the load factor or the leg.
+/// The subject of a condition that is watched along an arc: a contact, the load factor or the leg.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum WatchedCondition {
-    /// The contact with this index satisfies the condition of its state.
+    /// The contact with this index satisfies the condition of its present state, such as a positive gap if it is open.
     Contact(usize),
     /// The rate of the load factor is positive.
     Growth,
-    /// The end of the leg is not reached.
+    /// The load factor is below 1: the end of the leg is not reached.
     Leg,
 }
 

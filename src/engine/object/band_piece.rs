@@ -39,7 +39,7 @@ pub(crate) struct BandPiece {
     /// Position of each coordinate in the narrow order, the order that makes the band of T narrow.
     pub(super) numbers: Vec<usize>,
     pub(super) springs: SpringLists,
-    /// The matrix A of the tangent stiffness `BᵀA`: the stretch of each spring per unit of each coordinate.
+    /// The matrix A of the tangent stiffness `BᵀA`: the scaled stretch of each spring per unit of each coordinate.
     pub(super) right: Side,
     /// The matrix B of the tangent stiffness `BᵀA`: the directions in which springs push. `None` if no contact slides, since then B = A.
     pub(super) left: Option<Side>,
@@ -51,9 +51,9 @@ pub(crate) struct BandPiece {
 pub(super) struct SpringLists {
     /// For each contact in turn, the positions in the narrow order of the coordinates with entries in its grasp map.
     coordinates: Vec<usize>,
-    /// The first entry of each contact in `coordinates`; the last number is the length of `coordinates`.
+    /// For each contact the index of its first entry in `coordinates`; the last number is the length of `coordinates`.
     first: Vec<usize>,
-    /// Number of springs of each contact.
+    /// For each contact the number of its springs in its state.
     pub(super) counts: Vec<usize>,
     /// For each contact the index of its first number in [`Side::rows`]; the last entry is the length of that list.
     first_rows: Vec<usize>,
@@ -62,7 +62,8 @@ pub(super) struct SpringLists {
 /// One factor of the tangent stiffness `BᵀA`: the matrix A or B, with a row for each spring.
 #[derive(Debug, Clone)]
 pub(super) struct Side {
-    /// The nonzero entries of each row of the matrix, spring after spring: one for each coordinate that stretches the spring.
+    /// The entries of each row of the matrix, spring after spring, in the order of [`SpringLists`]: one for each coordinate in the contact's grasp
+    /// map.
     rows: Vec<f64>,
     /// For each coordinate, in the narrow order, the factor that scales its column to length one; one for a zero column.
     units: Vec<f64>,

@@ -51,7 +51,7 @@ pub(crate) struct EnergyContact {
     /// Index of the contact's first condition in the common list of facets: `x_n >= 0` if the contact may open, then its facets.
     first: u32,
     pub(crate) facet_count: u16,
-    /// Whether the contact may open.
+    /// Whether the contact may open, so that its first condition is `x_n >= 0`.
     pub(crate) gap: bool,
 }
 

@@ -6,14 +6,15 @@ use crate::contact::{Coulomb, Law, LocalLaw, Mode, tangential, tangential_norm};
 use crate::numerics::unit;
 use crate::prelude::*;
 
-/// A contact of which [`Self::answer`] gets the friction limit as a number, independent of the normal force.
+/// A contact with Tresca friction: the friction limit is a number, given to [`Self::answer`], independent of the normal force.
 pub(super) struct Limited {
     pub(super) stiffness: SVector<f64, 3>,
     pub(super) offset: SVector<f64, 3>,
     opens: bool,
     slides: Slides,
     cone: Coulomb,
-    /// Whether the contact law is that of a rate problem. The friction limit is then the rate of the actual limit, and may be negative.
+    /// Whether the contact is on the edge of its cone in a rate problem. Its friction limit is then the rate of the actual limit, and may be
+    /// negative.
     is_rate: bool,
 }
 

@@ -42,7 +42,7 @@ impl Imbalance {
         self.size += force.norm();
     }
 
-    /// The imbalance of two groups of contacts together.
+    /// The sum of this imbalance, over some contacts, and `other`, over other contacts.
     fn plus(self, other: Self) -> Self {
         Self { left: self.left + other.left, size: self.size + other.size }
     }

@@ -63,7 +63,7 @@ impl Piece {
         Ok(state)
     }
 
-    /// [`Self::solve`] in reused memory.
+    /// [`Self::solve`] in reused memory: the solution is written to `state`.
     pub(crate) fn solve_into(
         &self,
         sites: &[Site],
@@ -153,7 +153,7 @@ impl Piece {
         state
     }
 
-    /// [`Self::solve_roughly`] in reused memory.
+    /// [`Self::solve_roughly`] in reused memory: the solution is written to `state`.
     pub(crate) fn solve_roughly_into(
         &self,
         offsets: &[SVector<f64, 3>],
@@ -196,7 +196,7 @@ impl Piece {
         self.forces(&x, stretches.len())
     }
 
-    /// Change of the contact forces if the object moves by `motion` at constant offsets.
+    /// Change of the contact forces if the object moves by `motion` at constant offsets and contact states.
     pub(crate) fn forces_along(&self, problem: &Problem, motion: &Vector) -> Vec<SVector<f64, 3>> {
         let x = self.stretched(|contact| -problem.sites[contact].map.tr_mul(motion));
         self.forces(&x, problem.len())

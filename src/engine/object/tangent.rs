@@ -47,7 +47,7 @@ impl TangentFactors {
         }
     }
 
-    /// Whether the tangent stiffness T is regular.
+    /// Whether the tangent stiffness T is regular: not singular up to rounding.
     pub(crate) fn is_regular(&self) -> bool {
         match self {
             Self::Whole(factors) => matches!(factors, Factors::Regular(_)),

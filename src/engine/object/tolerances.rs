@@ -45,8 +45,8 @@ pub(super) const RELAXING_STEPS: usize = 300;
 /// scenes (test `needed_amounts`). With a smaller one there are more steps.
 pub(super) const NEARLY_RELAXED: f64 = 1e-2;
 
-/// Cosine of the angle between two steps of the relaxation above which the second has nearly the direction of the first, and is made twice as long.
-/// If smaller, long steps oscillate; if larger, slow relaxation takes hundreds of steps.
+/// Cosine of the angle between two steps of the relaxation from which on they have nearly the same direction. The factor by which steps are made
+/// longer then doubles. If smaller, long steps oscillate; if larger, slow relaxation takes hundreds of steps.
 pub(super) const STRAIGHT_ON: f64 = 0.99;
 
 /// The largest factor by which a step of the relaxation is made longer. If larger, a step may pass over an equilibrium; if smaller, slow relaxation

@@ -18,7 +18,7 @@ impl Problem<'_> {
         }
     }
 
-    /// The factorised linear problem with these contact states. In the states of the elastic trial it is [`Self::trial`], which the grasp may have
+    /// The factorised linear problem with these contact states. In the states of the elastic trial it is that of `trial`, which the grasp may have
     /// kept.
     pub(crate) fn piece(&self, states: &[State]) -> Arc<Piece> {
         let unjumped = || self.locals().zip(states).all(|(local, state)| local.unjumped() == *state);

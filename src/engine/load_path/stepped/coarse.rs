@@ -27,7 +27,7 @@ pub(super) struct Coarse {
 }
 
 impl Coarse {
-    /// The second path, which begins where the first one does.
+    /// The second path, which begins at `present`, the first state of the first path.
     pub(super) fn starting_at(present: &SteppedState) -> Self {
         Self { present: present.clone(), lost: 0.0, farthest: 0.0 }
     }

@@ -37,7 +37,7 @@ impl SteppedState {
 }
 
 impl SteppedState {
-    /// An empty state, to be overwritten by later states.
+    /// A state without contacts: memory that later states overwrite.
     pub(super) fn nowhere() -> Self {
         let (slips, forces, states) = (Vec::new(), Vec::new(), Vec::new());
         Self { fraction: 0.0, twist: Vector::zeros(), slips, forces, states }

@@ -6,7 +6,7 @@ use super::speeds::Speeds;
 use crate::load_path::trajectory::Trajectory;
 use crate::numerics::Vector;
 
-/// The state of the step control along a leg.
+/// The data of the step control of a path followed in steps, along one leg.
 #[derive(Debug, Clone)]
 pub(super) struct StepPace {
     /// Change of the twist in the last step, divided by the fraction of the leg that it covered. `None` before the first step of a leg.
@@ -34,7 +34,7 @@ impl StepPace {
         Self { rate: None, speeds, changed: 1.0, step: 1.0 / 16.0, longest, refused: false, tried: 0 }
     }
 
-    /// Restarts the step control on the next leg, in the same memory.
+    /// Restarts the step control on the next leg, with the load `course`, in the same memory.
     pub(super) fn start_leg<X>(&mut self, course: &Trajectory<X>) {
         self.speeds.clear();
         *self = Self { speeds: core::mem::take(&mut self.speeds), ..Self::along(course) };

@@ -9,7 +9,7 @@ pub(super) struct Places {
     pub(super) middle: SteppedState,
     pub(super) to: SteppedState,
     pub(super) at_once: SteppedState,
-    /// Memory for the step of the second path (see `coarse`).
+    /// Memory for the end of the second path's own step (see `coarse`).
     pub(super) beside: SteppedState,
 }
 

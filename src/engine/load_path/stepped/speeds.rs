@@ -17,7 +17,7 @@ use crate::prelude::*;
 pub(super) struct Speeds(Vec<[f64; 2]>);
 
 impl Speeds {
-    /// Removes all records.
+    /// Removes all recorded places and speeds.
     pub(super) fn clear(&mut self) {
         self.0.clear();
     }

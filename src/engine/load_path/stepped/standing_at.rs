@@ -17,7 +17,7 @@ impl SteppedState {
         let spans =
             problem.sites.iter().zip(&problem.offsets).map(|(site, offset)| site.span(offset, &self.twist));
         let sizes = [self.largest_force().max(problem.wrench.norm()), spans.fold(0.0, f64::max)];
-        // All slip so far is subtracted from the finger offsets already, so a sliding contact keeps only its direction of sliding.
+        // All slip so far is subtracted from the offsets already, so a sliding contact keeps only its direction of sliding.
         let standing = |state: &Mode<Slide>| match state {
             Mode::Round(slide) => Mode::Round(Slide { lambda: 0.0, ..*slide }),
             other => *other,

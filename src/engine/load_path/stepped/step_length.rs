@@ -18,8 +18,7 @@ use crate::search::Doubt;
 struct Twice {
     /// The largest contact force at either end of the step, N.
     largest: f64,
-    /// The error that the step and its two halves may have in common, so that their difference does not reveal the error, as a fraction of the
-    /// largest force.
+    /// The largest error of a contact force that the step at once and its two halves may have in common, as a fraction of the largest force.
     unseen: f64,
     /// The largest change of a contact force, N, that the object's motion in the step would cause if all contacts stuck.
     force_change: f64,

@@ -27,11 +27,11 @@ use crate::serial::AsComputed;
 pub(crate) struct Steps<'g> {
     /// The static problem at the end of a step along the present leg.
     pub(super) along: StepProblem<'g>,
-    /// The state at the present place.
+    /// The state at the present place of the path.
     pub(super) present: SteppedState,
     /// The states after the halves of the last step tried, and after this step at once.
     pub(super) places: Places,
-    /// Step control along the leg.
+    /// Step control along the present leg: the length of the next step, and the speeds of the object.
     pub(super) pace: StepPace,
     /// The allowed error of contact forces for each leg, divided by the largest contact force.
     pub(super) error: f64,
