@@ -1,9 +1,9 @@
 //! Beyond the end of a path: whether any other equilibrium exists at a slightly larger load factor.
 //!
-//! A motion may prove that no equilibrium exists: the motion with which the object leaves, or another motion that separates the load from all
-//! possible contact forces. In the plane, and in space with polygonal friction cones, every combination of contact states is tried. The load factor
-//! is `τ* + ε`, with τ* at the end and ε infinitesimal. A condition of a contact state holds there if its value at τ* is positive, or zero with a
-//! rate that is not negative. On the round cone an equilibrium slightly beyond the end is searched for without regard to the path.
+//! A motion may prove that no equilibrium exists: a virtual motion at the end, or another motion that separates the load from all possible contact
+//! forces. In the plane, and in space with polygonal friction cones, every combination of contact states is tried. The load factor is `τ* + ε`, with
+//! τ* at the end and ε infinitesimal. A condition of a contact state holds there if its value at τ* is positive, or zero with a rate that is not
+//! negative. On the round cone an equilibrium slightly beyond the end is searched for without regard to the path.
 
 use nalgebra::SVector;
 
@@ -105,7 +105,8 @@ pub(super) fn continuation(grasp: &Engine, rates: &Problem, found: Found, rule: 
 pub(super) struct EquilibriumEnd<'f> {
     pub(super) factor: f64,
     pub(super) forces: &'f [SVector<f64, 3>],
-    /// The motion with which the object leaves, about the centroid of the contacts, if it is known.
+    /// A virtual motion on which contact forces at the end can do no work, about the centroid of the contacts. It may prove that no equilibrium
+    /// exists beyond. `None` if none is known.
     pub(super) motion: Option<Vector>,
 }
 
@@ -154,9 +155,9 @@ pub(super) fn beyond_end(
     }
 }
 
-/// Whether Farkas' lemma excludes every choice of slip rates and gap rates, so that the rate problem `rates` has no solution. False if the form would
-/// be too large. The lemma is applied to the kinematic form of `rates`, which is computed in floating point. The proof holds up to the rounding of
-/// its matrix. Linear programs with twice as many rows as the form search for the proof.
+/// Whether Farkas' lemma excludes every choice of slip rates and gap rates, so that `rates`, the problem for the rates of forces and motion, has no
+/// solution. False if the form would be too large. The lemma is applied to the kinematic form of `rates`, which is computed in floating point. The
+/// proof holds up to the rounding of its matrix. Linear programs with twice as many rows as the form search for the proof.
 pub(super) fn no_rates(rates: &Problem) -> bool {
     if !dense_is_affordable(rates, 2) {
         return false;

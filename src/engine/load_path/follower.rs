@@ -27,8 +27,8 @@ pub(crate) enum Advance<T> {
     EndOfLeg,
 }
 
-/// The contact forces at the present place of a path, and the rate problem `rates` there. Its solution decides whether contacts on the edge of their
-/// cones stick, slide or open.
+/// The contact forces at the present place of a path, and `rates`, the complementarity problem for the rates of forces and motion there (rate
+/// problem). Its solution decides whether contacts on the edge of their cones stick, slide or open.
 #[derive(Debug)]
 pub(crate) struct StateAtEdge<'g> {
     pub(super) segment: Segment<'g>,

@@ -22,7 +22,8 @@ use crate::search::{
     solution_near, try_states,
 };
 
-/// The rate problem at a node, and `settled`, the outcome of the search for its solution.
+/// The rate problem at a node (the complementarity problem for the rates of forces and motion), and `settled`, the outcome of the search for its
+/// solution.
 struct Decided<'g> {
     /// The load factor whose rates of load and commands the problem has: that of the node, or one slightly ahead while the load turns.
     ahead: f64,

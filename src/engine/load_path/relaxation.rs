@@ -108,7 +108,7 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
         Self { arc, contacts, stiffness, load, way }
     }
 
-    /// The factors of 1 - hJ for the length h. `None` where the bordered matrix is singular.
+    /// The factors of 1 - hJ for the step length h = `length`, with the matrix J of this file. `None` where the bordered matrix is singular.
     pub(super) fn damped(&self, length: f64) -> Option<Damped> {
         let (mut stiffness, mut load) = (self.stiffness.clone(), self.load.clone());
         let mut sizes = Vec::with_capacity(self.contacts.len());

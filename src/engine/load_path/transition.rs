@@ -11,8 +11,8 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Found, combinations, search_among};
 
-/// The contact states in the rate problem `rates` if every contact keeps its state in `states`. `None` if the laws of the rates exclude that for some
-/// contact.
+/// The contact states in `rates`, the problem for the rates of forces and motion, if every contact keeps its state in `states`. `None` if the laws of
+/// the rates exclude that for some contact.
 pub(super) fn nothing_changes(problem: &Problem, rates: &Problem, states: &[State]) -> Option<Vec<State>> {
     let locals = problem.locals().zip(&rates.laws).zip(states);
     locals.map(|((local, law), state)| local.in_the_rates(law, *state)).collect()
@@ -81,7 +81,7 @@ pub(super) fn other_solutions(rates: &Problem, found: &Found) -> Option<usize> {
     Some(distinct.len() - 1)
 }
 
-/// The kinematic form of the rate problem, which has few complementary pairs.
+/// The kinematic form of the problem for the rates of forces and motion, which has few complementary pairs.
 struct FewRows {
     form: Form,
     /// The largest component of a contact force in the elastic trial, divided by the square root of its stiffness like the form's slacks.

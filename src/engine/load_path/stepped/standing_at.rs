@@ -27,8 +27,8 @@ impl SteppedState {
         journey.equilibrium(&problem, self.fraction, found)
     }
 
-    /// The forces of this state with the rate problem there. Contacts count as on the edge of their cones up to a margin of 1e-9 of the largest
-    /// force, the resolution of the last steps.
+    /// The forces of this state, with the complementarity problem for the rates of forces and motion there. Contacts count as on the edge of their
+    /// cones up to a margin of 1e-9 of the largest force, the resolution of the last steps.
     pub(super) fn edge<'g>(&self, journey: &Journey<'g>) -> StateAtEdge<'g> {
         let segment = journey.segment(self.slips.clone());
         let (offsets, largest) = (segment.offsets(self.fraction), self.largest_force());
