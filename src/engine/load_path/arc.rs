@@ -1,4 +1,5 @@
-//! An arc: a piece of the path on which contact states stay while directions of sliding turn. This file has the linear algebra at a point of it.
+//! An arc: a piece of the load path on which contacts keep their states while directions of sliding turn. This file has the linear algebra at one
+//! point of an arc.
 //!
 //! Let a contact slide along p = F_t / |F_t| with `|F_t| = μ F_n`. Its tangent stiffness `C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ`, see [`Tangent`],
 //! depends on p alone: k_n is the normal stiffness, and κ the stiffness along the tangent d across the slip. Offsets a are affine in the load factor
@@ -26,34 +27,34 @@ use crate::numerics::Vector;
 use crate::object::{Imbalance, Piece, PieceState};
 use crate::prelude::*;
 
-/// An arc of a load path: contacts keep their states, and directions of sliding turn.
+/// An arc of a load path: contacts keep the states `states`, and directions of sliding turn. The load factor λ is the fraction of the leg.
 pub(super) struct Arc<'s, 'g> {
     pub(super) segment: &'s Segment<'g>,
     pub(super) states: &'s [State],
-    /// The contacts that slide.
+    /// Indices of the contacts that slide.
     pub(super) sliding: Vec<usize>,
-    /// The displacement u that counts in arclength as much as the whole leg of the load program, m.
+    /// The displacement u, m, that counts in arclength as much as the whole leg of the load program.
     unit: f64,
-    /// Motions that nothing resists, each with its velocity per unit of the load factor.
+    /// Unit motions that no spring resists, each with the velocity of the object along it per unit of the load factor.
     free_motions: Vec<(Vector, f64)>,
-    /// The terms of contacts that do not slide. They are computed when first needed: the rates at which friction forces turn need only the sliding
-    /// contacts.
+    /// The terms of `T q' = b λ'` from contacts that do not slide, computed on first use. The rates at which friction forces turn need only the
+    /// sliding contacts.
     fixed: OnceCell<Fixed>,
-    /// Whether commands change along the leg.
+    /// Whether a finger command, and so the offset of a contact, changes along the leg.
     pub(super) driven: bool,
 }
 
-/// The constant parts of `T q' = b λ'` along an arc: those of the tangent stiffness T and of the right-hand side b. Here q is the twist and λ the
-/// load factor.
+/// The terms of `T q' = b λ'` that are constant along an arc: terms of the tangent stiffness T and of the right-hand side b. Here q is the twist and
+/// λ the load factor.
 struct Fixed {
-    /// The tangent stiffness of the contacts that do not slide. Motions that nothing resists get an artificial stiffness. It keeps the object at rest
-    /// along them, or at the velocity with which touching contacts without force push the object.
+    /// The tangent stiffness of the contacts that do not slide. Motions that no spring resists get an artificial stiffness. It keeps the object at
+    /// rest along them, or at the velocities in `Arc::free_motions`.
     stiffness: PathStiffness,
-    /// The part of the right-hand side b of `T q' = b λ'` that comes from finger commands at contacts that do not slide.
+    /// The terms of the right-hand side b of `T q' = b λ'` from commands of contacts that do not slide, and from the velocities of free motions.
     push: Vector,
 }
 
-/// A direction of the path in the space of twist and load factor.
+/// A direction (q', λ') of the path in the space of twist and load factor, also used for a change of both.
 #[derive(Debug, Clone)]
 pub(super) struct Direction {
     /// Rate of the twist, q' = dq/ds per unit of arclength.
@@ -63,20 +64,20 @@ pub(super) struct Direction {
 }
 
 impl Direction {
-    /// The direction of a growing load factor, without motion. Corrections transverse to it leave the load factor fixed.
+    /// The direction in which the load factor grows and the object does not move. Corrections transverse to it leave the load factor fixed.
     pub(super) fn forward() -> Self {
         Self { twist: Vector::zeros(), factor: 1.0 }
     }
 
-    /// Whether this is [`Self::forward`]: corrections transverse to it leave the load factor fixed.
+    /// Whether the object does not move in this direction, as in [`Self::forward`]: corrections transverse to it leave the load factor fixed.
     fn keeps_the_factor(&self) -> bool {
         self.twist.norm_squared() == 0.0
     }
 }
 
 impl<'s, 'g> Arc<'s, 'g> {
-    /// The arc on which contacts keep these states, and on which motions that nothing resists continue at the given velocities per unit of the load
-    /// factor.
+    /// The arc on which contacts keep these states. Each of `free_motions` is a motion that no spring resists, with the object's velocity along it
+    /// per unit of the load factor. `unit` is the displacement u, m.
     pub(super) fn new<'m>(
         segment: &'s Segment<'g>,
         states: &'s [State],
@@ -137,17 +138,18 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.segment.grasp.sites()
     }
 
-    /// The part of the right-hand side b of `T q' = b λ'` at a load factor that comes from the load and from contacts that do not slide.
+    /// The right-hand side b of `T q' = b λ'` at a load factor without the terms of sliding contacts: the rate of the load and the constant terms.
     fn push_at(&self, factor: f64) -> Vector {
         self.segment.course.rate_at(factor) + &self.fixed().push
     }
 
-    /// Norm of the rate of the load plus the rate of the forces by which commands push contacts that do not slide, N per unit of the load factor.
+    /// Norm of [`Self::push_at`], N per unit of the load factor. This is the rate of the load and of the forces by which commands push contacts that
+    /// do not slide.
     pub(super) fn load_rate(&self, factor: f64) -> f64 {
         self.push_at(factor).norm()
     }
 
-    /// Tangent stiffness of a sliding contact with this friction force; without friction force it slides in the direction that its state has.
+    /// Tangent stiffness of a sliding contact that slides along this friction force; without friction force the direction is that of its state.
     pub(super) fn tangent(&self, contact: usize, friction: &SVector<f64, 3>) -> Tangent {
         let local = self.segment.problem.local(contact);
         if tangential_norm(friction) == 0.0 {
@@ -156,20 +158,19 @@ impl<'s, 'g> Arc<'s, 'g> {
         local.tangent(&State::Round(Slide::new(friction, 0.0)))
     }
 
-    /// Tangent stiffnesses of all sliding contacts.
+    /// Tangent stiffnesses of all sliding contacts, with these friction forces, in the order of `sliding`.
     pub(super) fn tangents(&self, frictions: impl Iterator<Item = SVector<f64, 3>>) -> Vec<Tangent> {
         self.sliding.iter().zip(frictions).map(|(&i, friction)| self.tangent(i, &friction)).list()
     }
 
-    /// LU factors of the bordered matrix at a load factor: the tangent stiffness in units of `unit` beside the negative right-hand side, and below
-    /// them the row `across`, transverse to the path. Also returns the size of the entries. `None` if the path may continue in more than one
-    /// direction.
+    /// LU factors of the bordered matrix at a load factor: T times the displacement u beside -b, and below them the row `across`, transverse to the
+    /// path. Also returns the largest entry of T u and b. `None` if the matrix is singular: the path may continue in more than one direction.
     fn bordered(&self, tangents: &[Tangent], factor: f64, across: &Direction) -> Option<(PathFactors, f64)> {
         let (stiffness, push) = self.balance(tangents, factor);
         self.factored(stiffness, &push, across)
     }
 
-    /// The tangent stiffness T and the right-hand side b of `T q' = b λ'` at a load factor.
+    /// The tangent stiffness T and the right-hand side b of `T q' = b λ'` at a load factor; `tangents` are those of the sliding contacts.
     pub(super) fn balance(&self, tangents: &[Tangent], factor: f64) -> (PathStiffness, Vector) {
         let (mut t, mut push) = (self.fixed().stiffness.clone(), self.push_at(factor));
         for (&i, tangent) in self.sliding.iter().zip(tangents) {
@@ -188,8 +189,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         (t, push)
     }
 
-    /// LU factors of the bordered matrix: the tangent stiffness `t` beside the negative right-hand side `push`, and below them the row `across`,
-    /// transverse to the path. Also returns the size of the entries. `None` if the path may continue in more than one direction.
+    /// LU factors of the bordered matrix as in [`Self::bordered`], from the tangent stiffness T = `t` and the right-hand side b = `push`. Also
+    /// returns the largest entry of T u and b. `None` if the matrix is singular.
     pub(super) fn factored(
         &self,
         mut t: PathStiffness,
@@ -201,21 +202,21 @@ impl<'s, 'g> Arc<'s, 'g> {
         Some((bordered, scale))
     }
 
-    /// Scales the tangent stiffness `t` to the unit of displacement. Returns the size of the entries of the bordered matrix, and its last row, which
-    /// is transverse to the path.
+    /// Multiplies the tangent stiffness `t` by the displacement u. Returns the largest entry of the result and of `push`, and, scaled by it, the
+    /// twist part of the last row of the bordered matrix.
     fn border(&self, t: &mut PathStiffness, push: &Vector, across: &Direction) -> (f64, Vector) {
         t.scale(self.unit);
         let scale = t.amax().max(push.amax());
         (scale, &across.twist * (scale / self.unit))
     }
 
-    /// Twist and load factor from a solution of the bordered linear system, in which the twist is measured in units of `unit`.
+    /// The change of twist and load factor from a solution of the bordered linear system, in which the twist is divided by the displacement u.
     pub(super) fn unscaled(&self, (x, factor): (Vector, f64)) -> Direction {
         Direction { twist: x * self.unit, factor }
     }
 
     /// The direction of the path per unit of arclength, at a load factor and with these tangent stiffnesses of sliding contacts. It has a positive
-    /// component along `along`. `None` if the path may continue in more than one direction, or turns too far.
+    /// component along `along`. `None` if the path may continue in more than one direction, or if it differs from `along` by more than sixty degrees.
     pub(super) fn direction(
         &self,
         tangents: &[Tangent],
@@ -232,14 +233,16 @@ impl<'s, 'g> Arc<'s, 'g> {
         turned.then(|| Direction { twist: x * (self.unit / length), factor: factor / length })
     }
 
-    /// The rates of stretch and force of a contact with this tangent stiffness, as the path continues in the direction `way`.
+    /// The rates `[stretch, force]` of a contact with this tangent stiffness as the path continues in the direction `way`, per unit of arclength of
+    /// `way`.
     pub(super) fn rates(&self, contact: usize, tangent: &Tangent, way: &Direction) -> [SVector<f64, 3>; 2] {
         let site = &self.sites()[contact];
         let stretch = site.stretch(&(self.segment.change[contact] * way.factor), &way.twist);
         [stretch, tangent.force(&stretch)]
     }
 
-    /// The rates of all contact forces in the direction `way` of the path, given the tangent stiffnesses of the sliding contacts.
+    /// The rates of all contact forces in the direction `way` of the path. `slid` are the tangent stiffnesses of the sliding contacts, in the order
+    /// of `sliding`.
     pub(super) fn force_rates(&self, slid: &[Tangent], way: &Direction) -> Vec<SVector<f64, 3>> {
         let mut slid = slid.iter();
         let rate = |(i, state): (usize, &State)| {
@@ -250,8 +253,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.states.iter().enumerate().map(rate).list()
     }
 
-    /// Corrects a state, transverse to the direction `across` of the path, until forces balance and the friction forces of sliding contacts lie on
-    /// their cones in the directions of `frictions`. Returns the corrected state and its load factor; `None` if it does not converge.
+    /// Corrects twist and load factor, transverse to the direction `across` of the path, until forces balance. Friction forces of sliding contacts
+    /// lie on their cones, at first in the directions of `frictions`. Returns forces, twist and load factor; `None` if it does not converge.
     pub(super) fn balanced(
         &self,
         mut twist: Vector,
@@ -310,7 +313,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         balanced
     }
 
-    /// The largest distance of the friction of a sliding contact from its limit, N.
+    /// The largest difference, N, between the friction force of a sliding contact and its limit μ F_n; contacts without friction force do not count.
     fn off_the_cones(&self, forces: &[SVector<f64, 3>]) -> f64 {
         let mut most = 0.0_f64;
         for &i in &self.sliding {
@@ -322,7 +325,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         most
     }
 
-    /// Contact forces at a twist and a load factor. The friction force of each sliding contact is on its cone, in the direction given in `frictions`.
+    /// Contact forces at a twist and a load factor: by the springs if a contact sticks, zero if it is open. The friction force of each sliding
+    /// contact is on its cone, in the direction given in `frictions`.
     fn forces_at(&self, twist: &Vector, factor: f64, frictions: &[SVector<f64, 3>]) -> Vec<SVector<f64, 3>> {
         let offsets = self.segment.offsets(factor);
         let mut slid = frictions.iter();
@@ -347,9 +351,9 @@ impl<'s, 'g> Arc<'s, 'g> {
 }
 
 impl Segment<'_> {
-    /// State and rates of a path on which contacts slide on the round cone. The state is the equilibrium near `at` with the friction forces of
-    /// sliding contacts on their cones. If a contact has opened, the other contacts take over its force. Along motions that nothing resists the
-    /// object moves at the rates `pushed`.
+    /// State and rates of a path at `factor`, on which contacts have the states `states` and slide on the round cone. The state is the equilibrium
+    /// near `at` with friction forces on their cones, or `at` itself if none is found. Rates are per unit of the load factor. Along motions that no
+    /// spring resists the object moves at the rates `pushed`.
     pub(super) fn tangent(
         &self,
         states: &[State],

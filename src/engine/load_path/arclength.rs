@@ -12,8 +12,8 @@ use crate::numerics::{largest, least};
 use crate::prelude::*;
 
 impl Pieces<'_> {
-    /// Displacement of the object for one unit of the load factor at the beginning of an arc. While the load turns, the displacement for the rate of
-    /// the load a quarter turn later counts as well, since the present rate may be small.
+    /// Norm of the twist rate at the beginning of an arc, m per unit of the load factor. While the load turns, that of the rate a quarter turn later
+    /// is added in quadrature, since the present rate may be small. One if the result is zero.
     pub(super) fn displacement_rate(&self, point: &PathPoint) -> f64 {
         let mut size = point.twist_rate.norm();
         if let Trajectory::Turn { angle, .. } = self.segment.course {
@@ -23,13 +23,14 @@ impl Pieces<'_> {
                 size = size.hypot(rate.twist.norm());
             }
         }
-        // Near a limit load hardly anything resists a motion, and its huge displacement would not be a useful unit. The displacement therefore counts
-        // as at most this multiple of the deflection of the softest spring.
+        // Near a limit load hardly anything resists a motion, and its huge displacement would not be a useful unit. The displacement is therefore
+        // limited to this multiple of the deflection of the softest spring.
         let size = size.min(1e6 * self.springs_give(point));
         if size > 0.0 { size } else { 1.0 }
     }
 
-    /// Deflection of the softest spring under all present forces and the forces that one unit of the load factor adds.
+    /// Deflection, m, of the softest spring under the largest present force and the change of the load per unit of the load factor. The largest
+    /// change of an offset is added.
     fn springs_give(&self, point: &PathPoint) -> f64 {
         let sites = self.segment.grasp.sites();
         let softest = least(sites, &|site| site.springs.softest());

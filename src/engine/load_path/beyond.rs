@@ -1,8 +1,8 @@
-//! Beyond the end of an equilibrium: whether any other equilibrium exists under a slightly larger load.
+//! Beyond the end of a path: whether any other equilibrium exists at a slightly larger load factor.
 //!
-//! A motion may prove that no equilibrium exists: the motion with which the object leaves, or another motion that separates the load from all
-//! possible contact forces. In the plane, and in space with polygonal friction cones, every combination of contact states is tried at the load factor
-//! `τ* + ε`, with τ* at the end and ε infinitesimal. A condition holds there if its value at τ* is positive, or zero with a rate that is not
+//! A motion may prove that no equilibrium exists: a virtual motion at the end, or another motion that separates the load from all possible contact
+//! forces. In the plane, and in space with polygonal friction cones, every combination of contact states is tried. The load factor is `τ* + ε`, with
+//! τ* at the end and ε infinitesimal. A condition of a contact state holds there if its value at τ* is positive, or zero with a rate that is not
 //! negative. On the round cone an equilibrium slightly beyond the end is searched for without regard to the path.
 
 use nalgebra::SVector;
@@ -83,8 +83,8 @@ pub struct Continuation<const C: usize> {
     pub rule: FoundBy,
 }
 
-/// The continuation of an equilibrium past an event. `found` is the solution of `rates`, the complementarity problem for the rates of forces and
-/// motion.
+/// [`Beyond::Continues`] with states and rates from `found`, the solution of `rates`, the rate problem after an event. [`Beyond::WithoutVacuum`] if a
+/// suction cup is open all around.
 pub(super) fn continuation(grasp: &Engine, rates: &Problem, found: Found, rule: FoundBy) -> Beyond<3> {
     let (mut states, mut force_rates) = (site_states(rates, &found), found.forces);
     states.truncate(grasp.len());
@@ -101,15 +101,17 @@ pub(super) fn continuation(grasp: &Engine, rates: &Problem, found: Found, rule: 
     }))
 }
 
-/// The load factor at which an equilibrium ends, and the contact forces there.
+/// The place where a path of equilibria ends: the load factor, and the contact forces there.
 pub(super) struct EquilibriumEnd<'f> {
     pub(super) factor: f64,
     pub(super) forces: &'f [SVector<f64, 3>],
-    /// The motion with which the object leaves, in the engine's coordinates.
+    /// A virtual motion on which contact forces at the end can do no work, about the centroid of the contacts. It may prove that no equilibrium
+    /// exists beyond. `None` if none is known.
     pub(super) motion: Option<Vector>,
 }
 
-/// The situation beyond the end of an equilibrium, where the complementarity problem `rates` for the rates of forces and motion has no solution.
+/// The situation beyond the end of a path. `settled` is the outcome of a search for a solution of `rates`, the rate problem at the end: that none
+/// exists, or undecided.
 pub(super) fn beyond_end(
     segment: &Segment<'_>,
     rates: &Problem,
@@ -118,7 +120,7 @@ pub(super) fn beyond_end(
     settings: &Settings,
 ) -> Beyond<3> {
     let problem = segment.problem_at(end.factor);
-    // The equilibrium problem at a finite distance beyond the end, in units of [`way_beyond`].
+    // The static problem beyond the end, at a load factor larger by `part` times [`way_beyond`].
     let past = |part: f64| segment.problem_at(end.factor + part * way_beyond(&problem, rates));
     let separates = |v: &Vector| separates_from_here_on(&problem, v, &rates.wrench);
     if end.motion.as_ref().is_some_and(separates)
@@ -144,7 +146,8 @@ pub(super) fn beyond_end(
         return search_beyond(&problem, rates);
     }
     match segment.grasp.outcome(rates, &load(), settled, effort, segment.answer_for) {
-        // The proof covers all loads up to this distance beyond the end; with a shorter distance, rounding might hide the proof.
+        // The proof that no equilibrium exists covers all loads up to this distance beyond the end, in units of `way_beyond`. At a shorter distance
+        // rounding might hide it.
         Outcome::NoEquilibrium(_) if nothing_holds(&problem, &past(1e-2)) => Beyond::LimitLoad,
         Outcome::NoEquilibrium(reason) => Beyond::Ends { reason },
         Outcome::Undecided(undecided) => Beyond::Undecided { doubt: undecided.doubt },
@@ -152,9 +155,9 @@ pub(super) fn beyond_end(
     }
 }
 
-/// Whether Farkas' lemma excludes every choice of slip rates and gap rates, so that no rates of forces and motion exist. The lemma is applied to the
-/// kinematic form of `rates`, which is computed in floating point: the proof holds up to the rounding of its matrix. Linear programs with twice as
-/// many rows as the form search for the proof.
+/// Whether Farkas' lemma excludes every choice of slip rates and gap rates, so that `rates`, the problem for the rates of forces and motion, has no
+/// solution. False if the form would be too large. The lemma is applied to the kinematic form of `rates`, which is computed in floating point. The
+/// proof holds up to the rounding of its matrix. Linear programs with twice as many rows as the form search for the proof.
 pub(super) fn no_rates(rates: &Problem) -> bool {
     if !dense_is_affordable(rates, 2) {
         return false;
@@ -165,13 +168,14 @@ pub(super) fn no_rates(rates: &Problem) -> bool {
     kinematic_form(rates, &trial, &state).is_some_and(|form| form.lcp.solve_with(&settings).is_infeasible())
 }
 
-/// Searches for an equilibrium slightly beyond the end of a path. Contacts keep the slip so far, but their states need not continue the path.
+/// Searches for an equilibrium slightly beyond the end of a path, where contact forces are `forces`. Contacts keep the slip so far, but their states
+/// need not continue the path. `past(part)` is the problem at the distance `part`.
 fn from_scratch<'g>(
     past: impl Fn(f64) -> Problem<'g>,
     forces: &[SVector<f64, 3>],
     settings: &Settings,
 ) -> Beyond<3> {
-    // Whether there is an equilibrium at the distance `part` whose forces differ from those at the end by more than on a continued path.
+    // Whether the search finds an equilibrium at the distance `part` whose forces differ from those at the end by more than on a continued path.
     let another = |part: &f64| match settle(&past(*part), settings).0 {
         Settled::Found(found, _) => !is_near(&found.forces, forces, *part),
         _ => false,
@@ -200,22 +204,23 @@ fn from_scratch<'g>(
     Beyond::Undecided { doubt: why }
 }
 
-/// Whether `found` could be the forces of a continued path at the distance `part` beyond the end. They then differ from `forces` by at most the
-/// square root of the distance, relative to the largest force.
+/// Whether `found` could be the forces of a continued path at the distance `part` beyond the end. The force of each contact then differs from that in
+/// `forces` by at most `√part`, or `√LITTLE_BEYOND` if less, times the largest force.
 fn is_near(found: &[SVector<f64, 3>], forces: &[SVector<f64, 3>], part: f64) -> bool {
     let largest = largest(forces, &nalgebra::Matrix::norm);
     let near = part.min(LITTLE_BEYOND).sqrt();
     found.iter().zip(forces).all(|(f, g)| (f - g).norm() <= near * largest)
 }
 
-/// The unit of distances beyond the end, as a change of the load factor: [`whole_way`], or the whole leg if there is no load yet.
+/// The unit of distances beyond the end, as a change of the load factor: [`whole_way`], or 1, the whole leg, if this is nearly zero, since there is
+/// no load yet.
 fn way_beyond(problem: &Problem, rates: &Problem) -> f64 {
     let way = whole_way(problem, rates);
     if way > ZERO_SLACK { way } else { 1.0 }
 }
 
-/// The change of the load factor that would build up the whole present load from zero, or all present commands, whichever is less. Zero if there is
-/// neither.
+/// The change of the load factor that would build up the whole present load at its present rate, or all present offsets, whichever is less. Zero if
+/// this is not finite.
 fn whole_way(problem: &Problem, rates: &Problem) -> f64 {
     let total = |offsets: &[SVector<f64, 3>]| summed(offsets, &nalgebra::Matrix::norm);
     let load_way = problem.wrench.norm() / rates.wrench.norm();
@@ -225,7 +230,8 @@ fn whole_way(problem: &Problem, rates: &Problem) -> f64 {
 }
 
 fn search_beyond(problem: &Problem, rates: &Problem) -> Beyond<3> {
-    // The problem whose load and finger offsets are the present rates. Each contact has its complete law, since any contact states may occur.
+    // The problem with the present rates of load and offsets in place of load and offsets. Each contact has its complete law, since any contact
+    // states may occur.
     let rates = &Problem {
         offsets: rates.offsets.clone(),
         wrench: rates.wrench.clone(),
@@ -242,8 +248,8 @@ fn search_beyond(problem: &Problem, rates: &Problem) -> Beyond<3> {
         ) else {
             return false;
         };
-        // Tolerance for rounding, relative to the size of a condition's terms. The tolerance has an upper bound: a larger violation is real, however
-        // badly conditioned the linear problem is.
+        // A condition is zero up to rounding if its value is at most this fraction of the size of its terms. The fraction has an upper bound: a
+        // larger violation is real, however badly conditioned the linear problem is.
         let rounding = (ZERO_SLACK * piece.growth()).min(MOST_SLACK);
         let mut values = Vec::new();
         for_each_condition(problem, &states, &now.forces, &now.twist, |value, size| {
@@ -254,8 +260,8 @@ fn search_beyond(problem: &Problem, rates: &Problem) -> Beyond<3> {
         for_each_condition(rates, &states, &next.forces, &next.twist, |rate, rate_size| {
             let (value, size) = values[at];
             at += 1;
-            // A positive condition counts as zero if it would become negative within this fraction of the whole load, since the load factor at the
-            // end is not known more accurately.
+            // A condition that is positive at the end also counts as zero if, at its rate, it becomes zero within the fraction `NEGLIGIBLE` of `way`.
+            // `way` is the change of the load factor that builds up the whole load. The load factor at the end is known only to about this accuracy.
             let fleeting = rate < 0.0 && value <= NEGLIGIBLE * way * -rate;
             let zero = value.abs() <= rounding * size || (value > 0.0 && fleeting);
             holds &= if zero { rate >= -rounding * rate_size } else { value > 0.0 };

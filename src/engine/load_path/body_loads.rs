@@ -1,4 +1,4 @@
-//! Loads on single bodies along a program of legs, beside the load of the question.
+//! Loads on single bodies that change along the legs of a load program, beside the program's load on the whole grasp.
 
 use alloc::borrow::Cow;
 use alloc::sync::Arc;
@@ -9,7 +9,7 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Each, Vector, paired};
 use crate::prelude::*;
 
-/// The name of a body, and the change of its load along a leg.
+/// The name of a body, and the load on it at the end of a leg (`To`) or its change along the leg (`By`).
 pub(super) type BodyGoal<const C: usize> = (Arc<str>, LegGoal<Wrench<C>>);
 
 impl<const C: usize> Leg<C> {
@@ -65,7 +65,8 @@ impl<const C: usize> Leg<C> {
         self
     }
 
-    /// Refuses loads on bodies that do not exist, two loads on one body, and such loads while the load turns.
+    /// Refuses, with an error, loads of this leg on bodies that do not exist, two loads on one body, and loads out of range. Also refuses body loads
+    /// while the load of the leg turns.
     pub(super) fn check_bodies(&self, grasp: &Engine) -> Result<(), Error> {
         for (k, (name, goal)) in self.bodies.iter().enumerate() {
             let refuse = |fault: &str| Err(Error::Body { name: name.to_string(), fault: fault.to_owned() });
@@ -84,7 +85,8 @@ impl<const C: usize> Leg<C> {
     }
 }
 
-/// The loads of all bodies at the beginning and at the end of a leg; `None` until a leg changes one.
+/// The loads of all bodies, beside their permanent loads, at the beginning and at the end of the present leg. `None` until a leg of the program
+/// changes one.
 #[derive(Debug, Clone, Default)]
 pub(super) struct BodyLoads(Option<Arc<[Vec<Wrench<3>>; 2]>>);
 
@@ -108,18 +110,19 @@ impl BodyLoads {
         self.0 = Some(Arc::new([from, to]));
     }
 
-    /// The sum of the loads of all bodies in the engine's coordinates, at the beginning and at the end of the leg.
+    /// The generalised forces of the loads of all bodies on the coordinates of the grasp, at the beginning and at the end of the leg. `None` until a
+    /// leg changes one.
     pub(super) fn inside(&self, grasp: &Engine) -> Option<[Vector; 2]> {
         let (loads, bodies) = self.0.as_ref().zip(grasp.bodies())?;
         Some([0, 1].each(|end| grasp.combine_wrenches(bodies, &loads[end])))
     }
 
-    /// The loads at the beginning (0) or the end (1) of the leg.
+    /// The loads of all bodies at the beginning (`end` = 0) or the end (1) of the leg; empty until a leg changes one.
     pub(super) fn at_end(&self, end: usize) -> &[Wrench<3>] {
         self.0.as_ref().map_or(&[], |loads| &loads[end])
     }
 
-    /// The grasp with its bodies under the loads that they have at a fraction of the leg.
+    /// The grasp with its bodies under the loads that they have at a fraction of the leg. The grasp itself if no leg has changed one.
     pub(super) fn apply<'g>(&self, grasp: &'g Engine, fraction: f64) -> Cow<'g, Engine> {
         let Some(loads) = &self.0 else { return Cow::Borrowed(grasp) };
         let at = |(from, to): (&Wrench<3>, &Wrench<3>)| *from + (*to - *from) * fraction;

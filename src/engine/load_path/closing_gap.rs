@@ -1,15 +1,15 @@
-//! Free motion after a loss of equilibrium, until a gap closes.
+//! Free motion of the object after a loss of equilibrium, until the gap of an open contact closes.
 //!
 //! If nothing resists the motion v of a loss, forces stay constant along it: no spring is stretched further, and friction is exhausted already. So
-//! the object is in balance under the load of the loss everywhere along the motion. The motion ends after the length δ, at which the first open
-//! contact closes, and contacts keep the slips that it causes:
+//! the object is in balance under the load of the loss everywhere along the motion. The motion ends after the length δ v at which the first open
+//! contact closes, n_i being normals and G_i grasp maps. Contacts keep the slips that it causes:
 //!
 //! ```text
 //! δ = min gap_i / (-n_i·G_iᵀv)
 //! ```
 //!
-//! From there the path continues at the same load. If kinetic friction is lower, contacts that begin to slide lose a force. It is removed first,
-//! along a leg ([`super::jump_leg`]) on which the gap then closes. A motion too large for linear kinematics is not made.
+//! From there the path continues at the same load. If kinetic friction is lower, contacts that begin to slide lose a part of their friction force. It
+//! is removed first, along a leg of its own ([`super::jump_leg`]) on which the gap may close. A motion too large for linear kinematics is not made.
 
 use super::event::{Change, Event, Loss, LossKind, PathEnd};
 use super::follower::Follower;
@@ -27,18 +27,18 @@ use crate::search::Found;
 
 use nalgebra::SVector;
 
-/// A motion of the object that nothing resists, up to the gap that closes first.
+/// How far the object moves along a motion that nothing resists, up to the gap that closes first.
 struct FreeWay {
     /// Length of the motion, as a multiple of the motion vector.
     length: f64,
-    /// Contacts whose gaps close at the end of the motion.
+    /// Indices of the contacts and drives whose gaps close at the end of the motion.
     closing: Vec<usize>,
-    /// For each contact or drive, whether it stays in place during the motion; it may be on the edge of its friction cone.
+    /// For each contact or drive, whether it has no velocity in the motion, so that it sticks even on the edge of its friction cone.
     still: Vec<bool>,
 }
 
-/// Whether a contact with this force lets the body move at this velocity (in the contact frame) without a change of the force. Velocities up to
-/// `none` count as zero.
+/// Whether a contact with this force lets the object move at this velocity (in the contact frame) without a change of the force. Then no spring is
+/// stretched, and friction is at its limit against the slip. Velocities up to `none` count as zero.
 fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f64, 3>, none: f64) -> bool {
     match local.resistance(velocity) {
         Resistance::Unlimited => false,
@@ -57,8 +57,8 @@ fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f
 }
 
 impl<'g> Pieces<'g> {
-    /// The length of a motion up to the gap that closes first. `None` if a contact resists the motion, if no gap closes, or if the motion is not
-    /// small.
+    /// The free motion from the present state along `motion`, up to the gap that closes first. `None` if a contact resists or blocks it, if no gap
+    /// closes, or if rotations or slips exceed the limits of small motions.
     fn free_way(&self, motion: &Vector) -> Option<FreeWay> {
         let grasp = self.segment.grasp;
         let offsets = self.segment.offsets(self.factor);
@@ -98,7 +98,8 @@ impl<'g> Pieces<'g> {
         is_small.then_some(FreeWay { length, closing, still })
     }
 
-    /// Makes contacts on the edge of their cones slide or open along the motion, unless they stay in place, and returns the changes of state.
+    /// Makes contacts slide that are on the edge of their cones, and open those at the apex, unless they stay in place in the motion. Returns the
+    /// changes of contact states.
     fn yield_along(
         &mut self,
         motion: &Vector,
@@ -117,7 +118,8 @@ impl<'g> Pieces<'g> {
         self.node.apply_rates(&mut self.segment, self.factor, &rates, &found)
     }
 
-    /// Moves the object until the gap closes; `None` if the state at the closed gap cannot be computed because of rounding.
+    /// Moves the object by `motion` times the length in `way`, until the gap closes, at the same load. `None` if the forces of the new states cannot
+    /// be solved for.
     fn move_to_gap(&mut self, motion: &Vector, way: &FreeWay) -> Option<()> {
         let point = self.node.point_at(&self.segment.at_rest(self.factor), self.factor, None).ok()?;
         // Forces are solved for anew in the new states: in contacts that have opened not even a rounding error of a force remains.
@@ -137,8 +139,8 @@ impl<'g> Pieces<'g> {
         Some(())
     }
 
-    /// The event at which the object, which nothing resists after a loss, has moved until a gap closes; the path continues from there. `None` if no
-    /// gap closes.
+    /// The event that replaces the loss `loss`: the object, which nothing resists, moves until a gap closes, and the path continues from there.
+    /// `None` if no gap closes, after a failed jump, or if no integration steps are left.
     pub(super) fn closing_gap_event(&mut self, journey: &Journey<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         if self.failed_jump.is_some() || self.pace.steps >= journey.settings.most_steps {
             return None;
@@ -161,8 +163,8 @@ impl<'g> Pieces<'g> {
         Some(Event { jump: Some(Box::new(jump)), ..self.caught(journey, changes, state) })
     }
 
-    /// The event that replaces a loss from which the path continues: the changes of contact states there, and the state before them. The caller adds
-    /// the jump.
+    /// The event that replaces a loss from which the path continues: `changes` of contact states at the loss, and the equilibrium `state` before
+    /// them. The caller adds the jump.
     pub(super) fn caught(
         &self,
         journey: &Journey<'g>,
@@ -185,8 +187,8 @@ impl<'g> Pieces<'g> {
 }
 
 impl<'g> JumpInProgress<'g> {
-    /// Continues after a loss on this leg. If contacts begin to slide with kinetic friction, the force that they lose is removed along a new leg.
-    /// Otherwise the object moves until a gap closes. Returns whether such a force is to be removed.
+    /// Continues after the loss `loss` on this leg. If contacts begin to slide with lower kinetic friction, a new leg starts along which the friction
+    /// force that they lose is removed: returns true. Otherwise the object moves until a gap closes: returns false.
     ///
     /// # Errors
     /// The loss, if no gap closes.

@@ -1,4 +1,5 @@
-//! Events of a hand: the engine treats a drive like a contact, but answers name its joint or tendon.
+//! Events of a grasp by a hand. The engine treats the drive of a joint or tendon like a contact, with an index after the contacts. Answers name the
+//! joint or tendon.
 
 use super::drive_change::{DriveChange, PartChange};
 use super::event::{Change, ContactChange};
@@ -12,7 +13,8 @@ use crate::numerics::moved;
 use crate::prelude::*;
 
 impl Engine {
-    /// Separates the changes of contacts from those of drives; a drive is labelled by its joint or tendon.
+    /// Separates changes of state of contacts from those of drives; a drive is labelled by its joint or tendon. Repeated changes of one part are
+    /// listed once.
     pub(super) fn contacts_and_drives(
         &self,
         changes: Vec<(usize, Change<3>)>,
@@ -33,7 +35,8 @@ impl Engine {
         (contacts, drives)
     }
 
-    /// Separates contacts that stop sticking from drives that yield; a drive is labelled by its joint or tendon.
+    /// Separates contacts that stop sticking, whose labels are filled in, from drives that yield or slacken. A drive is labelled by its joint or
+    /// tendon.
     pub(super) fn leaving_apart(&self, mut leaving: Vec<Leaving<3>>) -> (Vec<Leaving<3>>, Vec<PartChange>) {
         let mut drives = Vec::new();
         leaving.retain_mut(|Leaving { contact, how }| {
@@ -48,21 +51,21 @@ impl Engine {
         (leaving, drives)
     }
 
-    /// Separates contacts from drives; a drive is labelled by its joint or tendon.
+    /// The labels of the contacts among the indices `sites`, and of the joints and tendons of the drives among them.
     pub(super) fn sites_apart(&self, sites: Vec<usize>) -> (Vec<ContactLabel>, Vec<PartLabel>) {
         let (contacts, drives): (Vec<usize>, Vec<usize>) = sites.into_iter().partition(|i| *i < self.len());
         let contact = |i: usize| self.contacts()[i].label(i);
         (moved(contacts, &contact), drives.into_iter().filter_map(|i| self.part(i)).list())
     }
 
-    /// The joint or tendon of the drive with this index.
+    /// The joint or tendon of the drive with this index among contacts and drives; `None` for a drive without one.
     fn part(&self, site: usize) -> Option<PartLabel> {
         let linkage = self.linkage()?;
         linkage.part(site - self.len()).map(|part| linkage.label(part))
     }
 
-    /// The contact with this index; for the index of a drive, its joint or tendon. `None` for springs without joint or tendon, whose state never
-    /// changes.
+    /// The contact with this index; for the index of a drive, its joint or tendon. `None` for a drive without joint or tendon, a spring whose state
+    /// never changes.
     pub(crate) fn leaver(&self, site: usize) -> Option<Leaver> {
         match self.linkage() {
             Some(linkage) if site >= self.len() => linkage.part(site - self.len()).map(Leaver::Drive),

@@ -1,6 +1,7 @@
-//! A step along an arc, on which directions of sliding turn, that ends where a condition is just met.
+//! Steps along an arc, on which directions of sliding turn. They end where a condition of a contact state is just met (its value is zero).
 //!
-//! Newton's method on the condition repeats the last step with other lengths, within a bracket. States are never interpolated.
+//! The last step is repeated from its start with other lengths, by Newton's method on the value of the condition, within a bracket. States of the
+//! path are never interpolated.
 
 use super::flow::{Flow, FlowStep, Rule, StepGoal};
 use super::pieces::Pieces;
@@ -8,18 +9,18 @@ use super::segment::PathPoint;
 use super::watch::{Watch, watch};
 use crate::prelude::*;
 
-/// The end of a step along an arc, with the conditions that are watched, evaluated there.
+/// A step along an arc: its arclength, the state at its end, and the watched conditions of contact states, evaluated at the end.
 pub(super) struct StepEnd {
     pub(super) length: f64,
     pub(super) rule: Rule,
     pub(super) reached: FlowStep,
     pub(super) watches: Vec<Watch>,
-    /// The index of the condition at which the step was made to end, if any.
+    /// The index in `watches` of the condition that is just met at the end, if the step was made to end there.
     pub(super) located: Option<usize>,
 }
 
 impl Pieces<'_> {
-    /// Makes a step of this length along an arc, and evaluates the watched conditions at its end.
+    /// Makes a step of this arclength from `point` along an arc, and evaluates the watched conditions at its end; `None` if the step fails.
     pub(super) fn step(
         &self,
         point: &PathPoint,
@@ -33,7 +34,8 @@ impl Pieces<'_> {
         Some(StepEnd { length, rule, reached, watches, located: None })
     }
 
-    /// Of the conditions that are violated at the end of a step, the index of the one that vanishes first by linear interpolation between both ends.
+    /// The index of the condition, among those violated at the end of a step, that vanishes first by linear interpolation between both ends. `None`
+    /// if none is violated.
     pub(super) fn first_crossing(start: &[Watch], end: &StepEnd) -> Option<usize> {
         let part = |k: usize| {
             let (from, to) = (start[k].value.max(0.0), end.watches[k].value);
@@ -43,7 +45,8 @@ impl Pieces<'_> {
         violated.min_by(|&i, &j| part(i).total_cmp(&part(j)))
     }
 
-    /// Returns the step that ends where the watched condition `k` is just met and no other condition is violated; `None` if no such step is found.
+    /// Shortens the step `end`, which violates condition `k`, until it ends where a watched condition is just met and no other is violated. This is
+    /// `k`, or another one that is violated earlier. `None` if no such step is found.
     pub(super) fn locate(
         &self,
         point: &PathPoint,
@@ -58,7 +61,7 @@ impl Pieces<'_> {
         }
         // At most eighty steps are tried; bisection alone would need fifty.
         for trial in 0..80 {
-            // A secant step, and every third time bisection, so that the bracket shrinks for certain.
+            // A secant step, every third time bisection, where Newton's method has no length inside the bracket.
             let part = low.1 / (low.1 - high.1);
             // A secant step keeps at least this fraction of the bracket away from both of its ends.
             let inside = 1e-3;

@@ -1,4 +1,4 @@
-//! A cycle of legs that is followed repeatedly.
+//! A closed cycle of legs of a load program, followed again and again.
 
 use nalgebra::{Matrix, SVector};
 
@@ -16,7 +16,7 @@ use crate::numerics::{IntoList, Vector, largest, numbered};
 use crate::prelude::*;
 use crate::search::{Doubt, Settings};
 
-/// A cycle of legs that is being followed again and again.
+/// The path along a closed cycle of legs that is followed again and again.
 #[derive(Debug)]
 pub(crate) struct Cycles<'g> {
     path: Following<'g, Pieces<'g>>,
@@ -26,11 +26,11 @@ pub(crate) struct Cycles<'g> {
     completed: usize,
 }
 
-/// The state of a grasp between two cycles.
+/// The state of a grasp between two cycles: a list has an entry for each contact and drive.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct CycleState {
     pub(crate) forces: Vec<SVector<f64, 3>>,
-    /// Gaps of open contacts and drives, m; zero for closed ones.
+    /// For each contact and drive its gap, m, if it is open; zero if it is closed.
     pub(crate) gaps: Vec<f64>,
     pub(crate) slips: Vec<SVector<f64, 3>>,
     pub(crate) twist: Vector,
@@ -38,24 +38,24 @@ pub(crate) struct CycleState {
     pub(crate) weaker: Vec<bool>,
 }
 
-/// Totals and extremes of one cycle of legs.
+/// Totals and extremes of one cycle of legs; a list has an entry for each contact and drive.
 #[derive(Debug, Clone)]
 pub(crate) struct CycleRecord {
-    /// The path length that each contact or drive has slid, m.
+    /// The length that each contact or drive has slid during the cycle, m: the sum of the changes of its slip over pieces of the path.
     pub(crate) slid: Vec<f64>,
-    /// Heat from friction, J.
+    /// Heat from friction during the cycle, J.
     pub(crate) dissipated: f64,
-    /// The largest force during the cycle, N.
+    /// The largest contact force at the ends of the pieces of the path, N.
     pub(crate) largest: f64,
     /// The smallest gap of each contact or drive that was open during the whole cycle, m; `None` for others.
     pub(crate) open: Vec<Option<f64>>,
     pub(crate) step_error: f64,
-    /// Successive lists of the states of all contacts and drives, each with the leg on which it occurs.
+    /// Successive lists of the states of all contacts and drives, each with the index of the leg, within the cycle, on which it occurs.
     states: Vec<(usize, Vec<State>)>,
 }
 
 impl CycleRecord {
-    /// Adds the totals of the next cycle, so that this record covers both cycles.
+    /// Adds the totals of the next cycle `next`, and takes the extremes of both, so that this record covers both cycles.
     pub(crate) fn append(&mut self, next: &Self) {
         self.slid.iter_mut().zip(&next.slid).for_each(|(slid, more)| *slid += more);
         self.dissipated += next.dissipated;
@@ -66,7 +66,7 @@ impl CycleRecord {
         self.states.extend(next.states.iter().cloned());
     }
 
-    /// Whether the contacts have gone through the same states on the same legs in both cycles.
+    /// Whether contacts and drives had the same states on the same legs in both cycles, apart from directions of sliding on the round cone.
     pub(crate) fn is_like(&self, other: &Self) -> bool {
         let mut both = self.states.iter().zip(&other.states);
         self.states.len() == other.states.len()
@@ -74,13 +74,13 @@ impl CycleRecord {
     }
 }
 
-/// Whether all contacts and drives have the same states, apart from the direction of sliding on the round cone.
+/// Whether all contacts and drives have the same states in `a` and `b`, apart from directions of sliding on the round cone.
 fn are_alike(a: &[State], b: &[State]) -> bool {
     a.iter().zip(b).all(|(a, b)| a.is_kind_of(b))
 }
 
 impl<'g> Cycles<'g> {
-    /// The program before its first cycle, at the equilibrium under the base load.
+    /// The cycle `legs` before it is followed for the first time, at the equilibrium under `base`, the load at the beginning of the cycle.
     ///
     /// # Errors
     /// As for [`Grasp::follow`](crate::ask::Grasp::follow), and [`Error::NotClosed`] for legs that do not lead back to their beginning.
@@ -95,8 +95,8 @@ impl<'g> Cycles<'g> {
         Ok(Self { path, legs: legs.to_vec(), base: *base, completed: 0 })
     }
 
-    /// The program at the beginning of a cycle, from the given state; `None` if this state, with the slips stored in it, is no equilibrium of the
-    /// grasp.
+    /// The cycle before it is followed, at the state `from`. `None` if this state is no equilibrium of the grasp: a contact would slide at once, or
+    /// the equilibrium with these slips has other forces.
     pub(crate) fn beginning_at(&self, from: &CycleState, settings: &Settings) -> Option<Self> {
         let grasp = self.path.journey.grasp;
         let largest = largest(&from.forces, &Matrix::norm);
@@ -107,7 +107,7 @@ impl<'g> Cycles<'g> {
             slipped.cones = from.cones(grasp);
             // If a contact would have to slide at once, the state is no equilibrium with these slips, and no search is needed.
             let slides = |(i, force): (usize, &SVector<f64, 3>)| {
-                // A condition of sticking that is violated by more than this fraction of the largest force means sliding.
+                // A contact slides if a condition of sticking is violated by more than the fraction `NEGLIGIBLE` of the largest force.
                 slipped
                     .local(i)
                     .edges(&Mode::Sticking)
@@ -131,23 +131,23 @@ impl<'g> Cycles<'g> {
         self.path.journey.settings.most_steps = most_steps;
     }
 
-    /// The end of the path, unless it has completed all legs so far.
+    /// The end of the path, if it has ended before all legs so far were completed; else `None`.
     pub(crate) fn end(&self) -> Option<&PathEnd<3>> {
         self.path.end().filter(|end| !matches!(end, PathEnd::Completed))
     }
 
-    /// The leg of the cycle and its fraction at the present place.
+    /// The index of the present leg within the cycle, and the fraction of this leg covered.
     pub(crate) fn place(&self) -> (usize, f64) {
         let (leg, fraction) = self.path.place();
         (leg - self.completed.saturating_sub(1) * self.legs.len(), fraction)
     }
 
-    /// The equilibrium at the present place.
+    /// The equilibrium at the present place of the path; `None` if it cannot be computed.
     pub(crate) fn state(&self) -> Option<Equilibrium<3>> {
         self.path.state()
     }
 
-    /// Follows one cycle; `None` if the path [ends](Self::end) before the cycle is complete.
+    /// Follows one more cycle and returns its totals; `None` if the path [ends](Self::end) before the cycle is complete.
     pub(crate) fn follow_cycle(&mut self) -> Option<CycleRecord> {
         if self.completed > 0 && self.path.end().is_some() {
             self.path.journey.program.return_to(self.path.journey.grasp, &self.base);
@@ -184,7 +184,7 @@ impl<'g> Cycles<'g> {
         Some(record)
     }
 
-    /// The state of the grasp after the cycles so far.
+    /// The state of the grasp at the present place, after the cycles so far. `None` without a path, where no equilibrium exists under the base load.
     pub(crate) fn cycle_state(&self) -> Option<CycleState> {
         let follower = self.path.follower.as_ref()?;
         let (at, segment) = (&follower.node.at, &follower.segment);
@@ -204,7 +204,7 @@ impl<'g> Cycles<'g> {
 }
 
 impl CycleState {
-    /// The friction of each contact or drive: kinetic for those in `weaker`, otherwise static. Empty if `weaker` is empty.
+    /// The friction cone of each contact or drive: kinetic where `weaker` is true, otherwise static. Empty if `weaker` is empty.
     fn cones(&self, grasp: &Engine) -> Vec<Coulomb> {
         let sites = grasp.sites().iter().zip(&self.weaker);
         sites.map(|(site, weaker)| site.kinetic.filter(|_| *weaker).unwrap_or(site.friction)).list()
@@ -212,7 +212,8 @@ impl CycleState {
 }
 
 impl CycleRecord {
-    /// Adds a piece of the path to the totals. `after` are the slips at its end, and `first` is the index of the cycle's first leg.
+    /// Adds a piece of the path to the totals and extremes. `after` are the accumulated slips at its end, and `first` is the index of the cycle's
+    /// first leg among all legs followed.
     fn add(&mut self, piece: &Stretch<'_>, after: &[SVector<f64, 3>], first: usize) {
         let leg = piece.leg.saturating_sub(first);
         if let Some(jump) = &piece.jump {

@@ -1,4 +1,4 @@
-//! Changes of state of the drives of a hand.
+//! Changes of state of the drives of a hand's joints and tendons, as reported in events.
 
 use crate::grasp::PartLabel;
 

@@ -1,4 +1,4 @@
-//! Energy balance of the legs of a path.
+//! The energy balance of each leg of a load path: works, stored energy and heat.
 
 use nalgebra::SVector;
 
@@ -45,7 +45,7 @@ impl LegEnergy {
         if self.turnover > 0.0 { excess / self.turnover } else { 0.0 }
     }
 
-    /// Adds the energy that the springs take up between two states.
+    /// Adds the energy that the springs take up between two states with the contact forces `from` and `to`.
     pub(super) fn store(&mut self, sites: &[Site], from: &[SVector<f64, 3>], to: &[SVector<f64, 3>]) {
         for (site, (from, to)) in sites.iter().zip(from.iter().zip(to)) {
             self.stored += 0.5 * (to - from).dot(&site.springs.deflection(&(to + from)));
@@ -54,7 +54,7 @@ impl LegEnergy {
         }
     }
 
-    /// Adds the energies of another part of the leg.
+    /// Adds the energies `part` of another piece of the same leg.
     pub(super) fn add_part(&mut self, part: &Self) {
         self.load_work += part.load_work;
         self.finger_work += part.finger_work;
@@ -63,8 +63,8 @@ impl LegEnergy {
         self.turnover += part.turnover;
     }
 
-    /// Adds the energies of a piece of the path that begins at a load factor, on which contacts keep their states and no contact slides on a round
-    /// cone.
+    /// Adds the energies of a piece of the path from the load factor `factor` on, over the change `step` of it. On it contacts keep their states, and
+    /// none slides on a round cone. `point` is the state at its beginning with rates.
     pub(super) fn add(
         &mut self,
         segment: &Segment,
@@ -100,7 +100,8 @@ impl LegEnergy {
         }
     }
 
-    /// Adds the energies of a piece of the path on which forces and motions are harmonic functions of the load's angle.
+    /// Adds the energies of a piece along which the load turns, so that forces and motions are harmonic functions of the load's angle. `step` is the
+    /// change of the load factor.
     fn add_turned(&mut self, segment: &Segment, states: &[State], turned: &TurningState, step: f64) {
         let angle = turned.angle * step;
         for k in 0..segment.grasp.size().count() {

@@ -1,4 +1,4 @@
-//! Events of a load path, and how it ends.
+//! Events of a load path, at which contacts change their states, and the end of a path.
 
 use nalgebra::SVector;
 
@@ -121,7 +121,7 @@ pub enum PathEnd<const C: usize> {
     Lost(Box<Loss<C>>),
     /// There is no equilibrium from which the path could start.
     NoStart(Box<Outcome<C>>),
-    /// The path could not be followed beyond this place, and it is not known whether it continues. Up to this place it is valid.
+    /// The path could not be followed beyond this place, and it is not known whether an equilibrium continues it. Up to this place the path is valid.
     Undecided {
         /// The leg, from 0.
         leg: usize,
@@ -133,7 +133,7 @@ pub enum PathEnd<const C: usize> {
 }
 
 impl<const C: usize> PathEnd<C> {
-    /// The loss of equilibrium, if the path ended in one.
+    /// The loss of equilibrium, if the path ended in one; `None` for every other end.
     #[must_use]
     pub fn loss(&self) -> Option<&Loss<C>> {
         if let Self::Lost(loss) = self { Some(loss) } else { None }
@@ -145,7 +145,7 @@ impl<const C: usize> PathEnd<C> {
         self.place().map(|(leg, _)| leg)
     }
 
-    /// The fraction of [`Self::leg`] at which the path ended, from 0 to 1.
+    /// The fraction of [`Self::leg`] at which the path ended, from 0 to 1; `None` where it was completed or had no start.
     #[must_use]
     pub fn fraction(&self) -> Option<f64> {
         self.place().map(|(_, fraction)| fraction)
@@ -198,12 +198,13 @@ pub struct Loss<const C: usize> {
 }
 
 impl<const C: usize> Loss<C> {
-    /// The virtual motion that may prove the loss, in the engine's coordinates: contact forces can do little or no work against it.
+    /// The virtual motion that may prove the loss, about the centroid of the contacts: contact forces can do little or no work against it. `None` if
+    /// none is known.
     pub(crate) fn virtual_motion(&self) -> Option<&Coordinates> {
         self.against.as_ref()
     }
 
-    /// This loss with the virtual motion that may prove it; it need not be the motion with which the object leaves.
+    /// This loss with `against` as the virtual motion that may prove it, which need not be the motion with which the object leaves.
     pub(super) fn and_virtually(mut self, against: Option<&Vector>) -> Self {
         self.against = against.map(Coordinates::of);
         self
@@ -211,7 +212,7 @@ impl<const C: usize> Loss<C> {
 }
 
 impl Loss<3> {
-    /// This loss with the motion with which the object leaves, in the engine's coordinates.
+    /// This loss with `motion`, the motion with which the object leaves, about the centroid of the contacts. It is also taken as the virtual motion.
     pub(super) fn leaving(mut self, grasp: &Engine, motion: Option<&Vector>) -> Self {
         self.motion = motion.map(|v| grasp.motion_outside(v));
         self.leaves = motion.map(Coordinates::of);

@@ -91,13 +91,13 @@ impl<T: Face> Face for LegGoal<T> {
 }
 
 impl<const C: usize> OnsetEvent<C> {
-    /// Swaps with `inside` the fields that have the same type in the engine and for the caller.
+    /// Swaps `local` and `drives`, which have the same type in the engine and for the caller, with those of `inside`, an onset of the engine.
     pub(crate) fn exchange(&mut self, inside: &mut OnsetEvent<3>) {
         core::mem::swap(&mut self.local, &mut inside.local);
         core::mem::swap(&mut self.drives, &mut inside.drives);
     }
 
-    /// Takes over the values of an event of the engine, and keeps the allocated memory.
+    /// Takes over all values of `inside`, an onset of the engine, and keeps the memory of the list `leaving`.
     pub(crate) fn replace_with(&mut self, inside: &mut OnsetEvent<3>) {
         self.exchange(inside);
         (self.factor, self.load, self.cone) = (inside.factor, Face::from_inside(inside.load), inside.cone);
@@ -107,7 +107,7 @@ impl<const C: usize> OnsetEvent<C> {
 }
 
 impl<const C: usize> Ramp<C> {
-    /// Writes the ramp with three components into `inside`, whose memory is reused.
+    /// Writes this ramp, with vectors of three components, into `inside`, whose lists are reused.
     pub(crate) fn enter_into(&self, inside: &mut Ramp<3>) {
         (inside.base, inside.direction) = (self.base.into_inside(), self.direction.into_inside());
         inside.joint_change.clone_from(&self.joint_change);

@@ -1,4 +1,4 @@
-//! Static friction of contacts, and lower kinetic friction while they slide.
+//! Contacts with static friction, and lower kinetic friction while they slide, along a load path.
 
 use super::event::{Change, Event, PathEnd};
 use super::first_exits::ExitsReached;
@@ -12,8 +12,9 @@ use crate::numerics::{IntoList, chosen, mapped, moved, picked};
 use crate::prelude::*;
 
 impl<'g> Pieces<'g> {
-    /// Lists the present friction cone of every contact, if some have kinetic friction. At the start contacts that slide already get kinetic
-    /// friction, which may cause a jump. If the list exists already, the path is in progress, and the list is not changed.
+    /// Begins to keep the present friction cone of every contact, if some contact has lower kinetic friction. Contacts that slide at the start get
+    /// kinetic friction, which may cause a jump, reported as the first event. Changes nothing if the cones are kept already. The error is the end of
+    /// the path in that jump.
     pub(super) fn with_falling_friction(mut self, journey: &Journey<'g>) -> Result<Self, PathEnd<3>> {
         let grasp = journey.grasp;
         if self.friction_falls() || grasp.weaker_once_they_slide().next().is_none() {
@@ -43,12 +44,13 @@ impl<'g> Pieces<'g> {
         Ok(self)
     }
 
-    /// Whether some contacts have kinetic friction below their static friction.
+    /// Whether some contact has kinetic friction below its static friction, so that the present friction cones are kept.
     pub(super) fn friction_falls(&self) -> bool {
         !self.segment.problem.cones.is_empty()
     }
 
-    /// Gives static friction to contacts that do not slide. Their forces are inside the static cone, so they are not on its edge.
+    /// Gives static friction again to contacts with kinetic friction that do not slide. Their forces are inside the wider static cone, so none of its
+    /// edges is active; a contact at the apex stays there.
     pub(super) fn friction_of_rest(&mut self) {
         let problem = &mut self.segment.problem;
         for (i, cone) in problem.cones.iter_mut().enumerate() {
@@ -62,16 +64,17 @@ impl<'g> Pieces<'g> {
         }
     }
 
-    /// Whether one of the contacts in `reached` has kinetic friction and has almost lost its force. While such a contact is unloaded, it alternately
-    /// sticks and slips, infinitely often before its force vanishes.
+    /// Whether one of the contacts in `reached` has kinetic friction and has almost lost its contact force. While such a contact is unloaded, it
+    /// alternately sticks and slips, infinitely often before its force vanishes.
     pub(super) fn runs_out(&self, reached: &ExitsReached) -> bool {
         let largest = self.segment.largest;
         let is_weaker = |i: usize| self.segment.problem.sites[i].kinetic.is_some();
-        // A force below this fraction of the largest counts as vanished.
+        // A force of at most the fraction `NEGLIGIBLE` of the largest force of the segment counts as vanished.
         reached.iter().any(|(i, _)| is_weaker(*i) && self.node.at.forces[*i].norm() <= NEGLIGIBLE * largest)
     }
 
-    /// Puts contacts whose force has all but vanished at the apex of their cones, as if it were zero.
+    /// Puts those contacts in `reached` whose force has all but vanished at the apex of their cones, as if it were zero. Counts this force as a step
+    /// error.
     pub(super) fn put_at_apex(&mut self, reached: &ExitsReached) {
         let largest = self.segment.largest;
         for (i, _) in reached {
@@ -84,8 +87,8 @@ impl<'g> Pieces<'g> {
         self.stalls = 0;
     }
 
-    /// On a leg along which nothing changes, sliding contacts with kinetic friction come to rest, since such a leg represents passing time. Returns
-    /// the changes of these contacts to sticking.
+    /// On a leg along which neither load nor commands change, contacts that slide with kinetic friction come to rest. Such a leg represents passing
+    /// time. Returns their changes to sticking; empty on every other leg.
     pub(super) fn pause(&mut self) -> Vec<(usize, Change<3>)> {
         let segment = &self.segment;
         let is_still = matches!(&segment.course, Trajectory::Straight { rate, .. } if rate.norm() == 0.0)
@@ -101,8 +104,8 @@ impl<'g> Pieces<'g> {
         moved(rest, &|i| (i, Change::Sticks))
     }
 
-    /// Sets the friction of contacts after the changes of state `changes`, and makes the jump that follows if contacts begin to slide with kinetic
-    /// friction.
+    /// Sets the friction of contacts after the changes of state `changes`. If contacts begin to slide with kinetic friction, makes and returns the
+    /// jump that follows, else `None`. The error is the end of the path in that jump.
     pub(super) fn friction_after(
         &mut self,
         journey: &Journey<'g>,
@@ -113,7 +116,7 @@ impl<'g> Pieces<'g> {
         Ok(self.jump(journey, &begin)?.map(Box::new))
     }
 
-    /// Those contacts among `changes` that begin to slide with kinetic friction below their static friction.
+    /// Indices of those contacts among `changes` that begin to slide, and have kinetic friction but still the static friction cone.
     pub(super) fn begin_to_slide(&self, changes: &[(usize, Change<3>)]) -> Vec<usize> {
         let problem = &self.segment.problem;
         let falls = |(i, change): &(usize, Change<3>)| {

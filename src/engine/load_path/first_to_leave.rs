@@ -1,7 +1,8 @@
-//! The onset in the common case: everything clearly sticks at the base load, and one contact reaches the edge of its cone before all others.
+//! The onset (first slip or opening) in the common case. Everything clearly sticks under the base load, and one contact leaves its cone before all
+//! others.
 //!
-//! This case is cheap: one factorisation for two loads, a ratio test, and one more solve at the onset, which makes the last digits of its load factor
-//! exact. [`super::sticking_path`] handles all other cases.
+//! This case is cheap: one factorisation, solved for the base load and for its change, and a ratio test. One more solve at the onset makes the last
+//! digits of its load factor exact. [`super::sticking_path`] handles all other cases.
 
 use nalgebra::{Matrix, SVector};
 
@@ -19,7 +20,8 @@ use crate::numerics::{Harmonic, Vector, cleared_for};
 use crate::object::{Imbalance, PieceState};
 use crate::search::{Found, FoundBy};
 
-/// The contact that stops sticking first, and the state of the grasp there.
+/// The contact (or drive) that stops sticking first, and forces and twist there. `factor` is the load factor or, while a load turns, the angle in
+/// rad.
 pub(super) struct FirstToLeave {
     pub(super) factor: f64,
     pub(super) contact: usize,
@@ -27,7 +29,7 @@ pub(super) struct FirstToLeave {
     pub(super) there: PieceState,
 }
 
-/// The first contact that stops sticking along a ramp; `None` if this simple case does not apply.
+/// The first contact that stops sticking along a ramp. `None` if everything sticks for ever, or if the simple case of this file does not apply.
 pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) -> Option<FirstToLeave> {
     let problem = &segment.problem;
     let piece = problem.trial();
@@ -55,15 +57,16 @@ pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) ->
     Some(FirstToLeave { factor, contact, exit, there: core::mem::take(there) })
 }
 
-/// The answer for a load that turns: the first contact that stops sticking, if one does.
+/// The first contact that stops sticking while a load turns, if one does, in the simple case of this file.
 pub(super) enum WhileTurning {
     /// One contact stops sticking before all others.
     First(FirstToLeave),
-    /// All contacts keep sticking.
+    /// All contacts keep sticking up to the full angle of the turn.
     Never,
 }
 
-/// The first contact that stops sticking while a load turns, or the answer that none does. `None` if this simple case does not apply.
+/// The first contact that stops sticking while the load turns by up to `turn.angle`, or [`WhileTurning::Never`]. `inside` is the load as a function
+/// of the angle. `None` if the simple case of this file does not apply, or if a force touches its cone.
 pub(super) fn first_to_leave_on_turn(
     segment: &Segment<'_>,
     turn: &Turn<3>,
@@ -88,8 +91,8 @@ pub(super) fn first_to_leave_on_turn(
         return None;
     }
     let mut turned = segment.harmonics(inside, 1.0, &parts);
-    // The solutions under the parts of the load are not refined, so each force has the rounding error of the largest force. Cases that this error
-    // could change are left to `sticking_path`.
+    // The solutions under the constant, cosine and sine terms of the load are not refined. So each force has the rounding error of the largest force.
+    // Cases that this error could change are left to `sticking_path`.
     let roughly = parts.map(|part| problem.largest_force(&part.forces, &part.twist));
     let roughly = roughly.parts().into_iter().sum::<f64>();
     for [force, _] in &mut turned.waves {
@@ -121,7 +124,7 @@ pub(super) fn first_to_leave_on_turn(
 }
 
 impl FirstToLeave {
-    /// The onset as an answer. `segment` is the ramp or the turn along which it was found, and `load` the load at the onset.
+    /// The onset as [`Onset::At`]. `segment` is the ramp or the turn along which it was found, and `load` the caller's load at the onset.
     pub(super) fn onset(
         self,
         mut segment: Segment<'_>,
@@ -156,11 +159,11 @@ impl FirstToLeave {
     }
 }
 
-/// Whether a contact meets all conditions of sticking, or of being open for a contact that is absent, by more than rounding.
+/// Whether the margin of every condition of sticking is more than the fraction `NEGLIGIBLE` of the size of its terms. For an absent contact the
+/// conditions are those of being open.
 fn clearly_sticks(local: &LocalLaw<'_>, at: &SpringState<'_>) -> bool {
     let mut clear = true;
-    // The least margin of a condition, relative to the size of its terms. If a margin is smaller, the contact may be on the edge of its cone, and
-    // `StickingPath` decides.
+    // If the margin of a condition is a smaller fraction, the contact may be on the edge of its cone, and `StickingPath` decides.
     local.for_each_condition(&local.unjumped(), at, |value, size| clear &= value > NEGLIGIBLE * size);
     clear
 }
@@ -172,8 +175,8 @@ struct First {
     line: Line,
 }
 
-/// The first contact whose force leaves its cone. `None` unless everything clearly sticks at the base load, and no other contact leaves its cone at
-/// nearly the same load factor.
+/// The contact whose force leaves its cone at the least load factor; `None` if none leaves. Also `None` unless everything clearly sticks under the
+/// base load, and no other exit has nearly the same load factor.
 fn first_exit(
     segment: &Segment<'_>,
     base: &PieceState,
@@ -207,7 +210,7 @@ fn first_exit(
         }
     }
     first.filter(|First { exit, .. }| {
-        // The next contact must reach the edge of its cone later than the first, by more than this fraction of the step to the first.
+        // The next exit must come later than the first, by more than the fraction `NEGLIGIBLE` of the load factor of the first.
         let alone =
             next - exit.step > NEGLIGIBLE * exit.step && exit.uncertainty <= LARGEST_CORRECTION * exit.step;
         // Forces may grow by at most this factor up to the onset: if they would grow more, their rates may be rounding.
@@ -215,7 +218,7 @@ fn first_exit(
     })
 }
 
-/// Whether forces balance a load within the accuracy required of an answer.
+/// Whether the imbalance of contact forces and load is at most the fraction `ACCURATE` of the sum of their norms.
 fn is_balanced(sites: &[Site], load: &Vector, forces: &[SVector<f64, 3>]) -> bool {
     let Imbalance { left, size } = Imbalance::of(sites, forces, load, load.norm());
     left.norm() <= ACCURATE * size

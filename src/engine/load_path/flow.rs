@@ -1,4 +1,4 @@
-//! Steps along an arc, in arclength.
+//! Steps along an arc, on which contacts keep their states and directions of sliding turn; their lengths are arclengths.
 //!
 //! Along an [`Arc`] twist q, load factor λ and friction forces F_t satisfy a differential equation whose right-hand side depends on the directions of
 //! sliding alone,
@@ -8,8 +8,8 @@
 //! ```
 //!
 //! with the tangent stiffness T, the right-hand side b, and for each contact the tangent stiffness C, the rate a' of its offset and the grasp map G.
-//! So a fold, where the load factor has a maximum, is passed like any other point. Balance is linear in all variables, and steps preserve it.
-//! Newton's method transverse to the path removes the violation of the cones that a step leaves.
+//! So a fold, where the load factor has a maximum, is passed like any other point. The balance of forces is linear in all variables, and steps
+//! preserve it. Newton's method transverse to the path puts friction forces back onto their cones, from which a step removes them a little.
 
 use nalgebra::SVector;
 
@@ -32,12 +32,12 @@ pub(super) enum Rule {
     Straight,
     /// An explicit rule of order 8, for directions of friction that turn about as fast as the object moves.
     Explicit,
-    /// An implicit rule with this allowed error, for directions of friction that turn much faster than the object moves.
+    /// An implicit rule with the allowed relative error `tolerance`, for directions of friction that turn much faster than the object moves.
     Implicit { tolerance: f64 },
 }
 
 impl Rule {
-    /// This rule with its allowed error, if it has one, multiplied by `times`.
+    /// This rule; the allowed error of an implicit rule is multiplied by `times`.
     fn looser(self, times: f64) -> Self {
         if let Self::Implicit { tolerance } = self {
             Self::Implicit { tolerance: tolerance * times }
@@ -47,7 +47,7 @@ impl Rule {
     }
 }
 
-/// The load factor at which a step should end, and the distance from it within which the step counts as having reached it.
+/// The load factor at which a step should end, and the distance from it within which the step is extended to end there.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StepGoal {
     factor: f64,
@@ -56,7 +56,8 @@ pub(super) struct StepGoal {
 }
 
 impl StepGoal {
-    /// The goal of a step after this number of trials that missed it. Implicit steps have large rounding errors and may miss a goal again and again.
+    /// The goal `factor` of a step after `trials` steps that missed it. Implicit steps have large rounding errors and may miss a goal again and
+    /// again.
     pub(super) fn after(factor: f64, trials: usize) -> Self {
         // The distance that is covered along the tangent grows after sixteen and after thirty-two trials; even the largest distance is as small as
         // the error of steps.
@@ -69,31 +70,32 @@ impl StepGoal {
     }
 }
 
-/// The differential equation of an arc in fixed contact states, from one point of the path.
+/// The differential equation of an arc in fixed contact states, from one point of the path, at the load factor `from`.
 pub(super) struct Flow<'s, 'g> {
     arc: Arc<'s, 'g>,
     from: f64,
-    /// The state at the start of the step, with rates for one unit of arclength.
+    /// The state at the start of a step, with rates per unit of arclength.
     point: &'s PathPoint,
-    /// Friction forces of the sliding contacts at the start.
+    /// Friction forces of the sliding contacts at the start, N, in the order of `arc.sliding`.
     begin: Vec<SVector<f64, 3>>,
-    /// For each sliding contact, whether it is losing its normal force, so that its direction of friction is no longer known accurately.
+    /// For each sliding contact, whether its normal force has almost vanished and still decreases, so that its direction of friction needs extra
+    /// accuracy.
     vanishing: Vec<bool>,
-    /// The largest force, N, and the largest displacement, m, at the start.
+    /// The largest force, N, and the largest displacement, m, at the start, to which errors are compared.
     sizes: [f64; 2],
 }
 
-/// The state at the end of a step.
+/// The load factor `to` and the state at the end of a step, with the energies of this step.
 #[derive(Debug, Clone)]
 pub(super) struct FlowStep {
     pub(super) to: f64,
     /// The state at the end of the step, with rates per unit of arclength.
     pub(super) point: PathPoint,
     pub(super) energy: LegEnergy,
-    /// Estimated relative error: the error of forces divided by the largest force, or the error of the twist divided by the largest displacement,
-    /// whichever is larger.
+    /// Estimated relative error of the step, by [`Flow::error_size`]. It is roughly that of forces by the largest force, or that of the twist by the
+    /// largest displacement, whichever is larger. Zero for a straight step.
     pub(super) error: f64,
-    /// Whether some contact slipped against its friction force, or the load factor decreased.
+    /// Whether, anywhere in the step, some contact slipped against its friction force, or the load factor decreased (unless the load turns).
     pub(super) backwards: bool,
 }
 
@@ -104,8 +106,8 @@ impl FlowStep {
 }
 
 impl<'s, 'g> Flow<'s, 'g> {
-    /// The differential equation that starts at a state with its rates. Arclength is that of the curve (q/unit, λ), with the twist q and the load
-    /// factor λ.
+    /// The differential equation that starts at the state `point` at the load factor `from`. Arclength is that of the curve (q/unit, λ), with the
+    /// twist q and the load factor λ.
     pub(super) fn new(
         segment: &'s Segment<'g>,
         states: &'s [State],
@@ -124,7 +126,7 @@ impl<'s, 'g> Flow<'s, 'g> {
             span = span.max(site.span(a, &point.twist));
         }
         let sizes = [force, span];
-        // Motions that nothing resists continue at their present velocity, since no force changes it.
+        // Along motions that no spring resists the object keeps its present velocity, since no force changes it.
         let pushed = |v: &Vector| {
             let rate = v.dot(&point.twist_rate);
             // A free motion slower than this fraction of the twist rate is rounding.
@@ -146,13 +148,13 @@ impl<'s, 'g> Flow<'s, 'g> {
         Direction { twist: self.point.twist_rate.clone(), factor: self.point.factor_rate }
     }
 
-    /// The largest rate among the [`Self::relaxations`].
+    /// The largest of the rates in [`Self::relaxations`], per unit of arclength, at least zero.
     pub(super) fn fastest_relaxation(&self) -> f64 {
         self.relaxations().map(|(_, rate)| rate).fold(0.0, f64::max)
     }
 
-    /// The sliding contacts, and the rate at which each friction force turns towards the direction of its slip at the start, per unit of arclength.
-    /// This is the stiffness across the slip times the slip rate along the friction force, divided by the friction force.
+    /// For each sliding contact its index and the rate, per unit of arclength, at which its friction force at the start turns towards its slip. This
+    /// is the stiffness across the slip times the slip rate along the friction force, divided by the friction force. Zero without friction force.
     pub(super) fn relaxations(&self) -> impl Iterator<Item = (usize, f64)> {
         let rate = |(&i, friction): (&usize, &SVector<f64, 3>)| {
             let tangent = self.arc.tangent(i, friction);
@@ -165,7 +167,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         self.arc.sliding.iter().zip(&self.begin).map(move |(i, friction)| (*i, rate((i, friction))))
     }
 
-    /// Makes a step of this length, which ends at the goal if it comes near enough. `None` if no such step exists.
+    /// Makes a step of the arclength `length`, extended to end at the goal if it comes near enough. `None` if the rule or the correction onto the
+    /// cones does not converge, or if the path has no unique direction.
     pub(super) fn step(&self, length: f64, goal: StepGoal, rule: Rule) -> Option<FlowStep> {
         let mut backwards = false;
         let mut rate = |y: &[f64], out: &mut [f64]| self.rate(y, out).map(|back| backwards |= back);
@@ -193,7 +196,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         let tangents = self.arc.tangents(frictions.iter().copied());
         let way = self.arc.direction(&tangents, factor, &self.initial_direction())?;
         let stays = |factor: f64| (factor - goal.factor).abs() <= goal.near;
-        // A step that has not yet reached the load factor of its goal may reach it by the correction onto the cones.
+        // A step that has not come near the load factor of its goal may do so by the correction onto the cones.
         let arrived = if stays(factor) {
             None
         } else {
@@ -225,7 +228,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         Some(FlowStep { to, point, energy, error, backwards })
     }
 
-    /// Indices of two variables of the differential equation: the load factor and the first of the works. Friction forces and twist come before them.
+    /// Indices of the load factor and of the first of the four works in the list of variables. Before them are two tangential friction components for
+    /// each sliding contact, then the twist.
     fn places(&self) -> [usize; 2] {
         let load = 2 * self.begin.len() + self.size().count();
         [load, load + 1]
@@ -235,14 +239,14 @@ impl<'s, 'g> Flow<'s, 'g> {
         self.arc.segment.grasp.size()
     }
 
-    /// The change of the twist since the start, from the list `y` of the changes of all variables.
+    /// The change of the twist since the start of a step, from the list `y` of the changes of all variables.
     fn twist_change(&self, y: &[f64]) -> Vector {
         let first = 2 * self.begin.len();
         Vector::from_fn(self.size(), |k| y[first + k])
     }
 
-    /// Writes the rates of all variables of the differential equation to `out`; `y` are their changes since the start. Returns whether a contact
-    /// slips against its friction force or the load factor decreases; `None` if the path has no unique direction.
+    /// Writes the rates of all variables, per unit of arclength, to `out`; `y` are their changes since the start. Returns whether a contact slips
+    /// against its friction force or, unless the load turns, the load factor decreases. `None` if the path has no unique direction.
     fn rate(&self, y: &[f64], out: &mut [f64]) -> Option<bool> {
         let [load, works] = self.places();
         let segment = self.arc.segment;
@@ -276,7 +280,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         Some(backwards > 0.0 || is_straight && way.factor < -1e-8)
     }
 
-    /// Friction forces of the sliding contacts, in order, after the changes `y` of all variables since the start.
+    /// Friction forces of the sliding contacts, N, in the order of `arc.sliding`, after the changes `y` of all variables since the start.
     fn frictions(&self, y: &[f64]) -> impl Iterator<Item = SVector<f64, 3>> {
         self.begin.iter().zip(y.chunks_exact(2)).map(|(begin, change)| {
             let mut force = *begin;
@@ -285,8 +289,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         })
     }
 
-    /// Power of the fingers, the sum of F·a' over the contacts with the forces F and the rates a' of their offsets, per unit of the load factor. `y`
-    /// are the changes of all variables since the start.
+    /// Work of the fingers per unit of the load factor: the sum of F·a' over the contacts, with force F and rate a' of the offset. `y` are the
+    /// changes of all variables since the start.
     fn power_of_fingers(&self, y: &[f64]) -> f64 {
         let [load, _] = self.places();
         let (moved, further) = (self.twist_change(y), y[load]);
@@ -308,8 +312,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         sum
     }
 
-    /// Relative size of an error of the variables of the differential equation. Forces are compared with the largest force, the twist with the
-    /// largest displacement.
+    /// Relative size of the error `error` of all variables in a step of arclength `length`: the largest of several ratios. Each friction force and
+    /// the load are compared with the largest force, the twist with the largest displacement.
     fn error_size(&self, error: &[f64], length: f64) -> f64 {
         let count = self.size().count();
         let size = |k: usize| self.sizes[k] + length * self.point.rate_sizes[k];
@@ -327,7 +331,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         (norm(&others[..count]) / travel).max(of_forces / force).max(of_load / force).max(of_themselves)
     }
 
-    /// The step from the start to the load factor `goal`, of length at most `most`.
+    /// The step from the start that ends at the load factor `goal`, of arclength less than `most`. `None` if sixty trials do not find it or a trial
+    /// fails.
     pub(super) fn step_to_factor(&self, goal: f64, most: f64, rule: Rule) -> Option<FlowStep> {
         let (mut low, mut high) = (0.0, most);
         let mut length = (goal - self.from) / self.point.factor_rate;

@@ -16,19 +16,19 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// Result of one call of [`Follower::advance`], with an event or a step of type `T`.
+/// Result of one call of [`Follower::advance`]. `T` is the type of an event (piece by piece) or of a step.
 #[derive(Debug)]
 pub(crate) enum Advance<T> {
     /// The follower has reached an event or the end of a step, which the path returns to the caller.
     Reached(T),
-    /// The follower has advanced, and has no event or step for the caller.
+    /// The follower has advanced, but has reached no event or end of a step yet.
     OnTheWay,
     /// The leg is complete, and all its events or steps have been returned.
     EndOfLeg,
 }
 
-/// The state at the present place, and `rates`, the complementarity problem for the rates of forces and motion. Its solution decides whether contacts
-/// on the edge of their cones stick, slide or open.
+/// The contact forces at the present place of a path, and `rates`, the complementarity problem for the rates of forces and motion there (rate
+/// problem). Its solution decides whether contacts on the edge of their cones stick, slide or open.
 #[derive(Debug)]
 pub(crate) struct StateAtEdge<'g> {
     pub(super) segment: Segment<'g>,
@@ -36,10 +36,10 @@ pub(crate) struct StateAtEdge<'g> {
     pub(super) forces: Vec<SVector<f64, 3>>,
 }
 
-/// A method of following a program: piece by piece for a few contacts, or in steps for thousands. The follower stores its place on the present leg
-/// and the slips so far; the [`Journey`] stores the legs.
+/// A method of following a load program: piece by piece for a few contacts, or in steps for thousands. The follower stores its place on the present
+/// leg and the accumulated slips; the [`Journey`] stores the legs.
 pub(crate) trait Follower<'g>: Debug {
-    /// The type of the items that the path returns: events, or steps.
+    /// The type of the items that the path returns to its caller: events, or steps.
     type Report;
 
     /// Starts the present leg of the program.
@@ -48,66 +48,70 @@ pub(crate) trait Follower<'g>: Debug {
     /// The end of the path, if the leg cannot start.
     fn start_leg(&mut self, journey: &Journey<'g>) -> Result<(), PathEnd<3>>;
 
-    /// Advances to the next place of an event, or by a step, or decides how the path continues at the present place.
+    /// Advances to the next event, by one step, or only decides how the path continues from the present place.
     ///
     /// # Errors
     /// The end of the path, if it ends here.
     fn advance(&mut self, journey: &Journey<'g>) -> Result<Advance<Self::Report>, PathEnd<3>>;
 
-    /// The fraction of the leg already followed.
+    /// The fraction of the present leg already followed, from 0 to 1.
     fn fraction(&self) -> f64;
 
-    /// The equilibrium at the present place; `None` if it cannot be computed because of rounding.
+    /// The equilibrium at the present place of the path; `None` if it cannot be computed because of rounding.
     fn state(&self, journey: &Journey<'g>) -> Option<Equilibrium<3>>;
 
-    /// Contact forces at the present place, N, in the contact frames.
+    /// Forces of all contacts and drives at the present place, N, in the contact frames.
     fn forces(&self, journey: &Journey<'g>) -> Vec<SVector<f64, 3>>;
 
-    /// The state at the present place, with the complementarity problem for the rates of forces and motion; contacts on the edge of their cones may
-    /// slide or open in it.
+    /// The forces at the present place, with the rate problem there, in which contacts on the edge of their cones may slide or open.
     fn edge(&self, journey: &Journey<'g>) -> StateAtEdge<'g>;
 
-    /// The situation beyond a jump that found no equilibrium, from a follower that knows kinetic friction; `None` if the path did not end in such a jump.
+    /// The situation beyond the end of the path, if it ended in a jump to kinetic friction that found no equilibrium. Otherwise `None`, as always
+    /// from a follower without kinetic friction.
     fn beyond_a_jump(&self, _settings: &Settings) -> Option<Beyond<3>> {
         None
     }
 
-    /// Estimated error of the steps so far; see [`LoadPath::step_error`](super::LoadPath::step_error).
+    /// Estimated relative error of all steps so far, see [`LoadPath::step_error`](super::LoadPath::step_error); zero without steps.
     fn step_error(&self) -> f64 {
         0.0
     }
 
-    /// Energies of the legs so far; empty from a follower that does not add them up.
+    /// Energies of each leg so far, the present one included; empty from a follower that does not add them up.
     fn energies(&self) -> &[LegEnergy] {
         &[]
     }
 
-    /// Whether this fraction of a leg has been passed; false from a follower that does not store its past.
+    /// Whether the path has passed this fraction of this leg and the state there is stored. False from a follower that does not store its past.
     fn is_behind(&self, _leg: usize, _fraction: f64) -> bool {
         false
     }
 
-    /// The equilibrium at a fraction of a leg already passed; `None` if it cannot be computed because of rounding.
+    /// The equilibrium at the fraction `_fraction` of the leg `_leg`, where [`Self::is_behind`] is true. `None` if rounding prevents its computation,
+    /// and always from a follower that does not store its past.
     fn state_behind(&self, _leg: usize, _fraction: f64) -> Option<Equilibrium<3>> {
         None
     }
 
-    /// Suction cups whose lips are open all around from here on; empty from a follower that does not check them.
+    /// Suction cups whose lips are open all around at the present place, so that their vacuum is gone. Empty from a follower that does not check
+    /// them.
     fn cups_open(&self, _journey: &Journey<'g>) -> Vec<WholeContact> {
         Vec::new()
     }
 
-    /// The place where motions cease to be small; `None` from a follower that does not check them.
+    /// The place on the path at which a motion exceeded its limit of small motions. `None` if none has, or from a follower that does not check them.
     fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions> {
         None
     }
 
-    /// The largest ratio so far of a rotation, slip or opening to its limit of small motions; zero from a follower that does not check them.
+    /// The largest ratio, on the path so far, of a rotation, slip or opening to its limit of small motions. Zero from a follower that does not check
+    /// them.
     fn farthest(&self) -> f64 {
         0.0
     }
 
-    /// The leg and fraction from which every contact with friction and a normal force slides up to `until`, from a follower that stores its past.
+    /// The leg and fraction from which on every contact with friction and a normal force slides, up to the place `until`. `None` if there is no such
+    /// place, or from a follower that does not store its past.
     fn all_slide_from(&self, _until: (usize, f64)) -> Option<(usize, f64)> {
         None
     }

@@ -1,4 +1,4 @@
-//! A load program and its follower: the start, the change of legs, and the end.
+//! A load program and the follower that follows it: the start, the change of legs, and the end.
 
 use core::fmt::Debug;
 
@@ -18,17 +18,18 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Settings, settle};
 
-/// A load program in progress, and its follower.
+/// A load path: a load program in progress, the follower that follows it, and the end of the path, once it has ended.
 #[derive(Debug)]
 pub(crate) struct Following<'g, F> {
     pub(super) journey: Journey<'g>,
-    /// The follower; `None` if there is no equilibrium to start from.
+    /// The follower; `None` if no equilibrium to start from was found.
     pub(super) follower: Option<F>,
     end: Option<PathEnd<3>>,
 }
 
 impl<'g, F: Follower<'g>> Following<'g, F> {
-    /// A path that starts at the equilibrium under the load `start`, from which the follower begins, if such an equilibrium exists.
+    /// The path of the load program with the legs `legs`, from the equilibrium under the load `start`. `begin` makes the follower there. Its error,
+    /// such as that no equilibrium exists, is the end of the path.
     pub(super) fn start(
         grasp: &'g Engine,
         (start, legs): (&Wrench<3>, &[Leg<3>]),
@@ -38,7 +39,7 @@ impl<'g, F: Follower<'g>> Following<'g, F> {
         Self::of(Journey::new(grasp, start, settings)?, legs, begin)
     }
 
-    /// The path of the load program `journey`, which has no legs yet, with `legs` appended. `begin` makes the follower at the start.
+    /// As [`Self::start`], for the load program `journey`, which has no legs yet.
     pub(super) fn of(
         mut journey: Journey<'g>,
         legs: &[Leg<3>],
@@ -56,7 +57,7 @@ impl<'g, F: Follower<'g>> Following<'g, F> {
         Ok(path)
     }
 
-    /// Starts the present leg if there is one, or completes the path.
+    /// Starts the present leg if `has_leg`, otherwise ends the path as completed. Does nothing without a follower.
     fn start_leg(&mut self, has_leg: bool) {
         if let Some(follower) = &mut self.follower {
             self.end =
@@ -64,7 +65,7 @@ impl<'g, F: Follower<'g>> Following<'g, F> {
         }
     }
 
-    /// Ends the path if the lip of a suction cup is open all around: the grasp with its vacuum then no longer describes the object.
+    /// Ends the path, as a loss, if the lip of a suction cup is open all around. The grasp with its vacuum then no longer describes the object.
     fn end_without_vacuum(&mut self) {
         let Some(follower) = &self.follower else { return };
         let open = follower.cups_open(&self.journey);
@@ -75,8 +76,8 @@ impl<'g, F: Follower<'g>> Following<'g, F> {
         }
     }
 
-    /// Calls `advance` on the follower and returns the event or step that it reaches; `None` if the path has ended, or if there is no event or step
-    /// yet.
+    /// Calls `advance` on the follower and returns the event or step that it reaches. `None` if it reaches none: then the path has moved on, a new
+    /// leg has begun, or the path has ended.
     pub(super) fn advance_with(
         &mut self,
         advance: impl FnOnce(&mut F, &Journey<'g>) -> Result<Advance<F::Report>, PathEnd<3>>,
@@ -97,7 +98,7 @@ impl<'g, F: Follower<'g>> Following<'g, F> {
     }
 }
 
-/// The questions that a path answers, whatever its follower; `C` is the number of axes that its caller sees.
+/// The methods of a load path that do not depend on the type of its follower; the caller's vectors have `C` components. `T` is an event or a step.
 pub(crate) trait AnyPath<const C: usize, T>: Debug {
     fn next(&mut self) -> Option<T>;
     fn end(&self) -> Option<&PathEnd<C>>;

@@ -1,5 +1,5 @@
-//! Changes along a program of the torques that hold joints. Such a torque does not depend on the displacement of its joint, as with a screw that is
-//! tightened.
+//! Changes, along a load program, of the torques that hold the joints of a hand. Such a torque does not depend on the displacement of its joint, as
+//! with a screw that is tightened.
 
 use alloc::borrow::Cow;
 use alloc::sync::Arc;
@@ -55,7 +55,8 @@ impl<const C: usize> Leg<C> {
         Self { torques: LegGoal::To(torques.into_iter().list()), ..self }
     }
 
-    /// Refuses torques that are not one for each joint, that are not finite or too large, or that change while the load turns.
+    /// Refuses, with an error, torques of this leg that are not one for each joint, or not finite or too large. Also refuses them while the load
+    /// turns.
     pub(super) fn check_torques(&self, grasp: &Engine) -> Result<(), Error> {
         let (LegGoal::By(torques) | LegGoal::To(torques)) = &self.torques else { return Ok(()) };
         let what = "torques of a leg";
@@ -78,7 +79,7 @@ impl<const C: usize> Leg<C> {
     }
 }
 
-/// The torques that hold all joints, at the beginning and at the end of a leg; `None` if no leg so far changes them.
+/// The torques that hold all joints at the beginning and at the end of the present leg; `None` if no leg so far changes them.
 #[derive(Debug, Clone, Default)]
 pub(super) struct HeldTorques(Option<Arc<[Vec<f64>; 2]>>);
 
@@ -95,8 +96,8 @@ impl HeldTorques {
         self.0 = Some(Arc::new(both));
     }
 
-    /// The torques that hold the joints, minus those of the hand before the program, as loads in the engine's coordinates, at the beginning and at
-    /// the end of the leg.
+    /// The torques that hold the joints, minus those of the hand before the program, at the beginning and at the end of the leg. They are generalised
+    /// forces on the coordinates of the grasp. `None` if no leg so far changes them.
     pub(super) fn inside(&self, grasp: &Engine) -> Option<[Vector; 2]> {
         let (torques, linkage) = self.0.as_ref().zip(grasp.linkage())?;
         Some([0, 1].each(|end| {
@@ -109,12 +110,12 @@ impl HeldTorques {
         }))
     }
 
-    /// The torques at the beginning (0) or at the end (1) of the leg.
+    /// The torques at the beginning (`end` = 0) or at the end (1) of the leg; empty if no leg so far changes them.
     pub(super) fn at_end(&self, end: usize) -> &[f64] {
         self.0.as_ref().map_or(&[], |torques| &torques[end])
     }
 
-    /// The grasp whose joints are held by the torques at a fraction of the leg.
+    /// The grasp `grasp` with its joints held by the torques at a fraction of the leg; `grasp` itself if no leg so far changes them.
     pub(super) fn apply<'g>(&self, grasp: Cow<'g, Engine>, fraction: f64) -> Cow<'g, Engine> {
         let Some(torques) = &self.0 else { return grasp };
         let [from, to] = &**torques;

@@ -1,4 +1,5 @@
-//! Follows a growing load while contacts stick or slide, with the slips of the sliding contacts as unknowns: for hold questions about many grasps.
+//! Follows a growing load while contacts stick or slide, with the slips of the sliding contacts as unknowns. Used for verdicts on a load (`hold`) of
+//! many grasps.
 //!
 //! As long as no contact opens or closes, forces F and motion are affine in the load factor λ and in the slips s_j. The matrices R_ij are responses
 //! of the grasp in which everything sticks to unit slips of contact j. A contact slips along its friction force,
@@ -29,30 +30,31 @@ use crate::numerics::{Equation, MOST_UNKNOWNS, Vector, cleared_for, largest, sol
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// The result of following a growing load: which contacts slide, from which load factor, and how the path ends.
+/// The result of following a growing load: the contacts that slide, the load factor from which each does, and the end of the path.
 pub(crate) struct InSlips {
-    /// Contacts that have slid, in order, and the load factors from which they slide.
+    /// Indices of the contacts that slide, in the order in which they begin to, each with the load factor from which it slides.
     pub(crate) slid: Vec<(usize, f64)>,
-    /// The load factor from which all contacts slide, if they do.
+    /// The load factor from which all contacts slide; `None` if some stick up to the end.
     pub(crate) all_slide: Option<f64>,
-    /// The load factor at the end.
+    /// The load factor at the end of the path.
     pub(crate) factor: f64,
     pub(crate) end: SlipEnd,
-    /// The largest ratio of a rotation, slip or opening to its limit of small motions, at the ends of steps.
+    /// The largest ratio of a rotation or slip to its limit of small motions, at the ends of all steps.
     pub(crate) farthest: f64,
 }
 
-/// The way in which the path of a load ends.
+/// The end of a path along which a load grows.
 pub(crate) enum SlipEnd {
-    /// The grasp holds up to the largest load factor of the question.
+    /// The grasp holds up to the largest load factor that is followed.
     Held,
-    /// This motion is no longer small.
+    /// This motion (a rotation or slip) has reached its limit of small motions.
     TooFar(CountedMotion),
     Lost(Box<Loss<3>>),
 }
 
 impl Engine {
-    /// Follows a load that grows along `ramp` up to the load factor `most`; `None` where only a `LoadPath` can follow it.
+    /// Follows a load that grows along `ramp` up to the load factor `most`, from an onset below `most`. `None` in all cases that are left to a
+    /// `LoadPath`, see the head of this file.
     pub(crate) fn in_slips(&self, ramp: &Ramp<3>, most: f64, settings: &Settings) -> Option<InSlips> {
         let plain = |site: &Site| {
             let closed = site.hold == Hold::Unilateral && site.springs.resists_tangentially();
@@ -97,11 +99,12 @@ impl Engine {
     }
 }
 
-/// Largest number of steps: a load that needs more is left to a `LoadPath`, which has implicit steps.
+/// Largest number of steps after the onset: a load that needs more is left to a `LoadPath`, which has implicit steps.
 const MOST_STEPS: usize = 64;
 
 impl Slips<'_> {
-    /// Follows the load from the place at which the first contact begins to slide. `None` where only a `LoadPath` can follow it.
+    /// Follows the load from the place `at`, where the contact `first` begins to slide, and writes the result to `path`. `None` where this is left to
+    /// a `LoadPath`.
     fn run(
         &mut self,
         (mut at, first): (Vec<f64>, usize),
@@ -158,7 +161,8 @@ impl Slips<'_> {
     }
 
     /// Adds a contact that has reached the edge of its cone to the sliding contacts, and computes the rates of load factor and slips. Returns `Held`
-    /// if the path continues with these rates, `Lost` if no rates of forces and motion exist, and `None` if neither is clear.
+    /// if the path continues with these rates, and `Lost` if no rates of forces and motion exist. `None` if neither is clear, or if there are too
+    /// many sliding contacts.
     fn begins_to_slide(
         &mut self,
         contact: usize,
@@ -202,8 +206,8 @@ impl Slips<'_> {
             }
             return Some(SlipEnd::Held);
         }
-        // A combination of sliding contacts is a continuation if no slip rate is negative and no margin becomes negative. If another combination than
-        // that of all sliding contacts is a continuation, a load path decides.
+        // The bits of `combination` are the contacts on the edge of their cones that slip. It is a continuation if no slip rate is negative and no
+        // margin `μ F_n - |F_t|` decreases. If any combination but that of all is one, a load path decides.
         let holds = |combination: usize| {
             let slips = slid(margins, &|i| combination >> i & 1 == 1)?;
             let mut holds = slips.iter().all(|slip| *slip >= -clear);
@@ -229,7 +233,8 @@ impl Slips<'_> {
         self.lost_by(LossKind::Corner, at, &motion, ramp)
     }
 
-    /// The end of the path as the loss of equilibrium at a fold or a corner; `None` if the object snaps over to another equilibrium there.
+    /// The end of the path at `at` as a loss of the kind `kind`, a fold or a corner, with the leaving motion `motion`. `None` if the object snaps
+    /// over to another equilibrium there.
     fn lost_by(&self, kind: LossKind, at: &[f64], motion: &Vector, ramp: &Ramp<3>) -> Option<SlipEnd> {
         if self.snaps_over(at, ramp) != Some(false) {
             return None;
@@ -251,7 +256,8 @@ impl Slips<'_> {
         Some(SlipEnd::Lost(Box::new(loss.leaving(self.grasp, Some(motion)))))
     }
 
-    /// Whether the object snaps over from the end of a path to another equilibrium; `None` for a malformed ramp.
+    /// Whether the object, moving as with viscous contacts at a slightly larger load factor than at `at`, comes to rest in another equilibrium.
+    /// `None` for a malformed ramp.
     fn snaps_over(&self, at: &[f64], ramp: &Ramp<3>) -> Option<bool> {
         let mut change = Vec::new();
         ramp.offset_changes_into(self.grasp, &mut change).ok()?;
@@ -273,8 +279,8 @@ impl Slips<'_> {
     }
 }
 
-/// The slips of the chosen contacts with which their margins stay zero while the load factor grows by one. The slips of all other contacts are zero.
-/// `None` if the equations do not determine them.
+/// The slip rates of the chosen contacts, per unit of the load factor, with which their margins `μ F_n - |F_t|` stay zero. Those of all other
+/// contacts are zero. `None` if the equations do not determine them.
 fn slid(margins: &[Equation], is_chosen: &dyn Fn(usize) -> bool) -> Option<[f64; MOST_UNKNOWNS]> {
     let mut equations = [[0.0; MOST_UNKNOWNS + 1]; MOST_UNKNOWNS];
     for (i, (equation, rates)) in equations.iter_mut().zip(margins).enumerate() {

@@ -1,4 +1,4 @@
-//! The data of a path, common to all followers: the grasp, the program of legs, and the settings of the caller.
+//! The data of a load path that all followers share: the grasp, the load program with its legs, and the settings of the caller.
 
 use alloc::sync::Arc;
 
@@ -17,7 +17,7 @@ use crate::object::{Load, Problem};
 use crate::prelude::*;
 use crate::search::{Doubt, Effort, Found, FoundBy, Settings, Settled, settle_at_rest};
 
-/// The result of the search for the equilibrium from which a path starts, and the effort of the search.
+/// The result of the search for the equilibrium under the load at factor 0, from which a path starts, and the effort of this search.
 pub(crate) type Rest = (Settled, Effort);
 
 /// A load program in progress, with its grasp and settings.
@@ -27,12 +27,12 @@ pub(crate) struct Journey<'g> {
     pub(super) settings: Settings,
     pub(super) polygon: Arc<Polygon>,
     pub(super) program: Program,
-    /// The equilibrium to start from, if it has been searched for already.
+    /// The result of the search for the equilibrium to start from, if it was made already for another question.
     pub(super) rest: Option<Rest>,
 }
 
 impl<'g> Journey<'g> {
-    /// A load program that has not begun yet, at the equilibrium under the load `start`.
+    /// A load program without legs yet, which starts under the load `start`. An error if this load or the limits of small motions are out of range.
     pub(super) fn new(grasp: &'g Engine, start: &Wrench<3>, settings: &Settings) -> Result<Self, Error> {
         grasp.load_alone(start, "start load")?;
         settings.small_motions.check()?;
@@ -40,18 +40,19 @@ impl<'g> Journey<'g> {
         Ok(Self { grasp, settings: *settings, polygon, program: Program::new(grasp, *start), rest: None })
     }
 
-    /// The equilibrium problem with these finger offsets (commands minus clearances) and this load, on the friction cone of the settings.
+    /// The static problem with these offsets of the contacts (commands minus clearances and slips) and the load `load`, with the friction cone of the
+    /// settings.
     pub(super) fn problem(&self, offsets: Vec<SVector<f64, 3>>, load: &Vector) -> Problem<'g> {
         let round = self.settings.is_round(self.grasp.space());
         self.grasp.problem(self.polygon.clone(), round, offsets, &Load::from(load))
     }
 
-    /// The equilibrium problem at the start of the program, with contacts that have not slipped yet.
+    /// The static problem at the start of the program: its first load, the commands of the grasp, and no slips.
     pub(super) fn problem_at_start(&self) -> Problem<'g> {
         self.problem(self.grasp.offsets(), &self.program.inside_course(self.grasp).at(0.0))
     }
 
-    /// The equilibrium from which the path starts. If there is none, the error is the end of the path before its first leg.
+    /// The equilibrium from which the path starts, a solution of `problem`. If none is found, the error is the end of the path before its first leg.
     pub(super) fn start(&self, problem: &Problem<'g>) -> Result<Found, PathEnd<3>> {
         match self.rest.clone().unwrap_or_else(|| settle_at_rest(problem, &self.settings)) {
             (Settled::Found(found, _), _) => Ok(found),
@@ -63,8 +64,8 @@ impl<'g> Journey<'g> {
         }
     }
 
-    /// The present leg, with the accumulated slips at its beginning. Loads and commands are computed from the goals of the legs, so that rounding
-    /// does not add up over many legs.
+    /// The present leg as a segment, with the accumulated slips `slips` at its beginning. Loads and commands are computed from the goals of the legs,
+    /// so that rounding does not add up over many legs.
     pub(super) fn segment(&self, slips: Vec<SVector<f64, 3>>) -> Segment<'g> {
         let course = self.program.inside_course(self.grasp);
         let [mut offsets, change] = self.program.offsets(self.grasp);
@@ -78,7 +79,7 @@ impl<'g> Journey<'g> {
         AnswerFor::of(self.grasp.space(), &self.settings)
     }
 
-    /// The equilibrium found at a fraction of the present leg, in physical quantities.
+    /// The solution `found` of `problem` at a fraction of the present leg, as an equilibrium in the caller's quantities, with residuals.
     pub(super) fn equilibrium(&self, problem: &Problem<'g>, fraction: f64, found: Found) -> Equilibrium<3> {
         let (load, effort) = (self.program.load_at(fraction), Effort::default());
         let grasp = self.program.bodies.apply(self.grasp, fraction);
@@ -86,8 +87,8 @@ impl<'g> Journey<'g> {
         grasp.equilibrium(problem, &load, found, FoundBy::LoadPath, &effort, self.answer_for())
     }
 
-    /// The loss of equilibrium at a fraction of the present leg, with these contacts and drives on the edge of their cone; the object leaves with the
-    /// motion `motion`.
+    /// The loss of equilibrium at a fraction of the present leg. The contacts and drives with the indices `sites` are on the edge of their cones; the
+    /// object leaves with the motion `motion`.
     pub(super) fn loss(
         &self,
         fraction: f64,
@@ -112,12 +113,12 @@ impl<'g> Journey<'g> {
         loss.leaving(self.grasp, motion)
     }
 
-    /// The end of a path that cannot be followed further from here.
+    /// The end of a path that cannot be followed beyond this fraction of the present leg, for the reason `doubt`.
     pub(super) fn undecided(&self, fraction: f64, doubt: Doubt) -> PathEnd<3> {
         PathEnd::Undecided { leg: self.program.leg, fraction, doubt }
     }
 
-    /// Appends legs to the program; none is appended if one is invalid.
+    /// Appends legs to the program. If one is invalid, an error, and none is appended.
     pub(super) fn extend(&mut self, legs: &[Leg<3>]) -> Result<(), Error> {
         self.program.extend(self.grasp, legs)
     }

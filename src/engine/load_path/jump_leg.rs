@@ -1,7 +1,7 @@
 //! A jump at constant load: other contacts take over the force that contacts lose when their friction falls from the static to the kinetic value.
 //!
-//! A contact that leaves its static cone has, at the same stretch of its springs, the force F' on its kinetic cone in place of F. The difference is
-//! first applied as an external force, and then removed along a leg of its own, at the same load and commands:
+//! A contact j that leaves its static cone has the force F_j' on its kinetic cone in place of F_j, at the same stretch. The difference is first
+//! applied as an external force, and then removed along a leg of its own, at the same load W and commands:
 //!
 //! ```text
 //! Σ G_i F_i + W + (1 - τ) Σ G_j (F_j - F_j') = 0,      τ from 0 to 1
@@ -30,20 +30,20 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Doubt, Found, Settings, Settled, settle};
 
-/// A jump in progress.
+/// A jump at constant load in progress.
 pub(super) struct JumpInProgress<'g> {
-    /// The leg along which the external force that stands in for the lost friction is removed.
+    /// The leg along which the external force in place of the lost friction is removed.
     pub(super) leg: Pieces<'g>,
-    /// Slips before the jump, and the states of all contacts and drives in the jump so far.
+    /// For all contacts and drives: slips before the jump, whether they have slid in it, and the lists of their states in it so far.
     record: JumpRecord,
     pub(super) changes: Vec<(usize, Change<3>)>,
-    /// Contacts whose gaps have closed at the end of a free motion.
+    /// Indices of contacts and drives whose gaps have closed at the end of a free motion in the jump.
     pub(super) reaches: Vec<usize>,
 }
 
 impl<'g> JumpInProgress<'g> {
-    /// A jump at the beginning of its leg. `slips` are the slips before the jump. Contacts whose slips at the beginning of the leg differ from these
-    /// have slid in the jump already.
+    /// A jump at the beginning of its leg `leg`. `slips` are the accumulated slips before the jump. Contacts whose slips at the beginning of the leg
+    /// differ from these have slid in the jump already.
     pub(super) fn after(leg: Pieces<'g>, slips: &[SVector<f64, 3>]) -> Self {
         let mut slid = vec![false; slips.len()];
         for (i, slip) in slips.iter().enumerate() {
@@ -53,7 +53,8 @@ impl<'g> JumpInProgress<'g> {
         Self { leg, record, changes: Vec::new(), reaches: Vec::new() }
     }
 
-    /// Follows the leg of the jump to its end. Forces that further contacts lose on the way are removed as well.
+    /// Follows the leg of the jump to its end, where the load is `goal`. Friction forces that further contacts lose on it are removed as well. Where
+    /// the equilibrium is lost, the object moves until a gap closes. The error is the end of the path, if no gap closes or forces are lost too often.
     pub(super) fn run(&mut self, goal: &Vector, journey: &Journey<'g>) -> Result<(), PathEnd<3>> {
         // A lost force is removed at most sixteen times for each contact or drive. Each time energy is lost, so only rounding could make contacts
         // stick and slide again more often.
@@ -78,8 +79,8 @@ impl<'g> JumpInProgress<'g> {
         }
     }
 
-    /// Advances along the leg to the next place of an event, or decides there how the leg continues. Returns the contacts that begin to slide with
-    /// kinetic friction below their static friction; `None` at the end of the leg.
+    /// Advances along the leg towards its next event and returns an empty list, or decides at an event how the leg continues. Then returns the
+    /// contacts that begin to slide with lower kinetic friction. `None` at the end of the leg.
     fn advance_to_node(&mut self, journey: &Journey<'g>) -> Result<Option<Vec<usize>>, PathEnd<3>> {
         let leg = &mut self.leg;
         if !core::mem::take(&mut leg.at_node) {
@@ -103,7 +104,7 @@ impl<'g> JumpInProgress<'g> {
         self.record.states.push(states.clone());
     }
 
-    /// Slips of the contacts in the jump so far.
+    /// For each contact that has slid in the jump so far, its slip since the beginning of the jump.
     fn slips(&self, journey: &Journey<'g>) -> Vec<JumpSlip<3>> {
         let contacts = journey.grasp.contacts().iter().enumerate().filter(|(i, _)| self.record.slid[*i]);
         let slip = |i: usize| self.leg.segment.problem.slips[i] - self.record.slips[i];
@@ -112,9 +113,9 @@ impl<'g> JumpInProgress<'g> {
 }
 
 impl<'g> Pieces<'g> {
-    /// The leg along which an external force is removed after the contacts `begin` have begun to slide; at its end the load is `goal`. `None` if
-    /// these contacts start from the apex of their cone, with no force to lose. The caller then decides again how the path continues, now with
-    /// kinetic friction.
+    /// The leg along which the friction forces lost by the contacts `begin`, which begin to slide, are removed as an external force. At its end the
+    /// load is `goal`. `None` if these contacts are at the apex of their cones, with no force to lose. The caller then decides again how the path
+    /// continues, now with kinetic friction.
     pub(super) fn leg_of_release(
         &mut self,
         goal: &Vector,
@@ -166,7 +167,8 @@ impl<'g> Pieces<'g> {
         Ok(Some(leg))
     }
 
-    /// Makes the jump that follows when the contacts `begin` start to slide with kinetic friction. `None` if they have no friction force to lose.
+    /// Makes the jump that follows when the contacts `begin` start to slide with kinetic friction. `None` if there are none, or if they have no force
+    /// to lose. The error is the end of the path, if no equilibrium is reached.
     pub(super) fn jump(
         &mut self,
         journey: &Journey<'g>,
@@ -175,8 +177,8 @@ impl<'g> Pieces<'g> {
         if begin.is_empty() {
             return Ok(None);
         }
-        // Contacts may alternate between sticking and sliding, with a jump each time: the smaller the fall of friction, the more jumps. The number of
-        // jumps is limited.
+        // Contacts may alternate between sticking and sliding, with a jump each time: the smaller the fall of friction, the more jumps. A jump counts
+        // as a step.
         if self.pace.steps >= journey.settings.most_steps {
             return Err(journey.undecided(self.factor, Doubt::OutOfSteps));
         }
@@ -201,7 +203,8 @@ impl<'g> Pieces<'g> {
         self.end_jump(journey, &goal, jump).map(Some)
     }
 
-    /// Moves to the end of a jump, at the load `goal`.
+    /// Moves this path to the end of the jump `jump`, under the load `goal`, and returns the jump for the caller. An error if the state there is not
+    /// accurate enough.
     pub(super) fn end_jump(
         &mut self,
         journey: &Journey<'g>,
@@ -246,7 +249,8 @@ impl<'g> Pieces<'g> {
         Ok(Jump { changes, slips, reaches, snaps: false, moved, energy_lost: energy.dissipated, state })
     }
 
-    /// Energies of a jump that began with these forces and this twist. The part of the load's work that springs do not take up is dissipated.
+    /// Energies of a jump under the load `load` that began with these contact forces and this twist and ended in the present state. All work of the
+    /// load that springs do not take up is dissipated.
     fn energy_of(&self, load: &Vector, forces: &[SVector<f64, 3>], twist: &Vector) -> LegEnergy {
         let works = load.component_mul(&(&self.node.at.twist - twist));
         let mut energy =
@@ -257,8 +261,8 @@ impl<'g> Pieces<'g> {
     }
 }
 
-/// The situation at the load at which a jump found no equilibrium: whether any equilibrium exists there, with the kinetic friction of contacts that
-/// slide.
+/// Whether any equilibrium solves `problem`, the static problem at the load at which a jump found none, with kinetic friction of the contacts that
+/// slide: [`Beyond::Snap`] if one is found, [`Beyond::LimitLoad`] if none exists.
 pub(super) fn beyond_a_jump(problem: &Problem<'_>, settings: &Settings) -> Beyond<3> {
     match settle(problem, settings).0 {
         Settled::Found(..) => Beyond::Snap,

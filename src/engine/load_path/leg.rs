@@ -14,12 +14,12 @@ use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::prelude::*;
 
-/// One leg of a load program: the load, the finger commands, or both change linearly to their goals.
+/// One leg of a load program: the load, the commands, or both change linearly to their goals, or the load turns.
 ///
 /// A squeeze is a leg of commands, loading and unloading are legs of the load; a quantity that the leg does not mention stays. Loads act on the
-/// object (N, N m about the origin); commands are displacements of the fingers in their contact frames (m), the normal part positive into the object.
+/// object (N, N m about the origin). Commands are displacements of the fingers in their contact frames (m), the normal part positive into the object.
 /// All points of a soft fingertip follow one command, unless there is one for each point. Loads and commands change in proportion to the fraction of
-/// the leg, from 0 to 1.
+/// the leg, from 0 to 1; this fraction is the load factor of the leg.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
@@ -49,7 +49,7 @@ pub struct Leg<const C: usize> {
     pub(super) commands: LegGoal<Vec<SVector<f64, C>>>,
     pub(super) joints: LegGoal<Vec<f64>>,
     pub(super) torques: LegGoal<Vec<f64>>,
-    /// The bodies whose own loads change along the leg.
+    /// The bodies whose own loads change along the leg, with their goals.
     pub(super) bodies: Vec<BodyGoal<C>>,
 }
 
@@ -221,8 +221,8 @@ impl<const C: usize> Leg<C> {
 }
 
 impl Leg<3> {
-    /// This leg with one command for each point: the command of a soft fingertip is repeated for all of its points. Links between bodies keep their
-    /// pretension.
+    /// This leg with one command for each contact point: the command of a soft fingertip is repeated for all of its points. Links between bodies,
+    /// which have no entry in the commands, keep their pretension. An error if the number of commands is wrong.
     pub(super) fn of_points(&self, grasp: &Engine) -> Result<Self, Error> {
         let (what, none) = ("commands of a leg", SVector::zeros());
         let of_points = |rows: &Vec<_>, at_links: &dyn Fn(usize) -> SVector<f64, 3>| {
@@ -257,16 +257,16 @@ impl Leg<3> {
     }
 }
 
-/// The change of the load along a leg: in a straight line, or along a turn.
+/// The change of the load along a leg: linearly in the load factor, or along a turn.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum LegLoad<const C: usize> {
     Straight(LegGoal<Wrench<C>>),
-    /// The load changes along this turn.
+    /// The load changes along this turn, from its beginning to its last angle.
     Turn(Turn<C>),
 }
 
 impl<const C: usize> LegLoad<C> {
-    /// The trajectory of the load along this leg from the load `from` at its beginning, and the load at its end.
+    /// The load as a function of the load factor along this leg, which begins with the load `from`, and the load at its end.
     pub(super) fn course(&self, from: &Wrench<C>) -> (Trajectory<Wrench<C>>, Wrench<C>) {
         let to = match self {
             Self::Straight(LegGoal::Stay) => *from,
@@ -282,7 +282,7 @@ impl<const C: usize> LegLoad<C> {
 }
 
 impl<T: Copy + Add<Output = T>> LegGoal<Vec<T>> {
-    /// Replaces `commands`, at the beginning and at the end of the previous leg, by those of a leg with this goal.
+    /// Replaces `commands`, the values at the beginning and at the end of the previous leg, by those of the next leg, which has this goal.
     pub(super) fn append(&self, commands: &mut [Vec<T>; 2]) {
         commands.swap(0, 1);
         let [from, to] = commands;

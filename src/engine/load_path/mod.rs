@@ -1,25 +1,25 @@
-//! The onset of sliding as the load grows, found directly, the first step beyond it, and whole load programs with slip memory.
+//! The onset (first slip or opening) as the load grows, found directly, the situation just beyond it, and whole load programs with slip memory.
 //!
-//! **Onset** ([`Grasp::onset`](crate::ask::Grasp::onset)). While everything sticks, forces are affine in the factor τ of a [`Ramp`]. The onset is the
-//! least τ >= 0 at which a condition of sticking is met with equality. Two linear solves determine it, without stepping:
+//! **Onset** ([`Grasp::onset`](crate::ask::Grasp::onset)). While everything sticks, contact forces are affine in the load factor τ of a [`Ramp`]. The
+//! onset is the least τ >= 0 at which a condition of sticking is met with equality. Two linear solves determine it, without stepping:
 //!
 //! ```text
 //! F(τ) = F⁰ + τ F¹        μ F_n(τ) = |F_t(τ)|   (linear in the plane, quadratic on the round cone)   or   F_n(τ) = 0
 //! ```
 //!
 //! **A load that turns** ([`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn), [`Leg::turn`]), like the weight in the frame of an object that
-//! is tilted. While contacts keep their states, forces and slips are harmonics of the load's angle. A margin is then a trigonometric polynomial. Its
-//! extrema bracket its first zero.
+//! is tilted. While contacts keep their states, forces and slips are harmonics of the load's angle θ. The margin of a contact is then a trigonometric
+//! polynomial. Its extrema bracket its first zero.
 //!
 //! ```text
 //! W(θ) = W₀ + W_c cos θ + W_s sin θ        F(θ) = F₀ + F_c cos θ + F_s sin θ
 //! ```
 //!
-//! **Beyond.** At an event the rates of forces and motion solve a complementarity problem for the contacts on the edge of their cones: a gap or a
+//! **Beyond.** At an event the rates of forces and motion solve a complementarity problem for the contacts on the edge of their cones. A gap or a
 //! slip grows only where the normal force or the friction reserve stays zero. In this problem a contact inside its cone is bonded, and an open one
-//! absent. A solution says how the equilibrium continues ([`Continuation`]); without one the equilibrium ends ([`Loss`]). Whether another equilibrium
-//! exists just beyond ([`Beyond`]) is a separate question: if there is none, the end is a limit load, else a snap. A load path then lets the object
-//! move as viscous contacts would, and continues where it comes to rest.
+//! absent. A solution gives the contact states and rates with which the equilibrium continues ([`Continuation`]); without one the equilibrium ends
+//! ([`Loss`]). Whether another equilibrium exists just beyond ([`Beyond`]) is a separate question: if there is none, the end is a limit load, else a
+//! snap. A load path then lets the object move as viscous contacts would, and continues where it comes to rest.
 //!
 //! **Load programs** ([`Grasp::follow`](crate::ask::Grasp::follow)). The path leads from event to event and remembers slip:
 //! `F_t = K_t (a_t - t·u_c - s)` with the earlier slip s. On polygons and in the plane every piece is straight, or turns with the load. On the round
@@ -33,9 +33,9 @@
 //! | [`LoadPath`] | whole pieces, which are stored | every event, energies, states anywhere | some hundreds of contacts |
 //! | [`SteppedPath`] | steps of exact slips, on the round cone | the steps | 10⁵ |
 //!
-//! **Sensitivities** ([`Sensitivity::of`](crate::ask::Sensitivity::of), [`response`](crate::ask::Sensitivity::response),
-//! [`OnsetMargins`]). In known states the law is linear, `F_i = K_i (a_i - G_iᵀq)`, where K_i depends on
-//! stiffness, friction and state. A small change of a datum p leads to one more solve:
+//! **Sensitivities** ([`Sensitivity::of`](crate::ask::Sensitivity::of), [`response`](crate::ask::Sensitivity::response), [`OnsetMargins`]). In known
+//! contact states the law is linear, `F_i = K_i (a_i - G_iᵀq)`, where K_i depends on stiffness, friction and state. A small change of a datum p leads
+//! to one more solve:
 //!
 //! ```text
 //! dF_i = K_i (da_i - G_iᵀdq) + (∂K_i/∂p) (a_i - G_iᵀq) dp,      Σ G_i dF_i + dW = 0

@@ -1,5 +1,5 @@
-//! A node of the load path, the place of an event: for each contact the edges of its cone that it is on (its active set), and the decision how the
-//! path continues.
+//! A node of the load path, the place of an event. It has for each contact the edges of its cone on which its force lies (its active set). Here the
+//! continuation of the path is decided.
 
 use nalgebra::{Matrix, SVector};
 
@@ -22,36 +22,37 @@ use crate::search::{
     solution_near, try_states,
 };
 
-/// The complementarity problem for the rates of forces and motion at a node (the place of an event), and its solution.
+/// The rate problem at a node (the complementarity problem for the rates of forces and motion), and `settled`, the outcome of the search for its
+/// solution.
 struct Decided<'g> {
-    /// The load factor at which load and commands have the rates of the problem: that of the node, or one slightly ahead.
+    /// The load factor whose rates of load and commands the problem has: that of the node, or one slightly ahead while the load turns.
     ahead: f64,
     rates: Problem<'g>,
     settled: Settled,
     effort: Effort,
 }
 
-/// The state of the path at a node (the place of an event), contact by contact.
+/// The state of the path at a node, or at the end of the last piece. Each list has an entry for each contact and drive.
 #[derive(Debug, Clone)]
 pub(super) struct Node {
-    /// Contact states. A slide on the round cone is stored with the direction of the friction force.
+    /// Contact states. A slide on the round cone is stored with the direction of its friction force.
     pub(super) states: Vec<State>,
-    /// Unit directions in which contacts slide, along the coordinate axes.
+    /// For each contact the unit direction in which it slides, in coordinate axes; `None` if it does not slide.
     pub(super) directions: Vec<Option<SVector<f64, 3>>>,
     pub(super) active_sets: Vec<ActiveSet>,
-    /// For each contact, whether it has infinite friction and carries a tangential force. Such a force is lost at once when the normal force vanishes.
+    /// For each contact, whether it has infinite friction and carries a tangential force. It loses such a force at once when its normal force
+    /// vanishes.
     pub(super) holds: Vec<bool>,
-    /// Whether a contact starts to slide from the apex of its cone: it has a direction, but no friction force yet.
+    /// Whether some contact starts to slide from the apex of its cone: it has a direction of sliding, but no friction force yet.
     pub(super) starts_at_apex: bool,
-    /// Contacts whose slip has ended at this node.
+    /// Indices of contacts whose slip has ended at this node.
     pub(super) stopped: Vec<usize>,
     pub(super) at: PieceState,
-    /// The load factor at which the rates of load and commands are taken to decide how the path continues: the present one, or one a little ahead
-    /// while the load turns.
+    /// The load factor whose rates of load and commands decided the continuation: that of the node, or one a little ahead while the load turns.
     pub(super) ahead: f64,
 }
 
-/// The continuation of the path from a node, the place of an event.
+/// The continuation of the path from a node: the state with rates, the changes of contact states, and the number of other continuations.
 pub(super) struct NextPiece {
     pub(super) point: PathPoint,
     pub(super) changes: Vec<(usize, Change<3>)>,
@@ -59,8 +60,8 @@ pub(super) struct NextPiece {
 }
 
 impl Node {
-    /// Solves the complementarity problem for the rates of forces and motion. The solution decides the states of all contacts on the edge of their
-    /// cones, and so how the path continues.
+    /// Solves the rate problem at the load factor `factor`. The solution decides the states of all contacts on the edge of their cones, and so how
+    /// the path continues. If there is none, the error is the end of the path.
     pub(super) fn continue_path(
         &mut self,
         segment: &mut Segment<'_>,
@@ -84,8 +85,8 @@ impl Node {
         if segment.problem.round {
             slide_where_they_graze(&rates, &mut found);
         }
-        // Without any force the motion is not unique: contacts found sticking may slide as well. The path takes the shortest of all admissible
-        // motions, not an end of their range.
+        // If all contact forces are zero, the motion is not unique: contacts found sticking may slide as well. The path takes the shortest of all
+        // admissible motions, not an end of their range.
         if self.at.forces.iter().all(|force| force.norm() == 0.0) {
             found = on_the_solution_interval(&rates, found);
         }
@@ -115,7 +116,7 @@ impl Node {
         Ok(NextPiece { point, changes, other_continuations })
     }
 
-    /// Solves the complementarity problem for the rates of forces and motion at the node.
+    /// Solves the rate problem at the node, with rates of load and commands at the node or, while the load turns, slightly ahead.
     ///
     /// While the load turns, a slip may stop, or a force may touch the edge of its cone, exactly at the node. The rates at the node then do not show
     /// whether the slip reverses or the force leaves the cone; rates slightly ahead do. The load rates for which given states hold form a convex
@@ -132,15 +133,15 @@ impl Node {
         };
         let Trajectory::Turn { angle, .. } = segment.course else { return at(factor) };
         let mut last = None;
-        // The complementarity problem for the rates at this angle (rad) beyond the node decides. Smaller angles are tried next, in case another event
-        // comes first.
+        // The rate problem with the rate of the load at this angle (rad) beyond the node decides. Smaller angles are tried next, in case another
+        // event comes first.
         for little in [1e-3, 1e-5, 1e-7, 1e-9] {
             let decided = at(factor + little / angle);
             let Settled::Found(found, _) = &decided.settled else {
                 last = Some(decided);
                 continue;
             };
-            // At the apex of a round cone the direction of sliding turns with the load. Elsewhere the contact states found must also solve the
+            // At the apex of a round cone the direction of sliding turns with the load. Elsewhere the contact states found must also solve the rate
             // problem just behind the node. The distance of 1e-12 rad is the accuracy of an event's angle. Closer to the node, the rate of a load
             // that turns back might have the wrong sign.
             let rates_behind = segment.rates(factor + 1e-12 / angle, laws.clone());
@@ -158,7 +159,8 @@ impl Node {
         }
     }
 
-    /// Tries the two usual continuations: nothing changes, or contacts on the edge of their cones slide.
+    /// Tries the usual solutions of the rate problem `rates`: all contacts keep their states, or contacts on the edge of their cones slide.
+    /// [`Judged::Holds`] with the first that meets all conditions.
     fn guess(&self, segment: &Segment<'_>, factor: f64, rates: &Problem) -> Judged {
         // Only at the start of a leg may nothing change: within a leg the present state of some contact has just stopped being valid.
         let as_before =
@@ -186,9 +188,9 @@ impl Node {
         try_states(rates, sliding)
     }
 
-    /// Opens contacts that touch without force and gain no force, so that they do not drag the object along. These contacts open if forces are the
-    /// same without them and the object then moves less. If no contact presses at all, and one would slide on the round cone, all contacts that touch
-    /// open.
+    /// Opens contacts in the solution `found` of the rate problem that touch and gain no force, so that they do not drag the object along. They open
+    /// if a solution without them exists in which the object moves less. If no contact gains a force, and one would slide on the round cone, all
+    /// contacts that may open do.
     fn without_dragging(&self, rates: &Problem, found: Found) -> Found {
         let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
         // On the round cone the direction of sliding is that of the friction force, which a zero force does not have.
@@ -221,7 +223,8 @@ impl Node {
         }
     }
 
-    /// Sets the states of all contacts to those in `found`, the solution of the complementarity problem for the rates, and returns the changes.
+    /// Sets the states of all contacts to those in `found`, the solution of the rate problem `rates`. Returns the changes, each with the index of its
+    /// contact or drive.
     pub(super) fn apply_rates(
         &mut self,
         segment: &mut Segment<'_>,
@@ -252,7 +255,7 @@ impl Node {
     }
 }
 
-/// Lets contacts slide whose force, if they stuck, would leave the round cone along a tangent, see
+/// Lets contacts of `found` slide whose force, if they stuck, would leave the round cone along a tangent, see
 /// [`LocalLaw::grazes`](crate::contact::LocalLaw::grazes).
 fn slide_where_they_graze(rates: &Problem, found: &mut Found) {
     let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
@@ -265,7 +268,7 @@ fn slide_where_they_graze(rates: &Problem, found: &mut Found) {
     }
 }
 
-/// The unit directions in which contacts slide, along the coordinate axes; `None` for contacts that do not.
+/// For each contact the unit direction in which it slides in `found`, in coordinate axes; `None` if it does not slide.
 pub(super) fn directions(problem: &Problem, found: &Found) -> Vec<Option<SVector<f64, 3>>> {
     let direction =
         |state| if let ContactState::Sliding { direction } = state { Some(direction) } else { None };

@@ -1,4 +1,4 @@
-//! The answers to the question of the onset of sliding.
+//! The onset: where the first contact stops sticking as a load grows or turns, as answers for the caller.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -13,7 +13,7 @@ use crate::search::{Found, FoundBy, Kept};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// The answer to "at which load factor τ >= 0 does the first contact stop sticking?", or at which angle of a load that turns.
+/// The onset: the load factor τ >= 0 at which the first contact stops sticking, or the angle if the load turns.
 ///
 /// For a [`Turn`](super::Turn) every factor here is the angle in rad, and factor 0 is the beginning of the turn.
 #[derive(Debug, Clone)]
@@ -34,7 +34,7 @@ pub enum Onset<const C: usize> {
         /// The reason why no equilibrium exists beyond; its work is that of the rate of the load, J per unit of the load factor (J/rad for a turn).
         reason: NoEquilibrium<C>,
     },
-    /// The equilibrium at load factor 0 could not be decided.
+    /// The search for the equilibrium at load factor 0 was undecided, or the path to the onset depends on rounding.
     Undecided(Undecided),
 }
 
@@ -70,23 +70,23 @@ pub struct OnsetEvent<const C: usize> {
     pub factor: f64,
     /// The load at the onset.
     pub load: Wrench<C>,
-    /// The contacts that stop sticking, all at this load factor. Contacts that have closed on the way are not among them.
+    /// The contacts that stop sticking, all at this load factor. Contacts that have closed before and stick are not among them.
     pub leaving: Vec<Leaving<C>>,
     /// Drives of a hand that yield at the onset: joints and tendons at their limit, tendons that slacken.
     pub drives: Vec<PartChange>,
     /// The friction cone for which the event was computed.
     pub cone: Cone,
-    /// The engine's state at the onset, from which the questions for the equilibrium there and for the continuation start.
+    /// The engine's state at the onset, from which the equilibrium there and the continuation are computed on request.
     pub(super) local: StickingState,
 }
 
-/// The state at an onset, in which everything sticks and some contacts are on the edge of their cone, with the rates of load and commands. Loads are
-/// in the engine's coordinates.
+/// The state at an onset, in which everything that touches sticks and some contacts are on the edge of their cones. Rates of load and offsets are per
+/// unit of the load factor. Moments are about the centroid of the contacts.
 #[derive(Debug, Clone)]
 pub(super) struct StickingState {
     pub(super) found: Kept,
     pub(super) rule: FoundBy,
-    /// The active set of each contact or drive: the edges of its cone that its force has reached.
+    /// For each contact or drive its active set: the edges of its cone that its force has reached.
     pub(super) active_sets: Vec<ActiveSet>,
     /// Indices of the contacts and drives that stop sticking.
     pub(super) leaving: Vec<usize>,
@@ -94,13 +94,13 @@ pub(super) struct StickingState {
     pub(super) wrench_rate: Coordinates,
     pub(super) offsets: Vec<SVector<f64, 3>>,
     pub(super) offset_rates: Vec<SVector<f64, 3>>,
-    /// Slips of contacts that have closed before the onset.
+    /// For each contact its slip memory, m: nonzero only for contacts that have closed before the onset.
     pub(super) slips: Vec<SVector<f64, 3>>,
 }
 
 impl OnsetEvent<3> {
-    /// The onset as an event at a load factor, from the load, the sticking state and the active sets of contacts there. The lists come from the
-    /// caller, so that no memory is allocated.
+    /// The onset at the load factor `factor`, from the caller's load, the solution `found` and the active sets there. `leaving` and `sites` are the
+    /// contacts and drives that stop sticking. `lists` are emptied lists whose memory is reused.
     pub(super) fn new(
         segment: Segment<'_>,
         (factor, load): (f64, Wrench<3>),
@@ -131,12 +131,13 @@ impl OnsetEvent<3> {
 }
 
 impl Leaving<3> {
-    /// A contact or drive with the way in which it stops sticking; its label is filled in later.
+    /// The contact or drive with the index `site`, which stops sticking as given in `how`; the rest of its label is filled in later.
     pub(super) fn new(site: usize, how: Departure<3>) -> Self {
         Self { contact: ContactLabel { index: site, point: None, name: None, link: None }, how }
     }
 
-    /// The way in which the load drives a contact out of its cone, if no continuation of the equilibrium determines the direction of its slip.
+    /// As [`Self::new`], from the edges of its cone that the force has reached: the contact slides outwards across them. At the apex it opens, or
+    /// would have to pull. Used where no continuation determines the direction of its slip.
     pub(super) fn driven_out(
         site: usize,
         active: &ActiveSet,

@@ -1,5 +1,5 @@
-//! The margins m that vanish at an onset, and the derivative of its load factor τ by the data. This is `dτ = -dm / m'`, with the rate m' of the
-//! margin along the ramp.
+//! The margins m that vanish at an onset, and the derivatives of its load factor τ by the data: `dτ = -dm / m'`, with the rate m' of the margin along
+//! the ramp.
 
 use nalgebra::SVector;
 
@@ -11,18 +11,18 @@ use crate::numerics::mapped;
 use crate::object::PieceState;
 use crate::prelude::*;
 
-/// The part of a grasp that stops sticking at an onset.
+/// A contact or a drive of a hand that stops sticking at an onset.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Leaver {
-    /// A contact, from 0.
+    /// A contact, by its index, from 0.
     Contact(usize),
-    /// A drive of a hand.
+    /// The drive of a joint or tendon of a hand.
     Drive(HandPart),
 }
 
-/// The margins that vanish at one onset, and the derivatives of its load factor τ by the data: `dτ = -dm / m'`. The vanishing margin is
-/// m = `μ F_n - |F_t|` (F_n where a contact opens), and m' its rate along the ramp. For a load that turns they are derivatives of the angle.
+/// The margins that vanish at an onset, and the derivatives of its load factor τ by the data of grasp and load: `dτ = -dm / m'`. The vanishing margin
+/// is m = `μ F_n - |F_t|` (F_n where a contact opens), and m' its rate along the ramp. For a load that turns they are derivatives of the angle.
 ///
 /// A change of a point or a normal moves or turns the contact frame, and thus changes the grasp map. With contact stiffness K, motion q and forces F:
 ///
@@ -30,17 +30,17 @@ pub enum Leaver {
 /// dF_i = -K_i (G_iᵀdq + dG_iᵀq),      Σ (G_i dF_i + dG_i F_i) = 0
 /// ```
 ///
-/// Commands, clearances and stiffnesses then keep their components along the axes of the contact frames, and so do changes of commands along a ramp. A
-/// command a that stays along the **coordinate** axes changes in a frame that tilts by φ towards the tangent t: by φ `a·t` along the normal, by
-/// -φ `a·n` along t.
+/// Commands, clearances and stiffnesses then keep their components along the axes of the contact frames. So do changes of commands along a ramp. A
+/// command a that stays along the **coordinate** axes changes in a frame that tilts by φ towards the tangent t: by φ `a·t` along the normal, by -φ
+/// `a·n` along t.
 pub struct OnsetMargins<'g> {
     response: StickingResponse<'g>,
     state: PieceState,
     margins: Vec<Margin>,
 }
 
-/// The margin of a contact or drive that stops sticking, linear in its force F: `row·F` is `μ F_n - h·F_t` with a facet normal h, or F_n alone where
-/// friction is absent or unlimited.
+/// The margin of a contact or drive that stops sticking, linearised in its force F: `row·F` is `μ F_n - h·F_t` with a facet normal h (on the round
+/// cone along F_t), or F_n alone where friction is absent or unlimited.
 struct Margin {
     leaver: Leaver,
     site: usize,
@@ -50,7 +50,8 @@ struct Margin {
 }
 
 impl<'g> OnsetMargins<'g> {
-    /// The margins at an onset. `None` if a contact has closed at the onset or before it, or if the event has another number of contacts.
+    /// The margins at the onset `event`. `None` if a contact with friction closed before the onset, if one closes there and slides, or if the event
+    /// has another number of contacts.
     pub(crate) fn new(grasp: &'g Engine, event: &OnsetEvent<3>) -> Option<Self> {
         let StickingState { found, slips, offset_rates, wrench_rate, leaving, .. } = &event.local;
         let found = found.found();
@@ -74,15 +75,16 @@ impl<'g> OnsetMargins<'g> {
         Some(Self { response, state, margins })
     }
 
-    /// The contacts and drives that stop sticking, in the order of the derivatives. Each has a load factor at which its margin vanishes; the onset is
-    /// the least of them. So the one-sided derivative of the onset along a change of the data is the least of their derivatives.
+    /// The contacts and drives that stop sticking at the onset, in the order of the derivatives of [`Self::by`]. Each has a load factor at which its
+    /// margin vanishes; the onset is the least of them. So the one-sided derivative of the onset along a change of the data is the least of their
+    /// derivatives.
     #[must_use]
     pub fn leavers(&self) -> Vec<Leaver> {
         mapped(&self.margins, &|margin| margin.leaver)
     }
 
-    /// The derivative of the load factor by one datum, for each contact or drive that stops sticking; its units are those of the inverse datum, and
-    /// those of the base load are 1/N and 1/(N m). `None` if [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative of the forces.
+    /// The derivative of the load factor by one datum, for each contact or drive of [`Self::leavers`]. Its unit is the inverse of the datum's unit,
+    /// for the base load 1/N and 1/(N m). `None` if [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative of the forces.
     #[must_use]
     pub fn by(&self, parameter: Parameter) -> Option<Vec<f64>> {
         let change = self.response.derivative(&self.state, parameter)?;
@@ -95,8 +97,8 @@ impl<'g> OnsetMargins<'g> {
         Some(mapped(&self.margins, &|margin| margin.factor_change(&change.forces, direct(margin))))
     }
 
-    /// The derivative of the load factor by a multiple of `load` added to the load. With the load of the onset it is the derivative by a factor on the whole
-    /// load, at the value 1.
+    /// The derivative of the load factor by x at x = 0, if x times `load` is added to the load, for each of [`Self::leavers`]. With the load of the
+    /// onset as `load` it is the derivative by a factor on the whole load, at the value 1. `None` if `load` is refused.
     #[must_use]
     pub fn by_load<const C: usize>(&self, load: &Wrench<C>) -> Option<Vec<f64>> {
         let change = self.response.by_load(&inside(load)).ok()?;
@@ -105,7 +107,8 @@ impl<'g> OnsetMargins<'g> {
 }
 
 impl Margin {
-    /// The change of the load factor due to a change of the contact forces, and to the change `direct` of the margin itself at constant forces.
+    /// The change of the load factor at which this margin vanishes. All contact forces change by `forces`, and at constant forces the margin changes
+    /// by `direct`.
     fn factor_change(&self, forces: &[SVector<f64, 3>], direct: f64) -> f64 {
         -(self.row.dot(&forces[self.site]) + direct) / self.slope
     }

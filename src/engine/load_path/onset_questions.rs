@@ -1,8 +1,8 @@
-//! The onset of sliding under a load that grows, found without stepping.
+//! The onset (first slip or opening) under a load that grows, found without stepping.
 //!
 //! While everything sticks, forces are affine in the load factor, `F(τ) = F⁰ + τ F¹`: two linear solves. The onset is the smallest τ at which a
 //! contact reaches the edge of its cone. Each facet gives a linear equation for τ, the round cone a quadratic one. The onset is the first pivot of
-//! Lemke's method with the load as covering vector. An open contact may close before; it starts with F_t = 0 and continues to stick if the rates lie
+//! Lemke's method with the load as covering vector. An open contact may close before; it starts with F_t = 0 and sticks if the rate of its force lies
 //! in its cone.
 
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end, continuation};
@@ -33,7 +33,8 @@ impl Engine {
         self.onset_in_memory(ramp, settings, &mut OnsetMemory::default())
     }
 
-    /// Implements [`OnsetWorkspace::onset`](crate::ask::OnsetWorkspace::onset), which reuses the memory of the last question and of its answer `returned`.
+    /// Implements [`OnsetWorkspace::onset`](crate::ask::OnsetWorkspace::onset), which reuses the memory of the last onset and of its answer
+    /// `returned`.
     pub(crate) fn onset_in(
         &self,
         ramp: &Ramp<3>,
@@ -48,7 +49,7 @@ impl Engine {
         self.onset_in_memory(ramp, settings, memory)
     }
 
-    /// [`Self::onset`]; also returns the equilibrium under the base load if a search for it was necessary, so that a path can start from it.
+    /// [`Self::onset`]. Also returns the result of the search for the equilibrium under the base load, if one was made. A path can start from it.
     pub(crate) fn onset_from_rest(
         &self,
         ramp: &Ramp<3>,
@@ -81,8 +82,8 @@ impl Engine {
         Ok(onset)
     }
 
-    /// The onset along a trajectory of the load up to the load factor `end`, where contacts may close before the onset. It starts from the
-    /// equilibrium `rest` under the base load.
+    /// The onset along the trajectory `course` of the load up to the load factor `end`; contacts may close before the onset. `rest` is the result of
+    /// the search for the equilibrium at load factor 0.
     pub(super) fn onset_with_closing<'a>(
         &'a self,
         segment: Segment<'a>,
@@ -132,7 +133,7 @@ impl Engine {
         Some(beyond_end(&segment, &rates, (settled, &effort), &end, settings))
     }
 
-    /// The equilibrium problem at an onset; `None` if the event belongs to a grasp with another number of contacts.
+    /// The static problem at an onset; `None` if the event belongs to a grasp with another number of contacts and drives.
     pub(super) fn problem_at_onset(&self, event: &OnsetEvent<3>) -> Option<Problem<'_>> {
         let local = &event.local;
         if local.found.states.len() != self.sites().len() {
@@ -142,7 +143,7 @@ impl Engine {
         Some(Problem { slips: local.slips.clone(), ..problem })
     }
 
-    /// The equilibrium at load factor 0, if no contact slides in it; otherwise the error is the answer to the question.
+    /// The equilibrium at load factor 0, if no contact slides in it; otherwise the error is the [`Onset`] to return.
     fn sticking_base(
         &self,
         segment: &Segment<'_>,

@@ -1,4 +1,4 @@
-//! Memory that is reused from one onset to the next.
+//! Memory that the computation of one onset leaves to that of the next.
 
 use alloc::sync::Arc;
 
@@ -16,14 +16,15 @@ use crate::object::{Lists, Load, PieceState, SolutionMemory};
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// The lists that the computation of an onset needs, which the next computation reuses.
+/// The lists that the computation of an onset needs. Their memory is reused by the next computation; only `rest` is a result.
 #[derive(Debug, Clone, Default)]
 pub(super) struct OnsetMemory {
     pub(super) lists: Lists,
     pub(super) change: Vec<SVector<f64, 3>>,
     polygon: Option<((Space, PolygonCone), Arc<Polygon>)>,
     pub(super) solution: SolutionMemory,
-    /// The state under the base load. The next fields have the rate of this state, and the state and the finger offsets at the onset.
+    /// Contact forces and twist under the base load. Then `rate`, their derivatives by the load factor, and `there`, forces and twist at the onset,
+    /// with the offsets of all contacts there in `offsets`.
     pub(super) base: PieceState,
     pub(super) rate: PieceState,
     pub(super) there: PieceState,
@@ -33,15 +34,16 @@ pub(super) struct OnsetMemory {
     pub(super) leaving: Vec<Leaving<3>>,
     /// Indices of the contacts and drives that stop sticking.
     pub(super) sites: Vec<usize>,
-    /// Reused lists for the coordinates of joints.
+    /// Memory for the coordinates beyond those of one object (of joints and further bodies) of three vectors: twist, load and load rate at the onset.
     pub(super) coordinates: [Vec<f64>; 3],
     place: Option<Box<OnsetEvent<3>>>,
-    /// The equilibrium under the base load, if the last question had to search for it.
+    /// The result of the search for the equilibrium under the base load; `None` if the last onset was found without this search.
     pub(super) rest: Option<Rest>,
 }
 
 impl OnsetMemory {
-    /// The ramp or turn as a [`Segment`], with the rates of the finger offsets in `change`. No contact has slipped yet.
+    /// The ramp or turn with the load `course` as a [`Segment`]. The rates of the offsets are taken from the field `change`, and no contact has
+    /// slipped yet.
     pub(super) fn segment<'g>(
         &mut self,
         grasp: &'g Engine,
@@ -71,7 +73,7 @@ impl OnsetMemory {
         }
     }
 
-    /// Puts an event into the allocation of the last event.
+    /// Puts an event into the box of the last event taken back by [`Self::reclaim`], or into a new one.
     pub(super) fn put(&mut self, event: OnsetEvent<3>) -> Box<OnsetEvent<3>> {
         match self.place.take() {
             Some(mut place) => {
@@ -82,7 +84,7 @@ impl OnsetMemory {
         }
     }
 
-    /// Takes back the lists of an answer that is no longer needed.
+    /// Takes back the lists and the box of an onset that the caller no longer needs.
     pub(super) fn reclaim(&mut self, returned: Onset<3>) {
         let Onset::At(mut event) = returned else { return };
         let local = &mut event.local;

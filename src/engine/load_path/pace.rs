@@ -1,24 +1,24 @@
-//! Step control along an arc, a piece of the path on which directions of sliding turn.
+//! The choice of step lengths along an arc, a piece of the path on which directions of sliding turn.
 
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// The error of a step is proportional to this power of its length.
+/// The estimated error of a step is proportional to this power of its length.
 const ERROR_ORDER: f64 = 8.0;
-/// The next step has this fraction of the length that the error estimate allows. Its error is then a sixth of the allowed one: few steps are refused,
-/// and errors that add up have a reserve.
+/// The length of the next step is this fraction of the length that the error estimate allows. Its error is then a sixth of the allowed one: few steps
+/// are refused, and errors that add up have a reserve.
 const CAUTION: f64 = 0.8;
-/// Least ratio of successive step lengths, since the error estimate is only valid for small changes of the length.
+/// Least ratio of the length of a step to that before it, since the error estimate is only valid for small changes of the length.
 const LEAST_RATIO: f64 = 0.2;
 
-/// State of the step control along an arc.
+/// The data of the step control along an arc: the length and kind of the next step, and counters.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pace {
-    /// Length of the next step, in arclength.
+    /// Arclength of the next step; `None` after a node, where it is chosen anew.
     pub(super) length: Option<f64>,
-    /// The displacement that counts in arclength as much as the whole leg of the load program, m; `None` before the first step from a node.
+    /// The displacement, m, that counts in arclength as much as the whole leg of the load program; `None` before the first step from a node.
     pub(super) unit: Option<f64>,
-    /// Number of successive steps that were refused.
+    /// Number of steps refused since the last accepted one.
     refused: u8,
     /// Whether steps are implicit, because directions of friction turn much faster than the object moves.
     pub(super) stiff: bool,
@@ -26,7 +26,7 @@ pub(super) struct Pace {
     patience: u8,
     pub(super) steps: usize,
     loosened: u8,
-    /// The allowed error, as a multiple of the allowed error of the settings.
+    /// The factor by which the allowed error of a step exceeds that of the settings.
     pub(super) looser: f64,
 }
 
@@ -50,7 +50,8 @@ impl Pace {
         Self { steps: self.steps, ..Self::new() }
     }
 
-    /// Called when steps have become too short to advance: allows a larger error. Returns whether this was possible.
+    /// Allows a larger error, when steps have become too short to advance; `rest` is the rest of the leg. Returns whether this was done: at most
+    /// twice between two events.
     pub(super) fn loosen(&mut self, rest: f64) -> bool {
         let may = self.loosened < 2;
         if may {
@@ -63,10 +64,10 @@ impl Pace {
         may
     }
 
-    /// Records a step, given its error as a fraction `part` of the allowed one. A step that was shortened to end at an event does not reduce the next
-    /// length.
+    /// Records an accepted step of arclength `length`, with the fraction `part` of the allowed error, and chooses the next length. A step that was
+    /// shortened (`cut`) to end at an event does not reduce the next length.
     pub(super) fn accept(&mut self, length: f64, part: f64, cut: bool) {
-        // Largest ratio of successive step lengths, since the error estimate is only valid for small changes of the length.
+        // Largest ratio of the length of a step to that of the step before. After a refused step no growth is allowed.
         let longest = if self.refused > 0 { 1.0 } else { 5.0 };
         let next = length * (CAUTION * part.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, longest);
         self.length = Some(if cut { next.max(self.length.unwrap_or(0.0)) } else { next });
@@ -75,13 +76,13 @@ impl Pace {
         self.steps += 1;
     }
 
-    /// Whether steps have been explicit for a while and stability keeps them so short that more than fifty of them remain.
+    /// Whether steps have been explicit for a while, and the rest of the leg `rest` is more than fifty times `stable`, the longest stable step.
     pub(super) fn is_cramped(&self, stable: f64, rest: f64) -> bool {
         // An implicit step costs as much as a few explicit ones, and may be as long as hundreds of them.
         self.patience == 0 && stable * 50.0 < rest
     }
 
-    /// Records a refused step, given its error as a multiple of the allowed one.
+    /// Records a refused step of arclength `length`, with `times` times the allowed error, and chooses a shorter one.
     pub(super) fn refuse(&mut self, length: f64, times: f64) {
         self.length = Some(length * (CAUTION * times.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, CAUTION));
         self.refused += 1;

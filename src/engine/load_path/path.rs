@@ -1,4 +1,4 @@
-//! [`Path`]: a load program being followed, one type for every method of following.
+//! [`Path`]: a load program being followed, one type for both methods of following.
 
 use crate::numerics::IntoList;
 use core::fmt;
@@ -63,11 +63,11 @@ pub type LoadPath<'g, const C: usize> = Path<'g, C, Event<C>>;
 /// again. The path does not return the events of contacts one by one; [`state`](Self::state) returns the equilibrium at the present place.
 pub type SteppedPath<'g, const C: usize> = Path<'g, C, Step<C>>;
 
-/// A path of the engine, whose events or steps and answers are converted to vectors of `C` components.
+/// A path of the engine, whose vectors have three components, for a caller whose vectors have `C` components.
 struct AtTheDoor<'g, const C: usize, T: Face> {
     inside: Box<dyn AnyPath<3, T::Inside> + 'g>,
     end: Option<PathEnd<C>>,
-    /// Memory in which added legs are converted.
+    /// Memory in which legs added by the caller are converted to three components.
     legs: Vec<Leg<3>>,
 }
 
@@ -78,7 +78,7 @@ impl<const C: usize, T: Face> fmt::Debug for AtTheDoor<'_, C, T> {
 }
 
 impl<const C: usize, T: Face> AtTheDoor<'_, C, T> {
-    /// Converts and stores the end of the path once it is known.
+    /// Converts and stores the end of the path, once it has ended.
     fn keep_end(&mut self) {
         if self.end.is_none() {
             self.end = self.inside.end().cloned().map(outside);
@@ -165,7 +165,7 @@ impl<'g, const C: usize, T> Path<'g, C, T> {
         Self(path)
     }
 
-    /// How the path ended; `None` while there is more to follow. `Completed` may become `None` again, see [`Self::continue_with`].
+    /// The end of the path; `None` while there is more to follow. `Completed` may become `None` again, see [`Self::continue_with`].
     #[must_use]
     pub fn end(&self) -> Option<&PathEnd<C>> {
         self.0.end()
@@ -230,9 +230,9 @@ impl<const C: usize, T> Iterator for Path<'_, C, T> {
 }
 
 impl<const C: usize> LoadPath<'_, C> {
-    /// Sum of the estimated errors of all integration steps along which directions of sliding turn on the round cone. Each is below
-    /// [`Settings::step_error`] unless rounding forbids that. Zero if nothing had to be integrated, as always in the plane and on polygonal friction
-    /// cones.
+    /// Sum of the estimated errors of all integration steps so far, along which directions of sliding turn on the round cone. The estimated error of
+    /// each step is below [`Settings::step_error`] unless rounding forbids that. Zero if nothing had to be integrated, as in the plane and on
+    /// polygonal friction cones. Small forces and margins that were set to zero where events accumulate are added, relative to the largest force.
     ///
     /// The estimate is relative: of forces to the largest force of the step, of displacements to the largest one, whichever is worse. The error is
     /// usually smaller. The growth of an earlier error on later steps is not included; sliding damps most of it.
@@ -248,24 +248,25 @@ impl<const C: usize> LoadPath<'_, C> {
         self.0.end_of_small_motions()
     }
 
-    /// The largest ratio so far of a rotation, slip or opening to its limit of small motions, at the ends of the pieces of the path.
+    /// The largest ratio of a rotation, slip or opening to its limit of small motions, at the ends of all pieces so far.
     pub(crate) fn farthest(&self) -> f64 {
         self.0.farthest()
     }
 
-    /// [`Self::run`] as long as motions are small: the path stops after the first piece on which motions cease to be small.
+    /// As [`Self::run`], but stops after the first piece of the path at which a motion exceeds its limit of small motions. Returns the events up to
+    /// there.
     pub fn run_while_small(&mut self) -> Vec<Event<C>> {
         core::iter::from_fn(|| self.0.next_small()).list()
     }
 
-    /// The leg and fraction from which every contact with friction and a normal force slides, without interruption up to the leg and fraction
-    /// `until`. `None` if such a contact sticks just before `until`.
+    /// The leg and fraction from which on, without interruption up to the leg and fraction `until`, every contact with friction that carries a force
+    /// slides. `None` if such a contact sticks just before `until`.
     #[must_use]
     pub fn everything_slides_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
         self.0.all_slide_from(until)
     }
 
-    /// Energies of every leg entered so far, J, up to the present place.
+    /// Energies of each leg entered so far, J; those of the present leg up to the present place.
     #[must_use]
     pub fn energies(&self) -> &[LegEnergy] {
         self.0.energies()
@@ -282,7 +283,7 @@ impl<const C: usize> LoadPath<'_, C> {
 
 impl<const C: usize> SteppedPath<'_, C> {
     /// Estimated error of the forces, relative to the largest force, everywhere on the path so far. It is the distance to a second path, which makes
-    /// each step as a whole where the first one makes two halves. An estimate of the errors that both paths have in common is added, for contacts
+    /// each step at once where the first path makes it in two halves. An estimate of the errors that both paths have in common is added, for contacts
     /// that stop, open or close. The error is usually a third of the estimate.
     #[must_use]
     pub fn step_error(&self) -> f64 {

@@ -1,4 +1,5 @@
-//! Active sets (the edges of its cone that a contact is on) and slip memory of the contacts at a node of the path, the place of an event or the start.
+//! Active sets and slip memory at a node of the path, the place of an event or the start. The active set of a contact is the edges of its cone on
+//! which its force lies.
 
 use crate::numerics::IntoList;
 use nalgebra::{Matrix, SVector};
@@ -17,8 +18,8 @@ use crate::object::{PieceState, Problem, least_spring_force};
 use crate::prelude::*;
 use crate::search::Found;
 
-/// Whether all forces are as small as the rounding of displacements in the softest spring. Rounding alone would then decide which contacts press, so
-/// none counts as pressing. The test applies to rates of forces and displacements, too.
+/// Whether load and all contact forces are as small as the force that rounding of the displacements causes in the softest spring. Rounding alone
+/// would then decide which contacts press, so none counts as pressing. In a rate problem the test applies to rates.
 pub(super) fn forces_are_rounding(problem: &Problem<'_>, forces: &[SVector<f64, 3>], twist: &Vector) -> bool {
     let largest = forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
     let spans = (0..problem.len()).map(|contact| problem.span(contact, twist));
@@ -27,8 +28,8 @@ pub(super) fn forces_are_rounding(problem: &Problem<'_>, forces: &[SVector<f64, 
 }
 
 impl Node {
-    /// The node at the start of the path. Active sets (the edges of its cone that a contact is on) are derived from forces and gaps, since the search
-    /// for an equilibrium does not return active sets. Slip from rest to the start becomes slip memory.
+    /// The node at the start of the path, in the equilibrium `found`. Active sets are derived from forces and gaps, since the search for an
+    /// equilibrium does not return them. The slip of sliding contacts in `found` becomes slip memory.
     pub(super) fn at_start(segment: &mut Segment<'_>, found: Found) -> Self {
         let n = segment.problem.len();
         let mut node = Self {
@@ -59,8 +60,8 @@ impl Node {
         self.states.iter().any(|state| state.slide().is_some())
     }
 
-    /// Forces, gaps and their rates at a load factor, in the contact states of this node. Along motions that nothing resists the object moves at the
-    /// rates `pushed`.
+    /// Forces, twist, gaps and their rates at a load factor, in the contact states of this node. Along motions that no spring resists the twist rate
+    /// is that of `pushed`. An error if forces cannot balance.
     pub(super) fn point_at(
         &self,
         segment: &Segment<'_>,
@@ -74,7 +75,8 @@ impl Node {
         }
     }
 
-    /// Adds the slip of sliding contacts to their slip memory; on the round cone they continue to slide along their friction force.
+    /// Adds the slip of sliding contacts up to the load factor `factor` to their slip memory. On the round cone their states and active sets get the
+    /// direction of the present friction force.
     fn slip_until_now(&mut self, segment: &mut Segment<'_>, factor: f64) {
         for i in 0..self.states.len() {
             if self.states[i].slides() {
@@ -102,14 +104,15 @@ impl Node {
         }
     }
 
-    /// Adds the edges that contacts have reached to their active sets.
+    /// Adds the exits in `reached` (edges of the cone, the apex, a closed gap) to the active sets of their contacts.
     pub(super) fn add_exits(&mut self, axes: usize, reached: &ExitsReached) {
         for (i, exits) in reached {
             self.active_sets[*i].add_exits(axes, &self.states[*i], exits);
         }
     }
 
-    /// Moves the node to the end of a piece of the path; the slip on the piece becomes slip memory.
+    /// Moves the node to the end of a piece of the path, at the load factor `factor`. `point` is the beginning of the piece and `end` its end. The
+    /// slip on the piece becomes slip memory.
     pub(super) fn move_to_end(
         &mut self,
         segment: &mut Segment<'_>,
@@ -136,8 +139,8 @@ impl Node {
         self.slip_until_now(segment, factor);
     }
 
-    /// While the load turns, removes from active sets the edges from which contacts have moved away since the last event. The rates at that event did
-    /// not reveal this departure.
+    /// While the load turns, removes from active sets the edges from which contact forces have moved away since the last event. The rates at that
+    /// event did not reveal this departure.
     fn drop_by_force(&mut self, segment: &Segment<'_>, point: &PathPoint, factor: f64) {
         let offsets = segment.offsets(factor);
         for (i, (active, state)) in self.active_sets.iter_mut().zip(&self.states).enumerate() {
@@ -151,8 +154,8 @@ impl Node {
         }
     }
 
-    /// Puts sliding contacts that have all but lost their normal force at the apex of their cones, since their friction cannot be followed any
-    /// further. Returns whether there is such a contact.
+    /// Puts sliding contacts whose normal force at `point` has almost vanished at the apex of their cones, since their friction cannot be followed
+    /// any further. Returns whether there is such a contact.
     pub(super) fn release_vanishing(&mut self, point: &PathPoint) -> bool {
         let mut any = false;
         for (i, line) in point.lines.iter().enumerate() {
@@ -164,14 +167,14 @@ impl Node {
         any
     }
 
-    /// Records that a contact has stopped sliding: from here on it is treated as inside its cone.
+    /// Records that a contact has stopped sliding: its active set becomes empty, so that it sticks like a contact inside its cone.
     pub(super) fn stick(&mut self, contact: usize) {
         self.active_sets[contact] = ActiveSet::EMPTY;
         self.stopped.push(contact);
     }
 
-    /// Returns a contact that has stopped sliding here and, if it sticks, leaves its cone along a tangent. On a straight piece such a contact can
-    /// neither stick nor slide on, since it would slip against friction.
+    /// Returns a contact that has stopped sliding at this node and that, sticking, leaves its cone along a tangent. On a straight piece it can
+    /// neither stick nor slide on, since it would slip against friction. `None` if there is none, on arcs, and while the load turns.
     pub(super) fn neither_slides_nor_sticks(
         &self,
         segment: &Segment<'_>,
@@ -185,9 +188,10 @@ impl Node {
         self.stopped.iter().find(leaves).copied().filter(|_| straight)
     }
 
-    /// Called when steps have become too short to advance: treats contacts near the edge of their cones as on it. All events within the error of
-    /// steps then happen at one place. Returns the largest distance of such a contact from the edge, relative to the size of its force or gap. `None`
-    /// if there is no such contact, and on a straight leg no contact that slides on the round cone.
+    /// Called when steps have become too short to advance. Treats contacts whose force is nearly on the edge of its cone, or whose gap is nearly
+    /// closed, as there. All events within the error of steps then happen at one place. Returns the largest distance of such a contact from the edge,
+    /// relative to the size of its force or gap. Without such contacts it is zero if contacts slide on the round cone and the load does not turn,
+    /// else `None`.
     pub(super) fn gather(&mut self, segment: &Segment<'_>, point: &PathPoint) -> Option<f64> {
         let mut apart: Option<f64> = None;
         for (i, (line, gap)) in point.lines.iter().zip(&point.gaps).enumerate() {

@@ -1,5 +1,5 @@
-//! Tangent stiffness at a point of a path, and LU factors of this matrix with one more row and column (a bordered matrix). Matrices are full, or
-//! bands if there are many coordinates.
+//! The tangent stiffness at a point of a path, and LU factors of this matrix with one more row and column (a bordered matrix). They are full
+//! matrices, or band matrices if there are many coordinates.
 
 use crate::numerics::Each;
 use alloc::sync::Arc;
@@ -13,7 +13,8 @@ use crate::numerics::{
 use crate::object::uses_band;
 use crate::prelude::*;
 
-/// An order of coordinates in which coordinates coupled by a contact are near each other.
+/// An order of the coordinates in which coordinates coupled by a contact are near each other: `numbers` has the position of each, and `reach` the
+/// half width of the band.
 #[derive(Debug)]
 pub(super) struct NarrowOrder {
     numbers: Vec<usize>,
@@ -21,7 +22,7 @@ pub(super) struct NarrowOrder {
 }
 
 impl NarrowOrder {
-    /// The narrow order for these contacts; `None` for few coordinates, where a band is not worthwhile.
+    /// The narrow order for these contacts and drives; `None` with few coordinates, for which a full matrix is used.
     pub(super) fn of(size: Size, sites: &[Site]) -> Option<Arc<Self>> {
         if !uses_band(size) {
             return None;
@@ -33,14 +34,14 @@ impl NarrowOrder {
     }
 }
 
-/// The tangent stiffness at a point of a path: a full matrix, or a band in the narrow order of the coordinates.
+/// The tangent stiffness at a point of a path: a full matrix, or a band matrix in the narrow order of the coordinates.
 #[derive(Debug, Clone)]
 pub(super) enum PathStiffness {
     Whole(Square),
     Narrow { order: Arc<NarrowOrder>, band: Band },
 }
 
-/// LU factors of the tangent stiffness with one more column and row: the bordered matrix.
+/// LU factors of the bordered matrix: the tangent stiffness with one more column and row.
 #[derive(Debug, Clone)]
 pub(super) enum PathFactors {
     Whole(Bordered),
@@ -58,7 +59,7 @@ impl PathStiffness {
         }
     }
 
-    /// Adds the stiffness of a contact, given by `entry(row, column)`; its entries couple the coordinates in `ranges`.
+    /// Adds a stiffness matrix with the entries `entry(row, column)`, nonzero only for coordinates in `ranges`, such as that of a contact.
     #[inline(always)]
     pub(super) fn add(&mut self, ranges: &[Range<usize>; 2], entry: impl Fn(usize, usize) -> f64) {
         match self {
@@ -83,7 +84,7 @@ impl PathStiffness {
         }
     }
 
-    /// Multiplies all entries by a factor.
+    /// Multiplies all entries of the matrix by a factor.
     pub(super) fn scale(&mut self, factor: f64) {
         let entries = match self {
             Self::Whole(square) => square.as_mut_slice(),
@@ -94,7 +95,7 @@ impl PathStiffness {
         }
     }
 
-    /// The largest absolute value of an entry.
+    /// The largest absolute value of an entry of the matrix.
     pub(super) fn amax(&self) -> f64 {
         match self {
             Self::Whole(square) => square.amax(),
@@ -103,7 +104,7 @@ impl PathStiffness {
     }
 
     /// Solves the bordered linear system once: the tangent stiffness with the column `cover`, the row `gradient` and the entry `corner`. The
-    /// right-hand side is zero, except for `last` in the added row. `None` if the path may continue in more than one direction.
+    /// right-hand side is zero, except for `last` in the added row. Returns the twist and the last unknown; `None` if the matrix is nearly singular.
     pub(super) fn solved_once(
         self,
         size: Size,
@@ -125,8 +126,8 @@ impl PathStiffness {
         }
     }
 
-    /// LU factors of the tangent stiffness with the column `cover`, the row `gradient` and the entry `corner` added. `None` if the path may continue
-    /// in more than one direction.
+    /// LU factors of the tangent stiffness with the column `cover`, the row `gradient` and the entry `corner` added. `None` if this matrix is nearly
+    /// singular: the path may continue in more than one direction.
     pub(super) fn bordered(
         self,
         size: Size,
@@ -156,7 +157,7 @@ impl PathStiffness {
 }
 
 impl PathFactors {
-    /// The solution for the right-hand side `balance`, with `last` in the added row: the twist and the last unknown.
+    /// The solution of the bordered system for the right-hand side `balance`, with `last` in the added row: the twist and the last unknown.
     pub(super) fn solve(&self, balance: &Vector, last: f64) -> (Vector, f64) {
         match self {
             Self::Whole(bordered) => bordered.solve(balance, last),

@@ -1,9 +1,10 @@
-//! Every event of a load program with its exact load, piece by piece: for a few contacts.
+//! Follows a load program piece by piece, from event to event, each with its exact load: for up to some hundreds of contacts.
 //!
 //! While every contact keeps its state, forces and motions are affine in the fraction of the leg, and a ratio test gives the next event. Under a
-//! turning load they are trigonometric, and the next event is a root (see [`super::straight`], [`super::turning_load`]). A contact that slides on a
-//! round cone changes its direction along the piece (see [`super::turning`]). At an event some contacts are on an edge of their cone, at its apex or
-//! at a closed gap. Their rates solve a small complementarity problem. Its solution determines the next piece; without a solution the path ends.
+//! turning load they are harmonics of its angle, and the next event is a root (see [`super::straight`], [`super::turning_load`]). A contact that
+//! slides on a round cone changes its direction of sliding along the piece, an arc (see [`super::turning`]). At an event some contacts are on an edge
+//! of their cone, at its apex or at a closed gap. The rates of forces and motion solve a complementarity problem for these contacts. Its solution
+//! determines the next piece; without a solution the path ends.
 
 use nalgebra::SVector;
 
@@ -33,7 +34,7 @@ use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{Doubt, Settings};
 
-/// The method that follows a load program for a [`LoadPath`], piece by piece. It stores all pieces that the path has passed.
+/// The follower of a [`LoadPath`], piece by piece, with its place on the present leg (`factor`) and all pieces that the path has passed.
 #[derive(Debug)]
 pub(crate) struct Pieces<'g> {
     pub(super) factor: f64,
@@ -42,27 +43,28 @@ pub(crate) struct Pieces<'g> {
     /// Whether the path is at a node, the place of an event, at which its continuation is still to be decided.
     pub(super) at_node: bool,
     pub(super) point: Option<PathPoint>,
-    /// The pieces that the path has passed.
+    /// All pieces that the path has passed so far, in order, jumps included.
     pub(super) behind: Vec<Stretch<'g>>,
     pub(super) energy: Vec<LegEnergy>,
-    /// Number of successive steps that are no longer than their own rounding error, see `straight`.
+    /// Number of successive pieces, up to the present place, that are no longer than their own rounding error, see `straight`.
     pub(super) stalls: usize,
     pub(super) pace: Pace,
     /// The load factor at which events that follow each other ever more closely were last moved to one place; NaN before that.
     pub(super) gathered: f64,
-    /// The load factor at which slips last ended on an arc, and the contacts whose slips ended there.
+    /// The load factor at which slips last ended on an arc of this leg, NaN before that, and the contacts whose slips ended there.
     pub(super) stopped: (f64, Vec<usize>),
-    /// How often the object has snapped over to another equilibrium on this leg so far, and at which load factor it last came to rest.
+    /// Number of times that the object has snapped over to another equilibrium on this leg, and the load factor of its last rest.
     pub(super) snapped: Snapped,
-    /// Sum of the estimated errors of the integration steps along arcs, on which directions of sliding turn.
+    /// Sum of the estimated relative errors of all steps so far: of integration along arcs, on which directions of sliding turn, and of gathered
+    /// events.
     pub(super) step_error: f64,
-    /// An event to return before the first leg: a contact slides at the start, and its friction falls from the static to the kinetic value.
+    /// An event to return before all others: a contact slides at the start, and its friction falls from the static to the kinetic value.
     pub(super) first: Option<Box<Event<3>>>,
-    /// The equilibrium problem at the end of a jump after which no equilibrium was found.
+    /// The static problem at the load of a jump that found no equilibrium, with slips and friction at the end of the jump.
     pub(super) failed_jump: Option<Problem<'g>>,
-    /// The place where motions cease to be small, if they do.
+    /// The place on the path at which a motion exceeded its limit of small motions; `None` if none has so far.
     pub(super) end_of_small_motions: Option<EndOfSmallMotions>,
-    /// The largest ratio of a rotation, slip or opening to its limit of small motions, at the ends of pieces.
+    /// The largest ratio of a rotation, slip or opening to its limit of small motions, at the ends of all pieces so far.
     pub(super) farthest: f64,
 }
 
@@ -77,7 +79,8 @@ impl Engine {
         Ok(Path::new(Box::new(Following::start(self, (start, legs), settings, Pieces::at_start)?)))
     }
 
-    /// [`Self::follow`] that starts from an equilibrium under the base load which the computation of an onset with these settings has found.
+    /// As [`Self::follow`], but starts from `rest`, if it is given. This is the equilibrium under the load `start` that the computation of an onset
+    /// with the same settings has found.
     pub(crate) fn follow_from_rest(
         &self,
         (start, rest): (&Wrench<3>, Option<Rest>),
@@ -176,7 +179,7 @@ impl<'g> Follower<'g> for Pieces<'g> {
 }
 
 impl<'g> Pieces<'g> {
-    /// Starts the path at the equilibrium that solves `problem`. If there is none, the error is the end of the path.
+    /// The follower at the start of its path, at an equilibrium that solves `problem`. If none is found, the error is the end of the path.
     pub(super) fn at_start(journey: &Journey<'g>, problem: &Problem<'g>) -> Result<Self, PathEnd<3>> {
         let found = journey.start(problem)?;
         // The path has not begun: load and commands have no rates yet.
@@ -190,7 +193,7 @@ impl<'g> Pieces<'g> {
         Ok(path)
     }
 
-    /// A path at the beginning of a segment (a leg or a part of it), at a node whose continuation is not decided yet.
+    /// A follower at load factor 0 of a segment (a leg or a part of it), at a node, without pieces behind it.
     pub(super) fn at_segment_start(segment: Segment<'g>, node: Node) -> Self {
         Self {
             factor: 0.0,
@@ -222,8 +225,8 @@ impl<'g> Pieces<'g> {
         Ok(if leg_done? { Advance::EndOfLeg } else { Advance::OnTheWay })
     }
 
-    /// The stored piece that contains a place of the path. `None` between the load at which the object snaps over to another equilibrium and the
-    /// slightly larger load under which it rests again.
+    /// The first stored piece that contains this place of the path. `None` if the path has not passed it. Also `None` between the load factor at
+    /// which the object snaps over and the slightly larger one at which it rests again.
     pub(super) fn stretch_behind(&self, leg: usize, fraction: f64) -> Option<&Stretch<'g>> {
         self.behind.iter().find(|s| s.leg == leg && fraction >= s.from && fraction <= s.to)
     }
@@ -232,12 +235,14 @@ impl<'g> Pieces<'g> {
         stretch.state_at(self.segment.grasp, self.segment.answer_for, fraction)
     }
 
-    /// The equilibrium at the present place, with the contact states before the event.
+    /// The equilibrium at the present place with the contact states of the last piece, before the event. `None` at the start, or if it cannot be
+    /// computed.
     pub(super) fn state_before_event(&self) -> Option<Equilibrium<3>> {
         self.behind.last()?.state_before_event(self.segment.grasp, self.segment.answer_for)
     }
 
-    /// Decides the continuation of the path from here. Returns an event if a contact changes its state.
+    /// Decides the continuation of the path from the present node. Returns an event if a contact or drive changes its state, or a motion loses its
+    /// resistance. Also if the continuation at the start of a leg is not unique.
     fn decide(&mut self, journey: &Journey<'g>) -> Result<Option<Event<3>>, PathEnd<3>> {
         if let Some(first) = self.first.take() {
             self.at_node = true;
@@ -281,7 +286,8 @@ impl<'g> Pieces<'g> {
         }))
     }
 
-    /// The equilibrium at the present place with the present contact states.
+    /// The equilibrium at the present place with the present contact states, those after an event; `None` if it cannot be computed because of
+    /// rounding.
     pub(super) fn present_state(&self, journey: &Journey<'g>) -> Option<Equilibrium<3>> {
         self.state_on(&self.present_stretch(journey)?, self.factor)
     }
@@ -325,7 +331,7 @@ impl<'g> Pieces<'g> {
         }
     }
 
-    /// Takes a step of this length along an arc, on which directions of sliding turn.
+    /// Moves the path to the end `reached` of a step of the arclength `length` along an arc, and stores the step as a piece.
     pub(super) fn take_step(
         &mut self,
         journey: &Journey<'g>,

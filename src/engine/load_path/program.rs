@@ -1,4 +1,4 @@
-//! A load program in progress: the present leg, with loads and commands at both its ends.
+//! A load program in progress: the legs, and loads and commands at the beginning and the end of the present leg.
 
 use alloc::sync::Arc;
 
@@ -14,33 +14,33 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Each, IntoList, Vector, largest, mapped, paired};
 use crate::prelude::*;
 
-/// A load program in progress.
+/// A load program in progress, at some place of its present leg.
 #[derive(Debug, Clone)]
 pub(super) struct Program {
-    /// The legs, without those that were already complete when legs were last added.
+    /// The legs, except those that were already complete when legs were last added.
     legs: Vec<Leg<3>>,
     /// Number of complete legs that were removed from `legs`.
     done: usize,
-    /// The index of the present leg; the number of all legs when all are done.
+    /// The index of the present leg among all legs, from 0; the number of all legs when all are complete.
     pub(super) leg: usize,
-    /// Trajectory of the load along the present leg.
+    /// The load as a function of the load factor, the fraction of the present leg.
     pub(super) course: Trajectory<Wrench<3>>,
-    /// The load at the end of the present leg.
+    /// The program's load at the end of the present leg.
     goal: Wrench<3>,
-    /// Finger commands at the beginning and at the end of the present leg.
+    /// Commands of all contacts at the beginning and at the end of the present leg, m, in the contact frames.
     pub(super) commands: [Vec<SVector<f64, 3>>; 2],
-    /// Joint commands at the beginning and at the end of the present leg.
+    /// Commands of joints, then tendons, at the beginning and at the end of the present leg, rad or m.
     joints: [Vec<f64>; 2],
-    /// Names of the bodies, if there are several. The next field has their loads along the present leg.
+    /// Names of the bodies, if there are several, else empty; `bodies` has their own loads at both ends of the present leg.
     names: Vec<Arc<str>>,
     pub(super) bodies: BodyLoads,
-    /// The torques that hold the joints of the hand before the program. The next field has their values along the present leg.
+    /// The torques that hold the joints of the hand before the program. `torques` has them at both ends of the present leg, if a leg changes them.
     held: Vec<f64>,
     pub(super) torques: HeldTorques,
 }
 
 impl Program {
-    /// A program without legs, under a load and the commands of a grasp.
+    /// A program without legs, under the load `start` and the commands of the grasp.
     pub(super) fn new(grasp: &Engine, start: Wrench<3>) -> Self {
         let commands: Vec<_> = mapped(grasp.contacts(), &|c| c.command);
         let joints = grasp.joint_commands().to_vec();
@@ -59,7 +59,7 @@ impl Program {
         }
     }
 
-    /// Appends legs; none is appended if one is invalid.
+    /// Appends legs. If one is invalid, an error, and none is appended.
     pub(super) fn extend(&mut self, grasp: &Engine, legs: &[Leg<3>]) -> Result<(), Error> {
         // All legs are checked first, so that either all or none are appended.
         for leg in legs {
@@ -75,7 +75,7 @@ impl Program {
         Ok(())
     }
 
-    /// Begins the next leg where the last one ended; returns false if there is none.
+    /// Begins the leg with the index `leg`, where the one before it ended; returns false if there is none.
     pub(super) fn begin_leg(&mut self) -> bool {
         let Some(leg) = self.legs.get(self.leg - self.done) else { return false };
         (self.course, self.goal) = leg.load.course(&self.goal);
@@ -86,8 +86,8 @@ impl Program {
         true
     }
 
-    /// Checks that the program closes: load and commands at the end differ from those at the beginning by at most the fraction `part` of the largest
-    /// along the program.
+    /// Checks that load, commands, body loads and joint torques at the end of the program are those at its beginning. They may differ by the fraction
+    /// `part` of their largest component along the program.
     ///
     /// # Errors
     /// [`Error::NotClosed`] naming the quantity that differs at the end.
@@ -130,7 +130,8 @@ impl Program {
         }
     }
 
-    /// Called after the last leg of a closed program: sets load and commands exactly to those of its beginning, which removes rounding.
+    /// Called after the last leg of a closed program. Sets the load at its end to `load`, and commands, body loads and joint torques to those of the
+    /// grasp, which removes rounding.
     pub(super) fn return_to(&mut self, grasp: &Engine, load: &Wrench<3>) {
         self.goal = *load;
         self.commands[1] = mapped(grasp.contacts(), &|contact| contact.command);
@@ -139,25 +140,26 @@ impl Program {
         self.torques = HeldTorques::default();
     }
 
-    /// Whether there is a leg to follow.
+    /// Whether a leg with the index `leg` exists: not all legs are complete.
     pub(super) fn has_leg(&self) -> bool {
         self.leg - self.done < self.legs.len()
     }
 
-    /// Moves on to the next leg; returns false if there is none.
+    /// Completes the present leg and begins the next one; returns false if there is none.
     pub(super) fn next_leg(&mut self) -> bool {
         self.leg += 1;
         self.begin_leg()
     }
 
-    /// Offsets (commands minus clearances) at the beginning of the present leg, and their change along it.
+    /// For each contact and drive the offset (command minus clearance, m, without slip) at the beginning of the present leg. Then its change over the
+    /// whole leg.
     pub(super) fn offsets(&self, grasp: &Engine) -> [Vec<SVector<f64, 3>>; 2] {
         let mut offsets = [Vec::new(), Vec::new()];
         self.offsets_into(grasp, &mut offsets);
         offsets
     }
 
-    /// [`Self::offsets`] into lists supplied by the caller.
+    /// [`Self::offsets`], written into the caller's lists `base` and `change`.
     pub(super) fn offsets_into(&self, grasp: &Engine, [base, change]: &mut [Vec<SVector<f64, 3>>; 2]) {
         let ([from, to], [joints_from, joints_to]) = (&self.commands, &self.joints);
         grasp.offsets_under(from.iter().copied(), joints_from, base);
@@ -165,7 +167,8 @@ impl Program {
         grasp.changed_by(to.iter().zip(from).map(|(to, from)| to - from), Some(&of_joints), change);
     }
 
-    /// Trajectory of the load along the present leg, in the engine's coordinates.
+    /// The sum of the program's load, loads on bodies and torques that hold joints, as a function of the load factor along the present leg. Moments
+    /// are about the centroid of the contacts.
     pub(super) fn inside_course(&self, grasp: &Engine) -> Trajectory<Vector> {
         match &self.course {
             Trajectory::Straight { from, .. } => {
@@ -186,17 +189,18 @@ impl Program {
         }
     }
 
-    /// Loads beside that of the question: on single bodies, and by torques that hold joints. Each at the beginning and at the end of the leg.
+    /// Loads beside the program's load: on single bodies, and by torques that hold joints. Each at the beginning and at the end of the present leg;
+    /// `None` if no leg so far changes it.
     fn other_loads(&self, grasp: &Engine) -> [Option<[Vector; 2]>; 2] {
         [self.bodies.inside(grasp), self.torques.inside(grasp)]
     }
 
-    /// The present leg and `fraction`; the end of the last leg once all are done.
+    /// The index of the present leg and `fraction`; the end of the last leg, at fraction 1, once all are complete.
     pub(super) fn place(&self, fraction: f64) -> (usize, f64) {
         if self.has_leg() || self.leg == 0 { (self.leg, fraction) } else { (self.leg - 1, 1.0) }
     }
 
-    /// The load at a fraction of the present leg.
+    /// The program's load, as the caller gave it, at a fraction of the present leg.
     pub(super) fn load_at(&self, fraction: f64) -> Wrench<3> {
         self.course.at(fraction)
     }

@@ -1,5 +1,5 @@
-//! The twist along motions that nothing resists. No force determines it, so it stays as near as possible to the previous one, and changes only where
-//! contacts that touch without force push the object.
+//! The component of the twist along motions that no spring resists. No force determines it, so it stays as near as possible to the previous one. It
+//! changes only where contacts that touch without force push the object.
 
 use super::segment::Segment;
 use crate::numerics::Vector;
@@ -7,7 +7,8 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::object::{Piece, PieceState};
 
 impl Segment<'_> {
-    /// The rates of forces and twist, with the velocities of `pushed` along free motions (which nothing resists).
+    /// The rates `rate` of forces and twist, with the velocities of `pushed` along motions that do not change the balance of forces. Unchanged if
+    /// `pushed` is `None`.
     pub(super) fn pushed_along(
         &self,
         piece: &Piece,
@@ -23,7 +24,7 @@ impl Segment<'_> {
         if moves { self.nearest(piece, rate, pushed) } else { rate }
     }
 
-    /// A state or a rate, shifted along motions that nothing resists until its twist is nearest to `near`.
+    /// A state or a rate, shifted along free and neutral motions of `piece` until its twist is nearest to `near`. Forces stay in balance.
     pub(super) fn nearest(
         &self,
         piece: &Piece,

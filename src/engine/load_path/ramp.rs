@@ -1,4 +1,4 @@
-//! A load, finger commands, or both, that change in proportion to one load factor.
+//! A ramp: a load, commands, or both, that change in proportion to one load factor.
 
 use crate::numerics::IntoList;
 use alloc::borrow::Cow;
@@ -12,8 +12,8 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::mapped;
 use crate::prelude::*;
 
-/// A load and finger commands that grow in proportion to a factor τ >= 0. The load is `base + τ direction`; commands are those of the grasp plus τ
-/// times their change. τ has no unit; with a direction of 1 N it is the load in newtons.
+/// A load and commands that change in proportion to a load factor τ >= 0. The load is `base + τ direction`; commands are those of the grasp plus τ
+/// times their given change. τ has no unit. With a direction of 1 N it is the load in newtons.
 ///
 /// ```
 /// use grasp_lcp::planar::{Ramp, Wrench};
@@ -75,7 +75,8 @@ impl<const C: usize> Ramp<C> {
         self
     }
 
-    /// This ramp with all its rates multiplied by a factor; a negative factor reverses it.
+    /// This ramp with the direction of its load and all changes of commands multiplied by a factor; the base stays. A negative factor reverses the
+    /// ramp.
     pub(crate) fn times(&self, factor: f64) -> Self {
         let times = |change: &Vec<SVector<f64, C>>| mapped(change, &|a| a * factor);
         Self {
@@ -86,7 +87,8 @@ impl<const C: usize> Ramp<C> {
         }
     }
 
-    /// Refuses lists of changes whose length is not the number of contacts or of drives (joints, then tendons), and a ramp along which nothing changes.
+    /// Refuses, with an error, lists of changes whose length is not the number of contacts or of drives (joints, then tendons). Also refuses a ramp
+    /// along which nothing changes.
     #[cfg(feature = "serde")]
     pub(crate) fn check_changes(&self, [contacts, drives, _]: [usize; 3]) -> Result<(), Error> {
         if let Some(change) = &self.command_change {
@@ -107,14 +109,15 @@ impl<const C: usize> Ramp<C> {
 }
 
 impl Ramp<3> {
-    /// Rates of the finger offsets (commands minus clearances) of all contacts and drives of a grasp, for each unit of the load factor.
+    /// For each contact and drive of a grasp the rate of its offset (command minus clearance), m per unit of the load factor. An error if the changes
+    /// do not fit the grasp.
     pub(crate) fn offset_changes(&self, grasp: &Engine) -> Result<Vec<SVector<f64, 3>>, Error> {
         let mut changes = Vec::new();
         self.offset_changes_into(grasp, &mut changes)?;
         Ok(changes)
     }
 
-    /// [`Self::offset_changes`] into a list supplied by the caller.
+    /// [`Self::offset_changes`], written into the caller's list `changes`.
     pub(super) fn offset_changes_into(
         &self,
         grasp: &Engine,

@@ -1,18 +1,18 @@
-//! How the directions of sliding relax along an arc, to first order: the derivative J, by the friction forces, of the rates of a
-//! [`Flow`](super::flow::Flow).
+//! The derivative J, by the friction forces of sliding contacts, of the rates of a [`Flow`](super::flow::Flow) along an arc. Implicit steps use it:
+//! friction forces turn towards the directions of slip, often fast.
 //!
 //! A friction force along p that turns by the angle φ towards d changes the tangent stiffness C of its contact. So it changes the rate `r = C s` of
-//! its own force, with the rate s of the stretch. Balance then changes the motion q of the object and the load factor λ, which affects all contacts.
-//! T and b are the tangent stiffness and right-hand side of the arc, G_i the grasp maps, and a_i' the rates of the offsets. With φ = d·Δ / |F_t| for
-//! a change Δ of the friction forces
+//! its own force, with the rate s of the stretch. The balance of forces then changes the rates of the twist q of the object and of the load factor λ,
+//! which affects all contacts. T and b are the tangent stiffness and right-hand side of the arc, G_i the grasp maps, and a_i' the rates of the
+//! offsets. With φ = d·Δ / |F_t| for a change Δ of the friction forces
 //!
 //! ```text
 //! (J Δ)_i = v_i φ_i + C_i s_i',     v = (∂C/∂φ) s,     s_i' = a_i' δλ - G_iᵀ δq
 //! T δq - b δλ = Σ G_i v_i φ_i,      (δq, δλ) across the path
 //! ```
 //!
-//! For D coordinates, J is a diagonal with one number for each contact, plus a matrix of rank D + 1, and so is the inverse of 1 - hJ for a step of
-//! length h. With c = Cᵀ d
+//! For D coordinates of the twist, J is a diagonal matrix plus a matrix of rank D + 1. So is the inverse of 1 - hJ for a step of length h. With c =
+//! Cᵀ d
 //!
 //! ```text
 //! (1 - hJ) Δ = g:     φ_i = (d_i·g_i + h c_i·s_i') / e_i,     e_i = |F_t,i| - h d_i·v_i
@@ -27,46 +27,49 @@ use crate::contact::{Tangent, tangential_norm};
 use crate::numerics::{Each, IntoList, Vector};
 use crate::prelude::*;
 
-/// A sliding contact at the start of a step, whose friction force may turn.
+/// A sliding contact at the start of a step, with the derivatives by the angle of its friction force.
 struct Turning {
     contact: usize,
     tangent: Tangent,
     /// Size of the friction force, |F_t|, N.
     size: f64,
-    /// The unit direction in which the friction force can turn; zero for a contact without friction force.
+    /// The unit tangent d perpendicular to the friction force, towards which it can turn; zero for a contact without friction force.
     across: SVector<f64, 3>,
-    /// The change of the rate of the contact force as the friction force turns, N for one radian and one unit of arclength.
+    /// The derivative v of the rate of the contact force by the angle of the friction force, N per radian and per unit of arclength.
     change: SVector<f64, 3>,
-    /// The wrench on the object if the contact force is `change`.
+    /// The wrench `G v` on the object for the contact force v = `change`, with the grasp map G.
     push: Vector,
-    /// The change of the force component along `across` per unit of stretch, N/m, axis by axis.
+    /// The derivative c = Cᵀd of the force component along d = `across` by the stretch of the contact along each axis, N/m.
     gradient: SVector<f64, 3>,
-    /// The wrench on the object if the contact force is the vector `gradient`.
+    /// The wrench `G c` on the object for the vector c = `gradient` in place of a contact force.
     pull: Vector,
 }
 
-/// The derivative of the rates along an arc by the friction forces (the matrix J of this file), at the start of a step.
+/// The matrix J of this file at the start of a step: the derivative of the rates along an arc by the friction forces.
 pub(super) struct Relaxation<'f, 's, 'g> {
     arc: &'f Arc<'s, 'g>,
     contacts: Vec<Turning>,
-    /// The tangent stiffness of the grasp (the matrix T of this file).
+    /// The tangent stiffness T of the object, with all contacts in their present states and directions of sliding.
     stiffness: PathStiffness,
-    /// The right-hand side b of `T q' = b λ'`, with the tangent stiffness T, the twist q and the load factor λ.
+    /// The right-hand side b of `T q' = b λ'` at the start of the step, with the twist q and the load factor λ.
     load: Vector,
     way: Direction,
 }
 
-/// The factors of the matrix 1 - hJ of an implicit step of length h, with the derivative J of [`Relaxation`].
+/// The factors of the matrix 1 - hJ for the length h = `length`, with the matrix J of [`Relaxation`].
 pub(super) struct Damped {
     length: f64,
-    /// LU factors of the tangent stiffness and right-hand side as the implicit step changes them, bordered by a row transverse to the path.
+    /// LU factors of the matrix `[T' | -b']` of this file, with one more row transverse to the path. T' and b' are T and b as the implicit step
+    /// changes them.
     bordered: PathFactors,
-    /// For each sliding contact, the friction force minus the part by which it changes over the step as it turns, N: the divisor e_i of this file.
+    /// For each sliding contact its friction force minus a change by the step, `e_i = |F_t,i| - h d_i·v_i`, N: a divisor in this file. d_i is
+    /// `Turning::across`, v_i is `Turning::change`, and h is `length`.
     sizes: Vec<f64>,
 }
 
 impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
-    /// The derivative of the rates by the friction forces `frictions` of the sliding contacts, at a load factor and a direction of the path.
+    /// The matrix J of this file for the friction forces `frictions` of the sliding contacts. `way` is the direction of the path at the load factor
+    /// `factor`.
     pub(super) fn new(
         arc: &'f Arc<'s, 'g>,
         frictions: &[SVector<f64, 3>],
@@ -105,7 +108,7 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
         Self { arc, contacts, stiffness, load, way }
     }
 
-    /// The factors of 1 - hJ for steps of length h, with the derivative J of the rates by the friction forces. `None` where this matrix is singular.
+    /// The factors of 1 - hJ for the step length h = `length`, with the matrix J of this file. `None` where the bordered matrix is singular.
     pub(super) fn damped(&self, length: f64) -> Option<Damped> {
         let (mut stiffness, mut load) = (self.stiffness.clone(), self.load.clone());
         let mut sizes = Vec::with_capacity(self.contacts.len());
@@ -123,8 +126,8 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
         Some(Damped { length, bordered, sizes })
     }
 
-    /// Solves `(1 - hJ) Δ = g` in place, with the derivative J of the rates and the step length h: `side` holds g before, and Δ after. Its entries
-    /// are friction forces, then twist and load factor. Works, which follow in the list, stay unchanged, since no rate depends on them.
+    /// Solves `(1 - hJ) Δ = g` in place, with the factors in `damped`: `side` holds g before, and Δ after. Its entries are changes of friction
+    /// forces, two for each sliding contact, then of twist and load factor. The works after them stay unchanged, since no rate depends on them.
     pub(super) fn solve(&self, damped: &Damped, side: &mut [f64]) {
         let length = damped.length;
         let mut left = Vector::zeros();

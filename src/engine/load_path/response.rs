@@ -1,4 +1,4 @@
-//! Response of an equilibrium to finger commands: the matrices of position control.
+//! Response of an equilibrium to commands of fingers or joints: the matrices of position control.
 
 use nalgebra::{DMatrix, DVector, DVectorView};
 
@@ -9,9 +9,9 @@ use crate::numerics::{IntoList, Size, Vector};
 use crate::object::{PieceState, least_combination};
 use crate::prelude::*;
 
-/// Response of an equilibrium of n contacts to the finger commands, as long as every contact keeps its state: the matrices of position control.
-/// Columns are the commands, contact by contact, axis by axis (m): with c axes, column `c i + a` is axis a of contact i. Columns of a [response to
-/// joint commands](crate::ask::Sensitivity::joint_response) are joints, then tendons (rad, m).
+/// Derivatives of twist and contact forces of an equilibrium by the commands, as long as every contact keeps its state: the matrices of position
+/// control. Columns are the commands, contact by contact, axis by axis (m): with c axes, column `c i + a` is axis a of contact i. Columns of a
+/// [response to joint commands](crate::ask::Sensitivity::joint_response) are joints, then tendons (rad, m).
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Response {
@@ -67,8 +67,8 @@ impl Engine {
 
 impl Response {
     /// The smallest commands that move the object by a twist about the origin, to be added to the present commands: `da = (dq/da)⁺ dq`, m. They are a
-    /// least squares solution over all contacts and axes, in the order of the columns. `None` if the fingers cannot produce the twist in the present
-    /// states.
+    /// least squares solution over all contacts and axes, in the order of the columns. `None` if the fingers cannot produce the twist while contacts
+    /// keep their states, or if `wanted` has another number of components.
     #[must_use]
     pub fn smallest_command<const C: usize>(&self, wanted: &Twist<C>) -> Option<DVector<f64>> {
         let wanted = wanted.components();

@@ -1,14 +1,15 @@
-//! Motion of bodies that leave before any contact presses: rigid bodies under the load, with Coulomb friction at the contacts that touch.
+//! The motion with which bodies leave while no contact carries a force. It is that of rigid bodies under the load, with Coulomb friction at contacts
+//! that touch.
 //!
-//! If no contact presses, springs do not determine the motion, and the elastic trial, in which all contacts stick, turns about an arbitrary point. A
-//! rigid body that the load drives away starts with the velocity
+//! Springs then do not determine the motion, and the elastic trial, in which all contacts stick, turns about an arbitrary point. A rigid body that
+//! the load W drives away starts with the velocity v under contact forces r_i
 //!
 //! ```text
 //! v = W + Σ G_i r_i,     0 <= r_n ⟂ n·G_iᵀv >= 0,     |r_t| <= μ r_n against G_iᵀv
 //! ```
 //!
-//! as if its mass matrix were the identity in the engine's coordinates: unit mass at the root mean square distance of contacts. Links, and contacts
-//! that neither open nor slide, allow no displacement at their points.
+//! as if its mass matrix were the identity: unit mass, and as radius of gyration the root mean square distance of contacts from their centroid. n are
+//! normals and G_i grasp maps. Bonded links allow no displacement at their points.
 
 use super::tolerances::NO_RIGID_MOTION;
 use crate::contact::Law;
@@ -18,15 +19,16 @@ use crate::numerics::{Vector, chosen, matrix_of, orthogonal_part, vector_of};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Largest number of coordinates, and of contacts, for which the motion is computed. With more it would take too long.
+/// Largest number of coordinates, and of touching contacts, for which the motion is computed. With more it would take too long.
 const MOST_RIGID: usize = 64;
 
-/// The unit motion with which the object leaves if no contact presses yet and nothing balances the rate of the load; `None` if a contact presses.
+/// The unit motion with which the object leaves if no contact presses and nothing balances the rate of the load in `rates`. `None` if a contact
+/// presses or never opens or slides, if a command changes, if the motion is zero, or in large problems.
 pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     if rates.wrench.as_slice().len() > MOST_RIGID || rates.offsets.iter().any(|offset| offset.norm() > 0.0) {
         return None;
     }
-    // An orthonormal basis of the motions that links resist.
+    // An orthonormal basis of the motions that bonded contacts and links resist.
     let mut resisted: Vec<Vector> = Vec::new();
     for (law, site) in rates.laws.iter().zip(rates.sites) {
         match law {
@@ -85,7 +87,7 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     (free.norm() > NO_RIGID_MOTION * load.norm()).then(|| free.normalize())
 }
 
-/// Adds a motion to the basis of resisted motions, unless it depends linearly on the basis.
+/// Adds the direction of `motion` to `basis`, an orthonormal basis of resisted motions, unless it depends linearly on the basis.
 fn resist(basis: &mut Vec<Vector>, motion: &Vector) {
     let rest = orthogonal_part(motion.clone(), basis);
     // A motion depends linearly on the basis if less than this fraction of it remains after its components along the basis are removed.

@@ -1,5 +1,5 @@
-//! One leg of a load program, or a part of it: the load changes linearly or turns, and commands change linearly. While contacts keep their states,
-//! forces and motions change in the same way.
+//! One leg of a load program, a ramp or a turn: the load changes linearly with the load factor or turns, and commands change linearly. While contacts
+//! keep their states, forces and motions change linearly or as harmonics of the angle, too.
 
 use nalgebra::{Matrix, SVector};
 
@@ -13,38 +13,40 @@ use crate::numerics::{Each, IntoList, Vector, cleared_for, mapped, paired};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
-/// A leg or a part of it: load and finger offsets (commands minus clearances) at load factor 0 and their rates, with the accumulated slips of the
-/// contacts.
+/// A leg, ramp or turn: the load as a function of the load factor. Each contact and drive has its offset at load factor 0, the rate of this offset,
+/// and its accumulated slip.
 #[derive(Debug, Clone)]
 pub(super) struct Segment<'g> {
     pub(super) grasp: &'g Engine,
     pub(super) answer_for: AnswerFor,
-    /// The equilibrium problem at load factor 0. Accumulated slips are subtracted from its finger offsets.
+    /// The static problem at load factor 0. Its offsets are commands minus clearances and accumulated slips.
     pub(super) problem: Problem<'g>,
-    /// Rates of the finger offsets for one unit of the load factor; zero while the load turns.
+    /// For each contact and drive the rate of its offset, m per unit of the load factor; zero while the load turns.
     pub(super) change: Vec<SVector<f64, 3>>,
-    /// Trajectory of the load.
+    /// The sum of all loads as a function of the load factor, with moments about the centroid of the contacts.
     pub(super) course: Trajectory<Vector>,
-    /// The largest force on the path so far, N, which scales rounding where all forces vanish together.
+    /// The largest contact force or load on the path so far, N, to which rounding errors are proportional where all forces vanish together.
     pub(super) largest: f64,
 }
 
-/// The state of the grasp at a load factor, with its rates: per unit of the load factor on a straight piece, per unit of arclength along an arc.
+/// Forces, twist and gaps of the grasp at a load factor, with their rates. These are per unit of the load factor on a straight piece, per unit of
+/// arclength along an arc.
 #[derive(Debug, Clone)]
 pub(super) struct PathPoint {
     pub(super) lines: Vec<Line>,
     pub(super) twist: Vector,
     pub(super) twist_rate: Vector,
-    /// Rate of the load factor: one on a straight piece, less along an arc.
+    /// Rate of the load factor: one on a straight piece; per unit of arclength, and at most one, along an arc.
     pub(super) factor_rate: f64,
-    /// Motions that stretch no spring in the present contact states.
+    /// Orthonormal motions that stretch no spring in the present contact states; `neutral_motions` are those along which forces change but stay in
+    /// balance.
     pub(super) free_motions: Vec<Vector>,
     pub(super) neutral_motions: Vec<Vector>,
-    /// The linear problem for forces and motion while contacts keep their states.
+    /// The factorised linear problem for forces and twist while contacts keep their states.
     pub(super) piece: alloc::sync::Arc<Piece>,
     pub(super) gaps: Vec<GapLine>,
-    /// Largest force (N) and displacement (m) among the terms that add up to the state, and in the next field among those of its rates. Rounding
-    /// errors are measured by these sizes.
+    /// Largest force (N) and displacement (m) among the terms that add up to the state; `rate_sizes` are the same for its rates. Rounding errors are
+    /// proportional to these sizes.
     pub(super) sizes: [f64; 2],
     pub(super) rate_sizes: [f64; 2],
     /// While the load turns, the state as harmonic functions of its angle. `None` if rates are constant, or if only the present rates are known.
@@ -52,7 +54,7 @@ pub(super) struct PathPoint {
 }
 
 impl PathPoint {
-    /// Forces and twist after a step, extrapolated from this state.
+    /// Forces and twist after a change `step` of the load factor (an arclength along an arc), extrapolated linearly or with the load's angle.
     pub(super) fn after(&self, step: f64) -> PieceState {
         if let Some(turned) = &self.turned {
             let PieceState { forces, twist } = turned.after(step);
@@ -79,9 +81,9 @@ impl PathPoint {
 }
 
 impl<'g> Segment<'g> {
-    /// Forces, gaps and their rates at a load factor, while contacts have the states `states`. If no contact resists some motion, the twist is the
-    /// one nearest to `near`, and its rate the one nearest to `pushed`. No force drives the object along free motions, but a contact that touches
-    /// without force may push it.
+    /// Forces, twist, gaps and their rates at the load factor `factor`, while contacts have the states `states`. If no spring resists some motion,
+    /// the twist is the solution nearest to `near`, and its rate the one nearest to `pushed`. So a contact that touches without force may push the
+    /// object. An error if forces cannot balance the load or its rate.
     pub(super) fn point_at(
         &self,
         states: &[State],
@@ -110,7 +112,8 @@ impl<'g> Segment<'g> {
         Ok(self.point_with_rates(piece, factor, at, (&rate, 1.0), (0.0, &base)))
     }
 
-    /// A state on an arc, with rates per unit of arclength. Along one unit of arclength the load factor changes by `factor_rate`.
+    /// The state `at` on an arc, at the load factor `factor`. Its rates `rate`, and `factor_rate`, that of the load factor, are per unit of
+    /// arclength.
     pub(super) fn point_on_arc(
         &self,
         piece: &alloc::sync::Arc<Piece>,
@@ -122,7 +125,7 @@ impl<'g> Segment<'g> {
         self.point_with_rates(piece.clone(), factor, at.clone(), (rate, factor_rate), (factor, at))
     }
 
-    /// The reason for a loss of equilibrium beyond a load factor: nothing resists the motion `motion`.
+    /// The reason for a loss of equilibrium beyond a load factor: nothing resists the motion `motion`, on which the rate of the load does work.
     pub(super) fn unbalanced(&self, factor: f64, motion: Option<Vector>) -> NoEquilibrium<3> {
         let v = motion.unwrap_or_else(Vector::zeros);
         let work = v.dot(&self.course.rate_at(factor));
@@ -130,8 +133,8 @@ impl<'g> Segment<'g> {
         NoEquilibrium { proof }
     }
 
-    /// A state at a load factor with its rates. Sizes that scale rounding are taken from two terms, since their sum may vanish: the state `base` at
-    /// the load factor `since`, and the change from there.
+    /// The state `at` at the load factor `factor` with its rates. The sizes for rounding errors are those of the state `base` at the load factor
+    /// `since`, and of the change from there to `factor`. The sum of both may vanish.
     pub(super) fn point_with_rates(
         &self,
         piece: alloc::sync::Arc<Piece>,
@@ -163,7 +166,7 @@ impl<'g> Segment<'g> {
             let (stretch, stretching) =
                 (site.stretch(&offsets[i], &twist), site.stretch(&change[i], &rate.twist));
             let span_rate = site.span_moved(&change[i], norm_of_rate);
-            // Accumulated slips are subtracted from the finger offsets. If both cancel, the rounding of the slips remains.
+            // Accumulated slips are subtracted from the commands. If both cancel, the rounding of the slips remains.
             let memory = self.problem.slips[i].norm();
             let span_here = site.span_moved(&offsets[i], norm);
             let span =
@@ -192,15 +195,16 @@ impl<'g> Segment<'g> {
         }
     }
 
-    /// Forces and twist at a load factor, from a solution at that load factor: extrapolation from another load factor would add the rounding of
-    /// larger terms. If no contact resists some motion, the twist is the one nearest to `near`.
+    /// Forces and twist at a load factor, solved there: extrapolation from another load factor would add the rounding of larger terms. If no spring
+    /// resists some motion, the twist is the solution nearest to `near`. `None` if forces cannot balance the load.
     pub(super) fn state(&self, piece: &Piece, factor: f64, near: Option<&Vector>) -> Option<PieceState> {
         let wrench = self.course.at(factor);
         let at = piece.solve(self.problem.sites, &self.offsets(factor), &wrench).ok()?;
         Some(if let Some(near) = near { self.nearest(piece, at, near) } else { at })
     }
 
-    /// The step along a straight piece, from the state `at` to the exit `exit` of a contact, where its present state stops being valid.
+    /// The change of the load factor along a straight piece, from the state `at` at `factor` to the exit `exit` of a contact. Rates are those of
+    /// `point`.
     pub(super) fn step_to_exit(
         &self,
         contact: usize,
@@ -218,27 +222,27 @@ impl<'g> Segment<'g> {
         self.problem.local(contact).step_to_exit(exit, &at.forces[contact], &point.lines[contact].rate)
     }
 
-    /// The finger offsets (commands minus clearances and accumulated slips) at a load factor.
+    /// For each contact and drive its offset (command minus clearance and accumulated slip, m) at a load factor.
     pub(super) fn offsets(&self, factor: f64) -> Vec<SVector<f64, 3>> {
         let mut offsets = Vec::new();
         self.offsets_into(factor, &mut offsets);
         offsets
     }
 
-    /// [`Self::offsets`] into a list supplied by the caller.
+    /// [`Self::offsets`], written into the caller's list `offsets`.
     pub(super) fn offsets_into(&self, factor: f64, offsets: &mut Vec<SVector<f64, 3>>) {
         cleared_for(offsets, self.change.len());
         offsets.extend(self.problem.offsets.iter().zip(&self.change).map(|(a, da)| a + da * factor));
     }
 
-    /// This segment with commands and load held constant at their values at a load factor.
+    /// This segment with commands and load held constant at their values at the load factor `factor`.
     pub(super) fn at_rest(&self, factor: f64) -> Self {
         let change = vec![SVector::zeros(); self.change.len()];
         let course = Trajectory::Straight { from: self.course.at(factor), rate: Vector::zeros() };
         Segment { problem: self.problem_at(factor), change, course, ..self.clone() }
     }
 
-    /// The equilibrium problem at a load factor.
+    /// The static problem at a load factor, with the offsets and the load there and the accumulated slips of the segment.
     pub(super) fn problem_at(&self, factor: f64) -> Problem<'g> {
         let wrench = self.course.at(factor);
         Problem {
@@ -249,7 +253,8 @@ impl<'g> Segment<'g> {
         }
     }
 
-    /// Adds the present slip of a contact to its slip memory: from now on this slip is subtracted from the contact's offset.
+    /// Adds the slip of a contact, at this load factor, twist and contact force, to its accumulated slip, and subtracts it from its offset. Without
+    /// tangential stiffness there is no slip memory.
     pub(super) fn remember_slip(
         &mut self,
         contact: usize,
@@ -267,19 +272,20 @@ impl<'g> Segment<'g> {
         self.problem.offsets[contact] -= slip;
     }
 
-    /// The exits at which a contact's present state may stop being valid (edges of its cone, the apex, a closing gap), with the step to each.
+    /// The exits at which a contact's present state may end, with the step to each: edges of its cone, the apex, a closing gap, a reversal of slip.
     pub(super) fn ways_out(&self, contact: usize, state: &State, point: &PathPoint) -> Vec<Exit> {
         self.problem.local(contact).ways_out(state, &point.lines[contact], &point.gaps[contact])
     }
 
-    /// The contact law that the rates of force and motion obey, for every contact, from its active set (the edges that it is on) and its state.
+    /// For every contact the law for the rates of its force and motion. It follows from the active set, the edges of its cone on which its force
+    /// lies, and from the contact state.
     pub(super) fn laws_of_rates(&self, active_sets: &[ActiveSet], states: &[State]) -> Vec<Law> {
         let locals = self.problem.locals().zip(active_sets).zip(states);
         locals.map(|((local, active), state)| local.law_of_rates(active, state)).list()
     }
 
-    /// The smallest step after which the present state of a contact stops being valid, with all contacts for which that happens at this step. A state
-    /// ends at an edge of the cone, the apex, a closing gap or a reversal of slip. For a load that turns, steps up to `rest` are searched.
+    /// The smallest step from `point` at which the present state of a contact ends, with all contacts whose states end there. A state ends at an edge
+    /// of the cone, the apex, a closing gap or a reversal of slip. For a load that turns, steps up to `rest` are searched.
     pub(super) fn first_exits(&self, states: &[State], point: &PathPoint, rest: f64) -> FirstExits {
         if let Some(turned) = &point.turned {
             return turned.first_exits(&self.problem, states, rest);
@@ -288,7 +294,8 @@ impl<'g> Segment<'g> {
         FirstExits { reached: first_reached(ways.list()), touches: Vec::new() }
     }
 
-    /// The complementarity problem for the rates of forces and motion on this segment at a load factor, with the contact laws `laws`.
+    /// The complementarity problem for the rates of forces and motion (rate problem) on this segment at a load factor, with the laws `laws` of the
+    /// contacts.
     pub(super) fn rates(&self, factor: f64, laws: Vec<Law>) -> Problem<'g> {
         self.problem.at_rates(laws, self.change.clone(), self.course.rate_at(factor))
     }

@@ -1,4 +1,4 @@
-//! Forces, motions and rates as linear combinations of the load factor and the slips of sliding contacts.
+//! Contact forces and twist as linear combinations of the load factor and of the slips of sliding contacts, and the rates of both.
 
 use nalgebra::SVector;
 
@@ -10,55 +10,55 @@ use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::search::SmallMotions;
 
-/// The largest number of sliding contacts. With more, an [arc](super::arc) takes less time: each stage of its integration solves one equation for
-/// each coordinate, not one for each sliding contact.
+/// The largest number of sliding contacts that `in_slips` follows. With more, an [arc](super::arc) takes less time: each stage of its integration
+/// solves one equation for each coordinate, not one for each sliding contact.
 pub(super) const MOST_SLIDING: usize = MOST_UNKNOWNS - 1;
 
-/// A vector for each sliding contact, followed by zero vectors.
+/// A vector for each sliding contact, in the order of [`Slips::sliding`], followed by zero vectors.
 pub(super) type OfSliding = [SVector<f64, 3>; MOST_SLIDING];
 
-/// Sliding contacts with the responses to their slips. The state of the grasp is a sum of parts, and is stored as the list of their weights: 1, the
-/// load factor, and the slips.
+/// Sliding contacts with the responses to their slips. Forces and twist are a sum of terms. A state `at` is the list of their weights: 1, the load
+/// factor, and two tangential slips (m) of each sliding contact.
 pub(super) struct Slips<'g> {
     pub(super) grasp: &'g Engine,
     pub(super) problem: Problem<'g>,
     pub(super) piece: alloc::sync::Arc<Piece>,
-    /// Contact forces of all parts, one part after the other. The parts are the state at load factor 0, its rate with the load factor, and the
-    /// responses to a unit slip of each sliding contact along both tangents.
+    /// Contact forces of all terms, one term after the other. The terms are the state at load factor 0, and its rate with the load factor. Then
+    /// follow the responses to a unit slip of each sliding contact along both tangents.
     pub(super) forces: Vec<SVector<f64, 3>>,
-    /// Motions of the object in the parts, in the same order as `forces`.
+    /// Twists of the object in the terms, in the same order as `forces`. `sliding` has the indices of the sliding contacts.
     pub(super) twists: Vec<Vector>,
     pub(super) sliding: Vec<usize>,
-    /// The largest force at the first slip, N.
+    /// The largest contact force at the first slip, N.
     pub(super) largest: f64,
-    /// The largest load factor of the question.
+    /// The largest load factor that is followed.
     pub(super) most: f64,
-    /// The unit of slip: it counts in arclength as much as a change of the load factor by one, m.
+    /// The unit of slip, m: such a slip counts in arclength as much as a change of the load factor by one.
     pub(super) unit: f64,
     pub(super) small: SmallMotions,
-    /// The largest slip that is a small motion, m.
+    /// The limit of small motions for slips, m.
     pub(super) slip_limit: f64,
 }
 
 impl Slips<'_> {
-    /// Adds a part of the state: forces and motion caused by one source, a load or a unit slip.
+    /// Adds a term: contact forces and twist caused by one source, a load or a unit slip.
     pub(super) fn push(&mut self, PieceState { forces, twist }: &PieceState) {
         self.forces.extend_from_slice(forces);
         self.twists.push(twist.clone());
     }
 
-    /// Number of contacts.
+    /// Number of contacts of the grasp, which has no drives.
     pub(super) fn contacts(&self) -> usize {
         self.problem.len()
     }
 
-    /// The contacts that stick.
+    /// Indices of the contacts that do not slide.
     pub(super) fn sticking(&self) -> impl Iterator<Item = usize> {
         (0..self.contacts()).filter(|i| !self.sliding.contains(i))
     }
 
-    /// Writes the rates of the load factor and of the slips per unit of arclength to `rates`; their component along the rates `along` is positive.
-    /// `at` lists the weights of the parts of the state. `None` if the rates are not unique.
+    /// Writes to `rates` the rates of the state `at`, per unit of arclength, with which the margins of sliding contacts stay zero. Their component
+    /// along the rates `along` is positive. `None` if the rates are not unique.
     pub(super) fn flow(&self, at: &[f64], along: &[f64], rates: &mut [f64]) -> Option<()> {
         let (directions, count) = (self.directions(at), self.sliding.len());
         let (mut equations, mut scale) = (self.margin_rates(&directions), 0.0_f64);
@@ -78,7 +78,7 @@ impl Slips<'_> {
         Some(())
     }
 
-    /// The unit directions of the friction forces of sliding contacts in the state `at`.
+    /// For each sliding contact the unit direction of its friction force in the state `at`.
     pub(super) fn directions(&self, at: &[f64]) -> OfSliding {
         let mut directions = OfSliding::default();
         for (direction, i) in directions.iter_mut().zip(&self.sliding) {
@@ -88,8 +88,8 @@ impl Slips<'_> {
         directions
     }
 
-    /// The rates of the margin of each sliding contact: with the load factor, and with the slip of each sliding contact in units of `unit`. These
-    /// rates are the coefficients of equations for the rates of load factor and slips: the margins of sliding contacts stay zero.
+    /// For each sliding contact the derivatives of its margin `μ F_n - |F_t|`, first by the load factor. Then by the slip of each sliding contact
+    /// along its friction force, in units of `unit`. They are the coefficients of the equations by which these margins stay zero.
     pub(super) fn margin_rates(&self, directions: &OfSliding) -> [Equation; MOST_UNKNOWNS] {
         let mut rates = [[0.0; MOST_UNKNOWNS + 1]; MOST_UNKNOWNS];
         for ((row, i), p) in rates.iter_mut().zip(&self.sliding).zip(directions) {
@@ -103,7 +103,7 @@ impl Slips<'_> {
         rates
     }
 
-    /// The force of a contact in the state `at`; with rates of a state instead, the rate of the force.
+    /// The force of a contact in the state `at`, N; if `at` are rates of a state, the rate of the force.
     pub(super) fn force(&self, contact: usize, at: &[f64]) -> SVector<f64, 3> {
         let mut force = SVector::zeros();
         for (part, weight) in self.forces.chunks_exact(self.contacts()).zip(at) {
@@ -112,14 +112,14 @@ impl Slips<'_> {
         force
     }
 
-    /// The motion of the object in the state `at`; with rates of a state instead, the rate of the motion.
+    /// The twist of the object in the state `at`; if `at` are rates of a state, the rate of the twist.
     pub(super) fn twist(&self, at: &[f64]) -> Vector {
         let mut twist = Vector::zeros();
         self.twists.iter().zip(at).for_each(|(part, weight)| twist.add_times(part, *weight));
         twist
     }
 
-    /// The rotation, slips and openings in the state `at`, which are compared with the limits of small motions.
+    /// The rotation of the object and the slips of contacts in the state `at`, as they are compared with the limits of small motions.
     pub(super) fn motions(&self, at: &[f64]) -> Vec<CountedMotion> {
         let none = vec![SVector::zeros(); self.contacts()];
         let (offsets, forces, twist) = (&none[..], &none[..], &self.twist(at));
@@ -133,8 +133,8 @@ impl Slips<'_> {
         self.grasp.counted_motions(&self.small, &standing)
     }
 
-    /// The largest ratio among [`Self::motions`] of a motion to its limit. The rotation is given by the last coordinates of the twist, since the only
-    /// coordinates are those of one object.
+    /// The largest ratio, in the state `at`, of the object's rotation or a contact's slip to its limit of small motions. The twist ends with the
+    /// rotation times the engine's unit of length, since it has only the coordinates of one object.
     pub(super) fn far(&self, at: &[f64]) -> f64 {
         let space = self.grasp.space();
         let mut turned = 0.0;

@@ -1,4 +1,4 @@
-//! A step of a load path whose unknowns are the slips of sliding contacts (see `in_slips`), and the first event within the step.
+//! A step along a growing load whose unknowns are the slips of sliding contacts (see `in_slips`), and the first event within the step.
 
 use super::slip_rates::Slips;
 use super::tolerances::LITTLE_NORMAL_FORCE;
@@ -8,22 +8,24 @@ use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{Stepped, explicit_step, largest, numbered, paired, regula_falsi};
 use crate::prelude::*;
 
-/// The end of a step along which contacts slide or stick.
+/// The end of a step of arclength `length` along which contacts slide or stick. It has the state `at`, its rates, and the step's estimated relative
+/// error.
 pub(super) struct SlipStep {
     pub(super) length: f64,
     pub(super) at: Vec<f64>,
     pub(super) rates: Vec<f64>,
     pub(super) error: f64,
-    /// The values of the conditions that must stay positive: see [`GROWS`].
+    /// The values at the end of the step of the conditions that must stay positive, in the order described at [`GROWS`].
     pub(super) values: Vec<f64>,
 }
-/// Indices of the conditions that must stay positive: the load factor grows, the load factor is below the largest one of the question, and motions
-/// are small. After these come the slip rates of the sliding contacts, their normal forces, and the margins of the sticking contacts.
+/// Indices of the conditions that must stay positive: the load factor grows and is below the largest one to follow (`GOES_ON`), and motions are
+/// small. After these come the slip rates along friction of the sliding contacts, their normal forces, and the margins `μ F_n - |F_t|` of the
+/// sticking contacts.
 pub(super) const GROWS: usize = 0;
 pub(super) const GOES_ON: usize = 1;
 pub(super) const SMALL: usize = 2;
 impl Slips<'_> {
-    /// A step of this length; `None` if no such step exists.
+    /// A step of this arclength from the state `at` with the rates `rates`; `None` if rates are not unique somewhere in it.
     pub(super) fn step(&self, (at, rates): (&[f64], &[f64]), length: f64) -> Option<SlipStep> {
         let mut there = at.to_vec();
         let rate = |change: &[f64], out: &mut [f64]| {
@@ -47,8 +49,8 @@ impl Slips<'_> {
         Some(SlipStep { length, at, rates: there, error, values })
     }
 
-    /// The step, shortened to the place where the first condition becomes zero within it, and the index of that condition. `None` if several
-    /// conditions become zero together.
+    /// The step `end` from the state and rates `from`, shortened to the place where the first condition becomes zero. Also the index of that
+    /// condition. Without one the whole step. `None` if several conditions become zero together, or if the place is not found.
     pub(super) fn up_to_an_event(
         &self,
         from: (&[f64], &[f64]),
@@ -59,7 +61,7 @@ impl Slips<'_> {
         if start.iter().any(|value| *value <= 0.0) {
             return None;
         }
-        // A step is shortened at most twenty times because a condition may be violated within it.
+        // A step is shortened at most twenty times because a sticking contact leaves its cone within it.
         for _ in 0..20 {
             let mut event = None;
             if let Some(k) = first_crossing(&start, &end.values) {
@@ -75,8 +77,9 @@ impl Slips<'_> {
         None
     }
 
-    /// The step that ends where condition `k` becomes zero, or where another condition becomes zero before, with the index of that condition. Each
-    /// trial ends at the root of the cubic through values and slopes at both ends of a bracket; mostly the first trial is close enough.
+    /// The step that ends where condition `k` becomes zero, or another one that becomes zero before it, with the index of that condition. `None` if
+    /// thirty trials do not find it. Each trial ends at the root of the cubic through values and slopes at both ends of a bracket. Mostly the first
+    /// trial is close enough.
     fn located(
         &self,
         from: (&[f64], &[f64]),
@@ -108,7 +111,8 @@ impl Slips<'_> {
         None
     }
 
-    /// The end of a step, moved by Heun's method to the place where condition `k` becomes zero, about the short length `rest` away.
+    /// The end of a step, moved by Heun's method to the place where condition `k` becomes zero, about the short arclength `rest` away. `None` if this
+    /// does not converge.
     fn moved_to(&self, k: usize, mut end: SlipStep, mut rest: f64) -> Option<SlipStep> {
         let length = end.length;
         // Newton's method converges quadratically: three iterations reach rounding.
@@ -131,8 +135,8 @@ impl Slips<'_> {
         (rest.abs() <= NEGLIGIBLE * length).then_some(end)
     }
 
-    /// The derivative of a condition's value by arclength, from a difference over a small fraction of `length`; `None` if the path has no unique
-    /// direction there.
+    /// The derivative of the value of condition `k` by arclength, from a difference over a millionth of `length`. `None` if the rates are not unique
+    /// there.
     fn slope(&self, k: usize, (at, rates): (&[f64], &[f64]), length: f64) -> Option<f64> {
         // The length of the difference. With a slope this accurate each Newton iteration gains six digits.
         let little = 1e-6 * length;
@@ -142,8 +146,8 @@ impl Slips<'_> {
         Some((self.condition(k, &ahead, &rates_ahead) - self.condition(k, at, rates)) / little)
     }
 
-    /// The fraction of a step at which a sticking contact leaves its cone, although it may be inside again at the end. One half if that is undecided;
-    /// `None` if no contact leaves.
+    /// A fraction of the step `end` at which a sticking contact is clearly outside its cone, although it may be inside again at the end. It is the
+    /// least one found over the contacts. One half for a contact for which this is not decided; `None` if all forces stay inside.
     fn first_dip(&self, (at, rates): (&[f64], &[f64]), end: &SlipStep, tolerance: f64) -> Option<f64> {
         let mut first: Option<f64> = None;
         for i in self.sticking() {
@@ -155,7 +159,7 @@ impl Slips<'_> {
         }
         first
     }
-    /// The values of the conditions that must stay positive, in the order of their indices.
+    /// The values, in the state `at` with the rates `rates`, of the conditions that must stay positive, in the order described at [`GROWS`].
     fn conditions(&self, at: &[f64], rates: &[f64]) -> Vec<f64> {
         numbered(SMALL + 1 + self.sliding.len() + self.contacts(), &|k| self.condition(k, at, rates))
     }
@@ -181,8 +185,8 @@ impl Slips<'_> {
         }
     }
 
-    /// Length of the first step: no direction of friction turns by more than 0.3 rad, no normal force falls to less than half, and the load factor
-    /// stays within its largest value.
+    /// Arclength of the first step. At the present rates no direction of friction turns by more than 0.3 rad. No normal force of a sliding contact
+    /// falls to less than half. The load factor does not exceed the largest one.
     pub(super) fn first_length(&self, at: &[f64], rates: &[f64]) -> f64 {
         let mut length = (self.most - at[1]) / rates[1];
         for i in &self.sliding {
@@ -194,7 +198,7 @@ impl Slips<'_> {
     }
 }
 
-/// The value at a place `to` of the cubic through given values and slopes at two places.
+/// The value at the place `to` of the cubic polynomial with given values and slopes at two places, each given as (place, value, slope).
 fn between(low: (f64, f64, f64), high: (f64, f64, f64), to: f64) -> f64 {
     let length = high.0 - low.0;
     let (part, rise) = ((to - low.0) / length, high.1 - low.1);
@@ -202,7 +206,8 @@ fn between(low: (f64, f64, f64), high: (f64, f64, f64), to: f64) -> f64 {
     low.1 + part * (rise + (1.0 - part) * ((1.0 - part) * before + part * behind))
 }
 
-/// Of the conditions that are violated at the end of a step, the one that vanishes first by linear interpolation between both ends.
+/// The index of the condition, among those violated at the end of a step, that vanishes first by linear interpolation between both ends. `None` if
+/// none is violated.
 fn first_crossing(start: &[f64], end: &[f64]) -> Option<usize> {
     let part = |k: usize| start[k] / (start[k] - end[k]);
     (0..start.len()).filter(|k| end[*k] < 0.0).min_by(|a, b| part(*a).total_cmp(&part(*b)))

@@ -1,4 +1,4 @@
-//! The place on a path where motions cease to be small, and the place from which all contacts slide.
+//! The place on a load path where a motion exceeds its limit of small motions, and the place from which all contacts slide.
 //!
 //! While contacts keep their states, rotations, slips and gaps are affine in the fraction of the leg: their largest value is at an end of the piece.
 //! While the load turns, they are harmonics of its angle, and the first place is a root of a trigonometric polynomial. Integration steps along which
@@ -34,12 +34,12 @@ pub struct EndOfSmallMotions {
     pub what: TooFar,
 }
 
-/// A fraction of the leg, and the motion that is too large beyond it.
+/// A fraction of the leg, and the rotation, slip or opening that exceeds its limit of small motions beyond it.
 type Place = (f64, CountedMotion);
 
 impl<'g> Pieces<'g> {
-    /// Updates the largest ratio of a motion to its limit, and records the place where motions cease to be small. It is called at the start and after each
-    /// piece.
+    /// Updates the largest ratio of a motion to its limit, and records the first place where a motion exceeds its limit. It is called at the start
+    /// and after each piece of the path.
     pub(super) fn note_how_far(&mut self, journey: &Journey<'g>) {
         let (grasp, answer_for) = (self.segment.grasp, self.segment.answer_for);
         let offsets = self.segment.offsets(self.factor);
@@ -69,8 +69,8 @@ impl<'g> Pieces<'g> {
         self.end_of_small_motions = found.and_then(end);
     }
 
-    /// The leg and fraction from which every contact with friction and a normal force slides, up to the place `until`; `None` if such a contact
-    /// sticks just before `until`.
+    /// The leg and fraction from which on, without interruption up to the place `until`, every contact with friction that presses slides. It is the
+    /// beginning of a piece. `None` if such a contact sticks just before `until`.
     pub(super) fn pieces_all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
         let mut since = None;
         for piece in self.behind.iter().rev() {
@@ -87,7 +87,8 @@ impl<'g> Pieces<'g> {
 }
 
 impl<'g> Stretch<'g> {
-    /// The first place on a piece of the path where a rotation, slip or opening is too large, given a motion that is too large at the end of the piece.
+    /// The first place on a piece of the path where a rotation, slip or opening exceeds its limit. `at_the_end` is the motion that exceeds its limit
+    /// most at the end of the piece.
     fn first_too_far(&self, grasp: &'g Engine, answer_for: AnswerFor, at_the_end: CountedMotion) -> Place {
         // If the state within a step cannot be computed because of rounding, the motion at the end of the step is taken.
         let farthest_at = |fraction: f64| {
@@ -115,8 +116,8 @@ impl<'g> Stretch<'g> {
         (place.unwrap_or(self.to), which)
     }
 
-    /// The first place where a motion that turns with the load is too large. Each motion is a harmonic function of the angle, which its values at
-    /// three angles determine.
+    /// The first place on a piece along which the load turns where a motion exceeds its limit. Each motion is a harmonic function of the angle, which
+    /// its values at three angles determine. `None` if none does, and on every other piece.
     fn turns_too_far(&self, grasp: &'g Engine, small: &SmallMotions) -> Option<Place> {
         let turned = self.here.turned.as_ref()?;
         let at = |angle: f64| {
@@ -153,7 +154,8 @@ impl<'g> Stretch<'g> {
         first
     }
 
-    /// Whether a contact with friction presses, and all such contacts slide. A bonded contact that presses counts as sticking; links do not count.
+    /// Whether, on this piece, some contact with friction carries a force, and all such contacts slide. A bonded contact that carries a force counts
+    /// as sticking; links do not count.
     fn everything_slides(&self, grasp: &Engine) -> bool {
         let force = |i: usize| self.here.lines[i].force.norm().max(self.there.forces[i].norm());
         let contacts = 0..grasp.len();

@@ -1,16 +1,17 @@
-//! Snapping over: a path ends, at a fold, a corner or an asymptote, and the object moves on under the same load until it rests again.
+//! Snapping over: the equilibrium ends at a fold, a corner or an asymptote. The object moves on under nearly the same load until it rests again.
 //!
-//! Other equilibria may exist beyond the end of a path. Which of them the object reaches depends on its motion there. This motion is taken to be that of
-//! viscous contacts, with dampers in proportion to their springs K_i, under a load slightly beyond the end of the path:
+//! Other equilibria may exist beyond the end of a path. Which of them the object reaches depends on its motion there. This motion is taken to be that
+//! of viscous contacts, with dampers in proportion to their springs K_i. The load W is slightly beyond the end of the path. G_i are grasp maps, and R
+//! is the imbalance:
 //!
 //! ```text
 //! Σ G_i K_i G_iᵀ dq/dt = R(q),      R(q) = Σ G_i F_i(a_i - s_i - G_iᵀq) + W
 //! ```
 //!
-//! A step of length h solves `(T + D/h) Δq = R`, where D is the matrix on the left and T the tangent stiffness; then every contact stores its slip.
-//! Steps grow as long as the imbalance after them is nearly the expected one, D Δq/h. Once forces nearly balance, the rest of R is removed along a
-//! leg of its own, as in [`super::jump_leg`], and the path continues from there. If the motion would not be small it is not made, and the load counts
-//! as lost.
+//! A step in time of length h solves `(T + D/h) Δq = R`, where D is the matrix on the left and T the tangent stiffness. Then the slip of every
+//! contact is added to its slip memory s_i. Steps grow as long as the imbalance after them is nearly the expected one, D Δq/h. Once forces nearly
+//! balance, the rest of R is removed along a leg of its own, as in [`super::jump_leg`], and the path continues from there. If the motion would exceed
+//! the limits of small motions it is not made, and the equilibrium counts as lost.
 
 use nalgebra::SVector;
 
@@ -34,24 +35,25 @@ use crate::object::{Problem, tangent_stiffness, uses_band};
 use crate::prelude::*;
 use crate::search::{Found, SmallMotions};
 
-/// A state of the moving object: its twist, the force and state of each contact in response, and the imbalance of contact forces and load.
+/// The moving object at one time: its twist, the force and state of each contact, and the imbalance `left` of contact forces and load.
 struct MovingObject {
     twist: Vector,
     contacts: Vec<ContactResponse>,
     left: Vector,
 }
 
-/// The state in which the object rests again after it has snapped over.
+/// The state in which the object rests again after it has snapped over, with forces in balance up to a small remainder.
 pub(super) struct RestsAgain<'g> {
-    /// The equilibrium problem with the slips after the motion. Its load is the one that the contact forces balance exactly.
+    /// The static problem with the slips after the motion. Its load is the one that the contact forces balance exactly, which nearly is the load of
+    /// the leg.
     problem: Problem<'g>,
     contacts: Vec<ContactResponse>,
     twist: Vector,
 }
 
 impl<'g> RestsAgain<'g> {
-    /// Moves the object, as viscous contacts would let it, from a twist at which forces do not balance to one at which they do. `None` if the motion
-    /// is not small, or does not end.
+    /// Moves the object from the twist `start`, at which forces do not balance, to one at which they nearly do, as with viscous contacts. `None` if
+    /// the motion exceeds the limits `small` or does not end, and with very many coordinates.
     pub(super) fn near(
         grasp: &Engine,
         small: &SmallMotions,
@@ -114,10 +116,11 @@ impl<'g> RestsAgain<'g> {
     }
 }
 
-/// The change of the load factor that puts forces out of balance by a small fraction of the largest force. `change` are the rates of the finger
-/// offsets, and `rate` is the rate of the load.
+/// The change of the load factor that puts forces out of balance by the fraction `LITTLE_BEYOND` of the largest force `largest`, N. `change` are the
+/// rates of the contacts' offsets, and `rate` is the rate of the load.
 ///
-/// The largest force counts as at least [`LEAST_FORCE`] of the force that the whole leg adds: without any force the change would be zero.
+/// `largest` counts as at least [`LEAST_FORCE`] times the imbalance that one unit of the load factor adds: without any force the change would be
+/// zero.
 pub(super) fn a_little(sites: &[Site], change: &[SVector<f64, 3>], mut rate: Vector, largest: f64) -> f64 {
     for (site, change) in sites.iter().zip(change) {
         site.map.push(&site.springs.force(change), &mut rate);
@@ -125,22 +128,22 @@ pub(super) fn a_little(sites: &[Site], change: &[SVector<f64, 3>], mut rate: Vec
     LITTLE_BEYOND * (largest / rate.norm()).max(LEAST_FORCE)
 }
 
-/// How often the object has snapped over to another equilibrium on a leg so far, and at which load factors it did so last.
+/// Number of times that the object has snapped over to another equilibrium on a leg so far, and the load factor of the last time.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Snapped {
     count: usize,
     /// Load factor at which the object rested again after it last snapped over.
     at: f64,
-    /// The load factor at which the object last rested again, minus the one at which it had snapped over before.
+    /// The load factor at which the object last rested again, minus that of the loss from which it snapped over there.
     step: f64,
 }
 
 impl Snapped {
-    /// The object has not snapped over yet.
+    /// The value before the object has snapped over on a leg.
     pub(super) const NEVER: Self = Self { count: 0, at: f64::NAN, step: 0.0 };
 }
 
-/// Whether no body turns, and no contact moves, beyond the limits of small motions.
+/// Whether, in the motion `moved`, no body turns, and no contact point moves, by more than the limits of small motions for rotations and slips.
 fn is_small(grasp: &Engine, small: &SmallMotions, moved: &Vector) -> bool {
     let turns_little =
         grasp.each_moves(moved).iter().all(|body| body.twist.parts().1.size() <= small.rotation);
@@ -148,14 +151,14 @@ fn is_small(grasp: &Engine, small: &SmallMotions, moved: &Vector) -> bool {
     turns_little && grasp.sites()[..grasp.len()].iter().all(|site| site.map.tr_mul(moved).norm() <= most)
 }
 
-/// Factor by which the length of a step grows after an accepted step, both for steps in time and for steps of the load. The next constant is the
+/// Factor by which the length of a step grows after an accepted step, both for steps in time and for steps of the load factor. `SHORTER` is the
 /// factor after a refused step.
 const LONGER: f64 = 2.0;
 const SHORTER: f64 = 0.25;
 
 impl MovingObject {
-    /// The state of the object at a twist. The contacts respond to the twist, starting from their last responses in `contacts`; their slips are added
-    /// to those in `problem`.
+    /// The moving object at the twist `twist`. `contacts` are the last responses, from which the new ones are computed. The slip of each contact is
+    /// added to the slips in `problem`.
     fn at(twist: Vector, mut contacts: Vec<ContactResponse>, problem: &mut Problem) -> Self {
         let left = problem.yield_to(&twist, &mut contacts);
         Self { twist, contacts, left }
@@ -163,8 +166,8 @@ impl MovingObject {
 }
 
 impl<'g> Pieces<'g> {
-    /// The event at which the object snaps over to another equilibrium under the load at which the equilibrium was lost; the path continues from
-    /// there. `None` if the object comes to rest nowhere near.
+    /// The event that replaces the loss `loss`: the object snaps over to another equilibrium at a slightly larger load factor, from which the path
+    /// continues. `None` if it comes to rest nowhere near, or for a loss, grasp or place for which this is not tried.
     pub(super) fn snaps_over(&mut self, journey: &Journey<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         let ends_in_balance = !matches!(loss.kind, LossKind::LetsGo | LossKind::TooFar | LossKind::GivesWay);
         // The model keeps the pull of a vacuum even if its cup opens during the motion, so grasps with cups are excluded.
@@ -196,7 +199,7 @@ impl<'g> Pieces<'g> {
         }
     }
 
-    /// The event at which the object snaps over and rests again under a load whose factor is larger by `step`.
+    /// The event at which the object snaps over and rests again at a load factor larger by `step`, at most 1. `None` if it does not rest.
     fn snaps_within(&mut self, step: f64, journey: &Journey<'g>) -> Option<Event<3>> {
         let state = self.state_before_event().or_else(|| self.present_state(journey))?;
         let beyond = (self.factor + step).min(1.0);
@@ -225,13 +228,15 @@ impl<'g> Pieces<'g> {
         Some(Event { jump: Some(Box::new(Jump { snaps: true, ..jump })), ..event })
     }
 
-    /// The state in which the object rests again under the load at the factor `beyond`, slightly past this end of the path.
+    /// The state in which the object, moving from its present twist, rests again under the load at the factor `beyond`, slightly past this loss.
+    /// `None` if it does not.
     fn rests_again(&self, beyond: f64) -> Option<RestsAgain<'g>> {
         let Segment { grasp, answer_for, .. } = &self.segment;
         RestsAgain::near(grasp, &answer_for.small, self.segment.problem_at(beyond), &self.node.at.twist)
     }
 
-    /// The leg at a constant load factor along which the remaining imbalance is removed, and the changes of contact states up to its beginning.
+    /// The leg along which the remaining imbalance of `rests` is removed, at the constant load factor `factor`. Also the changes from the present
+    /// contact states to those of `rests`.
     fn back_to_balance(&self, rests: RestsAgain<'g>, factor: f64) -> (Self, Vec<(usize, Change<3>)>) {
         let RestsAgain { problem, contacts, twist } = rests;
         let mut segment = self.segment.at_rest(factor);
@@ -253,8 +258,8 @@ impl<'g> Pieces<'g> {
 }
 
 impl Problem<'_> {
-    /// Computes the responses of the contacts to a twist, and adds the slip of each contact to the slips in this problem. Returns the imbalance of
-    /// forces and load.
+    /// Writes the response of each contact to a twist into `contacts`, and adds its slip to the slips in this problem. Returns the imbalance of
+    /// contact forces and load.
     fn yield_to(&mut self, twist: &Vector, contacts: &mut [ContactResponse]) -> Vector {
         let mut left = self.wrench.clone();
         for i in 0..contacts.len() {

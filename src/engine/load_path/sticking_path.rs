@@ -1,4 +1,4 @@
-//! Follows a ramp or a turn while nothing slides, from one closing contact to the next, up to the first contact that stops sticking.
+//! Follows a ramp or a turn of the load while nothing slides, from one closing contact to the next, until a contact stops sticking.
 
 use crate::numerics::IntoList;
 use nalgebra::SVector;
@@ -15,17 +15,17 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Doubt, Found, FoundBy, Settings, Settled, settle};
 
-/// A ramp or a turn being followed while nothing slides.
+/// A ramp or a turn being followed while nothing slides, and the load factor reached so far.
 pub(super) struct StickingPath<'a> {
     pub(super) segment: Segment<'a>,
-    /// Trajectory of the load, in the coordinates of the question.
+    /// The caller's load as a function of the load factor.
     pub(super) course: Trajectory<Wrench<3>>,
-    /// The largest load factor considered.
+    /// The largest load factor up to which the onset is searched: infinite along a ramp, the last angle of a turn.
     pub(super) end: f64,
     pub(super) settings: &'a Settings,
     pub(super) rule: FoundBy,
     pub(super) factor: f64,
-    /// Contacts and drives whose force touched the edge of its cone without crossing it while the load turned, each with the angle, rad.
+    /// Indices of contacts and drives whose force touched the edge of its cone without crossing it while the load turned, each with the angle, rad.
     pub(super) touches: Vec<(usize, f64)>,
 }
 
@@ -81,8 +81,8 @@ impl StickingPath<'_> {
         Onset::Undecided(Undecided { doubt: Doubt::OnTheBoundary, work: WorkDone::default() })
     }
 
-    /// Contacts on the edge of their cones under the base load: contacts whose distance to an exit (edge, apex or closing gap) is zero up to
-    /// rounding, and contacts that touch without force. For both, only the rates of the forces decide whether they leave their cones.
+    /// Contacts on the edge of their cones under the base load, each with its exits. Their step to an exit (edge, apex or closing gap) is zero up to
+    /// rounding, or they touch without force. For both, only the rates of the forces decide whether they leave their cones.
     fn at_edge_at_base(&self, states: &[State], point: &PathPoint) -> ExitsReached {
         let mut at_edge = Vec::new();
         for (i, state) in states.iter().enumerate() {
@@ -152,8 +152,8 @@ impl StickingPath<'_> {
     }
 }
 
-/// The active sets (the edges of their cones that contacts are on) after the exits in `at_edge`. In this list, a contact without an exit touches
-/// without force.
+/// For every contact its active set, the edges of its cone that its force has reached by the exits in `at_edge`. Empty for contacts not listed there.
+/// A listed contact without exits touches without force and is at the apex.
 fn active_sets_after(
     axes: usize,
     states: &[State],

@@ -1,4 +1,4 @@
-//! A contact whose slip has ended on an arc, and that can neither stick nor slide from there.
+//! The test whether a contact whose slip has ended on an arc can neither stick nor slide from there.
 //!
 //! When the contact stops, sticking and sliding have the same rates, and differ only a little later. As a rule one of the two states continues. Near
 //! a maximum of the load both may fail: sticking leads its force out of the cone, and sliding would be a slip against friction. There the path ends.
@@ -9,13 +9,15 @@ use super::watch::{Watch, WatchedCondition, watch};
 use crate::contact::{Mode, State};
 
 impl Pieces<'_> {
-    /// Whether a contact can neither stick nor slide from here.
+    /// Whether a contact whose slip has ended at the present place can neither stick nor slide from there. Then both states fail in trial steps with
+    /// errors up to `tolerance`.
     pub(super) fn neither_sticks_nor_slides(&self, contact: usize, tolerance: f64) -> bool {
         let slides = State::sliding_along(&self.node.at.forces[contact]);
         [Mode::Sticking, slides].into_iter().all(|state| self.fails_at_once(contact, state, tolerance))
     }
 
-    /// Whether a contact in the state `state` clearly violates the condition of this state after every accurate trial step, however short.
+    /// Whether a contact in the state `state` clearly violates the condition of this state after three trial steps, ever shorter, with errors up to
+    /// `tolerance`. False if it does not after one of them.
     fn fails_at_once(&self, contact: usize, state: State, tolerance: f64) -> bool {
         let mut states = self.node.states.clone();
         states[contact] = state;

@@ -1,5 +1,5 @@
-//! Advance along a piece without sliding on a round cone. Forces and motions are affine in the fraction of the leg, and a ratio test gives the next
-//! event. While the load turns they are harmonics of its angle, and the event is a root ([`super::turning_load`]).
+//! Advance along a piece on which no contact slides on a round cone. Forces and motions are affine in the fraction of the leg, and a ratio test gives
+//! the next event. While the load turns they are harmonics of its angle, and the event is a root ([`super::turning_load`]).
 
 use super::event::PathEnd;
 use super::first_exits::ExitsReached;
@@ -13,8 +13,8 @@ use crate::prelude::*;
 use crate::search::Doubt;
 
 impl<'g> Pieces<'g> {
-    /// Advances along the present piece to its end: where the present state of a contact stops being valid, or the end of the leg. Returns whether
-    /// the leg is complete.
+    /// Advances along the present piece to its end: the first exit, where the present state of a contact ends, or the end of the leg. Stores the
+    /// piece. Returns whether the leg is complete.
     pub(super) fn advance_straight(&mut self, journey: &Journey<'g>) -> Result<bool, PathEnd<3>> {
         let Some(point) = self.point.clone() else {
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
@@ -67,14 +67,15 @@ impl<'g> Pieces<'g> {
         Ok(leg_done)
     }
 
-    /// Forces and twist after a step along the present piece.
+    /// Forces and twist after the change `step` of the load factor along the present piece, which begins at `point`. Solved there, or extrapolated if
+    /// that fails.
     pub(super) fn state_after(&self, point: &PathPoint, step: f64) -> PieceState {
         let near = point.after(step);
         self.segment.state(&point.piece, self.factor + step, Some(&near.twist)).unwrap_or(near)
     }
 
-    /// The step to an edge of a cone, corrected from the state solved at that edge. A step that is only extrapolated has the rounding error of the
-    /// present state.
+    /// The step `step` to the exits `reached`, corrected from the state solved there. A step that is only extrapolated has the rounding error of the
+    /// present state. A correction that is too large is not made.
     fn corrected(&self, point: &PathPoint, step: f64, reached: &ExitsReached) -> f64 {
         let mut clearest: Option<(usize, &Exit)> = None;
         for (i, exits) in reached {

@@ -1,5 +1,5 @@
-//! One piece of a path, along which every contact keeps its state. If no contact slides on a round cone, forces and motions are affine in the
-//! fraction of the leg, or harmonics of the load's angle. Otherwise the piece is a step of the integration, which is repeated up to the requested
+//! One stored piece of a load path, along which every contact keeps its state. If no contact slides on a round cone, forces and motions are affine in
+//! the fraction of the leg, or harmonics of the load's angle. Otherwise the piece is a step of the integration, which is repeated up to the requested
 //! fraction.
 
 use nalgebra::SVector;
@@ -18,58 +18,58 @@ use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{Effort, Found, FoundBy, reported_at_rest};
 
-/// One piece of the path: the data from which the state at any fraction of it is computed.
+/// One stored piece of the path, from the fraction `from` to the fraction `to` of a leg. The state at any fraction between is computed from it.
 #[derive(Debug)]
 pub(super) struct Stretch<'g> {
     pub(super) leg: usize,
     pub(super) from: f64,
     pub(super) to: f64,
-    /// The equilibrium problem at fraction 0 of the leg, with the accumulated slip. The next fields have the rates of its finger offsets and the
-    /// trajectory of its load.
+    /// The static problem at fraction 0 of the leg, with the slips accumulated up to this piece. Then the rates of its offsets in `change`, and its
+    /// load as a function of the fraction in `course`.
     pub(super) problem: Problem<'g>,
     pub(super) change: Vec<SVector<f64, 3>>,
     pub(super) course: Trajectory<Vector>,
-    /// Trajectory of the load in the coordinates of the question.
+    /// The caller's load as a function of the fraction of the leg.
     pub(super) load: Trajectory<Wrench<3>>,
-    /// Loads of single bodies along the leg.
+    /// Loads on single bodies at both ends of the leg.
     pub(super) bodies: BodyLoads,
-    /// Torques that hold joints along the leg.
+    /// Torques that hold joints at both ends of the leg.
     pub(super) torques: HeldTorques,
     pub(super) states: Vec<State>,
-    /// State at the fraction `from`, with rates.
+    /// State at the fraction `from`, with its rates along the piece.
     pub(super) here: PathPoint,
-    /// State at the fraction `to`.
+    /// Forces and twist at the fraction `to`.
     pub(super) there: PieceState,
-    /// The integration step, if a contact slides on the round cone.
+    /// The integration step that made this piece; `None` unless a contact slides on the round cone.
     pub(super) arc_step: Option<ArcStep>,
-    /// The jump that led to this piece of zero length; `None` for other pieces.
+    /// The jump after which this piece, of zero length, was stored; `None` for all other pieces.
     pub(super) jump: Option<Box<JumpRecord>>,
 }
 
-/// Record of a jump from one equilibrium to another at constant load.
+/// Slips and states of all contacts and drives in a jump from one equilibrium to another at constant load.
 #[derive(Debug)]
 pub(super) struct JumpRecord {
-    /// Slips before the jump.
+    /// For each contact or drive its accumulated slip before the jump, m.
     pub(super) slips: Vec<SVector<f64, 3>>,
-    /// Whether each contact or drive slid in the jump.
+    /// For each contact or drive, whether it slid in the jump.
     pub(super) slid: Vec<bool>,
-    /// Successive states of all contacts and drives in the jump.
+    /// Successive lists of the states of all contacts and drives in the jump.
     pub(super) states: Vec<Vec<State>>,
 }
 
-/// The integration step that made a piece of the path along which directions of sliding turn.
+/// The integration step that made a piece of the path on an arc, along which directions of sliding turn.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ArcStep {
-    /// The displacement that counts in arclength as much as the whole leg, m.
+    /// The displacement, m, that counts in arclength as much as the whole leg.
     pub(super) unit: f64,
-    /// Length of the step, in arclength.
+    /// Arclength of the step.
     pub(super) length: f64,
     pub(super) rule: Rule,
 }
 
 impl<'g> Stretch<'g> {
-    /// The equilibrium at a fraction of the leg, in which contacts without force count as open. `None` if a step to this fraction fails because of
-    /// rounding.
+    /// The equilibrium at a fraction of the leg within this piece, in which contacts without force count as open, unless all forces are rounding.
+    /// `None` if it cannot be computed because of rounding.
     pub(super) fn state_at(
         &self,
         grasp: &'g Engine,
@@ -83,8 +83,8 @@ impl<'g> Stretch<'g> {
         Some(self.answer(grasp, answer_for, fraction, &problem, found))
     }
 
-    /// The equilibrium at the end of the piece of the path, with the contact states along the piece; the event at its end lists the changes of these
-    /// states.
+    /// The equilibrium at the end of this piece, with the contact states along the piece. The event at its end lists the changes of these states.
+    /// `None` if it cannot be computed.
     pub(super) fn state_before_event(
         &self,
         grasp: &'g Engine,
@@ -107,7 +107,7 @@ impl<'g> Stretch<'g> {
         grasp.equilibrium(problem, &load, found, FoundBy::LoadPath, &Effort::default(), answer_for)
     }
 
-    /// The equilibrium problem at a fraction of the leg, and its solution; `None` if a step to this fraction fails because of rounding.
+    /// The static problem at a fraction of the leg within this piece, and its solution; `None` if it cannot be computed because of rounding.
     pub(super) fn found_at(
         &self,
         grasp: &'g Engine,
@@ -178,7 +178,8 @@ impl<'g> Stretch<'g> {
         Some((problem, found))
     }
 
-    /// The state at a fraction of the leg, within the step. If a single step to this fraction fails because of rounding, several shorter steps lead to it.
+    /// Forces and twist at a fraction of the leg within the integration step. If a single step to this fraction fails because of rounding, several
+    /// shorter steps lead to it. `None` if these fail, too.
     fn part_of_a_step(&self, arc_step: &ArcStep, segment: &Segment<'g>, fraction: f64) -> Option<PieceState> {
         let (mut from, mut point, mut states) = (self.from, self.here.clone(), self.states.clone());
         let mut length = arc_step.length;
@@ -215,7 +216,7 @@ impl<'g> Stretch<'g> {
     }
 }
 
-/// The state at the beginning of a step.
+/// Forces and twist of the state `point`, without its rates.
 fn start_of(point: &PathPoint) -> PieceState {
     PieceState { forces: mapped(&point.lines, &|line| line.force), twist: point.twist.clone() }
 }

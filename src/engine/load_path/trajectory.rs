@@ -1,26 +1,27 @@
-//! Trajectory of a load as a function of the load factor: a straight line, or a turn.
+//! A load as a function of the load factor: linear, or a turn.
 
 use core::ops::{Add, Mul, Sub};
 
 use crate::numerics::Harmonic;
 
-/// A trajectory of load wrenches `X`, in the coordinates of the question or in the engine's coordinates.
+/// A load as a function of the load factor. `X` is the caller's `Wrench`, or a `Vector` in the engine's coordinates (moments about the centroid of
+/// the contacts).
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Trajectory<X> {
     Straight {
         from: X,
-        /// Rate of the load for one unit of the load factor.
+        /// Change of the load for one unit of the load factor; `from` is the load at load factor 0.
         rate: X,
     },
     Turn {
         load: Harmonic<X>,
-        /// Angle of the load for one unit of the load factor, rad.
+        /// Angle, rad, by which the load turns in one unit of the load factor; the angle is zero at load factor 0.
         angle: f64,
     },
 }
 
 impl<X: Clone + Add<Output = X> + Sub<Output = X> + Mul<f64, Output = X>> Trajectory<X> {
-    /// The load at a load factor.
+    /// The load at the load factor `factor`.
     pub(super) fn at(&self, factor: f64) -> X {
         match self {
             Self::Straight { from, rate } => from.clone() + rate.clone() * factor,
@@ -28,7 +29,7 @@ impl<X: Clone + Add<Output = X> + Sub<Output = X> + Mul<f64, Output = X>> Trajec
         }
     }
 
-    /// The rate of the load at a load factor, per unit of the load factor.
+    /// The rate of the load at the load factor `factor`, per unit of the load factor.
     pub(super) fn rate_at(&self, factor: f64) -> X {
         match self {
             Self::Straight { rate, .. } => rate.clone(),

@@ -1,4 +1,4 @@
-//! From one piece of the path to the next: the first guess of states, the number of other continuations, and the changes of states.
+//! From one piece of the path to the next: the guess that all contacts keep their states, changes of states, and other continuations.
 
 use nalgebra::SVector;
 
@@ -11,15 +11,15 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Found, combinations, search_among};
 
-/// The states in the complementarity problem `rates` for the rates of forces and motion if no contact changes its state; `None` if the contact laws
-/// of the rates exclude that.
+/// The contact states in `rates`, the problem for the rates of forces and motion, if every contact keeps its state in `states`. `None` if the laws of
+/// the rates exclude that for some contact.
 pub(super) fn nothing_changes(problem: &Problem, rates: &Problem, states: &[State]) -> Option<Vec<State>> {
     let locals = problem.locals().zip(&rates.laws).zip(states);
     locals.map(|((local, law), state)| local.in_the_rates(law, *state)).collect()
 }
 
-/// The change of a contact from one state to the next; `None` if an event does not list it. Each state comes with the direction of slip if the
-/// contact slides.
+/// The change of a contact from one state to the next, as an event lists it; `None` if the contact keeps its kind of state. Each state comes with the
+/// direction of slip if the contact slides.
 pub(super) fn change(
     (was, before): (State, Option<SVector<f64, 3>>),
     (is, direction): (State, Option<SVector<f64, 3>>),
@@ -38,9 +38,9 @@ pub(super) fn change(
     }
 }
 
-/// Number of solutions of the complementarity problem `rates` other than `found`: with other rates of forces, or with motions that differ by more
-/// than motions nothing resists. Zero if a P-matrix proves uniqueness. Otherwise all combinations of contact states are tried; `None` if they are too
-/// many.
+/// Number of solutions of the rate problem `rates` with other rates of forces than `found`, or other twist rates, apart from free motions. Zero if a
+/// P-matrix proves uniqueness. Otherwise all combinations of contact states are tried; `None` if they are too many, or with a contact at the apex of
+/// a round cone.
 pub(super) fn other_solutions(rates: &Problem, found: &Found) -> Option<usize> {
     // At the apex of a round cone, the number of solutions with a polygonal cone is not that with the round cone, so it is not known.
     if rates.round {
@@ -81,16 +81,17 @@ pub(super) fn other_solutions(rates: &Problem, found: &Found) -> Option<usize> {
     Some(distinct.len() - 1)
 }
 
-/// The kinematic form of the complementarity problem for the rates, with few complementary pairs.
+/// The kinematic form of the problem for the rates of forces and motion, which has few complementary pairs.
 struct FewRows {
     form: Form,
-    /// The largest force of the elastic trial state, in units of the form's slacks.
+    /// The largest component of a contact force in the elastic trial, divided by the square root of its stiffness like the form's slacks.
     largest: f64,
-    /// Whether there are so many coordinates that band matrices are used.
+    /// Whether there are so many coordinates that the elastic trial is factorised as a band matrix.
     many: bool,
 }
 
-/// The kinematic form of the complementarity problem `rates`, which has `rows` complementary pairs; `None` without any, or with too many.
+/// The kinematic form of the rate problem `rates`, which has `rows` complementary pairs. `None` without any, with more than 64, or if there is no
+/// such form.
 fn few_rows(rates: &Problem, rows: usize) -> Option<FewRows> {
     // With more complementary pairs than this, testing for a P-matrix costs more than all other work at the event.
     if rows == 0 || rows > 64 {

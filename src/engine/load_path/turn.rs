@@ -1,4 +1,4 @@
-//! A load that turns.
+//! A load that turns: a harmonic function of an angle.
 
 use core::f64::consts::TAU;
 
@@ -13,7 +13,7 @@ use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// At angle θ >= 0 (rad) the load is `constant + cosine cos θ + sine sin θ`; the fingers stay as commanded.
+/// A load that turns: at angle θ >= 0 (rad) it is `constant + cosine cos θ + sine sin θ`; commands stay.
 ///
 /// An example is the weight of an object tilted together with its grasp, in the frame of the object, in which grasps are given: see
 /// [`Turn::tilting`].
@@ -34,8 +34,8 @@ pub struct Turn<const C: usize> {
     pub(super) load: Harmonic<Wrench<C>>,
     /// Angle of the turn, rad.
     pub(super) angle: f64,
-    /// The axis about which the bodies of a scene are tilted under their own weight, which then takes the place of `load`; only the scene knows this
-    /// weight.
+    /// The axis about which the bodies of a scene are tilted under their own weight, which then takes the place of `load`. Only the scene knows this
+    /// weight. `None` otherwise.
     pub(crate) tilts_bodies_about: Option<SVector<f64, 3>>,
 }
 
@@ -46,7 +46,7 @@ impl<const C: usize> From<&Self> for Turn<C> {
 }
 
 impl<const C: usize> Turn<C> {
-    /// A load that turns by one full turn, from its three parts in N and N m.
+    /// A load that turns by one full turn, from its constant term and its coefficients of cos θ and sin θ (N, N m).
     #[must_use]
     pub fn new(constant: Wrench<C>, cosine: Wrench<C>, sine: Wrench<C>) -> Self {
         Self { load: Harmonic { constant, cosine, sine }, angle: TAU, tilts_bodies_about: None }
@@ -59,21 +59,21 @@ impl<const C: usize> Turn<C> {
         Self { tilts_bodies_about: Some(axis), ..turn }
     }
 
-    /// This turn plus a constant load.
+    /// This turn with `load` added to its constant term.
     #[must_use]
     pub fn beside(mut self, load: Wrench<C>) -> Self {
         self.load.constant = self.load.constant + load;
         self
     }
 
-    /// This turn up to another angle, rad, positive; any number of full turns.
+    /// This turn with `angle` as its last angle, rad, positive; any number of full turns.
     #[must_use]
     pub fn up_to(mut self, angle: f64) -> Self {
         self.angle = angle;
         self
     }
 
-    /// The same turn in the opposite direction.
+    /// The turn in the opposite direction from the same beginning: θ becomes -θ.
     #[must_use]
     pub fn reversed(mut self) -> Self {
         self.load.sine = -self.load.sine;
@@ -81,7 +81,7 @@ impl<const C: usize> Turn<C> {
         self
     }
 
-    /// The reverse of this turn: from its end to its beginning.
+    /// The reverse of this turn, which begins at its last angle and ends at its beginning.
     #[must_use]
     pub(crate) fn back(mut self) -> Self {
         let (sin, cos) = self.angle.sin_cos();
@@ -96,7 +96,7 @@ impl<const C: usize> Turn<C> {
         self.angle
     }
 
-    /// The constant part and the coefficients of cos θ and sin θ.
+    /// The constant term of the load and its coefficients of cos θ and sin θ.
     #[must_use]
     pub fn parts(&self) -> [Wrench<C>; 3] {
         self.load.parts().each(|part| *part)
@@ -110,30 +110,32 @@ impl<const C: usize> Turn<C> {
 }
 
 impl Turn<3> {
-    /// The load in the engine's coordinates, after it has been checked; constant torques on joints belong to the constant part.
+    /// The load, which has been checked, with moments about the centroid of the contacts. The pull of vacuums and the constant loads on bodies and
+    /// joints are added to its constant term.
     pub(crate) fn inside(&self, grasp: &Engine) -> Harmonic<Vector> {
         inside(grasp, &self.load)
     }
 }
 
 impl<const C: usize> Turn<C> {
-    /// The trajectory that starts at `load` and changes like this turn; one unit of the load factor is the whole turn.
+    /// The load as a function of the load factor that begins with `load` and changes like this turn from its beginning. One unit of the load factor
+    /// is the whole turn.
     pub(super) fn beginning_with(&self, load: &Wrench<C>) -> Trajectory<Wrench<C>> {
         let load = Harmonic { constant: *load - self.load.cosine, ..self.load };
         Trajectory::Turn { load, angle: self.angle }
     }
 
-    /// The angle of the turn, at most a full turn, which covers every load that occurs.
+    /// The angle of the turn, rad, but at most a full turn, along which every load of the turn occurs.
     pub(crate) fn whole_angle(&self) -> f64 {
         self.angle.min(TAU)
     }
 
-    /// Refuses parts that are not finite or beyond 1e50, and an angle that is not positive.
+    /// Refuses, with an error, loads that are not finite or beyond 1e50, a turn of bodies without their weight, and an angle out of range.
     pub(crate) fn check(&self) -> Result<(), Error> {
         self.check_in(Space::of::<C>())
     }
 
-    /// [`Self::check`] inside the engine, for the plane or for space.
+    /// [`Self::check`] for a turn of the engine, which has three components in the plane, too; `space` is the plane or space.
     pub(crate) fn check_in(&self, space: Space) -> Result<(), Error> {
         self.load.constant.check_in(space, "constant load")?;
         self.load.cosine.check_in(space, "cosine of the load")?;
@@ -146,7 +148,7 @@ impl<const C: usize> Turn<C> {
         self.check_angle()
     }
 
-    /// Refuses an angle that is not positive, or absurdly large.
+    /// Refuses, with an error, an angle that is not positive or beyond 1e6 rad.
     pub(crate) fn check_angle(&self) -> Result<(), Error> {
         // At larger angles rounding would leave no accurate place within a turn.
         if !(self.angle > 0.0 && self.angle <= 1e6) {
@@ -156,7 +158,8 @@ impl<const C: usize> Turn<C> {
         Ok(())
     }
 
-    /// A force that turns, from its constant part along the axis, its turning part at θ = 0, and this part a quarter turn later.
+    /// The turn of a force from three terms: its component along the axis, its other component at θ = 0, and that a quarter turn later. `wrench`
+    /// applies each at its point.
     fn of_forces(parts: [SVector<f64, C>; 3], wrench: impl Fn(SVector<f64, C>) -> Wrench<C>) -> Self {
         let [constant, cosine, sine] = parts.each(wrench);
         Self::new(constant, cosine, sine)
@@ -232,7 +235,7 @@ impl Turn<3> {
     }
 }
 
-/// Converts a load that turns, after it has been checked, to the engine's coordinates.
+/// As [`Turn::inside`], for the harmonic function `load` of a turn that has been checked.
 pub(super) fn inside(grasp: &Engine, load: &Harmonic<Wrench<3>>) -> Harmonic<Vector> {
     Harmonic {
         constant: grasp.load_unchecked(&load.constant),

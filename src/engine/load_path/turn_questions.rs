@@ -1,7 +1,8 @@
-//! The onset of sliding while a load turns.
+//! The onset (first slip or opening) while a load turns.
 //!
 //! While everything sticks, `F(θ) = F⁰ + F^c cos θ + F^s sin θ`: three linear solves. A contact reaches the edge of its cone at the first angle at
-//! which its margin becomes negative. The margin is a trigonometric polynomial: of degree one for each facet, of degree two on the round cone.
+//! which its margin becomes negative. The margin is a trigonometric polynomial of the angle: of degree one for each facet, of degree two on the round
+//! cone.
 
 use super::first_to_leave::{WhileTurning, first_to_leave_on_turn};
 use super::onset::Onset;
@@ -13,14 +14,14 @@ use crate::grasp::Engine;
 use crate::prelude::*;
 use crate::search::{Settings, settle_at_rest};
 
-/// The answer to "at which angle does the first contact stop sticking?"
+/// The onset of a turn: the angle at which the first contact stops sticking, and contacts that come to the edge of their cones before.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct TurnOnset<const C: usize> {
-    /// The onset, whose load factor is the angle, rad. [`Onset::Never`] holds up to the angle asked for.
+    /// The onset, whose load factor is the angle, rad. [`Onset::Never`] means up to the last angle of the turn.
     pub onset: Onset<C>,
-    /// Contacts that reach the edge of their cone within rounding, without crossing it, before the onset. If there are any, the last digits of the
-    /// question may make one of them the onset.
+    /// Contacts and drives that reach the edge of their cone within rounding, without crossing it, before the onset. If there are any, a change of
+    /// the last digits of the data may make one of them the onset.
     pub touches: Vec<EdgeTouch>,
 }
 

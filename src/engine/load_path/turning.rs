@@ -1,7 +1,7 @@
 //! Advances along an arc, on which directions of sliding turn on the round cone, step by step to the next event.
 //!
-//! Steps are in arclength, see [`super::flow`], and as long as the allowed error of the settings permits. An event is where one of these values
-//! vanishes,
+//! Steps are in arclength, see [`super::flow`], and as long as the allowed error of the settings permits. An event is where one of these values, for
+//! a contact in each state or for the path, vanishes,
 //!
 //! ```text
 //! sticking  μ F_n - |F_t|, or F_n where friction is infinite or zero
@@ -32,12 +32,13 @@ use crate::prelude::*;
 use crate::search::Doubt;
 
 impl<'g> Pieces<'g> {
-    /// Makes one step along the arc, up to an event if one comes first. Returns whether the leg is complete.
+    /// Tries one step along the arc, up to an event if one comes first; a refused step only changes the next length. Returns whether the leg is
+    /// complete. The error is the end of the path.
     pub(super) fn advance_along_arc(&mut self, journey: &Journey<'g>) -> Result<bool, PathEnd<3>> {
         let Some(point) = self.point.take() else {
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
         };
-        // After an event the unit of displacement is chosen so that motion and load count equally in arclength.
+        // After an event the unit of displacement is chosen so that the motion of the object and the load factor count equally in arclength.
         let point = if self.pace.unit.is_some() {
             point
         } else {
@@ -92,7 +93,8 @@ impl<'g> Pieces<'g> {
         self.finish_step(journey, &point, &end)
     }
 
-    /// The step, shortened to the place where the first condition is violated, which may be within the step.
+    /// The step `end` from `point`, shortened to the place where the first watched condition is just met, which may be violated only within the step.
+    /// `None` if this place is not found.
     fn up_to_a_crossing(&self, point: &PathPoint, mut end: StepEnd, tolerance: f64) -> Option<StepEnd> {
         let start = watch(&self.segment, &self.node.states, (self.factor, point));
         let mut looks = 0;
@@ -114,7 +116,7 @@ impl<'g> Pieces<'g> {
         }
     }
 
-    /// Whether a contact whose slip has ended at this place can neither stick nor slide.
+    /// Whether some contact whose slip has ended at the present place can neither stick nor slide from there.
     fn stops_for_good(&self, tolerance: f64) -> bool {
         let (at, contacts) = &self.stopped;
         // Places closer than this fraction of the leg are the same.
@@ -122,13 +124,14 @@ impl<'g> Pieces<'g> {
         is_here && contacts.iter().any(|contact| self.neither_sticks_nor_slides(*contact, tolerance))
     }
 
-    /// Whether the path has advanced since events that follow each other closely were last moved to one place.
+    /// Whether the path has advanced since close events were last moved to one place, so that this may be done again. True if it was not done on this
+    /// leg.
     fn may_gather(&self) -> bool {
         self.gathered.is_nan() || (self.factor - self.gathered).abs() > NEGLIGIBLE
     }
 
-    /// The length of a step along which the load turns by a quarter of a radian. Along a longer step a condition could be violated and yet hold again
-    /// at the end.
+    /// The arclength along which the load turns by a quarter of a radian; infinite for a straight load. Along a longer step a condition could be
+    /// violated and yet hold again at the end.
     fn part_of_a_turn(&self, point: &PathPoint) -> f64 {
         match self.segment.course {
             // In one step the load turns by at most this angle, rad.
@@ -137,7 +140,7 @@ impl<'g> Pieces<'g> {
         }
     }
 
-    /// Length and integration rule of a step with which the integration of the relaxing friction directions is stable.
+    /// Arclength, at most `length`, and integration rule of a step for which the integration of the relaxing directions of friction is stable.
     fn stable(&mut self, point: &PathPoint, length: f64, tolerance: f64) -> (f64, Rule) {
         let unit = self.pace.unit.unwrap_or(1.0);
         let flow = Flow::new(&self.segment, &self.node.states, self.factor, point, unit);
@@ -153,9 +156,9 @@ impl<'g> Pieces<'g> {
         }
     }
 
-    /// Whether the object moves on while all forces stay constant: the load factor then approaches a limit that it never reaches. The faster a
-    /// friction force relaxes, the more rounding turns it, so its tolerance grows with the rate of relaxation. The forces of sticking contacts
-    /// balance all others, and have the largest tolerance.
+    /// Whether the object moves while the load factor and all contact forces stay constant: the load factor then approaches a limit that it never
+    /// reaches. The faster a friction force relaxes, the more rounding turns it, so its tolerance grows with the rate of relaxation. Forces of
+    /// contacts that do not slide balance all others, and have the largest tolerance.
     fn slides_away(&self, point: &PathPoint) -> bool {
         if point.factor_rate.abs() > STANDS_STILL {
             return false;
@@ -168,8 +171,8 @@ impl<'g> Pieces<'g> {
         point.lines.iter().zip(still).all(|(line, still)| line.rate.norm() <= still)
     }
 
-    /// Length of a straight step along the tangent; `None` if no such step is to be made. It is made from the apex of a cone, where a friction force
-    /// has no direction yet, or to the place where a normal force that is almost zero vanishes.
+    /// Arclength of a straight step along the tangent; `None` if no such step is to be made. It is made from the apex of a cone, where a friction
+    /// force has no direction yet. It is also made to the place where a normal force that is almost zero vanishes.
     fn straight_length(&self, point: &PathPoint) -> Option<f64> {
         let rest = (1.0 - self.factor) / point.factor_rate;
         let all_but_gone = |(line, state): (&Line, &State)| {
@@ -223,7 +226,8 @@ impl<'g> Pieces<'g> {
         way
     }
 
-    /// Moves to the end of a step. Edges of cones that contacts reach there are added to their active sets. Returns whether the leg is complete.
+    /// Moves the path to the end `end` of an accepted step from `point`. Edges of cones that contacts reach there are added to their active sets.
+    /// Returns whether the leg is complete; the error is a loss at a maximum of the load factor.
     fn finish_step(
         &mut self,
         journey: &Journey<'g>,
@@ -282,7 +286,7 @@ impl<'g> Pieces<'g> {
         lost.map_or(Ok(leg_done), Err)
     }
 
-    /// Those of `contacts` that have not slipped since the step began: their slip rate is zero already at its beginning.
+    /// Those of `contacts` whose slip rate is zero already at `point`, the beginning of the step, so that they have not slipped since.
     fn stands_still(&self, point: &PathPoint, contacts: &[usize]) -> Vec<usize> {
         if contacts.is_empty() {
             return Vec::new();
@@ -294,7 +298,7 @@ impl<'g> Pieces<'g> {
         contacts.iter().copied().filter(met).list()
     }
 
-    /// The loss at the end of an arc; the object leaves along the arc.
+    /// The loss of the kind `kind` at the present place, the end of an arc; the object leaves with the twist rate of `point`.
     fn loss_at_end(&self, journey: &Journey<'g>, kind: LossKind, point: &PathPoint) -> PathEnd<3> {
         let slides = (0..self.node.states.len()).filter(|i| self.node.states[*i].slides());
         let motion = point.twist_rate.normalize();
@@ -302,7 +306,7 @@ impl<'g> Pieces<'g> {
     }
 }
 
-/// The exit of a contact at which a normal force or a gap vanishes.
+/// The exit of a contact, at the present place, at which its normal force or its gap vanishes.
 fn apex() -> Exit {
     Exit { step: 0.0, uncertainty: 0.0, facet: SVector::zeros() }
 }

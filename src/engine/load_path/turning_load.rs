@@ -1,5 +1,5 @@
-//! The state of a path under a load that turns, and all forces, gaps and motions from there on as harmonic functions of the load's angle, by three
-//! linear solves.
+//! The state of a path under a load that turns, by three linear solves. They also give forces, stretches and twist from there on as harmonic
+//! functions of the load's angle.
 
 use alloc::sync::Arc;
 
@@ -15,14 +15,15 @@ use crate::numerics::{Harmonic, Vector, mapped, numbered, paired};
 use crate::object::{Piece, PieceState};
 
 impl Segment<'_> {
-    /// Whether the load turns back at a load factor: its rate vanishes there.
+    /// Whether the load turns along this leg and its rate vanishes at the load factor `factor`, where it turns back.
     pub(super) fn load_turns_back(&self, factor: f64) -> bool {
         let Trajectory::Turn { load, angle } = &self.course else { return false };
         // A rate of the load below this fraction of its fastest rate counts as zero, since the angle is known to the rounding of a full turn.
         load.rate_at(angle * factor).norm() <= SOLVED_ROUNDING * (load.cosine.norm() + load.sine.norm())
     }
 
-    /// Forces, gaps and their rates at a load factor, and the same quantities from there on as harmonic functions of the load's angle.
+    /// Forces, twist, gaps and their rates at a load factor, and forces, stretches and twist from there on as harmonic functions of the load's angle.
+    /// An error if forces cannot balance the load. `near` is as for [`Self::point_at`].
     pub(super) fn point_on_turn(
         &self,
         piece: &Arc<Piece>,
@@ -68,8 +69,8 @@ impl Segment<'_> {
         Ok(point)
     }
 
-    /// Forces, stretches and twist as harmonic functions of the load's angle. `parts` are the solutions under the three parts of the load: the
-    /// constant part, with the finger offsets, and the parts of cosine and sine.
+    /// Forces, stretches and twist as harmonic functions of the load's angle, from the solutions `parts` under the three terms of the load. The
+    /// offsets belong to the constant term. `angle` is the angle per unit of the load factor, rad.
     pub(super) fn harmonics(
         &self,
         load: &Harmonic<Vector>,
@@ -94,7 +95,7 @@ impl Segment<'_> {
             let of = states.map(|(offsets, _, part)| sites[i].stretch(&offsets[i], &part.twist));
             let spans = states.map(|(offsets, _, part)| sites[i].span(&offsets[i], &part.twist));
             let turning_size = spans.cosine + spans.sine;
-            // Accumulated slips are subtracted from the finger offsets. If both cancel, the rounding of the slips remains.
+            // Accumulated slips are subtracted from the commands. If both cancel, the rounding of the slips remains.
             let size = problem.slips[i].norm() + spans.constant + turning_size;
             [force, Wave { of, size, turning_size }]
         };
@@ -103,7 +104,7 @@ impl Segment<'_> {
     }
 }
 
-/// The state at the beginning of a turn, from the solutions under the three parts of its load.
+/// Forces and twist at angle zero: the sum of the solutions in `parts` under the constant and the cosine term of the load.
 pub(super) fn at_start(parts: &Harmonic<PieceState>) -> PieceState {
     let Harmonic { constant, cosine, .. } = parts;
     let forces = paired(&constant.forces, &cosine.forces, &|(f, more)| f + more);

@@ -1,5 +1,5 @@
-//! Forces and motions under a load that turns while contacts keep their states: harmonics of its angle. The first exit, where the present state of a
-//! contact stops being valid, is a root of a trigonometric polynomial.
+//! Forces, stretches and twist under a load that turns while contacts keep their states: harmonics of its angle. The first exit, where the present
+//! state of a contact ends, is a root of a trigonometric polynomial.
 
 use super::first_exits::{FirstExits, first_reached};
 use crate::contact::{Exit, State, TurningExit, Wave};
@@ -10,23 +10,24 @@ use crate::prelude::*;
 /// Forces, stretches and twist as harmonic functions of the load's angle, counted from a place on the path, while contacts keep their states.
 #[derive(Debug)]
 pub(super) struct TurningState {
-    /// Force and stretch of every contact as harmonic functions of the angle.
+    /// For every contact and drive `[force, stretch]` as harmonic functions of the angle.
     pub(super) waves: Vec<[Wave; 2]>,
     pub(super) twist: Harmonic<Vector>,
     pub(super) load: Harmonic<Vector>,
-    /// Angle for one unit of the load factor, rad.
+    /// Angle, rad, by which the load turns in one unit of the load factor.
     pub(super) angle: f64,
 }
 
 impl TurningState {
-    /// Forces after a step of the load factor, and the change of the twist.
+    /// Contact forces after the change `step` of the load factor, and in place of the twist its change in this step.
     pub(super) fn after(&self, step: f64) -> PieceState {
         let angle = self.angle * step;
         let forces = mapped(&self.waves, &|[force, _]| force.of.at(angle));
         PieceState { forces, twist: self.twist.at(angle) - self.twist.at(0.0) }
     }
 
-    /// The first places at which the contact states `states` stop being valid, within a step `rest` of the load factor.
+    /// The first place, within the change `rest` of the load factor, at which one of the contact states `states` ends. Also touches of cone edges
+    /// before it.
     pub(super) fn first_exits(&self, problem: &Problem<'_>, states: &[State], rest: f64) -> FirstExits {
         let (mut ways, mut touches) = (Vec::new(), Vec::new());
         for (i, ((local, state), [force, stretch])) in

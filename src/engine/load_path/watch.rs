@@ -1,4 +1,4 @@
-//! The conditions that must hold along an arc, on which directions of sliding turn: each is a value that must stay positive.
+//! The conditions that must hold along an arc, on which directions of sliding turn. Each is a value that must stay positive.
 
 use super::segment::{PathPoint, Segment};
 use super::tolerances::{SLACK_ON_AN_ARC, VANISHING_NORMAL};
@@ -7,29 +7,30 @@ use crate::contact::{Line, Mode, State, tangential, tangential_norm};
 use crate::numerics::Each;
 use crate::prelude::*;
 
-/// The meaning of a condition that is watched along an arc.
+/// The subject of a condition that is watched along an arc: a contact, the load factor or the leg.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum WatchedCondition {
-    /// The contact with this index satisfies the condition of its state.
+    /// The contact with this index satisfies the condition of its present state, such as a positive gap if it is open.
     Contact(usize),
     /// The rate of the load factor is positive.
     Growth,
-    /// The end of the leg is not reached.
+    /// The load factor is below 1: the end of the leg is not reached.
     Leg,
 }
 
-/// The value that a condition requires to be positive, with its rate if known, and the scale of its rounding.
+/// The value `value` that a condition requires to be positive, at one point of an arc. Its rounding error is proportional to `size`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Watch {
     pub(super) what: WatchedCondition,
     pub(super) value: f64,
-    /// The rate of the value, and the scale of the rounding of this rate.
+    /// The rate of the value per unit of arclength, and the size to which the rounding error of this rate is proportional. `None` if the rate is not
+    /// known.
     rate: Option<[f64; 2]>,
     size: f64,
 }
 
 impl Watch {
-    /// Whether the value is clearly negative.
+    /// Whether the value is negative by more than rounding and the error of steps.
     pub(super) fn is_violated(&self) -> bool {
         self.value < -SLACK_ON_AN_ARC * self.size
     }
@@ -39,36 +40,37 @@ impl Watch {
         self.value.abs() <= SLACK_ON_AN_ARC * self.size
     }
 
-    /// Whether the value is negative by far more than rounding and the errors of steps explain.
+    /// Whether the value is negative by more than a thousand times rounding and the error of steps.
     pub(super) fn is_broken(&self) -> bool {
         // A value below minus this multiple of the tolerance for zero is certainly negative.
         self.value < -1e3 * SLACK_ON_AN_ARC * self.size
     }
 
-    /// Whether the value decreases by more than rounding, or has an unknown rate. A constant value does not decrease: contacts that do not move stay
-    /// on the edge of their cones while others slide.
+    /// Whether the value decreases along the arc by more than rounding, or has an unknown rate. A constant value does not decrease: contacts that do
+    /// not move stay on the edge of their cones while others slide.
     pub(super) fn falls(&self) -> bool {
         self.rate.is_none_or(|[rate, size]| rate < -SLACK_ON_AN_ARC * size)
     }
 
-    /// The length of the path after which the value vanishes by linear extrapolation.
+    /// The arclength after which the value vanishes by linear extrapolation, of either sign; `None` if the rate is unknown or zero.
     pub(super) fn way(&self) -> Option<f64> {
         self.rate.map(|[rate, _]| self.value / -rate).filter(|way| way.is_finite())
     }
 }
 
-/// Whether the normal force of a sliding contact has almost vanished and still decreases.
+/// Whether the normal force of a sliding contact is at most the fraction `VANISHING_NORMAL` of the size of its terms, and still decreases.
 pub(super) fn is_vanishing(line: &Line) -> bool {
     line.rate[0] < 0.0 && line.force[0] <= VANISHING_NORMAL * line.force_size
 }
 
-/// Whether the normal force of a sliding contact is slightly negative: its direction of friction was not accurate enough to end the step where the
-/// force vanishes.
+/// Whether the normal force of a sliding contact is negative by at most the fraction `VANISHING_NORMAL` of the size of its terms. Its direction of
+/// friction was then not accurate enough to end the step where the force vanishes.
 pub(super) fn has_vanished(line: &Line) -> bool {
     line.force[0] < 0.0 && line.force[0] >= -VANISHING_NORMAL * line.force_size
 }
 
-/// The conditions that must hold along an arc while contacts keep the states `states`, evaluated at a point of the arc.
+/// The conditions that must hold along an arc while contacts keep the states `states`, evaluated at its state `point` at the load factor `factor`.
+/// For each state they are listed in the head of `turning`.
 pub(super) fn watch(
     segment: &Segment<'_>,
     states: &[State],

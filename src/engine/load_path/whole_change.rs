@@ -1,4 +1,4 @@
-//! Events of whole contacts: a soft fingertip begins to slide with its first point, and slides everywhere once its last point slides.
+//! Events of whole contacts: a soft fingertip begins to slide with its first point, and slides everywhere once its last closed point slides.
 
 use core::fmt;
 
@@ -19,32 +19,32 @@ pub struct WholeChange<const C: usize> {
     pub what: PadChange<C>,
 }
 
-/// The behaviour of a contact from an event on. A point contact has its own change; a soft fingertip is described by the first and the last of its
-/// points that change.
+/// The behaviour of a contact from an event on. For a point contact it is its change of state. A soft fingertip is listed when its first point, or
+/// its last closed point, changes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum PadChange<const C: usize> {
     /// A point contact changes its state.
     Point(Change<C>),
-    /// The first points of a fingertip slide.
+    /// The first points of a fingertip slide; before, none did, and others still stick.
     BeginsToSlide,
-    /// The last closed points of a fingertip slide.
+    /// All closed points of a fingertip slide; before, some did not.
     SlidesEverywhere,
-    /// Some points of a fingertip stick again, others slide on.
+    /// Some points of a fingertip stick, others slide on; before, all closed ones slid.
     SticksInPart,
-    /// No point of a fingertip slides any more.
+    /// No point of a fingertip slides any more, but some still touch.
     SticksAgain,
-    /// All sliding points of a fingertip reverse their direction.
+    /// All sliding points of a fingertip reverse their direction of sliding.
     SlidesBack,
-    /// The first points of a fingertip open.
+    /// The first points of a fingertip open; before, all touched.
     BeginsToOpen,
-    /// The last points of a fingertip open.
+    /// The last points of a fingertip open, so that none touches.
     Opens,
-    /// The first points of a fingertip touch.
+    /// The first points of a fingertip touch; before, none did.
     Touches,
-    /// The last points of a fingertip touch.
+    /// The last points of a fingertip touch, so that none is open.
     TouchesEverywhere,
-    /// The contact is kept closed and would have to pull.
+    /// The contact is kept closed and would have to pull on the object, which its friction does not allow.
     WouldPull,
 }
 
@@ -85,7 +85,7 @@ impl<const C: usize> WholeChange<C> {
         self.verb_in(Words::default())
     }
 
-    /// [`Self::verb`] in the words for the plane or for space.
+    /// As [`Self::verb`], in the words `words` for the plane or for space.
     #[must_use]
     pub fn verb_in(&self, words: Words) -> String {
         let said = format!("{self:.*}", words.precision());
@@ -99,8 +99,8 @@ impl<const C: usize> WholeChange<C> {
 }
 
 impl<const C: usize> Event<C> {
-    /// The changes at this event, contact by contact: the points of a soft fingertip are taken together, and described by the first and the last
-    /// point that change. Empty if only points in between change.
+    /// The changes at this event, contact by contact, as [`PadChange`]s: the points of a soft fingertip are taken together. Empty if only points of
+    /// fingertips change between the first and the last.
     #[must_use]
     pub fn whole_changes(&self) -> Vec<WholeChange<C>> {
         whole_changes(&self.state, &self.changes)
@@ -124,8 +124,8 @@ impl<const C: usize> fmt::Display for Event<C> {
     }
 }
 
-/// The changes at an event as changes of whole contacts, given the equilibrium `state` before it. They are in the order of the first change of each
-/// contact.
+/// The changes `changes` of points at an event as changes of whole contacts, given the equilibrium `state` before it. They are in the order of the
+/// first change of each contact.
 pub(crate) fn whole_changes<const C: usize>(
     state: &Equilibrium<C>,
     changes: &[ContactChange<C>],
@@ -149,7 +149,7 @@ pub(crate) fn whole_changes<const C: usize>(
     all
 }
 
-/// Numbers of points of a pad in each state, before and after an event.
+/// Numbers of points of one fingertip in each state before and after an event, and of points that reverse their direction.
 struct PadAtEvent {
     before: PadCount,
     after: PadCount,
@@ -199,7 +199,7 @@ impl PadAtEvent {
     }
 }
 
-/// The state of a point of a fingertip.
+/// The state of one point of a fingertip; a frictionless point that touches counts as sticking.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum PointState {
     Open,
@@ -216,7 +216,7 @@ impl PointState {
         }
     }
 
-    /// The states before and after a change. `state` is the one before the change; at the very start of a path it is the one after it.
+    /// The states of a point before and after `change`. `state` is the one before the change; at the very start of a path it is the one after it.
     fn change<const C: usize>(change: &Change<C>, state: Self) -> [Self; 2] {
         match change {
             Change::Slides { .. } => [Self::Sticks, Self::Slides],
@@ -230,7 +230,7 @@ impl PointState {
     }
 }
 
-/// Numbers of points in each state.
+/// Numbers of points of a fingertip that are closed, that slide (closed ones, too), and that are open.
 #[derive(Debug, Clone, Copy, Default)]
 struct PadCount {
     closed: usize,

@@ -1,7 +1,7 @@
-//! Detects contacts that violate a condition within a step along an arc although the condition holds again at the end.
+//! Detects contacts that violate the condition of their state within a step although the condition holds again at its end.
 //!
-//! Forces of sticking contacts, and gaps, are linear in twist and load factor. Within a step they follow the cubic through the values and rates at
-//! both ends, up to an error `s²(1 - s)² g` at the fraction s of the step. A margin `μ F_n - |F_t|` is concave. Hence on a piece of the cubic it is at
+//! Forces of sticking contacts, and gaps, are linear in twist and load factor. At the fraction s of a step they follow the cubic through the values
+//! and rates at both ends, up to an error `s²(1 - s)² g`. A margin `μ F_n - |F_t|` is concave in the force. Hence on a piece of the cubic it is at
 //! least its minimum over the four Bézier points P_i of the piece. As pieces are halved, these points converge to the curve.
 //!
 //! ```text
@@ -17,19 +17,20 @@ use crate::numerics::{Each, least};
 /// The four Bézier points of a piece of the cubic.
 type Points = [SVector<f64, 3>; 4];
 
-/// The course of a margin or a gap along a step, which must stay positive.
+/// The cubic of a contact force or a gap along a step; its margin must stay positive.
 pub(super) struct Bounded {
     points: Points,
     /// The cone of a force, which defines the margin; `None` if the margin is the first component (a normal force or a gap).
     cone: Option<Coulomb>,
-    /// The factor g in the bound `s²(1 - s)² g` on the error of the cubic at the fraction s of the step, in the unit of the margin.
+    /// The factor g in the bound `s²(1 - s)² g` on the error of the margin at the fraction s of the step, in N or m.
     bend: f64,
-    /// The condition counts as satisfied if its margin is above minus this number.
+    /// The condition counts as satisfied if its margin is at least minus this number, in N or m.
     nothing: f64,
 }
 
-/// The fraction of a step at which a sticking or open contact violates its condition, although the condition may hold again at the end. One half if
-/// the step is too long for a decision; `None` if all conditions hold within the step. Rates at both ends are per unit of arclength.
+/// A fraction of a step at which a sticking or open contact clearly violates its condition, although the condition may hold again at the end. It is
+/// the least one found over the contacts. One half for a contact for which the step is too long for a decision; `None` if all conditions hold within
+/// the step. Rates at both ends are per unit of arclength, and `length` is that of the step.
 pub(super) fn first_dip(
     segment: &Segment<'_>,
     states: &[State],
@@ -66,7 +67,8 @@ fn along(value: f64) -> SVector<f64, 3> {
 }
 
 impl Bounded {
-    /// The cubic with the given values and slopes at both ends of a step.
+    /// The cubic with the values a, b and the changes per step da, db at both ends of a step. `size` is the size of the terms of the margin, and
+    /// `step_error` the allowed relative error of a step.
     pub(super) fn new(
         ([a, b], [da, db]): ([SVector<f64, 3>; 2], [SVector<f64, 3>; 2]),
         cone: Option<Coulomb>,
@@ -90,7 +92,8 @@ impl Bounded {
         self.cone.map_or(point[0], |cone| cone.round_margin(point))
     }
 
-    /// The fraction of the step at which the margin is violated; one half if that is undecided. `None` if the margin holds.
+    /// A fraction of the step at which the margin is certainly below `-nothing`; one half if this is not decided. `None` if the margin is nowhere
+    /// below it.
     pub(super) fn dip(&self) -> Option<f64> {
         let mut pieces = vec![(0.0_f64, 1.0_f64, self.points)];
         // At most two hundred pieces of the cubic are examined; then the step counts as too long.
@@ -113,14 +116,14 @@ impl Bounded {
         Some(0.5)
     }
 
-    /// Bound on the error of the margin that the cubic gives at a fraction of the step.
+    /// Bound on the error of the margin of the cubic at the fraction `part` of the step.
     fn off(&self, part: f64) -> f64 {
         let square = part * (1.0 - part);
         self.bend * square * square
     }
 }
 
-/// The two halves of a piece of the cubic, by De Casteljau's algorithm.
+/// The Bézier points of both halves of a piece of the cubic, by De Casteljau's algorithm.
 fn halves(points: &Points) -> [Points; 2] {
     let mean = |a: &SVector<f64, 3>, b: &SVector<f64, 3>| (a + b) * 0.5;
     let [p, q, r, s] = points;

@@ -1,4 +1,4 @@
-//! Legs in serialised form: a field `…_by` or `…_to` for each quantity that changes.
+//! Legs of a load program in serialised form: a field `…_by` or `…_to` for each quantity that changes.
 
 use alloc::collections::BTreeMap;
 
@@ -62,7 +62,7 @@ struct WrittenLeg<const C: usize> {
 }
 
 impl<T: Clone> LegGoal<T> {
-    /// The goal of the quantity `name` from its fields `…_by` and `…_to`, of which at most one may be given.
+    /// The goal of the quantity `name` from its fields `…_by` and `…_to`, [`LegGoal::Stay`] without either; an error if both are given.
     fn read(by: Option<T>, to: Option<T>, name: &str) -> Result<Self, String> {
         match (by, to) {
             (None, None) => Ok(Self::Stay),
@@ -72,7 +72,7 @@ impl<T: Clone> LegGoal<T> {
         }
     }
 
-    /// The values of the serialised fields `…_by` and `…_to` for this goal.
+    /// The values of the serialised fields `…_by` and `…_to` for this goal, at most one of which is given.
     fn written(&self) -> (Option<T>, Option<T>) {
         match self {
             Self::Stay => (None, None),
@@ -112,7 +112,8 @@ impl<const C: usize> WrittenLeg<C> {
 }
 
 impl<const C: usize> Leg<C> {
-    /// Refuses a list with another length than the number of contacts, of drives (joints, then tendons) or of joints, according to its quantity.
+    /// Refuses, with an error, a list of the wrong length. Commands have one entry for each contact, joint commands one for each drive (joints, then
+    /// tendons), and torques one for each joint.
     pub(crate) fn check_lengths(&self, [contacts, drives, joints]: [usize; 3]) -> Result<(), Error> {
         if let LegGoal::By(rows) | LegGoal::To(rows) = &self.commands {
             check_rows(rows.len(), "commands of a leg", contacts)?;
@@ -126,12 +127,12 @@ impl<const C: usize> Leg<C> {
         }
     }
 
-    /// Names of the bodies whose loads change.
+    /// Names of the bodies whose own loads change along the leg.
     pub(crate) fn loaded_bodies(&self) -> impl Iterator<Item = &str> {
         self.bodies.iter().map(|(name, _)| &**name)
     }
 
-    /// The load of this leg, its change or its final value; `None` if the load stays or turns.
+    /// The change of the load along this leg or the load at its end, as given; `None` if the load stays or turns.
     pub(crate) fn straight_load(&self) -> Option<Wrench<C>> {
         match self.load {
             LegLoad::Straight(LegGoal::By(load) | LegGoal::To(load)) => Some(load),
@@ -140,12 +141,12 @@ impl<const C: usize> Leg<C> {
     }
 }
 
-/// Refuses a list of commands that does not have one entry for each contact.
+/// Refuses, with an error, a list `what` of commands whose length `given` is not `expected`, the number of contacts.
 pub(super) fn check_rows(given: usize, what: &'static str, expected: usize) -> Result<(), Error> {
     if given == expected { Ok(()) } else { Err(Error::Size { what, given, expected }) }
 }
 
-/// Refuses a list that does not have one number for each drive.
+/// Refuses, with an error, a list `what` whose length `given` is not `expected`, the number of drives or joints.
 pub(super) fn check_drives(given: usize, what: &'static str, expected: usize) -> Result<(), Error> {
     if given == expected { Ok(()) } else { Err(Error::JointCommands { what, given, expected }) }
 }

@@ -1,12 +1,12 @@
-//! The linear problem in known contact states for many coordinates, of which every contact couples only a few.
+//! The linear problem in known contact states for 36 or more coordinates of the twist, of which every contact couples only a few.
 //!
 //! ```text
 //! T = BᵀA = Σ G_i C_i G_iᵀ,      T q = Bᵀx + W,      x - A q
 //! ```
 //!
-//! Row r of A is the stretch of spring r per unit of each coordinate, and row r of B the direction in which this spring pushes (see `piece`). The
-//! tangent stiffness T is the sum over the contacts of their tangent stiffnesses C_i, with the grasp maps G_i. Under the load W, spring forces x at
-//! zero motion become x - A q at the twist q.
+//! Row r of A is the scaled stretch of spring r per unit of each coordinate. Row r of B is the direction in which this spring pushes (see `piece`).
+//! The tangent stiffness T is the sum over the contacts of their tangent stiffnesses C_i, with the grasp maps G_i. Under the load W, scaled spring
+//! forces x at zero motion become x - A q at the twist q.
 //!
 //! T has an entry where a contact couples two coordinates; a suitable order puts these entries near its diagonal. LU factors of T cost a few
 //! thousandths of orthogonal factors of A and B, but lose twice as many digits where stiffnesses differ widely. Iterative refinement in twice the
@@ -25,20 +25,21 @@ use crate::contact::Spring;
 use crate::grasp::{Site, size_of};
 use crate::prelude::*;
 
-/// Whether factors of a band matrix cost less than orthogonal factors for this number of coordinates.
+/// Whether the tangent stiffness for this number of coordinates is factorised as a band matrix: from 36 coordinates on.
 pub(crate) fn uses_band(coordinates: Size) -> bool {
     // With fewer coordinates orthogonal factors cost no more, and determine the rank. Measured: with orthogonal factors instead of a band, four
     // bodies in space take a third less time, but nine bricks in the plane more than twice as much.
     coordinates.count() >= 36
 }
 
-/// The tangent stiffness `T = BᵀA` as a band matrix, with its LU factors; A has the stretches of springs, B their directions.
+/// The tangent stiffness `T = BᵀA` as a band matrix, with its LU factors. A has the stretches of springs per unit of each coordinate, B their push
+/// directions.
 #[derive(Debug, Clone)]
 pub(crate) struct BandPiece {
-    /// Position of each coordinate in the order that makes the band narrow.
+    /// Position of each coordinate in the narrow order, the order that makes the band of T narrow.
     pub(super) numbers: Vec<usize>,
     pub(super) springs: SpringLists,
-    /// The matrix A of the tangent stiffness `BᵀA`: the stretch of each spring per unit of each coordinate.
+    /// The matrix A of the tangent stiffness `BᵀA`: the scaled stretch of each spring per unit of each coordinate.
     pub(super) right: Side,
     /// The matrix B of the tangent stiffness `BᵀA`: the directions in which springs push. `None` if no contact slides, since then B = A.
     pub(super) left: Option<Side>,
@@ -48,30 +49,31 @@ pub(crate) struct BandPiece {
 /// For each contact the coordinates that stretch its springs: those with nonzero entries in its grasp map.
 #[derive(Debug, Clone)]
 pub(super) struct SpringLists {
-    /// Coordinates with entries in the contact's map, by position in the narrow order, contact after contact.
+    /// For each contact in turn, the positions in the narrow order of the coordinates with entries in its grasp map.
     coordinates: Vec<usize>,
-    /// The first entry of each contact in `coordinates`; the last number is the length of `coordinates`.
+    /// For each contact the index of its first entry in `coordinates`; the last number is the length of `coordinates`.
     first: Vec<usize>,
-    /// Number of springs of each contact.
+    /// For each contact the number of its springs in its state.
     pub(super) counts: Vec<usize>,
-    /// The first entry of each contact in [`Side::rows`].
+    /// For each contact the index of its first number in [`Side::rows`]; the last entry is the length of that list.
     first_rows: Vec<usize>,
 }
 
 /// One factor of the tangent stiffness `BᵀA`: the matrix A or B, with a row for each spring.
 #[derive(Debug, Clone)]
 pub(super) struct Side {
-    /// The nonzero entries of each row of the matrix, spring after spring: one for each coordinate that stretches the spring.
+    /// The entries of each row of the matrix, spring after spring, in the order of [`SpringLists`]: one for each coordinate in the contact's grasp
+    /// map.
     rows: Vec<f64>,
-    /// Factors that scale each column to length one; one for a zero column.
+    /// For each coordinate, in the narrow order, the factor that scales its column to length one; one for a zero column.
     units: Vec<f64>,
-    /// Length of the longest row.
+    /// Euclidean length of the longest row: the largest scaled stretch of a spring under a unit motion.
     pub(super) longest: f64,
 }
 
 impl BandPiece {
-    /// The factorised tangent stiffness of these contacts and their springs; `first_springs` holds the index of the first spring of each contact.
-    /// `None` with few coordinates, or where the stiffness is nearly singular other than by motions that stretch no spring.
+    /// The factorised tangent stiffness of these contacts and their springs. `first_springs` holds the index of the first spring of each contact and,
+    /// last, the number of springs. `None` with fewer than 36 coordinates, or if a pivot is not finite.
     pub(super) fn new(sites: &[Site], springs: &[Spring], first_springs: &[usize]) -> Option<Self> {
         let count = size_of(sites).count();
         if !uses_band(size_of(sites)) {
@@ -132,12 +134,12 @@ impl BandPiece {
         Vector::from_fn(Size::of(q.len()), |k| q[self.numbers[k]])
     }
 
-    /// Whether the tangent stiffness is nearly singular.
+    /// Whether the tangent stiffness is singular up to rounding, so that [`Self::loose_motions`] is not empty.
     pub(super) fn is_singular(&self) -> bool {
         self.factors.is_singular()
     }
 
-    /// Null vectors of the tangent stiffness, as motions of all coordinates.
+    /// Null vectors of the tangent stiffness, as motions of all coordinates in their usual order; not orthonormal.
     pub(super) fn loose_motions(&self) -> Vec<Vector> {
         let motion = |q: Vec<f64>| {
             let entry = |k: usize| q[self.numbers[k]] * self.right.units[self.numbers[k]];
@@ -146,12 +148,13 @@ impl BandPiece {
         moved(self.factors.null_vectors(), &motion)
     }
 
-    /// The twist under a load at zero finger offsets: the solution of the equations with the tangent stiffness.
+    /// The twist `q = T⁻¹W` under the load W at zero offsets of all contacts, with the tangent stiffness T.
     pub(super) fn solve(&self, load: &Vector) -> Vector {
         self.respond(&mut vec![0.0; self.springs.counts.iter().sum()], load)
     }
 
-    /// Displacements of the coordinates, in the narrow order, if the springs of a contact push with the forces `pushes` and nothing else acts.
+    /// Displacements of the coordinates, in the narrow order, if the springs of a contact push with the scaled forces `pushes` and no other load
+    /// acts.
     pub(super) fn displacements_under(&self, contact: usize, pushes: &[f64]) -> Vec<f64> {
         let left = self.left.as_ref().unwrap_or(&self.right);
         let mut q = vec![0.0; self.numbers.len()];
@@ -164,7 +167,8 @@ impl BandPiece {
         q
     }
 
-    /// The stretches of a contact's springs under the displacements `displacements` of the coordinates, summed with the weights `times`.
+    /// The sum `Σ_k times_k (A u)_k` over the springs k of a contact, with the displacements u = `displacements` of the coordinates in the narrow
+    /// order.
     pub(super) fn weighted_stretch(&self, contact: usize, times: &[f64], displacements: &[f64]) -> f64 {
         let mut sum = 0.0;
         self.springs.of(contact, |k, coordinates, range| {
@@ -175,8 +179,8 @@ impl BandPiece {
         sum
     }
 
-    /// Estimate of the growth of relative rounding errors in a solution: the norm of the oblique projection `A T⁻¹ Bᵀ` of spring forces (with the
-    /// tangent stiffness T = BᵀA), by a few steps of the power method.
+    /// Factor by which relative rounding errors grow in a solution: the norm of the oblique projection `A T⁻¹ Bᵀ` of spring forces, with T = BᵀA. It
+    /// is twice an estimate by four steps of the power method, and exactly 1 if no contact slides.
     pub(super) fn growth(&self) -> f64 {
         let Some(left) = &self.left else { return 1.0 };
         let springs: usize = self.springs.counts.iter().sum();
@@ -202,7 +206,7 @@ impl BandPiece {
         2.0 * growth
     }
 
-    /// The rows of the matrix A and, if a contact slides, of the matrix B of the tangent stiffness `BᵀA`, with their zero entries.
+    /// The rows of the matrix A and, if a contact slides, of the matrix B. Each row has an entry for each coordinate in its usual order.
     pub(super) fn rows(&self) -> [Option<Vec<Vector>>; 2] {
         let whole = |side: &Side| {
             let mut list = Vec::new();
@@ -218,7 +222,8 @@ impl BandPiece {
 }
 
 impl SpringLists {
-    /// Calls `visit(spring, coordinates, range of its row)` for every spring; `coordinates` lists the coordinates with entries.
+    /// Calls `visit(spring, coordinates, range)` for every spring. `range` is the place of the spring's row in [`Side::rows`], and `coordinates` has
+    /// the position of each entry of this row in the narrow order.
     fn for_each(&self, mut visit: impl FnMut(usize, &[usize], Range<usize>)) {
         let (mut spring, mut from) = (0, 0);
         for (ends, count) in self.first.windows(2).zip(&self.counts) {
@@ -230,7 +235,7 @@ impl SpringLists {
         }
     }
 
-    /// Calls `visit(k, coordinates, range of its row)` for every spring k of a contact; `coordinates` lists the coordinates with entries.
+    /// As [`Self::for_each`], but for the springs k = 0, 1, … of one contact, numbered from its first spring.
     fn of(&self, contact: usize, mut visit: impl FnMut(usize, &[usize], Range<usize>)) {
         let coordinates = &self.coordinates[self.first[contact]..self.first[contact + 1]];
         for k in 0..self.counts[contact] {
@@ -239,8 +244,7 @@ impl SpringLists {
         }
     }
 
-    /// One factor of the tangent stiffness, the matrix A or B of this file, from the nonzero entries of its rows; `count` is the number of
-    /// coordinates.
+    /// The matrix A or B of this file from the entries of its rows, spring after spring; `count` is the number of coordinates.
     fn side(&self, rows: Vec<f64>, count: usize) -> Side {
         let (mut squares, mut longest) = (vec![0.0; count], 0.0_f64);
         self.for_each(|_, coordinates, range| {
@@ -251,8 +255,8 @@ impl SpringLists {
         Side { rows, units: moved(squares, &unit), longest: longest.sqrt() }
     }
 
-    /// Adds the generalised forces of the spring forces x to q (Aᵀx or Bᵀx, with the matrix A or B in `side`), and scales q by the units of the
-    /// matrix columns.
+    /// Adds to q the wrench of the scaled spring forces x, Aᵀx or Bᵀx with the matrix A or B in `side`. Then multiplies each entry of q by the factor
+    /// that scales its column to length one.
     pub(super) fn add(&self, side: &Side, x: &[f64], q: &mut [f64]) {
         self.for_each(|spring, coordinates, range| {
             coordinates.iter().zip(&side.rows[range]).for_each(|(k, b)| q[*k] += b * x[spring]);
@@ -260,7 +264,8 @@ impl SpringLists {
         q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
     }
 
-    /// Scales the motion q by the units of the matrix columns, and calls `visit(spring, stretch)` for every spring.
+    /// Multiplies each entry of the motion q by the factor that scales its column to length one. Then calls `visit(spring, stretch)` for every spring
+    /// with its scaled stretch, a row of A q or B q.
     pub(super) fn stretch(&self, side: &Side, q: &mut [f64], mut visit: impl FnMut(usize, f64)) {
         q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
         self.for_each(|spring, coordinates, range| {

@@ -1,4 +1,4 @@
-//! The error of given forces and twist: their difference from the exact solution with the same contact states.
+//! The error of given contact forces and twist: the exact solution with the same contact states, minus them.
 //!
 //! The residuals of the contact law and of equilibrium are evaluated in twice the working precision. The linear problem is then solved with these
 //! residuals as right-hand side:
@@ -8,9 +8,9 @@
 //! ```
 //!
 //! For contact i, with offset a_i, grasp map G_i, stiffness K_i and force F_i, w_i is the residual displacement at the twist q. Spring r of the
-//! contact is stretched along the vector right_r, and e_r is its residual. W is the load, and ρ the imbalance. At the solution w is zero along a
-//! spring that resists; its other components are gaps and slips. Solving with the residuals gives the error itself, not only a bound. On the round
-//! cone it is of first order, which suffices where Newton's method has converged.
+//! contact is stretched along right_r, a vector with the square root of its stiffness, and e_r is its scaled residual. W is the load, and ρ the
+//! imbalance. At the solution w is zero along a spring that resists; its other components are gaps and slips. Solving with the residuals gives the
+//! error itself, not only a bound. On the round cone this is the error to first order, which suffices where Newton's method has converged.
 
 use nalgebra::SVector;
 
@@ -22,14 +22,14 @@ use crate::contact::{LocalLaw, Mode, Spring, State};
 use crate::numerics::{DoubleDouble, Each, IntoList, Vector, by_axis, mapped, without};
 use crate::prelude::*;
 
-/// The exact solution minus given forces and twist.
+/// The exact solution in given contact states, minus given contact forces (N, in the contact frames) and a given twist.
 #[derive(Debug, Clone)]
 pub(crate) struct Correction {
     pub(crate) forces: Vec<SVector<f64, 3>>,
-    /// The error of the twist, without components along motions that nothing resists.
+    /// The exact twist minus the given one, without components along motions that no spring resists.
     pub(crate) twist: Vector,
-    /// Uncertainty of the forces, N: the last correction if refinement did not converge, plus rounding of the stiffest springs in twice the working
-    /// precision. It is large where the linear problem is nearly singular.
+    /// Uncertainty of the corrected forces, N: machine precision times the largest residual force. If refinement did not converge, the largest force
+    /// of the last correction is added. It is large where the linear problem is nearly singular.
     pub(crate) doubt: f64,
 }
 
@@ -79,8 +79,8 @@ impl Piece {
         Correction { forces: forces.iter().zip(at).map(missing).list(), twist: way, doubt }
     }
 
-    /// Moves the forces of sliding contacts onto their cones, writes the residual stretch of each spring to `e`, and returns the imbalance of forces
-    /// and load.
+    /// Moves the friction forces of sliding contacts onto their cones and writes the residual `e_r = right_r · w_i` of each spring r to `e`. Returns
+    /// the imbalance `ρ = Σ G_i F_i + W` of contact forces and load.
     fn residual_of(
         &self,
         problem: &Problem,
@@ -119,7 +119,7 @@ impl Piece {
     }
 }
 
-/// For a contact that slides on the round cone: the component of its residual displacement w perpendicular to the friction force, `c·w` with
+/// For a contact that slides on the round cone: the tangential component of its residual displacement w across the friction force F_t, `c·w` with
 /// `c = (-F_2, F_1) / |F_t|`. The direction is taken from the force, since w may have any direction before convergence.
 struct Across {
     along: [DoubleDouble; 3],
@@ -141,7 +141,8 @@ impl Across {
         self.sum.add_product_of_twice((along.high, along.low), w);
     }
 
-    /// The residual component perpendicular to the friction force, times the square root of the spring's stiffness in that direction.
+    /// `c·w` times the square root of the stiffness of the spring in the direction c: the residual of this spring. Zero without a spring or without
+    /// friction force.
     fn times(&self, spring: Option<&Spring>) -> DoubleDouble {
         let root = spring.map_or(0.0, |spring| spring.right.norm());
         let part = if self.length > 0.0 { root / self.length } else { 0.0 };
@@ -149,7 +150,7 @@ impl Across {
     }
 }
 
-/// Moves a sliding contact's force exactly onto the edge of its cone, which it misses by rounding.
+/// Changes the friction force of a sliding contact so that it lies on the edge of the cone, which it misses by rounding. The normal force stays.
 fn put_on_cone(local: &LocalLaw<'_>, state: &State, force: &mut [DoubleDouble; 3]) {
     let mut limit = DoubleDouble::default();
     limit.add_product_of_twice((local.cone().limit(1.0), 0.0), force[0]);

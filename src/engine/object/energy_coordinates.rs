@@ -1,13 +1,13 @@
-//! Contacts in energy coordinates: the maps from the motion of the object to each contact, and the slips across their facets.
+//! Contacts in energy coordinates: maps from the motion of the object to the stretch of each contact, and slips across facets of friction cones.
 //!
 //! ```text
 //! x = K^{-1/2}F,   K^{1/2}Gᵀ = QR,   u = x⁰ - Q y,   x = P u
 //! ```
 //!
-//! F are the contact forces, K the stiffnesses, G the grasp maps, and QR an orthogonal factorisation. x⁰ is the elastic trial state in which every
-//! contact sticks, and y the further motion of the object. u are the stretches, and P is the projection of each contact's state, which leaves the
-//! part that becomes force. A facet of a cone is `κ x_n + c·x_t >= 0` with c of length one and a number κ for the normal part; slip across it moves x
-//! along (0, c). Consecutive equal contacts share their facets.
+//! F are the contact forces, K the stiffnesses, G the grasp maps, and QR an orthogonal factorisation. The elastic trial, in which every contact
+//! sticks, has the forces x⁰ in energy coordinates. Under the further motion y of the object the stretches are u. For each contact state a projection
+//! P leaves the part of u that becomes force. A facet of a cone is `κ x_n + c·x_t >= 0` with c of length one and a number κ for the normal part. Slip
+//! across it moves x along (0, c). Consecutive equal contacts share their facets.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -17,12 +17,14 @@ use crate::numerics::{Each, Orthogonal, ScaledMap, by_axis};
 use crate::prelude::*;
 
 /// A facet of a friction cone, the condition `row·x >= 0` on the contact force x in energy coordinates. It is scaled so that the tangential part of
-/// `row` has length one. The condition `x_n >= 0` of a contact that may open is the facet (1, 0).
+/// `row` has length one. The condition `x_n >= 0` of a contact that may open is the facet with the row (1, 0, 0).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Facet {
-    /// The facet's normal in energy coordinates; its tangential part has length one.
+    /// The inward normal of the facet in energy coordinates: `row·x >= 0` inside the cone. Its tangential part has length one, or is zero for
+    /// `x_n >= 0`.
     pub(crate) row: SVector<f64, 3>,
-    /// Length of `row`. Covering and perturbation vectors are given for facet normals of length one; this factor converts their entries to `row`.
+    /// Length of `row`. The entries of covering and perturbation vectors of the complementarity problem are given for normals of length one; this
+    /// factor converts them to `row`.
     pub(crate) unit: f64,
 }
 
@@ -40,39 +42,39 @@ impl Facet {
     }
 }
 
-/// A contact in energy coordinates, in which forces are divided by the square roots of stiffnesses.
+/// The map and the conditions of a contact in energy coordinates, in which forces are divided by the square roots of stiffnesses.
 #[derive(Debug, Clone)]
 pub(crate) struct EnergyContact {
-    /// The map from the motion y of the object to the contact's force in energy coordinates. It is scaled so that the mean square of its norm over
-    /// the contacts is one.
+    /// The map from the motion y of the object to the contact's stretch in energy coordinates. All maps have one scale: the mean over the contacts of
+    /// their squared norms is one.
     pub(crate) seen: ScaledMap,
     /// Index of the contact's first condition in the common list of facets: `x_n >= 0` if the contact may open, then its facets.
     first: u32,
     pub(crate) facet_count: u16,
-    /// Whether the contact may open.
+    /// Whether the contact may open, so that its first condition is `x_n >= 0`.
     pub(crate) gap: bool,
 }
 
 impl EnergyContact {
-    /// Number of conditions of the contact: one for its gap, and one for each facet.
+    /// Number of conditions of the contact: one for its gap if it may open, and one for each facet of its cone.
     pub(crate) fn pairs(&self) -> usize {
         usize::from(self.gap) + usize::from(self.facet_count)
     }
 }
 
-/// Data that all contacts of a problem share in energy coordinates: the list of facets, and the scale of the maps.
+/// Data that all contacts of a problem share in energy coordinates: the list of all facets, and the scale and rank of the maps.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct EnergyCoordinates {
     facets: Vec<Facet>,
-    /// The factor that scales the sum of `QᵀQ` over the contacts to the identity, with the scaled map Q of each contact.
+    /// The factor w for which `w Σ QᵀQ` is the identity, with the scaled map Q of each contact: the rank divided by the number of contacts.
     pub(crate) weight: f64,
-    /// Rank of the maps of all contacts together: components of the motion from this index on move no contact.
+    /// Rank of the maps of all contacts together: components of the motion y from this index on stretch no contact.
     pub(crate) rank: usize,
 }
 
 impl EnergyCoordinates {
-    /// Computes the energy coordinates of all contacts from `factor`, the orthogonal factor of the scaled grasp map, and calls `visit` for each
-    /// contact in order.
+    /// Computes facets, scale and rank of all contacts from `factor`, the orthogonal factor of `K^{1/2}Gᵀ` while everything sticks. Calls `visit`
+    /// with each contact's law and energy coordinates, in order.
     pub(crate) fn lay_out(
         &mut self,
         problem: &Problem<'_>,
@@ -134,11 +136,12 @@ impl EnergyCoordinates {
     }
 }
 
-/// A closed contact that slips across none, one or two of its facets, at most one in the plane.
+/// A closed contact that slips across none, one or two of its facets (at most one in the plane), with their rows in energy coordinates.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Slipping {
     rows: [SVector<f64, 3>; 2],
-    /// Dual basis z_a of the tangential parts c_b of the facets' rows: `z_a·c_b` is 1 for a = b, else 0.
+    /// For each of the `count` facets a a tangential vector z_a, the dual basis of the tangential parts c_b of their rows: `z_a·c_b` is 1 for a = b,
+    /// else 0.
     pub(crate) across: [SVector<f64, 3>; 2],
     pub(crate) count: usize,
 }
@@ -159,7 +162,7 @@ impl Slipping {
         slipping
     }
 
-    /// A contact that slips across the given facets; `None` for more than two, or for nearly parallel facets.
+    /// A contact that slips across the given facets; `None` for more than two facets, or for two that are nearly parallel.
     pub(crate) fn independent<'f>(mut facets: impl Iterator<Item = &'f Facet>) -> Option<Self> {
         let pair = [facets.next(), facets.next()];
         match pair {
@@ -170,8 +173,8 @@ impl Slipping {
         }
     }
 
-    /// The vector z with the normal part n and `row_a·z = d_a` for each facet a across which the contact slips. For d = 0, z is the point x on the
-    /// edge of the cone with `x_n = n`.
+    /// The vector z with the normal component n and `row_a·z = d_a` for each facet a across which the contact slips. Without slip its tangential
+    /// components are zero. For d = 0, z is the point x on the edge of the cone with `x_n = n`.
     pub(crate) fn reaching(&self, n: f64, d: [f64; 2]) -> SVector<f64, 3> {
         let mut z = SVector::zeros();
         for a in 0..self.count {
@@ -181,7 +184,7 @@ impl Slipping {
         z
     }
 
-    /// The vector Z whose product with the stretch u of the contact gives the slip across facet `a`: the slip is `-Z·u`.
+    /// The vector Z that gives the slip across facet `a`, in energy coordinates, from the stretch u of the contact: the slip is `-Z·u`.
     pub(crate) fn slip(&self, a: usize) -> SVector<f64, 3> {
         if self.count == 1 {
             return self.rows[0];

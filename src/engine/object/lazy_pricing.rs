@@ -1,16 +1,16 @@
-//! Lazy pricing: a step evaluates only those contacts whose present state may stop being valid within the step.
+//! Lazy pricing of a pivoting path: a step evaluates only the contacts whose present state may end within the step.
 //!
-//! While every contact keeps its state, every condition is affine in the motion y of the object and the parameter s that drives the path. So the path
-//! is a piecewise straight curve in d + 1 dimensions, whose direction e mostly changes little from one event to the next. The path's length has two
-//! parts: a along e, and b across e. A condition of value v and gradient g stays positive as long as `max(-g·e, 0) a + |g| b < v`. With the clock t =
-//! a + b/ε and a small number ε this is certain until
+//! While every contact keeps its state, every condition of a state is affine in the object's motion y and the parameter s that drives the path. So
+//! the path is a piecewise straight curve in d + 1 dimensions, whose direction e mostly changes little from one event to the next. The path's length
+//! has two parts: a along e, and b across e. A condition of value v and gradient g stays positive as long as `max(-g·e, 0) a + |g| b < v`. With the
+//! clock t = a + b/ε and a small number ε this is certain until
 //!
 //! ```text
 //! t = min over the conditions of   v / max(-g·e, ε |g|)
 //! ```
 //!
-//! Contacts wait in an event queue, ordered by this time; a step evaluates only contacts whose time has come. Once the path has turned away from e
-//! the clock runs fast, and all contacts are queued again for the new direction.
+//! Each contact waits in an event queue until this clock time of its conditions; a step evaluates only contacts whose time has come. Once the path
+//! has turned away from e the clock runs fast, and all contacts are queued again for the new direction.
 
 use super::tolerances::PRICED_ACROSS;
 use crate::numerics::Vector;
@@ -18,10 +18,10 @@ use crate::numerics::Vector;
 use crate::numerics::EventQueue;
 use crate::prelude::*;
 
-/// A point of the path that pricing follows, or a direction of this path.
+/// A point (y, s) of the pivoting path, or a direction of this path.
 #[derive(Debug, Clone)]
 pub(crate) struct Point {
-    /// Motion y of the object in energy coordinates.
+    /// Motion y of the object in energy coordinates, beyond the elastic trial.
     pub(crate) y: Vector,
     /// The parameter that drives the path, such as z₀ in Lemke's method, scaled so that its unit weighs as much as a unit of the motion `y`.
     pub(crate) s: f64,
@@ -50,31 +50,31 @@ impl Point {
     }
 }
 
-/// The clock time during which a condition is certain to stay positive, from its value, its rate along the reference direction of the path, and the
-/// norm of its gradient.
+/// The clock time during which a condition is certain to stay positive. `rate` is its rate per length along the reference direction e, and `gradient`
+/// the norm of its gradient. Infinite for a constant condition.
 #[inline]
 pub(crate) fn slack(value: f64, rate: f64, gradient: f64) -> f64 {
     let fastest = (-rate).max(PRICED_ACROSS * gradient);
     if fastest > 0.0 { value.max(0.0) / fastest } else { f64::INFINITY }
 }
 
-/// Contacts in a queue, ordered by the time until which their conditions are certain to hold.
+/// Contacts in a queue, ordered by the clock time until which all conditions of their present states are certain to hold.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct LazyPricing {
     pub(crate) line: EventQueue,
     /// The reference direction e of the path, along which waiting times are computed.
     pub(crate) towards: Point,
     contacts: usize,
-    /// Length of the path since all contacts were queued; the next field counts its steps.
+    /// Length of the path since all contacts were queued; `steps` counts the steps of the path since then.
     length: f64,
     steps: usize,
-    /// Contacts evaluated in the present step, and others that have to be queued again.
+    /// Contacts that are not in the queue: those evaluated in the present step, and those that the caller adds. They have to be queued again.
     pub(crate) looked: Vec<u32>,
 }
 
 impl LazyPricing {
-    /// Queues all contacts for a path in this direction; `slack(contact, e)` returns, for the direction e, the waiting time of a contact on the
-    /// clock, and a stamp by which the caller recognises an outdated entry.
+    /// Queues all contacts for a path in the direction `along`, and resets the clock. For the unit direction e, `slack(contact, e)` returns a stamp
+    /// and the clock time until which the contact waits. By the stamp the caller recognises an outdated entry.
     pub(crate) fn line_up(
         &mut self,
         contacts: usize,
@@ -88,32 +88,32 @@ impl LazyPricing {
         (self.towards, self.contacts, self.length, self.steps) = (e, contacts, 0.0, 0);
     }
 
-    /// The advance of the clock in a step of length one along a direction of the path.
+    /// The advance of the clock a + b/ε if the path moves once by `along`: its component a along e, and b across e.
     pub(crate) fn speed(&self, along: &Point) -> f64 {
         let e = &self.towards;
         let forward = (along.y.dot(&e.y) + along.s * e.s).max(0.0);
         forward + along.plus(-forward, e).size() / PRICED_ACROSS
     }
 
-    /// Advances path and clock by `times` steps along a direction.
+    /// Advances the clock and the length of the path by `times` times the vector `along`, and counts one step.
     pub(crate) fn advance(&mut self, times: f64, along: &Point) {
         self.line.clock += times * self.speed(along);
         self.length += times * along.size();
         self.steps += 1;
     }
 
-    /// Whether the path has turned so far from its reference direction that rebuilding the queue for the new direction is worthwhile.
+    /// Whether queueing all contacts for the present direction is worthwhile: the path has turned from its reference direction and made enough steps.
     pub(crate) fn has_turned(&self) -> bool {
         // The clock runs faster than the path's length where the path deviates from its reference direction. Beyond this ratio a new reference
         // direction is due.
         let turned = 1.25;
-        // Queueing all contacts evaluates each of them. This is worthwhile only after a number of steps, a sixteenth of the number of contacts.
+        // Queueing all contacts evaluates each of them. This is worthwhile only after more steps than a sixteenth of the number of contacts.
         let again = 16;
         self.line.clock > turned * self.length && self.steps * again > self.contacts
     }
 
-    /// Queues a contact again if its slack exceeds the clock time `within` of this step; otherwise the step must evaluate it. Returns whether the
-    /// contact is queued.
+    /// Queues a contact again if its clock time `slack` exceeds the clock time `within` of this step. Otherwise adds it to `looked`, since the step
+    /// must evaluate it. Returns whether the contact is queued.
     pub(crate) fn puts_off(&mut self, within: f64, contact: u32, stamp: u32, slack: f64) -> bool {
         let waits = self.line.schedule_if_later(within, contact, stamp, slack);
         if !waits {

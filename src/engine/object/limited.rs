@@ -1,4 +1,4 @@
-//! A contact with Tresca friction, whose limit is independent of the normal force: its force at a stretch, and its tangent stiffness.
+//! A contact with Tresca friction, whose limit, in N, is independent of the normal force: its force at a stretch, and its tangent stiffness.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -6,24 +6,26 @@ use crate::contact::{Coulomb, Law, LocalLaw, Mode, tangential, tangential_norm};
 use crate::numerics::unit;
 use crate::prelude::*;
 
-/// A contact whose friction limit is a given number, independent of its normal force.
+/// A contact with Tresca friction: the friction limit is a number, given to [`Self::answer`], independent of the normal force.
 pub(super) struct Limited {
     pub(super) stiffness: SVector<f64, 3>,
     pub(super) offset: SVector<f64, 3>,
     opens: bool,
     slides: Slides,
     cone: Coulomb,
-    /// Whether the contact law is that of a rate problem. The friction limit is then the rate of the actual limit, and may be negative.
+    /// Whether the contact is on the edge of its cone in a rate problem. Its friction limit is then the rate of the actual limit, and may be
+    /// negative.
     is_rate: bool,
 }
 
-/// The directions in which the contact may slide.
+/// The directions in which a contact may slide, by the shape of its friction cone.
 enum Slides {
     Never,
-    /// In the plane: indices of the friction-cone facets with friction along -t and along +t; `None` where the contact cannot slide that way.
+    /// In the plane: indices of the facets of the friction cone whose friction force lies along -t and along +t. `None` without such a facet:
+    /// friction in this direction has no limit.
     Along([Option<u16>; 2]),
-    /// In space: on the facets of a polygonal friction cone, with outward normals h, `h·F_t = r` for the friction limit r. `corners` lie at unit
-    /// limit.
+    /// In space: on the facets `h·F_t = r` of a polygonal friction cone, with outward normals h and the friction limit r. `corners` are the corners
+    /// of the polygon for r = 1.
     OnPolygon {
         normals: Vec<SVector<f64, 3>>,
         corners: Vec<SVector<f64, 3>>,
@@ -32,18 +34,18 @@ enum Slides {
     Round,
 }
 
-/// Response of a contact whose friction is at its limit.
+/// Friction force, tangent stiffness and contact state of a contact whose friction is at its limit.
 struct AtLimit {
     friction: SVector<f64, 3>,
-    /// Tangent stiffness of the springs that still resist, N/m.
+    /// Stiffness in the tangential directions in which friction still changes with the stretch, N/m.
     holds: SMatrix<f64, 3, 3>,
     state: Mode<u16>,
 }
 
-/// Response of a contact with a given friction limit to a stretch.
+/// Contact force, tangent stiffness and contact state at a stretch of a contact with a given friction limit.
 pub(super) struct LimitedAnswer {
     pub(super) force: SVector<f64, 3>,
-    /// Tangent stiffness, N/m. The next field has the stiffness of the springs that yield.
+    /// Tangent stiffness, the derivative of `force` by the stretch, N/m. `gives` is the rest of the spring stiffness, lost by sliding or opening.
     pub(super) holds: SMatrix<f64, 3, 3>,
     pub(super) gives: SMatrix<f64, 3, 3>,
     pub(super) state: Mode<u16>,
@@ -111,9 +113,10 @@ impl Limited {
         answer
     }
 
-    /// The response if the tangential part of the elastic force `force` exceeds the friction limit; `None` if it does not.
+    /// The response if the tangential part of `force`, the force that the springs would have while sticking, exceeds the friction limit. `None` if it
+    /// does not.
     fn at_limit(&self, force: &SVector<f64, 3>, limit: f64) -> Option<AtLimit> {
-        // Stiffness in the directions perpendicular to `normal`, in which friction still follows the motion.
+        // Stiffness in the tangential directions perpendicular to `normal`, in which friction still follows the motion.
         let along = |normal: &SVector<f64, 3>| {
             let mut across = SMatrix::<f64, 3, 3>::identity() - normal * normal.transpose();
             across[(0, 0)] = 0.0;
@@ -170,7 +173,7 @@ impl Limited {
         }
     }
 
-    /// The friction limit that follows from a normal force.
+    /// The friction limit μ F_n of a normal force, N, at least zero; in a rate problem the rate of the limit, of either sign.
     pub(super) fn limit(&self, normal: f64) -> f64 {
         let limit = self.cone.limit(normal);
         if self.is_rate { limit } else { limit.max(0.0) }

@@ -1,12 +1,12 @@
-//! A load on the object in twice the working precision.
+//! The load on the object, a wrench in twice the working precision.
 
 use crate::numerics::Vector;
 
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 
-/// A load in the engine's coordinates (moments about the centroid of the contacts, with lever arms in the engine's unit of length). The rounding
-/// error of this conversion is kept beside it.
+/// A load: moments about the centroid of the contacts, lever arms in the engine's unit of length, and the forces of joints and bodies. `rest` is the
+/// rounding error of the caller's moments in `wrench`, exact minus rounded.
 #[derive(Debug, Clone)]
 pub(crate) struct Load {
     pub(crate) wrench: Vector,
@@ -14,21 +14,21 @@ pub(crate) struct Load {
 }
 
 impl Engine {
-    /// The caller's load in the engine's coordinates. The pull of vacuums and the constant loads on bodies and joints are added to it.
+    /// The caller's load in the coordinates of [`Load`]. The pull of vacuums and the constant loads on bodies and joints are added to it.
     ///
     /// # Errors
-    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50; `what` names it.
+    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50; `what` is the name of the load in this error.
     pub(crate) fn load(&self, load: &Wrench<3>, what: &'static str) -> Result<Load, Error> {
         Ok(Load { wrench: self.load_alone(load, what)?, rest: self.inside_rest(load) })
     }
 
-    /// The wrench of [`Self::load`] as working-precision numbers, without the remainder that holds its rounding error.
+    /// The field `wrench` of [`Self::load`]: the sum of all loads in working precision, without its rounding error. Same errors.
     pub(crate) fn load_alone(&self, load: &Wrench<3>, what: &'static str) -> Result<Vector, Error> {
         load.check_in(self.space(), what)?;
         Ok(self.load_unchecked(load))
     }
 
-    /// [`Self::load_alone`] without the check that the components of the wrench are finite and moderate, which the caller has made.
+    /// [`Self::load_alone`] without the check that the components of `load` are finite and at most 1e50, which the caller has made.
     pub(crate) fn load_unchecked(&self, load: &Wrench<3>) -> Vector {
         let mut inside = self.inside_unchecked(load);
         if let Some(bodies) = self.bodies() {

@@ -1,23 +1,25 @@
-//! The motion of the object, which couples the contacts. It has d coordinates, and no stiffness except that of the contacts.
+//! The coupling of the contacts by the twist of the object, which has d coordinates. Only springs of contacts and drives resist it.
 //!
-//! With every contact in a known state, twist and forces follow from one `d x d` system. The other modules of the engine solve it here.
+//! With every contact in a known state, twist and contact forces follow from one linear `d x d` system. This folder solves it for the other folders
+//! of the engine.
 //!
 //! | file | idea |
 //! |---|---|
 //! | `problem` | laws, offsets and load: the static problem and the rate problem that the engine solves |
-//! | `piece` | the linear problem in known states, by orthogonal factors |
-//! | `band_piece` | the same problem of very many coordinates, by the tangent stiffness in a narrow band |
-//! | `null_motions` | null vectors of the tangent stiffness in a band |
-//! | `solution` | forces and twist of the linear problem, by iterative refinement |
+//! | `piece` | the linear problem in known contact states, by orthogonal factors; `trial`: the one in which everything sticks |
+//! | `band_piece` | the same linear problem for 36 or more coordinates, by the tangent stiffness as a band matrix |
+//! | `null_motions` | null vectors of the tangent stiffness, if it is a band matrix |
+//! | `solution` | contact forces and twist that solve the linear problem, by iterative refinement |
 //! | `free_motions` | motions that no spring resists |
 //! | `energy_coordinates` | contacts scaled by the square roots of their stiffnesses, so that stiffness ratios cancel |
-//! | `sums` | equilibrium in energy coordinates, as sums over contacts that are updated term by term |
+//! | `sums` | the equations of equilibrium in energy coordinates, as sums over contacts that are updated contact by contact |
 //! | `lazy_pricing` | a queue that skips contacts which cannot reach the end of their state within a step |
 //! | `tangent` | the tangent stiffness, and equilibrium by Newton steps on it |
-//! | `newton` | Newton's method for equilibrium, in which each contact's force is explicit in the twist |
-//! | `correction` | the error of given forces and twist in given contact states |
-//! | `precise`, `load` | twist, equilibrium and load in twice the working precision |
-//! | `sizes` | magnitudes that scale rounding errors |
+//! | `newton` | Newton's method for equilibrium, in which each contact's force is explicit in the twist; `relaxing`: a start for it |
+//! | `correction` | the error of given contact forces and twist in given contact states |
+//! | `precise`, `load` | twist, sum of forces and moments, and load in twice the working precision |
+//! | `sizes` | sizes of forces (N) and displacements (m) to which rounding errors are proportional |
+//! | `tresca`, `limited` | proposed states of many contacts, with friction limits that do not depend on the normal force |
 
 mod band_piece;
 mod correction;

@@ -1,7 +1,7 @@
-//! Newton's method for balance. The force of each contact is a function of its own stretch alone, and so of the motion of the object.
+//! Newton's method for equilibrium. The force of each contact is a function of its own stretch alone, and so of the twist of the object.
 //!
-//! The twist q gives each contact its stretch `a_i - G_iᵀq`, from the commanded offset a_i and the grasp map G_i. The stretch gives the contact force
-//! F_i and the contact state. So equilibrium under the load W is d piecewise smooth equations:
+//! The twist q gives each contact its stretch `a_i - G_iᵀq`, from the offset a_i and the grasp map G_i. The stretch gives the contact force F_i and
+//! the contact state. So equilibrium under the load W is d piecewise smooth equations:
 //!
 //! ```text
 //! R(q) = Σ G_i F_i(a_i - G_iᵀq) + W = 0,      dR = -T dq,   T = Σ G_i C_i G_iᵀ
@@ -21,7 +21,7 @@ use crate::numerics::tolerances::SUFFICIENT_DECREASE;
 use crate::numerics::{Vector, in_halves};
 use crate::prelude::*;
 
-/// The residual R of the balance of forces, and the sum of the norms of its terms, which scales its rounding.
+/// `left`: the residual wrench `R = Σ G_i F_i + W`. `size`: the sum of the norms of forces, N, to which the rounding error of R is proportional.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Imbalance {
     pub(crate) left: Vector,
@@ -29,7 +29,7 @@ pub(crate) struct Imbalance {
 }
 
 impl Imbalance {
-    /// The imbalance of contact forces and a load; `beside` is added to the sum of the norms of the terms.
+    /// The imbalance of contact forces and a load. Its `size` is the sum of the norms of the contact forces plus `beside`, without the load.
     pub(crate) fn of(sites: &[Site], forces: &[SVector<f64, 3>], load: &Vector, beside: f64) -> Self {
         let mut sum = Self { left: load.clone(), size: beside };
         sites.iter().zip(forces).for_each(|(site, force)| sum.add(site, force));
@@ -42,17 +42,18 @@ impl Imbalance {
         self.size += force.norm();
     }
 
-    /// The imbalance of two groups of contacts together.
+    /// The sum of this imbalance, over some contacts, and `other`, over other contacts.
     fn plus(self, other: Self) -> Self {
         Self { left: self.left + other.left, size: self.size + other.size }
     }
 }
 
-/// The law by which a contact responds: a function of the contact's index, its stretch and its last response, from which an iteration may start.
+/// The law by which a contact responds: force and state from the contact's index, its stretch, and its last response. From the last one an iteration
+/// may start.
 pub(super) type Response<'r> =
     dyn Fn(usize, &SVector<f64, 3>, &ContactResponse) -> ContactResponse + Sync + 'r;
 
-/// The response of a contact by its own law: the return map onto its friction cone.
+/// The response of a contact by its law in `problem`: the return map of its elastic force onto the friction cone.
 pub(super) fn on_cones(
     problem: &Problem,
 ) -> impl Fn(usize, &SVector<f64, 3>, &ContactResponse) -> ContactResponse + Sync {
@@ -62,7 +63,8 @@ pub(super) fn on_cones(
     }
 }
 
-/// Newton's method for equilibrium on the friction cones. Each contact responds with its return map (`contact/answer`), free to change its state.
+/// [`newton`] from the twist `twist` with the laws of `problem`: each contact responds with the return map onto its friction cone (`contact/answer`),
+/// in any state.
 pub(crate) fn newton_on_cones(
     problem: &Problem,
     (twist, settled): (Vector, f64),
@@ -71,12 +73,13 @@ pub(crate) fn newton_on_cones(
     newton(problem, (twist, settled, f64::MIN_POSITIVE), contacts, &on_cones(problem))
 }
 
-/// Newton's method from a twist, until the imbalance of forces is at most the fraction `settled` of the sum of their norms. Returns the twist, the
-/// number of steps, and the remaining imbalance. `contacts` is reused memory: every contact starts open, and the list holds the responses at the
-/// final twist. `beside` is added to the sum of norms, so that an imbalance of `settled * beside` is accepted even without forces.
+/// Newton's method from a twist, until the imbalance is at most the fraction `settled` of the sum of the norms of contact forces and load. Returns
+/// the twist, the number of steps, and the remaining imbalance; `None` if it does not converge. `contacts` is reused memory: every contact starts
+/// open, and the list holds the responses at the final twist. `beside`, N, is added to the sum of norms, so that an imbalance of `settled * beside`
+/// is accepted even without forces.
 ///
-/// A step that does not reduce the imbalance enough is halved: otherwise the method may alternate between two states of a contact. If no shorter step
-/// is better, the whole step is taken.
+/// A step that does not reduce the norm of the imbalance enough is halved: otherwise the method may alternate between two states of a contact. If no
+/// shorter step reduces it enough, the whole step is taken.
 pub(crate) fn newton(
     problem: &Problem,
     (mut twist, settled, beside): (Vector, f64, f64),
@@ -115,7 +118,8 @@ pub(crate) fn newton(
     None
 }
 
-/// The responses of the contacts to a twist, and the imbalance of their forces.
+/// Writes the response of each contact to a twist into `contacts`. Returns the imbalance of contact forces and load, with `beside` added to its
+/// `size`.
 pub(super) fn respond(
     problem: &Problem,
     (twist, beside): (&Vector, f64),

@@ -1,6 +1,6 @@
-//! Null vectors of the tangent stiffness T = BᵀA of a band, and their mechanical meaning.
+//! Null vectors of the tangent stiffness T = BᵀA as a band matrix, and their mechanical meaning.
 //!
-//! A maps a motion of the object to the stretches of the springs, Bᵀ the forces of the springs to a wrench on the object.
+//! A maps a motion of the object to the scaled stretches of all springs. Bᵀ maps their scaled forces to a wrench on the object (see `piece`).
 //!
 //! ```text
 //! A n = 0             the motion n stretches no spring: free
@@ -17,25 +17,30 @@ use crate::numerics::{
 };
 use crate::prelude::*;
 
-/// Null vectors of the tangent stiffness T and of its transpose, by their mechanical meaning.
+/// Null vectors of the tangent stiffness T (`free`, `neutral`) and of its transpose (`unbalanced`, `without_response`), see the head of this file.
+/// All four lists are empty if T is regular.
 #[derive(Debug, Clone)]
 pub(super) struct NullMotions {
-    /// Motions that stretch no spring. These motions are orthonormal, and so are those of `neutral` and of `unbalanced`.
+    /// Motions n with A n = 0: they stretch no spring. Next `neutral`, motions with T n = 0 along which forces change but stay in balance, and
+    /// `unbalanced`, motions z with B z = 0. Each list is orthonormal, and `neutral` also orthogonal to `free`.
     pub(super) free: Vec<Vector>,
     pub(super) neutral: Vec<Vector>,
     pub(super) unbalanced: Vec<Vector>,
-    /// Motions z with Tᵀz = 0, where T = BᵀA, along which springs push (B z ≠ 0). Each comes with its vector B z; these vectors are orthonormal.
+    /// Motions z with Tᵀz = 0 along which springs push (B z ≠ 0), each with its vector B z, an entry for each spring. These vectors B z are
+    /// orthonormal.
     without_response: Vec<(Vector, Vec<f64>)>,
 }
 
-/// Null vectors in two groups: motions that stretch no spring, and the others, each with the stretches of all springs.
+/// Null vectors in two lists: motions that stretch no spring, and the others. Each of the others has the stretches of all springs, scaled to norm
+/// one.
 struct Apart {
     unstretched: Vec<Vector>,
     stretched: Vec<(Vector, Vec<f64>)>,
 }
 
 impl NullMotions {
-    /// The null motions of the tangent stiffness T, from its LU factors as a band matrix; `None` where T is nearly, but not exactly, singular.
+    /// The null motions of the tangent stiffness T, from its LU factors as a band matrix; empty if T is regular. `None` where T is nearly, but not
+    /// exactly, singular.
     pub(super) fn of(band: &BandPiece) -> Option<Self> {
         let nothing = Self {
             free: Vec::new(),
@@ -64,8 +69,8 @@ impl NullMotions {
         Some(found)
     }
 
-    /// The sum of the motions in `without_response`, each weighted by the work that offsets and load do on it; `None` if this work is zero. The slice
-    /// `x` has the stretch of each spring that the offsets cause.
+    /// The sum of the motions in `without_response`, each weighted by the work that offsets and load do on it. `None` if each of them is zero. The
+    /// slice `x` has the scaled stretch `right·a` of each spring by the offsets alone.
     pub(super) fn motion_of_work(&self, x: &[f64], load: &Vector) -> Option<Vector> {
         let mut sum = Vector::zeros();
         for (z, stretches) in &self.without_response {
@@ -75,7 +80,7 @@ impl NullMotions {
     }
 
     /// Whether offsets and load do more work on a motion in `without_response` than rounding explains; forces then cannot balance. The slice `x` has
-    /// the stretch of each spring that the offsets cause. `growth` is the amplification of rounding by the LU factors.
+    /// the scaled stretch of each spring by the offsets alone. `growth` is the factor by which the LU factors amplify rounding.
     pub(super) fn are_out_of_reach(&self, x: &[f64], load: &Vector, growth: impl Fn() -> f64) -> bool {
         self.without_response.iter().any(|(z, stretches)| {
             let sizes = |terms: &mut dyn Iterator<Item = f64>| terms.fold(0.0, |sum, term| sum + term.abs());
@@ -89,7 +94,8 @@ impl NullMotions {
 }
 
 /// Groups null vectors of the tangent stiffness T = BᵀA, or of its transpose, by whether they stretch springs. `side` is A for null vectors of T, and
-/// B for those of its transpose. The entries of `vectors` refer to columns of `side` that are scaled to length one.
+/// B for those of its transpose. The entries of `vectors` refer to columns of `side` that are scaled to length one. `None` if a vector with stretches
+/// is no null vector beyond rounding.
 fn apart(
     band: &BandPiece,
     [side, other]: [&Side; 2],

@@ -1,11 +1,12 @@
-//! With every contact in a known state the law is linear: one `d x d` system gives twist and forces.
+//! With every contact in a known state all laws are linear: one linear `d x d` system gives the twist of the object and the contact forces.
 //!
-//! A contact in a known state is a few springs, each stretched along one direction and pushing along another: `F_i = Σ_r left_r (right_r · v_i)`. Its
-//! stretch `v_i = a_i - G_iᵀq` follows from the commanded offset a_i, the grasp map G_i and the twist q.
+//! A contact in a known state is a few springs r, each stretched along the vector right_r and pushing along left_r:
+//! `F_i = Σ_r left_r (right_r · v_i)`. Each vector contains the square root of the spring's stiffness. The stretch `v_i = a_i - G_iᵀq` follows from
+//! offset a_i, grasp map G_i and twist q.
 //!
-//! The spring forces x_r = right_r · v satisfy `x = α - A q`, and balance the load W if `Bᵀx = -W`. Here A = right Gᵀ, B = left Gᵀ and α = right·a
-//! have a row for each spring. This is an oblique projection (an orthogonal one when nothing slides). A and B are factorised by orthogonal
-//! transformations.
+//! The scaled spring forces x_r = right_r · v satisfy `x = α - A q`, and balance the load W if `Bᵀx = -W`. Here A = right Gᵀ, B = left Gᵀ and α =
+//! right·a have a row for each spring. So x is an oblique projection of α (an orthogonal one when nothing slides). A and B are factorised by
+//! orthogonal transformations.
 
 use crate::numerics::{IntoList, Map, Size, Square, Vector, mapped, numbered};
 use core::ops::Range;
@@ -21,31 +22,31 @@ use crate::grasp::{Site, size_of};
 use crate::numerics::{CompletePivoting, Once, Orthogonal, orthonormalise_against, without};
 use crate::prelude::*;
 
-/// The linear problem in which every contact keeps one known state.
+/// The linear problem in which every contact keeps one known state, factorised. Offsets and load are not part of it.
 #[derive(Debug, Clone)]
 pub(crate) struct Piece {
     pub(super) springs: Vec<Spring>,
-    /// Index of the first spring of each contact; the last entry is the number of springs.
+    /// For each contact the index of its first spring in `springs`; a last entry is the number of springs.
     first: Vec<usize>,
-    /// Orthonormal motions that stretch no spring.
+    /// An orthonormal basis of the motions that stretch no spring (A q = 0).
     pub(super) free: Vec<Vector>,
-    /// Orthonormal motions in the null space of B, whose rows are the directions in which springs push: a load that does work along one of them
-    /// cannot be balanced.
+    /// An orthonormal basis of the motions along which no spring pushes (B q = 0). A load that does work along one of them cannot be balanced.
     pub(super) unbalanced: Vec<Vector>,
-    /// LU factors of the tangent stiffness T = BᵀA as a band matrix, if there are many coordinates. `None` if T is nearly, but not exactly, singular.
+    /// LU factors of the tangent stiffness T = BᵀA as a band matrix, with its null vectors. `None` with few coordinates, or if T is nearly, but not
+    /// exactly, singular.
     pub(super) band: Option<(BandPiece, NullMotions)>,
-    /// Orthogonal factors of the matrices A (spring stretches under a motion) and B (push directions); with many coordinates they are computed on
-    /// first use.
+    /// Orthogonal factors of the matrices A (spring stretches under a motion) and B (push directions). Beside a band they are computed on first use.
     orthogonal: Once<OrthogonalPiece>,
     size: Size,
 }
 
-/// Orthogonal factors of A (stretches of springs under a motion), and of B (directions in which springs push) if a contact slides.
+/// Orthogonal factors of [`Piece`]'s matrices: Q_A R_A of A (spring stretches under a motion), and Q_B R_B of B (push directions) if a contact
+/// slides.
 #[derive(Debug, Clone)]
 pub(super) struct OrthogonalPiece {
     pub(super) right: Orthogonal,
-    /// Orthogonal factors of the matrix B of push directions, and factors of `Q_BᵀQ_A`, where Q_A and Q_B are the orthogonal factors of the stretches
-    /// A and of B. `None` if nothing slides, since then B = A.
+    /// Orthogonal factors Q_B R_B of the push directions B, and LU factors of `Q_BᵀQ_A`, where Q_A is the orthogonal factor of A. `None` if nothing
+    /// slides, since then B = A.
     pub(super) left: Option<(Orthogonal, CompletePivoting)>,
 }
 
@@ -56,7 +57,7 @@ impl Piece {
         })
     }
 
-    /// The linear problem of given springs: `add(contact, list)` appends the springs of a contact, at most one per axis.
+    /// The linear problem of given springs: `add(contact, list)` appends the springs of one contact to the list, at most one for each axis.
     pub(crate) fn of_springs(sites: &[Site], add: &dyn Fn(usize, &mut Vec<Spring>)) -> Self {
         let mut springs = Vec::with_capacity(3 * sites.len());
         let mut first = Vec::with_capacity(sites.len() + 1);
@@ -91,7 +92,7 @@ impl Piece {
         Self { springs, first, free, unbalanced, band: None, orthogonal: Once::from(factors), size }
     }
 
-    /// The orthogonal factors, computed on first use.
+    /// The orthogonal factors of A and B. Beside a band they are computed on first use.
     pub(super) fn orthogonal(&self) -> &OrthogonalPiece {
         self.orthogonal.get_or_init(|| {
             let [right, left] = self.band.as_ref().map_or_else(|| [None, None], |(band, _)| band.rows());
@@ -99,7 +100,7 @@ impl Piece {
         })
     }
 
-    /// Number of coordinates of the twist: those of the object and of all joints.
+    /// Number of coordinates of the twist: those of the object, of all joints and of further bodies.
     pub(super) fn size(&self) -> Size {
         self.size
     }
@@ -110,8 +111,8 @@ impl Piece {
         &self.orthogonal().right
     }
 
-    /// The rows, for the springs of one contact, of the orthogonal factor Q of the stretch matrix. The springs lie along the contact's axes. Column a
-    /// of the result belongs to axis a, and is zero without a spring.
+    /// The rows that belong to the springs of one contact, in the orthogonal factor Q of the stretch matrix A = Q R. The springs lie along the
+    /// contact's axes. Column a of the result is the row of the spring along axis a; it is zero without a spring.
     pub(crate) fn factor_rows(&self, contact: usize) -> Map {
         let mut rows = Map::zeros(self.size);
         for spring in self.first[contact]..self.first[contact + 1] {
@@ -120,18 +121,19 @@ impl Piece {
         rows
     }
 
-    /// Whether the tangent stiffness is factorised as a band matrix, as with many coordinates.
+    /// Whether the tangent stiffness is factorised as a band matrix, not by orthogonal factors.
     pub(crate) fn is_banded(&self) -> bool {
         self.band.is_some()
     }
 
-    /// The change of every coordinate of the object if a sticking contact pushes along its axes. Each of the `pushes` is divided by the square root
-    /// of the stiffness along its axis. `None` without a band.
+    /// The change of every coordinate, in the band's order, if a sticking contact pushes with given forces along its axes. The entries of `pushes`
+    /// are these forces divided by the square roots of the stiffnesses. `None` without a band.
     pub(crate) fn displacements_under(&self, contact: usize, pushes: &SVector<f64, 3>) -> Option<Vec<f64>> {
         Some(self.band.as_ref()?.0.displacements_under(contact, &self.along_springs(contact, pushes)[..]))
     }
 
-    /// The sum of the stretches of a contact's springs for given changes of the coordinates, weighted by `times` along each axis.
+    /// The sum of the scaled stretches of a contact's springs for the changes `displacements` of the coordinates, in the band's order. Each is
+    /// weighted by the entry of `times` for the spring's axis. Zero without a band.
     pub(crate) fn weighted_stretch(
         &self,
         contact: usize,
@@ -143,24 +145,26 @@ impl Piece {
         })
     }
 
-    /// The components of a vector in the contact frame, in the order of the contact's springs along the axes.
+    /// The components of the vector `axes` in the contact frame, in the order of the contact's springs, each of which lies along an axis.
     fn along_springs(&self, contact: usize, axes: &SVector<f64, 3>) -> Vec<f64> {
         mapped(&self.springs[self.first[contact]..self.first[contact + 1]], &|spring| {
             axes[spring.right.iamax()]
         })
     }
 
-    /// The motion q of least norm with `R q = coordinates`. Here R is the triangular factor of the matrix A = Q R of spring stretches under a motion.
+    /// The motion q of least norm with `R q = coordinates`. Here R is the triangular factor of the matrix A = Q R, which maps motions to spring
+    /// stretches.
     pub(crate) fn motion(&self, coordinates: &Vector) -> Vector {
         without(self.factor().preimage(coordinates), self.free_motions())
     }
 
-    /// Motions that stretch no spring: the twist is determined up to them, and forces do not depend on them.
+    /// An orthonormal basis of the motions that stretch no spring: the twist is determined up to them, and forces do not depend on them.
     pub(crate) fn free_motions(&self) -> &[Vector] {
         &self.free
     }
 
-    /// Motions along which forces change but stay in balance: the solution in these contact states is then not unique.
+    /// An orthonormal basis of the motions along which forces change but stay in balance, orthogonal to the free motions. Unless it is empty, the
+    /// forces in these contact states are not unique.
     pub(crate) fn neutral_motions(&self) -> Vec<Vector> {
         if let Some((_, null)) = &self.band {
             return null.neutral.clone();
@@ -177,8 +181,9 @@ impl Piece {
         motions
     }
 
-    /// A virtual motion y in the left null space of the tangent stiffness, `Σ G_i C_iᵀG_iᵀ y = 0`. C_i is the tangent stiffness of contact i, and G_i
-    /// its grasp map. Of these motions it is the one on which offsets and load do the most work; `None` if they do no work on any.
+    /// A virtual motion y with `Σ G_i C_iᵀG_iᵀ y = 0`, with the tangent stiffness C_i and the grasp map G_i of contact i. It is the one on which the
+    /// load does the most work among those along which no spring pushes. Only if the load does none on these, it is one of the others, chosen by the
+    /// work of offsets and load. `None` if there is no work on any.
     pub(crate) fn motion_without_response(
         &self,
         offsets: &[SVector<f64, 3>],
@@ -204,7 +209,7 @@ impl Piece {
         Some(left.preimage(&work_part(&kernel, &(pushed + left.load_coordinates(load)))?))
     }
 
-    /// Factor by which the solution in these contact states amplifies relative rounding errors, at least 1.
+    /// Factor by which the solution in these contact states amplifies relative rounding errors, at least 1; exactly 1 if nothing slides.
     pub(crate) fn growth(&self) -> f64 {
         match &self.band {
             Some((band, _)) => band.growth(),
@@ -212,12 +217,12 @@ impl Piece {
         }
     }
 
-    /// Whether the springs can balance the load: it does no work on any motion along which no spring pushes.
+    /// Whether the load does no work, up to rounding, on any motion along which no spring pushes. Otherwise the springs cannot balance it.
     pub(crate) fn resists(&self, wrench: &Vector) -> bool {
         motion_of_work(&self.unbalanced, wrench).is_none()
     }
 
-    /// The springs of every contact that has any, with their index range in the list of springs.
+    /// For every contact that has springs: its index, its springs, and their index range in the list of all springs.
     pub(super) fn of_each_contact(&self) -> impl Iterator<Item = (usize, &[Spring], Range<usize>)> {
         self.first.windows(2).enumerate().filter(|(_, range)| range[0] < range[1]).map(|(contact, range)| {
             let range = range[0]..range[1];
@@ -241,13 +246,15 @@ impl OrthogonalPiece {
         Self { right, left: Some((left, coupling)) }
     }
 
-    /// The orthogonal factors whose rows balance loads: those of the push directions, or, where nothing slides, the same as those of the stretches.
+    /// Orthogonal factors of the matrix B of push directions, which occurs in the balance of forces `Bᵀx = -W`. If nothing slides, B = A, and they
+    /// are those of A.
     pub(super) fn balance(&self) -> &Orthogonal {
         self.left.as_ref().map_or(&self.right, |(left, _)| left)
     }
 }
 
-/// The forces of least norm on the contacts in `carries` that balance a load, in the contact frames.
+/// The contact forces of least norm that balance a load, in the contact frames; contacts for which `carries` is false have no force. Friction is not
+/// checked.
 pub(crate) fn least_forces(sites: &[Site], carries: &[bool], wrench: &Vector) -> Vec<SVector<f64, 3>> {
     let mut axes = Vec::new();
     for (i, site) in sites.iter().enumerate() {
@@ -266,7 +273,7 @@ pub(crate) fn least_forces(sites: &[Site], carries: &[bool], wrench: &Vector) ->
     forces
 }
 
-/// The smallest coefficients (least squares) with which these vectors add up to a target that they span.
+/// The coefficients c of least norm with `Σ c_i vectors_i = target`. The vectors must span the target.
 pub(crate) fn least_combination(size: Size, vectors: &[Vector], target: &Vector) -> Vec<f64> {
     let count = vectors.len();
     let factor = Orthogonal::new(size, vectors);

@@ -1,4 +1,4 @@
-//! Motion of the object and balance of forces in twice the working precision.
+//! Twist of the object and sum of forces and moments in twice the working precision.
 //!
 //! The residual of a stiff spring may be the difference of numbers 1e14 times as large. With grasp maps, load and twist in twice the working
 //! precision, solving again for the residual gives forces that are right to the last digit.
@@ -34,7 +34,7 @@ impl Precise {
         (self.high[k], self.low[k]) = (x.high, x.low);
     }
 
-    /// High and low parts as arrays of fixed size; `None` with more coordinates than those of one object.
+    /// The vectors `high` and `low` as arrays of fixed size; `None` if there are more coordinates than those of one object.
     #[inline(always)]
     fn arrays(&self) -> Option<Twice<'_>> {
         Some([self.high.array()?, self.low.array()?])
@@ -45,7 +45,7 @@ impl Precise {
     }
 }
 
-/// A twist in twice the working precision: along a stiff spring its rounding would be a large force.
+/// A twist in twice the working precision, since along a stiff spring a rounding error of the twist would be a large force.
 #[derive(Debug, Clone)]
 pub(crate) struct PreciseTwist(Precise);
 
@@ -66,7 +66,7 @@ impl PreciseTwist {
         self.0.value()
     }
 
-    /// This twist minus another one, rounded.
+    /// This twist minus `other`, rounded to working precision.
     pub(super) fn less(mut self, other: &Self) -> Vector {
         for k in 0..other.0.high.len() {
             let mut q = self.0.at(k);
@@ -76,7 +76,8 @@ impl PreciseTwist {
         self.value()
     }
 
-    /// The stretch `offset - g·q` along one axis of a contact, for this twist q and column `axis`, g, of the contact's grasp map.
+    /// The stretch `offset - g·q` of a contact along its axis `axis`, for this twist q. Here g is the column of the contact's grasp map that belongs
+    /// to this axis.
     pub(crate) fn stretch(&self, site: &Site, axis: usize, offset: f64) -> DoubleDouble {
         let v = DoubleDouble::new(offset);
         let of_one_object = site.whole_column_in_twice(axis);
@@ -107,10 +108,10 @@ fn less_products<const N: usize>(mut v: DoubleDouble, g: Twice<'_>, q: Twice<'_>
     v
 }
 
-/// High and low parts of a vector that has at most the coordinates of one object.
+/// A vector in twice the working precision, the sum of two arrays `[high, low]`, with at most the coordinates of one object.
 type Twice<'v> = [&'v [f64; WHOLE]; 2];
 
-/// Resultant force and moment in twice the working precision.
+/// The sum of the load and of contact forces, a wrench in twice the working precision; zero in equilibrium.
 pub(super) struct PreciseBalance(Precise);
 
 impl PreciseBalance {
@@ -118,7 +119,7 @@ impl PreciseBalance {
         Self(Precise::new(size, load.wrench.clone(), load.rest.clone()))
     }
 
-    /// Adds the wrench of a force along an axis of a contact.
+    /// Adds the wrench of a contact's force component `force`, N, along its axis `axis`.
     pub(super) fn add(&mut self, site: &Site, axis: usize, force: DoubleDouble) {
         let (high, low) = (&mut self.0.high, &mut self.0.low);
         let of_one_object = site.whole_column_in_twice(axis);
@@ -145,7 +146,7 @@ impl PreciseBalance {
     }
 }
 
-/// Adds `times` g to the first N components of a vector with parts `high` and `low`.
+/// Adds `times` times g to the first N components of the vector `high + low`.
 #[inline(always)]
 fn add_multiple<const N: usize>(
     g: Twice<'_>,

@@ -1,12 +1,12 @@
-//! The problem that the engine solves: a law and a commanded offset for each contact, and a load.
+//! The problem that the engine solves for contact forces and twist: a law and an offset for each contact, and a load on the object.
 //!
 //! ```text
 //! stretch v_i = a_i - G_iᵀq,      contact force F_i from v_i by the law of contact i,      balance Σ G_i F_i + W = 0
 //! ```
 //!
-//! q is the twist of the object, G_i the grasp map of contact i, and W the load. In the static problem, the offsets a_i are commanded displacements
-//! and each contact has its full law. In the rate problem, a_i and W are their derivatives along a path. Each law is then that of the rates at the
-//! present contact state ([`Law`]).
+//! q is the twist of the object, G_i the grasp map of contact i, and W the load. In the static problem, the offset a_i is the commanded displacement
+//! minus clearance and slip, and each contact has its full law. In the rate problem, a_i and W are derivatives of offset and load along a path; v_i,
+//! q and F_i those of stretch, twist and force. Each law is then that of the rates at the present contact state ([`Law`]).
 
 use crate::numerics::{IntoList, Size, Vector, by_axis, indexed};
 use alloc::sync::Arc;
@@ -21,34 +21,38 @@ use crate::grasp::{Engine, Remembered, Site, Space, Wrench, size_of};
 use crate::numerics::{DoubleDouble, cleared_for};
 use crate::prelude::*;
 
-/// The problem to solve: contact laws, commanded offsets a_i and load of the equation `Σ G_i F_i + W = 0`, in the engine's coordinates.
+/// The static problem or the rate problem of this file: the law and the offset a_i of each contact, and the load W. Moments are about the centroid of
+/// the contacts.
 #[derive(Debug, Clone)]
 pub(crate) struct Problem<'g> {
     pub(crate) sites: &'g [Site],
     /// The friction polygon of every contact without a polygon of its own.
     pub(crate) polygon: Arc<Polygon>,
-    /// For each contact a friction polygon, rotated so that a corner lies along the friction force of the elastic trial, in which all contacts stick.
-    /// If the list is empty, `polygon` is used.
+    /// For each contact its friction polygon, with a corner along the contact's friction force in the elastic trial, in which all contacts stick. If
+    /// the list is empty, contacts use their own polygon, or `polygon`.
     pub(crate) turned: Vec<Polygon>,
-    /// Present friction cones, narrower at contacts that slide with kinetic friction. If the list is empty, static friction holds everywhere.
+    /// The friction cone of each contact now: that of the lower kinetic coefficient if it slides, else that of static friction. If the list is empty,
+    /// every contact has static friction.
     pub(crate) cones: Vec<Coulomb>,
     pub(crate) laws: Vec<Law>,
-    /// Commanded displacement minus clearance and accumulated slip, m, in the contact frames.
+    /// For each contact the commanded displacement minus clearance and accumulated slip, m, in its contact frame; in the rate problem the rate of
+    /// this offset.
     pub(crate) offsets: Vec<SVector<f64, 3>>,
-    /// Accumulated slip, m, in the contact frames.
+    /// For each contact the slip accumulated so far, m, in its contact frame; zero in the rate problem.
     pub(crate) slips: Vec<SVector<f64, 3>>,
     pub(crate) wrench: Vector,
-    /// Rounding error of `wrench`, which arises where its moment is moved to the centroid of the contacts.
+    /// Rounding error of `wrench`, exact minus rounded, from moving its moment to the centroid of the contacts. Zero in the rate problem.
     pub(crate) wrench_rest: Vector,
     /// Whether a contact with infinite friction has friction-cone facets like one with a very large coefficient, so that it may slide.
     pub(crate) infinite_friction_has_edges: bool,
-    /// In space: the round cone limits sticking contacts, and the polygon only proposes states.
+    /// In space: the friction force is limited by the round cone, and the polygon only proposes contact states. Otherwise it is limited by the
+    /// polygon.
     pub(crate) round: bool,
-    /// Cache of the factors of the elastic trial, in which all contacts stick; `None` in the rate problem.
+    /// Place where the grasp keeps the factorised elastic trial, in which all contacts stick, once it is computed; `None` in the rate problem.
     pub(crate) trial: Option<&'g Remembered>,
 }
 
-/// The lists of a problem that have one entry for each contact. Another problem can reuse their memory.
+/// Three lists of a [`Problem`] with an entry for each contact. They are passed in so that a new problem reuses the memory of an earlier one.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Lists {
     pub(crate) laws: Vec<Law>,
@@ -57,7 +61,8 @@ pub(crate) struct Lists {
 }
 
 impl Engine {
-    /// The static problem of this grasp, with these offsets and this load.
+    /// The static problem of this grasp under `load`, with these offsets and without accumulated slip. In space the round cone limits friction if
+    /// `round`.
     pub(crate) fn problem(
         &self,
         polygon: Arc<Polygon>,
@@ -69,7 +74,7 @@ impl Engine {
         self.problem_in(lists, polygon, round, load)
     }
 
-    /// [`Self::problem`] in reused lists; `lists.offsets` holds the offsets.
+    /// [`Self::problem`] in reused lists: `lists.offsets` holds the offsets, and the two other lists are overwritten.
     pub(crate) fn problem_in(
         &self,
         lists: Lists,
@@ -81,7 +86,7 @@ impl Engine {
         Problem { trial, ..Problem::at_rest(self.sites(), polygon, round, lists, load) }
     }
 
-    /// The static problem under the caller's load, with polygonal friction cones in place of round ones.
+    /// The static problem under the caller's load and the commands of the grasp, with polygonal friction cones in place of round ones.
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
@@ -93,8 +98,8 @@ impl Engine {
 }
 
 impl<'g> Problem<'g> {
-    /// The static problem, in which every contact has its full law, not a law of rates. In space the round cone limits friction if `round`, otherwise
-    /// the polygon.
+    /// The static problem without accumulated slip: every contact has its full law, not a law of rates. In space the round cone limits friction if
+    /// `round`, otherwise the polygon. No elastic trial is kept.
     pub(crate) fn at_rest(
         sites: &'g [Site],
         polygon: Arc<Polygon>,
@@ -122,8 +127,8 @@ impl<'g> Problem<'g> {
         }
     }
 
-    /// The rate problem with these contact laws, rates of the offsets, and the rate of the load. Only contacts at the apex of their friction cone
-    /// keep a round cone. The law of a contact on the edge of its cone has a plane facet instead.
+    /// The rate problem with the laws `laws`, the rates `offsets` of the offsets, and the rate `wrench` of the load. In space only contacts at the
+    /// apex of their cone keep a round cone. The law of a contact on the edge of its cone has a plane facet instead.
     pub(crate) fn at_rates(&self, laws: Vec<Law>, offsets: Vec<SVector<f64, 3>>, wrench: Vector) -> Self {
         let slips = vec![SVector::zeros(); self.len()];
         let wrench_rest = Vector::zeros();
@@ -133,18 +138,18 @@ impl<'g> Problem<'g> {
         rates
     }
 
-    /// The load in twice the working precision.
+    /// The load `wrench` and its rounding error `wrench_rest`: together the load in twice the working precision.
     pub(crate) fn load(&self) -> Load {
         Load { wrench: self.wrench.clone(), rest: self.wrench_rest.clone() }
     }
 
-    /// Number of coordinates of the twist: those of the object and of all joints.
+    /// Number of coordinates of the twist: those of the object, of all joints and of further bodies.
     #[inline]
     pub(crate) fn size(&self) -> Size {
         size_of(self.sites)
     }
 
-    /// Whether the problem is planar or spatial.
+    /// Whether the problem is planar or spatial; spatial without any contact.
     pub(crate) fn space(&self) -> Space {
         self.sites.first().map_or(Space::Spatial, |site| site.space)
     }
@@ -153,25 +158,26 @@ impl<'g> Problem<'g> {
         self.sites.len()
     }
 
-    /// The polygon that replaces a contact's round cone.
+    /// The polygon that replaces the round cone of this contact: the turned one, else the contact's own one, else the common one.
     #[inline]
     pub(crate) fn polygon(&self, contact: usize) -> &Polygon {
         let own = || self.sites[contact].polygon.as_ref().unwrap_or(&self.polygon);
         self.turned.get(contact).unwrap_or_else(|| own())
     }
 
-    /// The friction cone of a contact: that of static friction, unless it slides with a lower kinetic coefficient.
+    /// The present friction cone of a contact: that of static friction, unless the contact slides with a lower kinetic coefficient.
     #[inline]
     pub(crate) fn cone(&self, contact: usize) -> Coulomb {
         self.cones.get(contact).copied().unwrap_or(self.sites[contact].friction)
     }
 
-    /// Whether each contact slides with kinetic friction below its static value; an empty list if no contact has kinetic friction.
+    /// For each contact, whether its present friction differs from its static friction, since it slides with kinetic friction. Empty if `cones` is
+    /// empty.
     pub(crate) fn weaker(&self) -> Vec<bool> {
         self.cones.iter().zip(self.sites).map(|(cone, site)| *cone != site.friction).list()
     }
 
-    /// One contact with its law.
+    /// The law of this contact in the problem, with its springs, its present friction cone and its polygon.
     #[inline]
     pub(crate) fn local(&self, contact: usize) -> LocalLaw<'_> {
         let site = &self.sites[contact];
@@ -184,12 +190,12 @@ impl<'g> Problem<'g> {
         )
     }
 
-    /// All contacts with their laws, in order.
+    /// An iterator over the laws [`Self::local`] of all contacts, in order.
     pub(crate) fn locals(&self) -> Locals<'_> {
         Locals { problem: self, next: 0 }
     }
 
-    /// The value of `of` for each contact, in order.
+    /// The values of the function `of` for the laws of all contacts, in order.
     pub(crate) fn each<T>(&self, of: impl Fn(LocalLaw<'_>) -> T) -> Vec<T> {
         let mut answers = Vec::with_capacity(self.len());
         for contact in 0..self.len() {
@@ -204,18 +210,19 @@ impl<'g> Problem<'g> {
         self.sites[contact].stretch(&self.offsets[contact], twist)
     }
 
-    /// The contact states of the elastic trial, in which every contact that is not absent sticks.
+    /// The contact states of the elastic trial: contacts whose law is [`Law::Absent`] are open, all others stick.
     pub(crate) fn unjumped(&self) -> Vec<State> {
         self.each(|local| local.unjumped())
     }
 
-    /// Contact states for a rate problem: contacts on the edge of their cone slide, contacts at its apex open, and all others stick. This is the most
-    /// common solution of a rate problem, and one linear solve checks it.
+    /// Contact states proposed for a rate problem: contacts on the edge of their cone slide, contacts at its apex open, and all others stick. This is
+    /// the most common solution of a rate problem, and one linear solve checks it.
     pub(crate) fn yielding(&self) -> Vec<State> {
         self.each(|local| local.yielding())
     }
 
-    /// `states`, with the slide of each contact on the round cone recomputed from its friction force and its slip at `twist`.
+    /// `states`, in which each contact that slides on the round cone gets the slide of its friction force, with λ = slip·friction/|friction|², at
+    /// least 0. The slip is that at `twist`. Without friction force the state stays.
     pub(crate) fn slid_on(
         &self,
         states: &[State],
@@ -236,7 +243,8 @@ impl<'g> Problem<'g> {
         indexed(states, &slid_on)
     }
 
-    /// The slip of a contact with this friction force, in twice the working precision: at a stiff contact it is a small difference of large numbers.
+    /// The slip of a contact at `twist`: its tangential stretch minus the deflection of its springs under `friction`. It is computed in twice the
+    /// working precision, since at a stiff contact the two nearly cancel.
     fn precise_slip(
         &self,
         contact: usize,
@@ -255,7 +263,7 @@ impl<'g> Problem<'g> {
     }
 }
 
-/// An iterator over the laws of all contacts, in order. It is a named type so that iterator adapters are compiled once for it, not once for each closure.
+/// An iterator over the laws of all contacts, in order. It is a named type so that iterator adapters are compiled once, not for each closure.
 pub(crate) struct Locals<'p> {
     problem: &'p Problem<'p>,
     next: usize,

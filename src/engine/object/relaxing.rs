@@ -1,4 +1,4 @@
-//! Relaxation of a stuck grasp: the object moves as slowly as viscous contacts would let it.
+//! Relaxation of a stuck grasp: contacts beyond their friction cones slip, and the object moves as it would with viscous contacts.
 //!
 //! With Coulomb friction a grasp may have several equilibria; in an extreme one the object lies beside the fingers. Steps of the twist q with the
 //! stiffness T of the stuck grasp,
@@ -8,7 +8,7 @@
 //! ```
 //!
 //! move the object as viscous contacts would. R is the imbalance of forces, G_i the grasp map and K_i the stiffness of contact i. In each step,
-//! contacts with forces beyond their cones slip little by little. Steps in nearly the same direction are made longer. The steps end at one
+//! contacts with forces beyond their cones slip little by little. Steps in nearly the same direction are made longer. The steps approach one
 //! equilibrium. It is stable, and as long as it remains stable, it varies continuously with loads, commands and friction. Newton's method from afar
 //! jumps from one equilibrium to another.
 
@@ -22,9 +22,9 @@ use crate::prelude::*;
 
 /// The path on which the object relaxes, from the equilibrium in which everything sticks.
 ///
-/// It iterates over twists at which the object has nearly relaxed. From one returned twist to the next, the estimated remaining length of the path
-/// falls to a hundredth. Short steps indicate an equilibrium, or a place where a stable one has just vanished. If Newton's method finds none there,
-/// the caller asks for the next twist.
+/// It iterates over twists at which the object has nearly relaxed. The estimated remaining path is a hundredth of the path covered, then a hundredth
+/// of that, and so on. The last twist comes after `RELAXING_STEPS` steps, or once R is zero. Short steps indicate an equilibrium, or a place where a
+/// stable one has just vanished. If Newton's method finds none there, the caller asks for the next twist.
 pub(crate) struct ViscousRelaxation<'p, 'a> {
     problem: &'p Problem<'a>,
     factors: TangentFactors,
@@ -32,15 +32,16 @@ pub(crate) struct ViscousRelaxation<'p, 'a> {
     stuck: Vector,
     twist: Vector,
     last: Option<Vector>,
-    /// Factor by which the last step was made longer.
+    /// Factor, at least 1, by which the last step was longer than `T⁻¹R`.
     pace: f64,
     steps: usize,
-    /// The next twist is returned where the estimated remaining length of the path is below this fraction of the length covered so far.
+    /// The next twist is returned where the estimated remaining length of the path is at most this fraction of its distance from the stuck twist.
     nearly: f64,
 }
 
 impl<'p, 'a> ViscousRelaxation<'p, 'a> {
-    /// The path from the twist `stuck`, at which everything sticks; `None` if no spring resists some motion of the stuck grasp.
+    /// The path from the twist `stuck`, at which everything sticks and is in balance. `None` if some motion of the stuck grasp is resisted by no
+    /// spring.
     pub(crate) fn from_stuck(problem: &'p Problem<'a>, stuck: &Vector) -> Option<Self> {
         let factors = problem.tangent_factors(&|i| problem.local(i).unjumped());
         let contacts = vec![ContactResponse::open(); problem.len()];
@@ -50,7 +51,7 @@ impl<'p, 'a> ViscousRelaxation<'p, 'a> {
         of.factors.is_regular().then_some(of)
     }
 
-    /// The distance of a twist from the present one, as a fraction of the distance covered from the stuck grasp.
+    /// The distance of `twist` from the present twist of the path, divided by the distance of the present twist from the stuck one.
     pub(crate) fn part_of_the_way(&self, twist: &Vector) -> f64 {
         (twist - &self.twist).norm() / (&self.twist - &self.stuck).norm()
     }

@@ -1,4 +1,4 @@
-//! Magnitudes that scale the rounding errors of forces and displacements.
+//! Sizes of forces, N, and of displacements, m, to which their rounding errors are proportional.
 
 use crate::numerics::IntoList;
 use nalgebra::SVector;
@@ -12,13 +12,13 @@ use crate::grasp::Site;
 use crate::numerics::Vector;
 use crate::prelude::*;
 
-/// The least force, N, that a contact's displacement causes in its softest spring, over all contacts; `spans` are the sizes of the displacements, m.
+/// Minimum over the contacts of the softest spring's stiffness times the size of displacements, N. `spans` has this size for each contact, m.
 pub(crate) fn least_spring_force(sites: &[Site], spans: impl Iterator<Item = f64>) -> f64 {
     sites.iter().zip(spans).map(|(site, span)| site.springs.softest() * span).fold(f64::INFINITY, f64::min)
 }
 
-/// Largest of the load and the contact forces, N, but at least [`NO_FORCE`] times the force of [`least_spring_force`]. Without this lower bound,
-/// forces that are rounding errors would be compared with other rounding errors.
+/// The largest of the norm `load` and the sizes `forces` of contact forces, N, but at least [`NO_FORCE`] times [`least_spring_force`]. Without this
+/// lower bound, forces that are rounding errors would be compared with other rounding errors.
 pub(crate) fn largest_force(
     sites: &[Site],
     offsets: &[SVector<f64, 3>],
@@ -38,13 +38,14 @@ pub(crate) fn largest_force(
 }
 
 impl Problem<'_> {
-    /// [`largest_force`] of this problem, N, for these contact forces and this twist.
+    /// [`largest_force`] for the load and offsets of this problem, and for these contact forces and this twist, N.
     pub(crate) fn largest_force(&self, forces: &[SVector<f64, 3>], twist: &Vector) -> f64 {
         let sizes = forces.iter().map(nalgebra::Matrix::norm);
         largest_force(self.sites, &self.offsets, twist, self.wrench.norm(), sizes)
     }
 
-    /// For each contact the force size, N, that scales the rounding of its contact force, for these offsets and a load of norm `load`.
+    /// For each contact the size, N, to which the rounding error of its force in `state` is proportional. The problem has the offsets `offsets` and a
+    /// load of norm `load`.
     pub(crate) fn force_sizes(&self, offsets: &[SVector<f64, 3>], load: f64, state: &PieceState) -> Vec<f64> {
         let norms = state.forces.iter().map(nalgebra::Matrix::norm);
         let largest = largest_force(self.sites, offsets, &state.twist, load, norms);
@@ -61,13 +62,14 @@ impl Problem<'_> {
         twist.norm() + largest / stiffest
     }
 
-    /// Size of the displacements at a contact, m, which scales the rounding of its stretch.
+    /// Upper bound of the terms `a_i` and `G_iᵀq` of the stretch of a contact, m, to which the rounding error of this stretch is proportional.
     #[inline]
     pub(crate) fn span(&self, contact: usize, twist: &Vector) -> f64 {
         self.sites[contact].span(&self.offsets[contact], twist)
     }
 
-    /// Stretch and force of a contact with the sizes that scale their rounding, from which the conditions of its state are evaluated.
+    /// Stretch and force of a contact with the sizes to which their rounding errors are proportional; `largest` is the largest force of the grasp, N.
+    /// The conditions of the contact's state are evaluated from them.
     pub(crate) fn at<'s>(
         &self,
         contact: usize,
@@ -78,7 +80,7 @@ impl Problem<'_> {
         self.at_moved((contact, force), twist, self.size_of_motion(twist, largest), largest)
     }
 
-    /// [`Self::at`] with a norm of the twist that the caller has computed once for all contacts.
+    /// [`Self::at`], where `norm` is the norm of `twist`, which the caller has computed once for all contacts.
     #[inline]
     pub(crate) fn at_moved<'s>(
         &self,
@@ -91,7 +93,7 @@ impl Problem<'_> {
         SpringState { stretch: self.stretch(contact, twist), force, span, largest }
     }
 
-    /// The norm of the imbalance `Σ G_i F_i + W` of contact forces and load, and the sum of the norms of its terms.
+    /// The norm of the imbalance `Σ G_i F_i + W` of contact forces and load, and the sum of the norms |F_i|, without that of the load.
     pub(crate) fn imbalance(&self, forces: &[SVector<f64, 3>]) -> (f64, f64) {
         let Imbalance { left, size } = Imbalance::of(self.sites, forces, &self.wrench, 0.0);
         (left.norm(), size)

@@ -1,7 +1,7 @@
-//! Forces and twist of a [`Piece`], accurate to the last digits.
+//! Contact forces and twist that solve the linear problem of a [`Piece`], accurate to the last digits.
 //!
 //! Each spring r has a residual e_r, and equilibrium has a residual ρ. They are evaluated in twice the working precision, and the linear problem is
-//! solved for them again (iterative refinement). With spring forces x, offsets a_i, grasp maps G_i, twist q and load W they are
+//! solved for them again (iterative refinement). With scaled spring forces x (see `piece`), offsets a_i, grasp maps G_i, twist q and load W they are
 //!
 //! ```text
 //! e_r = right_r · (a_i - G_iᵀ q) - x_r,      ρ = Σ G_i left_r x_r + W
@@ -19,12 +19,12 @@ use crate::grasp::Site;
 use crate::numerics::{DoubleDouble, Vector, cleared_for, without};
 use crate::prelude::*;
 
-/// Forces and twist that solve the linear problem of a [`Piece`].
+/// Contact forces and twist that solve the linear problem of a [`Piece`] under given offsets and a given load; in the rate problem their rates.
 #[derive(Debug, Clone)]
 pub(crate) struct PieceState {
     /// The contact force F_i of each contact in its contact frame, N.
     pub(crate) forces: Vec<SVector<f64, 3>>,
-    /// The twist of least norm, in the engine's coordinates.
+    /// The twist, of least norm where motions stretch no spring; about the centroid of the contacts, with arms in the engine's unit of length.
     pub(crate) twist: Vector,
 }
 
@@ -34,23 +34,24 @@ impl Default for PieceState {
     }
 }
 
-/// Memory that repeated solves reuse: the spring forces, and their corrections in a refinement step.
+/// Memory that repeated solves reuse: the scaled spring forces `x`, and their corrections `change` in a refinement step.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct SolutionMemory {
     x: Vec<f64>,
     change: Vec<f64>,
 }
 
-/// The linear problem of a [`Piece`] has no solution under a load.
+/// The answer that the linear problem of a [`Piece`] has no solution under the given offsets and load.
 #[derive(Debug, Clone)]
 pub(crate) struct Unbalanced {
-    /// A unit motion along which the load does work and no spring pushes. `None` if springs are stretched, but sliding contacts push in directions
-    /// that cannot balance the load.
+    /// A unit motion along which the load does work and no spring pushes. `None` if there is no such motion, but sliding contacts push in directions
+    /// that cannot balance offsets and load.
     pub(crate) motion: Option<Vector>,
 }
 
 impl Piece {
-    /// Forces and the twist of least norm under these offsets and this load. `sites` are the contacts and drives from which this [`Piece`] was made.
+    /// Contact forces and the twist of least norm under these offsets and this load; [`Unbalanced`] if there are none. `sites` are the contacts and
+    /// drives from which this [`Piece`] was made.
     pub(crate) fn solve(
         &self,
         sites: &[Site],
@@ -62,7 +63,7 @@ impl Piece {
         Ok(state)
     }
 
-    /// [`Self::solve`] in reused memory.
+    /// [`Self::solve`] in reused memory: the solution is written to `state`.
     pub(crate) fn solve_into(
         &self,
         sites: &[Site],
@@ -82,7 +83,8 @@ impl Piece {
             }
             let mut twist = PreciseTwist::new(self.size(), band.respond(x, &load.wrench));
             let respond = |x: &mut [f64], rest: &Vector| band.respond(x, rest);
-            // Corrections shrink only by a constant factor, so refinement ends when one is below this fraction of the largest force.
+            // With band factors each correction is smaller than the last by a constant factor only. Refinement ends when one is at most this fraction
+            // of the largest force.
             if self.refine(sites, (offsets, &load), (x, change, &mut twist), (respond, 1e-15)) {
                 state.twist = without(twist.value(), &self.free);
                 self.forces_into(&mut state.forces, x, offsets.len());
@@ -115,8 +117,8 @@ impl Piece {
         Ok(())
     }
 
-    /// Iterative refinement. Returns whether it converged: whether the first correction was below [`NEARLY_CORRECTED`] of the largest force, or a
-    /// later correction below the fraction `sharp` of that force.
+    /// Iterative refinement of `x` and `twist`, in at most [`MOST_CORRECTIONS`] steps. Returns whether it converged: whether the first correction was
+    /// at most [`NEARLY_CORRECTED`] of the largest force, or a later one the fraction `sharp` of it.
     fn refine(
         &self,
         sites: &[Site],
@@ -143,15 +145,15 @@ impl Piece {
         false
     }
 
-    /// [`Self::solve`] without refinement, for a [`Piece`] in which all contacts stick and every motion is resisted. The spring forces are projected
-    /// onto equilibrium twice; the remaining error is a few roundings of the largest force.
+    /// [`Self::solve`] without refinement, for a [`Piece`] in which all contacts stick and springs resist every motion. The spring forces are
+    /// projected onto the balance of forces twice; the remaining error is a few roundings of the largest force.
     pub(crate) fn solve_roughly(&self, offsets: &[SVector<f64, 3>], wrench: &Vector) -> PieceState {
         let mut state = PieceState::default();
         self.solve_roughly_into(offsets, wrench, (&mut SolutionMemory::default(), &mut state));
         state
     }
 
-    /// [`Self::solve_roughly`] in reused memory.
+    /// [`Self::solve_roughly`] in reused memory: the solution is written to `state`.
     pub(crate) fn solve_roughly_into(
         &self,
         offsets: &[SVector<f64, 3>],
@@ -177,8 +179,8 @@ impl Piece {
         self.forces_into(&mut state.forces, x, offsets.len());
     }
 
-    /// Moves the object until forces balance. The spring forces x become `x - A (BᵀA)⁻¹ (Bᵀx + W)` under the load W, with the matrices A of stretches
-    /// and B of push directions. Returns the twist `(BᵀA)⁻¹ (Bᵀx + W)`.
+    /// Moves the object until forces balance the load W. The scaled spring forces x become `x - A q` with the returned twist `q = (BᵀA)⁻¹ (Bᵀx + W)`.
+    /// A has the spring stretches under a motion, and B the push directions.
     pub(super) fn respond(&self, x: &mut [f64], wrench: &Vector) -> Vector {
         match &self.band {
             Some((band, _)) => band.respond(x, wrench),
@@ -186,20 +188,21 @@ impl Piece {
         }
     }
 
-    /// Contact forces that result from given stretches of the contacts and a load. A part of the load that the springs cannot balance is ignored.
+    /// Contact forces after the object has moved until they balance the load, from given stretches of the contacts before this motion. A component of
+    /// the load that springs cannot balance is ignored.
     pub(crate) fn forces_of(&self, stretches: &[SVector<f64, 3>], load: &Vector) -> Vec<SVector<f64, 3>> {
         let mut x = self.stretched(|contact| stretches[contact]);
         self.respond(&mut x, load);
         self.forces(&x, stretches.len())
     }
 
-    /// Change of the contact forces if the object moves by `motion` at constant offsets.
+    /// Change of the contact forces if the object moves by `motion` at constant offsets and contact states.
     pub(crate) fn forces_along(&self, problem: &Problem, motion: &Vector) -> Vec<SVector<f64, 3>> {
         let x = self.stretched(|contact| -problem.sites[contact].map.tr_mul(motion));
         self.forces(&x, problem.len())
     }
 
-    /// The forces of all springs if the contacts have these stretches v: `x_r = right_r · v` for spring r.
+    /// The scaled forces of all springs if the contacts have these stretches v: `x_r = right_r · v` for each spring r of a contact.
     pub(super) fn stretched(&self, stretch: impl Fn(usize) -> SVector<f64, 3>) -> Vec<f64> {
         let mut x = Vec::new();
         self.stretched_into(&mut x, stretch);
@@ -232,8 +235,8 @@ impl Piece {
         }
     }
 
-    /// Writes the residual of each spring r into `e`: `e_r = right_r · (a_i - G_iᵀ q) - x_r`. Here x_r is the spring force, a_i the offset and q the
-    /// twist. Returns the residual of equilibrium under the load W, `ρ = Σ G_i left_r x_r + W`.
+    /// Writes the residual of each spring r into `e`: `e_r = right_r · (a_i - G_iᵀ q) - x_r`. Here x_r is the scaled spring force, a_i the offset of
+    /// its contact and q the twist. Returns the residual of equilibrium under the load W, `ρ = Σ G_i left_r x_r + W`.
     fn excess(
         &self,
         sites: &[Site],
@@ -274,8 +277,8 @@ impl Piece {
 }
 
 impl OrthogonalPiece {
-    /// Moves the object until forces balance. The spring forces x become `x - Q_A (Q_BᵀQ_A)⁻¹ (Q_Bᵀx + R_B⁻ᵀW)` under the load W. The matrices of
-    /// stretches and push directions have the orthogonal factors Q_A and Q_B R_B. Returns the twist of that step.
+    /// Moves the object until forces balance. The scaled spring forces x become `x - Q_A (Q_BᵀQ_A)⁻¹ (Q_Bᵀx + R_B⁻ᵀW)` under the load W. The matrices
+    /// of stretches and push directions are A = Q_A R_A and B = Q_B R_B. Returns the twist of this motion.
     fn respond(&self, x: &mut [f64], wrench: &Vector) -> Vector {
         let balance = self.balance();
         let excess = balance.coordinates(x) + balance.load_coordinates(wrench);

@@ -1,11 +1,13 @@
-//! The tangent stiffness T. To first order every contact is a few springs, whose stiffness C_i is the derivative of its force by its stretch.
+//! The tangent stiffness T of the object. It follows from the tangent stiffness C_i of each contact, the derivative of its force by its stretch in
+//! its present state.
 //!
 //! ```text
 //! R = Σ G_i F_i + W,     T = Σ G_i C_i G_iᵀ,     dq = T⁻¹R,     F_i -= C_i G_iᵀ dq
 //! ```
 //!
-//! The forces are corrected, not recomputed from the twist: the force of a very stiff spring follows from equilibrium, not from its tiny stretch.
-//! After a step R is mere rounding, so that a few steps give the last digits where T is regular. For a singular T see [`super::Piece`].
+//! Here dq is a Newton step of the twist for the imbalance R. The forces are corrected, not recomputed from the twist: the force of a very stiff
+//! spring follows from equilibrium, not from its tiny stretch. After a step R is mere rounding, so that a few steps give the last digits where T is
+//! regular. For a singular T see [`super::Piece`].
 
 use crate::numerics::{Each, Square, Vector};
 use core::ops::Range;
@@ -21,14 +23,14 @@ use crate::grasp::{Site, size_of};
 use crate::numerics::{Factors, PartialPivoting, in_halves};
 use crate::prelude::*;
 
-/// Factors of the tangent stiffness T; those of a band matrix if there are many coordinates.
+/// LU factors of the tangent stiffness T; those of a band matrix from 36 coordinates on.
 pub(crate) enum TangentFactors {
     Whole(Factors),
     Band(Box<BandPiece>),
 }
 
 impl TangentFactors {
-    /// A solution of `T y = b` with the tangent stiffness T. Where T is singular, b is replaced by its component in the range of T.
+    /// A solution y of `T y = b` with the tangent stiffness T. Where T is singular, a component of b outside the range of T is ignored.
     pub(crate) fn solve(&self, b: &Vector) -> Vector {
         match self {
             Self::Whole(factors) => factors.solve(b),
@@ -36,7 +38,8 @@ impl TangentFactors {
         }
     }
 
-    /// Null vectors of the tangent stiffness, as motions of all coordinates; an empty list unless it is a band matrix.
+    /// Null vectors of the tangent stiffness, as motions of all coordinates. Empty if it is regular, and always if it is not factorised as a band
+    /// matrix.
     pub(crate) fn loose_motions(&self) -> Vec<Vector> {
         match self {
             Self::Whole(_) => Vec::new(),
@@ -44,7 +47,7 @@ impl TangentFactors {
         }
     }
 
-    /// Whether the tangent stiffness T is regular.
+    /// Whether the tangent stiffness T is regular: not singular up to rounding.
     pub(crate) fn is_regular(&self) -> bool {
         match self {
             Self::Whole(factors) => matches!(factors, Factors::Regular(_)),
@@ -54,7 +57,7 @@ impl TangentFactors {
 }
 
 impl Problem<'_> {
-    /// Factors of the tangent stiffness T in these contact states.
+    /// LU factors of the tangent stiffness T of this problem, with contact i in the state `state(i)`.
     pub(crate) fn tangent_factors(&self, state: &(dyn Fn(usize) -> State + Sync)) -> TangentFactors {
         self.tangent_in_a_band(state).unwrap_or_else(|| {
             let tangent = |i: usize| self.local(i).tangent(&state(i)).matrix();
@@ -62,7 +65,7 @@ impl Problem<'_> {
         })
     }
 
-    /// Factors of the tangent stiffness T as a band matrix; `None` unless there are many coordinates.
+    /// LU factors of the tangent stiffness T as a band matrix; `None` with fewer than 36 coordinates, or if a pivot is not finite.
     pub(crate) fn tangent_in_a_band(&self, state: &dyn Fn(usize) -> State) -> Option<TangentFactors> {
         if !uses_band(self.size()) {
             return None;
@@ -76,10 +79,10 @@ impl Problem<'_> {
     }
 }
 
-/// The tangent stiffness C_i of a contact: the derivative of its force by its stretch.
+/// The tangent stiffness C_i of a contact, N/m: the derivative of its force by its stretch, in its contact frame.
 pub(crate) type SpringTangent = SMatrix<f64, 3, 3>;
 
-/// The tangent stiffness T of the object, from these contacts; `springs(i)` returns C_i of contact i.
+/// The tangent stiffness `T = Σ G_i C_i G_iᵀ` of the object, summed over the contacts and drives `sites`; `springs(i)` returns C_i of contact i.
 pub(crate) fn tangent_stiffness(sites: &[Site], springs: impl Fn(usize) -> SpringTangent + Sync) -> Square {
     let part = |contacts: Range<usize>| {
         let mut t = Square::zeros(size_of(sites));
@@ -106,8 +109,9 @@ fn add_tangent(t: &mut Square, site: &Site, springs: &SpringTangent) {
     }
 }
 
-/// Corrects forces and twist by Newton steps, until the norm of the force imbalance is at most the fraction `part` of the sum of its terms' norms.
-/// Returns the sum over all steps of the largest change of a force, N; `None` if the steps do not suffice.
+/// Corrects the forces and twist of `state` by at most three Newton steps. They end where the norm of the imbalance is at most the fraction `part` of
+/// the sum of the norms of contact forces and load. Returns the sum over the steps of the largest change of a contact force, N; `None` if the steps
+/// do not suffice.
 pub(crate) fn balance(
     sites: &[Site],
     springs: &[SpringTangent],
@@ -117,7 +121,7 @@ pub(crate) fn balance(
     part: f64,
 ) -> Option<f64> {
     let mut moved = 0.0_f64;
-    // The largest number of steps. One or two are enough where T is well conditioned.
+    // At most four imbalances are computed. One or two steps are enough where T is well conditioned.
     for _ in 0..4 {
         let Imbalance { left, size } = Imbalance::of(sites, &state.forces, wrench, wrench.norm());
         if left.norm() <= part * size {

@@ -1,51 +1,52 @@
-//! The numbers below which the elastic solution of an object takes a value for zero or for rounding.
+//! Tolerances of `object`: below which a force, work or correction counts as zero or as rounding, and numbers of steps.
 //!
-//! All of them are pure numbers: fractions of the forces, work or terms that they are compared with.
+//! All of them are pure numbers. The tolerances are fractions of the forces, work or terms that are compared.
 
-/// A load whose work on a unit free motion is below this fraction of its size does no work on it. Loads that were computed to balance carry rounding
-/// of about 1e-16.
+/// The work of a load on a unit motion that no spring can balance counts as zero up to this fraction of the norm of the load. Loads that were
+/// computed to balance carry rounding of about 1e-16.
 ///
-/// If smaller, a balanced load seems to move the object without resistance. If larger, a load that does move it so counts as balanced.
+/// If smaller, a load that springs balance seems to move the object without resistance. If larger, a load that does move it without resistance counts
+/// as balanced.
 pub(super) const NO_WORK: f64 = 1e-13;
 
-/// The parameter ε of `lazy_pricing`, which decides when a contact is evaluated next. Contacts wait by the length of the pivoting path; its component
-/// across the path's reference direction counts 1/ε times. With a smaller ε contacts are evaluated too early as soon as the path turns; with a larger
-/// one even on a straight path.
+/// The parameter ε of `lazy_pricing`, which decides when a contact is evaluated next. The waiting time is measured in length of the pivoting path, of
+/// which the component across the reference direction counts 1/ε times. With a smaller ε contacts are evaluated too early as soon as the path turns;
+/// with a larger one even on a straight path.
 pub(super) const PRICED_ACROSS: f64 = 0.25;
 
-/// In `lazy_pricing` the value of a condition is reduced by this fraction of the sum of its terms, which exceeds its rounding. No contact then waits
-/// too long.
+/// Before `lazy_pricing` the value of a condition is reduced by this fraction of the sum of its terms' sizes, which exceeds its rounding. No contact
+/// then waits too long.
 ///
 /// If smaller, a contact may be evaluated after the end of its state; if larger, contacts are evaluated too early.
 pub(crate) const PRICING_MARGIN: f64 = 1e-13;
 
-/// Forces below this fraction of the spring forces that displacements of the same size could cause are rounding errors. A statically determinate
-/// grasp may carry no force at all. The solve and two refinement steps then leave 1e-45 of those spring forces. The fraction keeps such rounding
-/// errors from being compared with one another.
+/// Contact forces below this fraction of the least force that the displacements could cause in a contact's softest spring are rounding errors. In a
+/// statically determinate grasp all forces may be zero. The solve and two refinement steps then leave 1e-45 of those spring forces. With this
+/// fraction such rounding errors are not compared with one another.
 ///
 /// If smaller, rounding errors count as forces; if larger, small forces beside large displacements do not count.
 pub(crate) const NO_FORCE: f64 = 1e-25;
 
-/// Refinement ends at the first correction of the spring forces if it is below this fraction of the largest force. The next correction would be
-/// smaller by about the same factor.
+/// Refinement ends at the first correction of the spring forces if it changes none by more than this fraction of the largest force. The next
+/// correction would be smaller by about the same factor.
 ///
-/// If smaller, well-conditioned pieces take another correction; if larger, forces miss digits that one correction would give.
+/// If smaller, well-conditioned problems take another correction; if larger, forces miss digits that one more correction would give.
 pub(super) const NEARLY_CORRECTED: f64 = 1e-8;
 
-/// The largest number of refinement steps. Where the exact force is zero, each step leaves 1e-16 of the previous value.
+/// The largest number of refinement steps. Where the exact force is zero, each step leaves about 1e-16 of the force before it.
 pub(super) const MOST_CORRECTIONS: usize = 4;
 
-/// Largest number of steps towards the equilibrium to which the stuck grasp relaxes; ten to thirty suffice as a rule. With fewer, Newton's method may
-/// go back to an equilibrium that is not stable, which the steps have passed.
+/// Largest number of steps of `relaxing`, from the stuck grasp towards the equilibrium to which it relaxes; ten to thirty suffice as a rule. With
+/// fewer, Newton's method may return to an unstable equilibrium which the steps have passed.
 pub(super) const RELAXING_STEPS: usize = 300;
 
-/// The object has nearly relaxed where the estimated remaining length of its path is below this fraction of the length covered; Newton's method
-/// completes the path. With a fraction twenty times as large, Newton's method finds a different equilibrium in one of 240 random scenes (test
-/// `needed_amounts`). With a smaller one there are more steps.
+/// The object has nearly relaxed where the estimated remaining length of its path is below this fraction of its distance from the stuck twist.
+/// Newton's method completes the path. With a fraction twenty times as large, Newton's method finds a different equilibrium in one of 240 random
+/// scenes (test `needed_amounts`). With a smaller one there are more steps.
 pub(super) const NEARLY_RELAXED: f64 = 1e-2;
 
-/// Cosine of the angle between two steps of the relaxation above which the second has nearly the direction of the first, and is made twice as long.
-/// If smaller, long steps oscillate; if larger, slow relaxation takes hundreds of steps.
+/// Cosine of the angle between two steps of the relaxation from which on they have nearly the same direction. The factor by which steps are made
+/// longer then doubles. If smaller, long steps oscillate; if larger, slow relaxation takes hundreds of steps.
 pub(super) const STRAIGHT_ON: f64 = 0.99;
 
 /// The largest factor by which a step of the relaxation is made longer. If larger, a step may pass over an equilibrium; if smaller, slow relaxation

@@ -1,4 +1,5 @@
-//! Approximate states of many contacts by Tresca friction: each contact has a given friction limit, independent of its normal force.
+//! Approximate states of many contacts by Tresca friction: each contact has a given largest friction force, its limit, independent of its normal
+//! force.
 //!
 //! If the friction limits r_i do not depend on normal forces, each contact force F_i is the gradient of a convex energy φ_i of the stretch. The
 //! stretch is `a_i - G_iᵀq`, with the offset a_i and the grasp map G_i. Under the load W forces balance where the twist q minimises an energy:
@@ -8,8 +9,8 @@
 //! ```
 //!
 //! and Newton's method finds its minimum from any start. As regularisation the Newton matrix keeps a fraction of the stiffness of yielding springs,
-//! which decreases from step to step. Then new limits follow from the normal forces, until no contact changes its state. The states are a proposal:
-//! some may be wrong.
+//! which decreases as a rule. Then new limits μ F_n follow from the normal forces, until no contact changes its state, in at most 30 rounds. The
+//! states are a proposal: some may be wrong.
 //!
 //! Source: J. Haslinger, I. Hlaváček, J. Nečas, Numerical methods for unilateral problems in solid mechanics, Handbook of Numerical Analysis IV
 //! (1996): friction as a fixed point of problems with given friction.
@@ -26,28 +27,28 @@ use crate::numerics::{
 };
 use crate::prelude::*;
 
-/// All contacts with given friction limits, and their coordinates in an order that makes the band narrow.
+/// All contacts with given friction limits, N, and the twist's coordinates in an order that makes the band of the stiffness matrix narrow.
 struct GivenLimits {
     contacts: Vec<Limited>,
     limits: Vec<f64>,
-    /// Coordinates with nonzero entries in the contacts' grasp maps, with these entries, contact after contact.
+    /// For each contact in turn, the positions of the coordinates that move it, each with the contact's displacement per unit of the coordinate.
     coupled: Vec<(usize, SVector<f64, 3>)>,
-    /// Position of each coordinate in the order that makes the band narrow.
+    /// Position of each coordinate in the order that makes the band of the stiffness matrix narrow.
     numbers: Vec<usize>,
     first: Vec<usize>,
     load: Vec<f64>,
     band: PositiveBand,
 }
 
-/// Responses of all contacts to a motion of the object.
+/// The forces and states of all contacts after a motion of the object, with the friction limits given.
 struct Answers {
     of: Vec<LimitedAnswer>,
     /// The imbalance `Σ G_i F_i + W` of contact forces and load.
     imbalance: Vec<f64>,
 }
 
-/// Proposed contact states on polygonal friction cones or in the plane. Forces nearly balance, and friction limits nearly agree with the normal
-/// forces. `None` if there are few coordinates, motions that nothing resists, or contacts with infinite friction.
+/// Proposed contact states on polygonal friction cones or in the plane. As a rule forces nearly balance, and friction limits nearly agree with the
+/// normal forces. `None` with few coordinates, with motions that nothing resists, or if a contact has infinite friction and may open.
 pub(crate) fn states_by_tresca(problem: &Problem<'_>) -> Option<Vec<State>> {
     if !uses_band(problem.size()) {
         return None;
@@ -62,8 +63,8 @@ pub(crate) fn states_by_tresca(problem: &Problem<'_>) -> Option<Vec<State>> {
     Some(moved(states, &state))
 }
 
-/// The proposed motion for round friction cones: forces nearly balance, and friction limits nearly agree with the normal forces. `None` as for
-/// [`states_by_tresca`], and also without a round cone.
+/// The proposed twist of the object for round friction cones. As a rule forces nearly balance, and friction limits nearly agree with the normal
+/// forces. `None` as for [`states_by_tresca`], and also if friction is not limited by round cones.
 pub(crate) fn twist_by_tresca(problem: &Problem<'_>) -> Option<Vector> {
     if !problem.round || !uses_band(problem.size()) {
         return None;
@@ -106,7 +107,7 @@ impl GivenLimits {
         &self.coupled[self.first[contact]..self.first[contact + 1]]
     }
 
-    /// Responses of the contacts to a motion `q`; `answer(i, stretch)` is the law of contact i.
+    /// Forces and states of all contacts at the twist `q`; `answer(i, stretch)` is the law of contact i.
     fn answers_by(&self, q: &[f64], answer: impl Fn(usize, &SVector<f64, 3>) -> LimitedAnswer) -> Answers {
         let (mut of, mut imbalance) = (Vec::with_capacity(self.contacts.len()), self.load.clone());
         for (i, contact) in self.contacts.iter().enumerate() {
@@ -124,8 +125,8 @@ impl GivenLimits {
         self.answers_by(q, |i, stretch| self.contacts[i].answer(stretch, self.limits[i]))
     }
 
-    /// Factorises the tangent stiffness of the object, in which springs that yield keep the fraction `kept` of their stiffness. `None` if it is not
-    /// positive definite.
+    /// Factorises the tangent stiffness of the object, in which yielding springs keep the fraction `kept` of their stiffness. `None` if this matrix
+    /// is not positive definite.
     fn factor(&mut self, answers: &[LimitedAnswer], kept: f64) -> Option<()> {
         let Self { coupled, first, band, .. } = self;
         band.clear();
@@ -141,7 +142,8 @@ impl GivenLimits {
         band.factor()
     }
 
-    /// Iterates friction limits and motion until they agree. Returns the contact states and the motion.
+    /// Iterates friction limits and twist until they agree, in at most 30 rounds. Returns the last contact states and twist; `None` if a stiffness
+    /// matrix is not positive definite.
     fn iterated(mut self) -> Option<(Vec<Mode<u16>>, Vec<f64>)> {
         let stuck = |contact: &Limited, stretch: &SVector<f64, 3>| {
             let holds = SMatrix::from_diagonal(&contact.stiffness);
@@ -185,7 +187,8 @@ impl GivenLimits {
         self.contacts.iter().zip(answers).map(|(contact, answer)| contact.limit(answer.force[0])).list()
     }
 
-    /// Newton's method from a motion to the minimum of energy with the given limits.
+    /// Newton's method from the twist `q` to the least energy with the given friction limits. It ends where the imbalance is at most `enough`, or
+    /// after ten steps. `None` if the stiffness matrix is not positive definite.
     fn least_energy(&mut self, q: &mut Vec<f64>, (kept, enough): (&mut f64, f64)) -> Option<Answers> {
         let mut present = self.answers(q);
         // Maximum number of Newton steps for the same limits.

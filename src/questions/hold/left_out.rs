@@ -4,6 +4,9 @@
 //! the elastic one and `-Σ F_i · ∂²u_i/∂q²`. For a rotation θ and arms r_i of the contacts the second part is `Σ (F·r) |θ|² - (F·θ)(r·θ)`, in the
 //! plane `Σ F·r θ²`. Fingers that press against each other make it negative. This second part is compared with the work `W·q` of the load on the
 //! motion, which equals `q·Kq` with the secant stiffness K of the grasp.
+//!
+//! The forces may also be about to buckle the grasp in a motion that the load does not cause, such as a strut in line with its load. So the second part
+//! is compared with the elastic one in every motion, too, for one object and for several bodies.
 
 use nalgebra::{SMatrix, SVector};
 

@@ -53,7 +53,10 @@ pub struct Verdict<const C: usize> {
     ///
     /// With the contact forces F under the base load, their arms r and the rotation θ it is `Σ [(F·r) |θ|² - (F·θ)(r·θ)]` divided by the work `ΔW·q`
     /// of the change of load over the motion q. Below 0 the squeeze lowers the resistance as its arms turn with the object; at -1 or less no
-    /// resistance is left. `None` if its size is at most a tenth, for several bodies, where commands or joints change, or without these equilibria.
+    /// resistance is left. This fraction is not computed for several bodies, nor where commands or joints change.
+    ///
+    /// Or, if that is lower and at most -1/2: minus the largest fraction of the resistance to any motion that the forces under the whole load take.
+    /// Near -1 a strut buckles. `None` if the first is between -0.1 and 0.1 and the second above -1/2.
     #[cfg_attr(
         feature = "serde",
         serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")

@@ -1,7 +1,7 @@
-//! A second path with the same steps, each made as a whole and not in two halves. The distance between both paths measures the error that all steps
-//! so far have left.
+//! A second path with the same steps, each made at once and not in two halves. The distance between both paths, in contact forces, measures the error
+//! that all steps so far have left.
 //!
-//! The error of a step in two halves is a third of its difference from the step made as a whole. But errors do not add up: directions of slip turn
+//! The error of a step in two halves is a third of its difference from the step made at once. But errors do not add up. Directions of slip turn
 //! towards the friction force, so that their errors decay, and errors of different steps affect different contacts. Errors of the second path decay
 //! in the same way, so that
 //!
@@ -15,25 +15,26 @@
 use super::one_step::{StepProblem, SteppedState};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 
-/// The second path, of steps made as a whole.
+/// The second path, of steps made at once.
 #[derive(Debug, Clone)]
 pub(super) struct Coarse {
     pub(super) present: SteppedState,
-    /// The second path is sometimes restarted from a state of the first. This is the sum of the distances between both paths at these restarts,
-    /// divided by the largest force.
+    /// The second path is sometimes restarted near the first. This is the sum, over these restarts, of the distance between both paths before each,
+    /// divided by the largest contact force of that step.
     lost: f64,
-    /// The largest distance between both paths so far plus the sum `lost`, divided by the largest force.
+    /// The largest value so far of the distance between both paths, divided by the largest contact force of the step, plus the sum `lost`.
     pub(super) farthest: f64,
 }
 
 impl Coarse {
-    /// The second path, which begins where the first one does.
+    /// The second path, which begins at `present`, the first state of the first path.
     pub(super) fn starting_at(present: &SteppedState) -> Self {
         Self { present: present.clone(), lost: 0.0, farthest: 0.0 }
     }
 
-    /// Makes on the second path the step that the first path has made between two places. `at_once` is the end of that step made as a whole. If the
-    /// second path finds no step of its own, or only one to a distant state, it moves to `at_once`. `beside` is memory for its own step.
+    /// Makes on the second path the step that the first path has made between the states `from` and `to`. `at_once` is the end of that step made at
+    /// once. The second path moves to `at_once` if it finds no step of its own, only one to a distant state, or nearly agrees with the first.
+    /// `beside` is memory for its own step.
     pub(super) fn follow(
         &mut self,
         along: &mut StepProblem<'_>,
@@ -47,8 +48,8 @@ impl Coarse {
         // would happen at each change of contact states, and errors would be added up although they decay.
         let by = 10.0 * distance + to.distance_to(at_once);
         let step = || along.step(&self.present, (to.fraction - from.fraction, near), beside);
-        // If the paths differ by less than this fraction of the largest force, the difference is below the tolerance of Newton's method, and the second
-        // path moves to `at_once`. With a larger fraction, errors would be added up although they decay.
+        // If the paths differ by at most this fraction of the largest force, the difference is within the tolerance of Newton's method. The second
+        // path then moves to `at_once`. With a larger fraction, errors would be added up although they decay.
         if distance > SOLVED_ROUNDING * largest && step().is_some() && beside.distance_to(at_once) <= by {
             core::mem::swap(&mut self.present, beside);
         } else {

@@ -1,4 +1,4 @@
-//! The end of a path in steps where no step leads further.
+//! The end of a path followed in steps, where no step leads further.
 
 use super::stepped_path::Steps;
 use crate::contact::Law;
@@ -10,7 +10,7 @@ use crate::prelude::*;
 use crate::search::{Doubt, Settled, settle};
 
 impl<'g> Steps<'g> {
-    /// The end of a path if no step leads further. It is a loss if the speed of the object grows without bound, or if a proof shows that no rates of
+    /// The end of the path, if no step leads further. It is a loss if the object's speed grows without bound, or if the search shows that no rates of
     /// forces and motion exist. Otherwise the path is undecided, for the reason `doubt`.
     pub(super) fn end_here(&self, journey: &Journey<'g>, doubt: Doubt) -> PathEnd<3> {
         let fraction = self.present.fraction;

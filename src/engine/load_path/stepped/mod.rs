@@ -3,17 +3,17 @@
 //! [`LoadPath`](super::LoadPath) finds every event of a few hundred contacts. If thousands slide on the round cone, their directions of slip turn all
 //! the time. Here a step assumes that the stretch of every contact changes along a straight line, for which its slip is exact. Newton's method finds
 //! the motion of the object that balances the load at the end of the step. The remaining error is that stretches are not straight in between. To
-//! measure it, each step is made once as a whole and once in two halves. A second path of steps made as a whole measures the part of the error that
-//! later steps retain.
+//! measure it, each step is made both at once and in two halves. A second path of steps made at once measures how much of the error remains after
+//! later steps.
 //!
 //! | file | idea |
 //! |---|---|
 //! | `one_step` | the equilibrium at the end of a step |
-//! | `stepped_path` | the follower and its state |
+//! | `stepped_path` | the follower of the load program, and its state |
 //! | `step_length`, `places`, `pace` | step control: steps as long as the allowed error permits |
-//! | `coarse`, `unseen` | the error: measured by a second path, or shared by both paths |
-//! | `standing_at` | the equilibrium at the present place, and the contacts on an edge |
-//! | `ending`, `speeds` | the end of a path: a limit load, or undecided |
+//! | `coarse`, `unseen` | the error of the path: measured by a second path, and estimated where both paths share it |
+//! | `standing_at` | the equilibrium at the present place, and the contacts on an edge of their cone |
+//! | `ending`, `speeds` | the end of a path: a loss of equilibrium, or undecided |
 
 mod coarse;
 mod ending;

@@ -1,4 +1,4 @@
-//! The equilibrium at the end of a step, along which every stretch changes linearly.
+//! The equilibrium at the end of a step, along which the stretch of every contact is assumed to change linearly.
 
 use nalgebra::SVector;
 
@@ -11,13 +11,13 @@ use crate::numerics::{Vector, cleared_for, largest};
 use crate::object::{Problem, newton};
 use crate::prelude::*;
 
-/// The state at a place of the path, in the engine's coordinates.
+/// The state of the grasp at a place of the path. The twist is about the centroid of the contacts; lists have an entry for each contact.
 #[derive(Debug, Clone)]
 pub(super) struct SteppedState {
-    /// Fraction of the leg already followed.
+    /// Fraction of the leg at this place, from 0 to 1.
     pub(super) fraction: f64,
     pub(super) twist: Vector,
-    /// Slips so far, in the contact frames.
+    /// Accumulated slips since the start of the path, m, in the contact frames.
     pub(super) slips: Vec<SVector<f64, 3>>,
     pub(super) forces: Vec<SVector<f64, 3>>,
     pub(super) states: Vec<State>,
@@ -29,7 +29,7 @@ impl SteppedState {
         largest(&self.forces, &SVector::norm_squared).sqrt()
     }
 
-    /// The distance of two states: the largest difference between the forces of a contact, N.
+    /// The distance of two states, N: the largest norm, over the contacts, of the difference between the forces of a contact.
     pub(super) fn distance_to(&self, other: &Self) -> f64 {
         let pairs = self.forces.iter().zip(&other.forces);
         pairs.map(|(a, b)| (a - b).norm_squared()).fold(0.0, f64::max).sqrt()
@@ -37,13 +37,13 @@ impl SteppedState {
 }
 
 impl SteppedState {
-    /// An empty state, to be overwritten by later states.
+    /// A state without contacts: memory that later states overwrite.
     pub(super) fn nowhere() -> Self {
         let (slips, forces, states) = (Vec::new(), Vec::new(), Vec::new());
         Self { fraction: 0.0, twist: Vector::zeros(), slips, forces, states }
     }
 
-    /// Becomes a copy of another state, in the same memory.
+    /// Makes this state a copy of `other`, in the same memory.
     pub(super) fn join(&mut self, other: &Self) {
         self.fraction = other.fraction;
         self.twist.clone_from(&other.twist);
@@ -53,20 +53,20 @@ impl SteppedState {
     }
 }
 
-/// The equilibrium problem at the end of a step along a leg; each step sets its finger offsets and load.
+/// The static problem at the end of a step along the present leg; each step sets its offsets and its load.
 #[derive(Debug)]
 pub(super) struct StepProblem<'g> {
     pub(super) problem: Problem<'g>,
-    /// Commands minus clearances at the beginning of the leg, and their change along it.
+    /// For each contact the command minus clearance at the beginning of the leg, m, and the change of it over the whole leg.
     offsets: [Vec<SVector<f64, 3>>; 2],
     pub(super) course: Trajectory<Vector>,
-    /// Stretches of the contacts before a step. The next field has the force and state of each contact after the step.
+    /// Stretches of the contacts at the beginning of a step, m; `answers` has the force and state of each contact at its end.
     before: Vec<SVector<f64, 3>>,
     answers: Vec<ContactResponse>,
 }
 
 impl<'g> StepProblem<'g> {
-    /// The equilibrium problem for steps along the present leg.
+    /// The problem for steps along the present leg of `journey`.
     pub(super) fn along(journey: &Journey<'g>) -> Self {
         let course = journey.program.inside_course(journey.grasp);
         let offsets = journey.program.offsets(journey.grasp);
@@ -74,19 +74,19 @@ impl<'g> StepProblem<'g> {
         Self { problem, offsets, course, before: Vec::new(), answers: Vec::new() }
     }
 
-    /// Prepares the next leg, in the same memory.
+    /// Prepares the present leg of `journey`, after a change of legs, in the same memory.
     pub(super) fn start_leg(&mut self, journey: &Journey<'g>) {
         self.course = journey.program.inside_course(journey.grasp);
         journey.program.offsets_into(journey.grasp, &mut self.offsets);
     }
 
-    /// Change of a contact's finger offset (command minus clearance) along the leg.
+    /// Change of the offset (command minus clearance, m) of contact i over the whole leg.
     pub(super) fn change(&self, i: usize) -> SVector<f64, 3> {
         self.offsets[1][i]
     }
 
-    /// Makes a step of this length, a fraction of the leg, from a state, and writes the state at its end to `to`. The search starts at the twist
-    /// `near`. `None` if Newton's method does not converge.
+    /// Makes a step from the state `from` over the fraction `length` of the leg, and writes the state at its end to `to`. Newton's method starts at
+    /// the twist `near`. `None` if it does not converge, or if a contact would have to pull although it cannot.
     pub(super) fn step(
         &mut self,
         from: &SteppedState,
@@ -108,9 +108,9 @@ impl<'g> StepProblem<'g> {
     }
 }
 
-/// The equilibrium at the end of a step that begins at `from`; the slips of `from` are subtracted from the finger offsets of `problem`. `before` are
-/// the stretches before the step. The search starts at the twist `near`. `None` if Newton's method does not converge, or if a contact would have to
-/// pull although it cannot.
+/// Writes to `to` the equilibrium at the end of a step that begins at `from`. The slips of `from` are subtracted from the offsets of `problem`.
+/// `before` are the stretches before the step. Newton's method starts at the twist `near`. `None` if Newton's method does not converge, or if a
+/// contact would have to pull although it cannot.
 fn equilibrium_after(
     (from, before): (&SteppedState, &[SVector<f64, 3>]),
     problem: &Problem<'_>,

@@ -1,4 +1,4 @@
-//! Step control along a leg: length of the next step, and speed of the object.
+//! The data of the step control along a leg: the length of the next step, and the speeds of the object.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -6,27 +6,27 @@ use super::speeds::Speeds;
 use crate::load_path::trajectory::Trajectory;
 use crate::numerics::Vector;
 
-/// The state of the step control along a leg.
+/// The data of the step control of a path followed in steps, along one leg.
 #[derive(Debug, Clone)]
 pub(super) struct StepPace {
-    /// Rate of the twist per unit of the fraction of the leg, from the last step.
+    /// Change of the twist in the last step, divided by the fraction of the leg that it covered. `None` before the first step of a leg.
     pub(super) rate: Option<Vector>,
-    /// Record of the speeds of the object along the leg.
+    /// Growing speeds of the object along the leg, each with its place.
     pub(super) speeds: Speeds,
-    /// Largest change of a force in the last step, divided by the largest change that the motion would cause in the springs of a sticking contact.
+    /// Largest change of a contact force in the last step, divided by the largest that the object's motion would cause if all contacts stuck.
     pub(super) changed: f64,
-    /// Length of the next step, as a fraction of the leg.
+    /// Length of the next step, as a fraction of the leg; at most `longest` of it is made.
     pub(super) step: f64,
-    /// Longest step: a quarter turn of the load, since after a step of a full turn the load would seem unchanged.
+    /// Longest step, as a fraction of the leg: the whole leg, or a quarter turn of the load. After a full turn the load would seem unchanged.
     pub(super) longest: f64,
     /// Whether the last step was refused: the step length then does not grow after the next one.
     pub(super) refused: bool,
-    /// Number of steps tried on the leg.
+    /// Number of steps tried on the leg so far, refused ones included.
     pub(super) tried: usize,
 }
 
 impl StepPace {
-    /// The step control at the beginning of a leg.
+    /// The step control at the beginning of a leg with the load `course`.
     pub(super) fn along<X>(course: &Trajectory<X>) -> Self {
         let longest = if let Trajectory::Turn { angle, .. } = course { FRAC_PI_2 / angle.abs() } else { 1.0 };
         let speeds = Speeds::default();
@@ -34,7 +34,7 @@ impl StepPace {
         Self { rate: None, speeds, changed: 1.0, step: 1.0 / 16.0, longest, refused: false, tried: 0 }
     }
 
-    /// Restarts the step control on the next leg, in the same memory.
+    /// Restarts the step control on the next leg, with the load `course`, in the same memory.
     pub(super) fn start_leg<X>(&mut self, course: &Trajectory<X>) {
         self.speeds.clear();
         *self = Self { speeds: core::mem::take(&mut self.speeds), ..Self::along(course) };

@@ -1,15 +1,15 @@
-//! States at the ends of a step.
+//! The states at the ends of a step that is made in two halves and at once.
 
 use super::one_step::SteppedState;
 use crate::numerics::Each;
 
-/// The states of a step made twice: in two halves, which the path takes, and as a whole.
+/// The states of a step made twice: after each of two halves (`middle`, `to`), which the path takes, and after the step at once (`at_once`).
 #[derive(Debug)]
 pub(super) struct Places {
     pub(super) middle: SteppedState,
     pub(super) to: SteppedState,
     pub(super) at_once: SteppedState,
-    /// Memory for the step of the second path (see `coarse`).
+    /// Memory for the end of the second path's own step (see `coarse`).
     pub(super) beside: SteppedState,
 }
 

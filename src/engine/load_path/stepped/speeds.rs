@@ -1,7 +1,7 @@
 //! Speeds of the object as the load grows, towards the end of a path.
 //!
-//! Towards a load that is never exceeded the speed grows without bound, as a power of the remaining distance δ. With the displacement q and a power
-//! p:
+//! Towards a load that is never exceeded the speed grows without bound, as a power of the load's remaining distance δ from it. With the displacement
+//! q and some p > 0:
 //!
 //! ```text
 //! a maximum of the load      q ~ δ^{1/2}                  dq/dδ ~ δ^{-1/2}
@@ -12,17 +12,18 @@
 
 use crate::prelude::*;
 
-/// Places on a leg, as fractions of it, and the speeds of the object there; each speed is larger than the one before.
+/// Pairs of a place on a leg, as a fraction of it, and the speed of the object there. Each speed is more than twice the one before.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Speeds(Vec<[f64; 2]>);
 
 impl Speeds {
-    /// Removes all records.
+    /// Removes all recorded places and speeds.
     pub(super) fn clear(&mut self) {
         self.0.clear();
     }
 
-    /// Records the speed of the object in a step that has ended at this fraction of the leg.
+    /// Records the speed of the object in a step that has ended at this fraction of the leg. The speed is the force that its motion would cause in
+    /// sticking springs, N per unit of the fraction.
     pub(super) fn note(&mut self, fraction: f64, speed: f64) {
         // A speed is recorded if it is more than twice the last recorded one.
         if self.0.last().is_none_or(|[_, fastest]| speed > 2.0 * fastest) {
@@ -30,7 +31,7 @@ impl Speeds {
         }
     }
 
-    /// Whether the speed of the object grows without bound towards the end of the path.
+    /// Whether the recorded speeds grow as if without bound towards the end of the path, at the fraction `end` of the leg.
     pub(super) fn run_to(&self, end: f64) -> bool {
         let mut before = self.0.iter().rev().filter(|[fraction, _]| *fraction < end);
         let Some([near, fast]) = before.next() else { return false };

@@ -1,4 +1,4 @@
-//! The equilibrium at the present place of a path, and the contacts that are on the edge of their cones.
+//! The equilibrium at a place of a path followed in steps, and the contacts there that are on the edge of their cones.
 
 use nalgebra::SVector;
 
@@ -11,13 +11,13 @@ use crate::numerics::{mapped, numbered};
 use crate::search::Found;
 
 impl SteppedState {
-    /// The complete equilibrium as an answer, computed in one pass over all contacts.
+    /// This state as a complete equilibrium for the caller, with residuals, computed in one pass over all contacts.
     pub(super) fn equilibrium(&self, journey: &Journey<'_>) -> Equilibrium<3> {
         let problem = journey.segment(self.slips.clone()).problem_at(self.fraction);
         let spans =
             problem.sites.iter().zip(&problem.offsets).map(|(site, offset)| site.span(offset, &self.twist));
         let sizes = [self.largest_force().max(problem.wrench.norm()), spans.fold(0.0, f64::max)];
-        // All slip so far is subtracted from the finger offsets already, so a sliding contact keeps only its direction of sliding.
+        // All slip so far is subtracted from the offsets already, so a sliding contact keeps only its direction of sliding.
         let standing = |state: &Mode<Slide>| match state {
             Mode::Round(slide) => Mode::Round(Slide { lambda: 0.0, ..*slide }),
             other => *other,
@@ -27,8 +27,8 @@ impl SteppedState {
         journey.equilibrium(&problem, self.fraction, found)
     }
 
-    /// The present state, with the complementarity problem for the rates of forces and motion. Contacts are treated as on the edge of their cones if
-    /// they are as near as the length of the last steps resolves.
+    /// The forces of this state, with the complementarity problem for the rates of forces and motion there. Contacts count as on the edge of their
+    /// cones up to a margin of 1e-9 of the largest force, the resolution of the last steps.
     pub(super) fn edge<'g>(&self, journey: &Journey<'g>) -> StateAtEdge<'g> {
         let segment = journey.segment(self.slips.clone());
         let (offsets, largest) = (segment.offsets(self.fraction), self.largest_force());

@@ -1,4 +1,4 @@
-//! Step control: steps as long as the allowed error permits.
+//! Step control: tries steps that are as long as the allowed error permits.
 
 use super::one_step::SteppedState;
 use super::places::Places;
@@ -13,20 +13,20 @@ use crate::numerics::{Vector, largest};
 use crate::prelude::*;
 use crate::search::Doubt;
 
-/// Result of a step made both in two halves and as a whole.
+/// Sizes of a step made both in two halves and at once; its states are in [`Places`].
 #[derive(Debug)]
 struct Twice {
-    /// The largest contact force at the ends of the step, N.
+    /// The largest contact force at either end of the step, N.
     largest: f64,
-    /// The error that the step and its two halves may have in common, so that their difference does not reveal the error, as a fraction of the
-    /// largest force.
+    /// The largest error of a contact force that the step at once and its two halves may have in common, as a fraction of the largest force.
     unseen: f64,
-    /// The largest change of force that the motion of the object would cause in the springs of a sticking contact, N.
+    /// The largest change of a contact force, N, that the object's motion in the step would cause if all contacts stuck.
     force_change: f64,
 }
 
 impl<'g> Steps<'g> {
-    /// Tries a step. Returns the step if its error is within the allowed one, or `OnTheWay` if a shorter step is to be tried.
+    /// Tries a step and chooses the length of the next one. Returns the step if its error is within the allowed one, or `OnTheWay` if a shorter step
+    /// is to be tried next. The error is the end of the path, if steps become too short or too many.
     pub(super) fn try_step(&mut self, journey: &Journey<'g>) -> Result<Advance<Step<3>>, PathEnd<3>> {
         let from = self.present.fraction;
         if self.pace.tried == journey.settings.most_steps {
@@ -66,7 +66,7 @@ impl<'g> Steps<'g> {
         Ok(Advance::Reached(self.accept_step(journey, &twice)))
     }
 
-    /// The error of a step, as a fraction of the allowed error.
+    /// The error of a step divided by the allowed error, the largest such ratio over all contacts.
     fn part_of_what_is_allowed(&self, twice: &Twice) -> f64 {
         let (from, Places { to, at_once, .. }, largest) = (&self.present, &self.places, twice.largest);
         let length = to.fraction - from.fraction;
@@ -75,8 +75,8 @@ impl<'g> Steps<'g> {
         // leg, the change of forces, and the change of forces that the motion would cause in sticking springs, both over the largest force. Errors in
         // the directions of friction decay while the last measure grows to one.
         let even = 0.5 * self.error * length.max(way).max(twice.force_change / largest);
-        // The allowed difference of a contact's force between this path and the second one (see `coarse`). It grows with the sum of the changes of
-        // forces, up to twice the allowed error. The error is about a third of this difference.
+        // The allowed difference of a contact's force between this path and the second one (see `coarse`). It grows with `way`, the sum of the
+        // changes of forces along the path, up to twice the allowed error. The error is about a third of this difference.
         let budget = self.error * (self.way + way).min(2.0);
         // Below this fraction of the largest force an error is rounding.
         let rounding = 1e-13;
@@ -88,11 +88,12 @@ impl<'g> Steps<'g> {
             (to.forces[i] - at_once.forces[i]).norm() / largest / allowed
         };
         let used = (0..to.forces.len()).map(part).fold(0.0, f64::max);
-        // Errors that a step and its halves have in common may be a tenth of the allowed error, since a contact makes such an error a few times on a leg.
+        // Errors that a step and its halves have in common may be a tenth of the allowed error. A contact makes such an error a few times on a leg.
         used.max(twice.unseen / (0.1 * self.error).max(rounding))
     }
 
-    /// Makes a step both in two halves and as a whole; `None` if one of them finds no equilibrium, or only one to which the object would have to jump.
+    /// Makes a step over the fraction `length` of the leg both in two halves and at once, into `places`. `None` if one of them finds no equilibrium,
+    /// or only one to which the object would have to jump.
     fn twice(&mut self, length: f64) -> Option<Twice> {
         let Self { along, present: from, places: Places { middle, to, at_once, .. }, .. } = self;
         let rate = self.pace.rate.clone().unwrap_or_else(Vector::zeros);
@@ -136,12 +137,12 @@ impl<'g> Steps<'g> {
     }
 }
 
-/// The largest force that a motion would cause in the springs of a sticking contact, N.
+/// The largest contact force, N, that a motion of the object would cause if all contacts stuck.
 fn largest_force_of_motion(sites: &[Site], motion: &Vector) -> f64 {
     largest(sites, &|site| pull(site, motion))
 }
 
-/// The force that a motion causes in the springs of a sticking contact, N.
+/// The size of the force, N, that a motion of the object causes at a contact that sticks.
 fn pull(site: &Site, motion: &Vector) -> f64 {
     site.springs.force(&site.map.tr_mul(motion)).norm()
 }

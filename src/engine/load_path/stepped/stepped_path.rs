@@ -1,4 +1,4 @@
-//! The method of following in steps: its state, and its start.
+//! The follower that follows a load program in steps: its data, and its start.
 
 use nalgebra::SVector;
 
@@ -22,24 +22,24 @@ use crate::search::{Found, Settings};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// The method that follows a load program for a [`SteppedPath`], in steps.
+/// The follower of a [`SteppedPath`], which follows a load program in steps.
 #[derive(Debug)]
 pub(crate) struct Steps<'g> {
-    /// The equilibrium problem at the end of a step.
+    /// The static problem at the end of a step along the present leg.
     pub(super) along: StepProblem<'g>,
-    /// The state at the present place.
+    /// The state at the present place of the path.
     pub(super) present: SteppedState,
-    /// The states at the ends of the last step tried.
+    /// The states after the halves of the last step tried, and after this step at once.
     pub(super) places: Places,
-    /// Step control along the leg.
+    /// Step control along the present leg: the length of the next step, and the speeds of the object.
     pub(super) pace: StepPace,
-    /// The allowed error of the forces, over the largest force.
+    /// The allowed error of contact forces for each leg, divided by the largest contact force.
     pub(super) error: f64,
-    /// A second path with the same steps, each made as a whole instead of in two halves. Its distance from this path measures the error.
+    /// A second path with the same steps, each made at once instead of in two halves. Its distance from this path measures the error.
     pub(super) coarse: Coarse,
-    /// Largest error that this path and the second one may have in common, divided by the largest force.
+    /// The largest error of a contact force that both paths may have in common in a step so far, divided by the largest contact force of that step.
     pub(super) unseen: f64,
-    /// Sum of the changes of forces along the path, divided by the largest force.
+    /// Sum over all steps so far. Each step adds the largest change of a contact force in it, divided by the largest contact force at its ends.
     pub(super) way: f64,
 }
 
@@ -65,7 +65,7 @@ pub struct Step<const C: usize> {
     pub error: f64,
 }
 
-/// Refuses an allowed error for a leg of the program if it is out of range.
+/// Refuses, with an error, an allowed error for a leg that is not from 1e-9 to 1; `what` is its name in the error.
 pub(crate) fn check_leg_error(what: &'static str, value: f64) -> Result<(), Error> {
     if (1e-9..=1.0).contains(&value) {
         Ok(())
@@ -99,7 +99,7 @@ impl Engine {
     }
 }
 
-/// The state at the start of a path, the equilibrium `found`; slips so far become slip memory.
+/// The state at the start of a path, the solution `found` of `problem`. The slips of its sliding and open contacts become slip memory.
 fn at_start(problem: &Problem<'_>, found: Found) -> SteppedState {
     let slip = |(i, state): (usize, &crate::contact::State)| {
         let springs = &problem.sites[i].springs;

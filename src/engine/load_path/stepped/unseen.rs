@@ -1,4 +1,4 @@
-//! Errors that a step and its halves share, so that their difference does not reveal them.
+//! Errors of contact forces that a step made at once and its two halves share, so that their difference does not reveal them.
 //!
 //! Along a step of length h the twist deviates from a straight line by up to `off`. Let sticking springs have the stiffness K and the stretch v. At
 //! the end of the step their force differs by `K v'' h² = 8 K Gᵀ off` from the value extrapolated with the rate at its beginning. A contact that
@@ -23,7 +23,8 @@ use crate::contact::{Mode, Slide, tangential, tangential_norm};
 use crate::numerics::{Each, Vector};
 
 impl StepProblem<'_> {
-    /// Largest error of a contact force at the end of a step in two halves, N, that its difference from the step made as a whole does not show.
+    /// Estimate of the largest error of a contact force, N, at the end of a step in two halves. It is the error that the difference from the step
+    /// made at once does not show. `at` are the states at the beginning, middle and end.
     pub(super) fn unseen(&self, at: [&SteppedState; 3]) -> f64 {
         (0..self.problem.len()).map(|i| self.unseen_by(i, at)).fold(0.0, f64::max)
     }
