@@ -5,6 +5,8 @@ use grasp_lcp::equilibrium::ContactState;
 use grasp_lcp::hold::Holding;
 use grasp_lcp::spatial::{Contact, Grasp, Ramp, Wrench};
 use grasp_lcp::{Error, planar};
+use support::samples::{samples, seeded};
+use support::splitmix::Random;
 
 /// A plate under a strap lies on three pins and touches an end pin without force.
 fn plate(strap: f64) -> Result<Grasp, Error> {
@@ -70,6 +72,34 @@ fn a_stop_below_a_block_in_a_vice_is_told_as_touching() -> Result<(), Error> {
         let rest = grasp.solve(planar::Wrench::ZERO)?;
         let rest = rest.equilibrium().expect("holds");
         assert!(rest.contacts[2].state_text() == "touches", "{rest}");
+    }
+    Ok(())
+}
+
+/// Two jaws of unequal stiffness press against each other, and one or two stops touch without force. By hand the jaws alone carry their forces at rest.
+#[test]
+fn jaws_hold_beside_stops_that_just_touch() -> Result<(), Error> {
+    let mut random = seeded(21);
+    for _ in 0..samples(300) {
+        let stiffness = |random: &mut Random| {
+            let mut of = |all: [f64; 3]| all[(3.0 * random.uniform()) as usize];
+            [of([1e3, 2e4, 1e5]), of([1e3, 8e3, 2e4])]
+        };
+        let press = [3.0, 5.0, 10.0, 25.0][(4.0 * random.uniform()) as usize];
+        let mut touching = |point: [f64; 2], normal: [f64; 2]| {
+            let [k, kt] = stiffness(&mut random);
+            planar::Contact::new(point, normal).series_stiffness(k, kt).friction(0.5)
+        };
+        let mut contacts =
+            [-0.05, 0.05].map(|x: f64| touching([x, 0.04], [-x, 0.0]).pressed_with(press)).to_vec();
+        contacts.insert(1, touching([0.02, 0.05], [0.0, -1.0]));
+        contacts.push(touching([0.0, -0.05], [0.0, 1.0]));
+        let rest = planar::Grasp::new(contacts)?.solve(planar::Wrench::ZERO)?;
+        let rest = rest.equilibrium().unwrap_or_else(|| panic!("{rest}"));
+        let forces: Vec<f64> = rest.contacts.iter().map(|contact| contact.normal_force()).collect();
+        for (force, exact) in forces.iter().zip([press, 0.0, press, 0.0]) {
+            assert!((force - exact).abs() < 1e-12 * press, "{forces:?}");
+        }
     }
     Ok(())
 }

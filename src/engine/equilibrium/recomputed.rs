@@ -114,14 +114,15 @@ impl Engine {
             let moved = self.sites()[i].map.norm() * found.twist.norm();
             travels.push((problem.offsets[i].norm() + give + moved).max(travel_terms).max(SMALLEST));
         }
+        let largest =
+            answers.iter().fold(load_force.norm().max(force_terms), |most, c| most.max(c.force.norm()));
         // The displacements of a contact that hardly moves may be rounding of larger ones elsewhere. Their size is therefore taken as at least this
-        // fraction of the largest of all contacts.
+        // fraction of the largest of all contacts, and as the stretch of the stiffest spring under the largest force.
         let still = 1e-20 * travels.iter().copied().fold(0.0, f64::max);
+        let still = still.max(problem.least_stretch(largest));
         for travel in &mut travels {
             *travel = travel.max(still);
         }
-        let largest =
-            answers.iter().fold(load_force.norm().max(force_terms), |most, c| most.max(c.force.norm()));
         let spring_force = least_spring_force(self.sites(), travels.iter().copied());
         let force_size = largest.max(NO_FORCE * spring_force).max(SMALLEST);
         let object_balance = self.out_of_balance(load, answers, spring_force.max(force_terms));

@@ -58,8 +58,12 @@ impl Problem<'_> {
     /// Size of the terms of a twist, m, which scales its rounding: its norm, plus the stretch of the stiffest spring under the force `largest`, N.
     /// Opposite commands cancel, so that the norm alone may be zero.
     pub(crate) fn size_of_motion(&self, twist: &Vector, largest: f64) -> f64 {
-        let stiffest = self.sites.iter().fold(0.0, |most: f64, site| most.max(site.springs.stiffest()));
-        twist.norm() + largest / stiffest
+        twist.norm() + self.least_stretch(largest)
+    }
+
+    /// Stretch of the stiffest spring under the force `largest`, m. Smaller displacements may be rounding of displacements that cancel.
+    pub(crate) fn least_stretch(&self, largest: f64) -> f64 {
+        largest / self.sites.iter().fold(0.0, |most: f64, site| most.max(site.springs.stiffest()))
     }
 
     /// Upper bound of the terms `a_i` and `G_iᵀq` of the stretch of a contact, m, to which the rounding error of this stretch is proportional.

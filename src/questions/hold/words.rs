@@ -32,7 +32,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
             Holding::Slides { contacts } => {
                 f.write_str("HOLDS")?;
                 match &self.first_slip {
-                    Some(first) if first.factor == 0.0 => write!(f, ", but {first} from the start")?,
+                    Some(first) if first.factor <= NEGLIGIBLE => write!(f, ", but {first} from the start")?,
                     Some(first) if first.factor <= 1.0 => {
                         write!(f, ", but {first} from {} of it on", words.number(first.factor))?;
                     }
