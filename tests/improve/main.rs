@@ -1,6 +1,7 @@
 //! The best finger places and squeezes: optima in closed form, multipliers against differences, and random starts against a grid.
 
 mod against_a_grid;
+mod at_the_limit;
 mod bad_questions;
 mod closed_forms;
 mod in_space;

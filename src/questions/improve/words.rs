@@ -43,7 +43,23 @@ impl Improved<3> {
         if !changes.is_empty() {
             write!(f, ": {changes}")?;
         }
-        write!(f, ". {}", self.proof(words))
+        write!(f, ". {}", self.proof(words))?;
+        let mut at_the_limit = Vec::new();
+        for way in self.in_the_way.iter().filter(|way| matches!(way.binds, Binds::Rest { .. })) {
+            let name = way.contact.text();
+            if !at_the_limit.contains(&name) {
+                at_the_limit.push(name);
+            }
+        }
+        if at_the_limit.is_empty() {
+            return Ok(());
+        }
+        let are = if at_the_limit.len() == 1 { "is" } else { "are" };
+        let names = listed(&at_the_limit);
+        write!(
+            f,
+            ". CAUTION: at rest {names} {are} at the limit of friction; with less it slips before any load"
+        )
     }
 
     /// The clause about the changes of places and squeezes: "left moves 3.1 mm along its edge, right 2 mm along its circle; both press with 10 N".
