@@ -10,9 +10,6 @@
 //! | `null_motions` | null vectors of the tangent stiffness in a band |
 //! | `solution` | forces and twist of the linear problem, by iterative refinement |
 //! | `free_motions` | motions that no spring resists |
-//! | `energy_coordinates` | contacts scaled by the square roots of their stiffnesses, so that stiffness ratios cancel |
-//! | `sums` | equilibrium in energy coordinates, as sums over contacts that are updated term by term |
-//! | `lazy_pricing` | a queue that skips contacts which cannot reach the end of their state within a step |
 //! | `tangent` | the tangent stiffness, and equilibrium by Newton steps on it |
 //! | `newton` | Newton's method for equilibrium, in which each contact's force is explicit in the twist |
 //! | `correction` | the error of given forces and twist in given contact states |
@@ -21,9 +18,7 @@
 
 mod band_piece;
 mod correction;
-mod energy_coordinates;
 mod free_motions;
-mod lazy_pricing;
 mod limited;
 mod load;
 mod newton;
@@ -34,15 +29,12 @@ mod problem;
 mod relaxing;
 mod sizes;
 mod solution;
-mod sums;
 mod tangent;
 mod tolerances;
 mod tresca;
 mod trial;
 
 pub(crate) use band_piece::uses_band;
-pub(crate) use energy_coordinates::{EnergyContact, EnergyCoordinates, Facet, Slipping, normal};
-pub(crate) use lazy_pricing::{LazyPricing, Point, slack};
 pub(crate) use load::Load;
 pub(crate) use newton::{Imbalance, newton, newton_on_cones};
 pub(crate) use piece::{Piece, least_combination, least_forces};
@@ -51,7 +43,6 @@ pub(crate) use problem::{Lists, Problem};
 pub(crate) use relaxing::ViscousRelaxation;
 pub(crate) use sizes::{largest_force, least_spring_force};
 pub(crate) use solution::{PieceState, SolutionMemory, Unbalanced};
-pub(crate) use sums::{Sums, are_stale};
 pub(crate) use tangent::{balance, tangent_stiffness};
-pub(crate) use tolerances::{NO_FORCE, PRICING_MARGIN};
+pub(crate) use tolerances::NO_FORCE;
 pub(crate) use tresca::{states_by_tresca, twist_by_tresca};

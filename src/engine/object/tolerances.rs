@@ -8,15 +8,6 @@
 /// If smaller, balanced loads seem to drive the object off; if larger, loads that do are neglected.
 pub(super) const NO_WORK: f64 = 1e-13;
 
-/// ε of the clock in `lazy_pricing`, which says when a contact is evaluated: path length across the reference direction counts 1/ε times. With a
-/// smaller ε the clock runs too fast as soon as the path turns; with a larger one, contacts are evaluated too early.
-pub(super) const PRICED_ACROSS: f64 = 0.25;
-
-/// In `lazy_pricing` the value of a condition is reduced by this fraction of its terms, which exceeds its rounding, so that no contact waits too long.
-///
-/// If smaller, a contact may be evaluated after the end of its state; if larger, contacts are evaluated too early.
-pub(crate) const PRICING_MARGIN: f64 = 1e-13;
-
 /// Forces below this fraction of those that displacements could cause in the springs are rounding. A statically determinate grasp may carry no force
 /// at all. Three projections then leave 1e-45 of the forces that its springs could have from displacements of this size. With this fraction such
 /// noise is not compared with itself.

@@ -9,7 +9,7 @@ use super::enumerate::search;
 use super::least_motion::at_the_least_motion;
 use super::leaving::propose_of_the_leaving;
 use super::polish::polish_from;
-use super::proposals::{climb, dense_is_affordable, enumerable, propose_dense, propose_structured};
+use super::proposals::{climb, dense_is_affordable, enumerable, propose_dense};
 #[cfg(feature = "std")]
 use super::record::record;
 use super::settings::Settings;
@@ -190,35 +190,30 @@ fn separating_motion_of_few(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attemp
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
 }
 
-/// Lemke's method on the kinematic form. With many coordinates it pivots first on the contacts that leave the elastic trial, then on a dense matrix.
-/// It pivots on lists of contact states only if a matrix is too large. With few coordinates lists come first, since a pivot on them costs a few
-/// operations a contact. Forms with facets for infinite friction are tried last.
+/// Lemke's method on the kinematic form. With many coordinates it pivots first on the contacts that leave the elastic trial, then on the matrix of all
+/// contacts if that is affordable. The form with facets for infinite friction is tried last.
 fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
-    let (problem, dense) = (scene.proposing(), may_be_dense(scene));
     let of_the_leaving = |problem: &Problem, log: &mut Log| propose_of_the_leaving(scene, problem, log);
-    let on_states = |problem: &Problem, log: &mut Log| propose_structured(scene, problem, log);
     let on_a_matrix = |problem: &Problem, log: &mut Log| {
         let form = forms::kinematic_form(problem, &scene.trial, &scene.state);
         propose_dense(problem, scene.settings, (form, MOST_WORK), forms::kinematic_states, log)
     };
     let mut found = None;
     if scene.trial.is_banded() {
-        found = climb(problem, &of_the_leaving, log);
+        found = climb(scene.proposing(), &of_the_leaving, log);
     }
-    // With few contacts only the matrix is used: lists pivot in another order, and might end at another of several equilibria. With many coordinates
-    // a pivot on lists solves a system of all coordinates, which costs more than a pivot on an affordable matrix.
-    let lists = problem.len() >= 8 && !(dense && scene.trial.is_banded());
-    if lists && found.is_none() {
-        found = climb(problem, &on_states, log);
+    if found.is_none() && !may_be_dense(scene) {
+        log.doubt = Doubt::OutOfPivots;
+        return Attempt::Nothing;
     }
-    if dense && found.is_none() {
-        found = climb(problem, &on_a_matrix, log);
-        log.effort.no_slips = log.is_infeasible && !problem.round;
+    if found.is_none() {
+        found = climb(scene.proposing(), &on_a_matrix, log);
+        log.effort.no_slips = log.is_infeasible && !scene.proposing().round;
     }
     if found.is_none()
         && let Some(with_edges) = scene.with_edges()
     {
-        found = if dense { climb(with_edges, &on_a_matrix, log) } else { climb(with_edges, &on_states, log) };
+        found = climb(with_edges, &on_a_matrix, log);
     }
     Attempt::of(found)
 }
