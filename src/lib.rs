@@ -51,7 +51,7 @@
 //! | [`shake`] | loads that repeat: rest, alternating slip, slip that accumulates (walking), or loss |
 //! | [`identify`] | friction, loads of supports, squeeze and stiffness from observed slips, with their errors |
 //! | [`improve`] | finger places on given surfaces, and squeezes, that delay first slip |
-//! | [`squeeze`] | the least squeeze for a set of loads, the weakest direction, and the least onset within bounds of commands and loads |
+//! | [`squeeze`] | the least squeeze for a set of loads, and the weakest direction |
 //! | [`statics`] | force closure and form closure: which loads contact forces could balance |
 //! | [`energy`] | the paper's quadratic program, its comparison with complementarity, stability |
 //! | [`sweep`] | many questions at once, in parallel (feature `parallel`, on by default); grasps with uncertain data |

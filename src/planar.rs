@@ -59,10 +59,6 @@ macro_rules! names {
         pub type LeastSqueeze = crate::squeeze::LeastSqueeze<$axes>;
         /// The direction in which the least force causes sliding; see [`crate::squeeze::WeakestDirection`].
         pub type WeakestDirection = crate::squeeze::WeakestDirection<$axes>;
-        /// Bounds on the errors of commands and loads; see [`crate::squeeze::Bounds`].
-        pub type Bounds = crate::squeeze::Bounds<$axes>;
-        /// The least onset of sliding within bounds; see [`crate::squeeze::LeastOnset`].
-        pub type LeastOnset = crate::squeeze::LeastOnset<$axes>;
         /// A load that turns; see [`crate::load_path::Turn`].
         pub type Turn = crate::load_path::Turn<$axes>;
         /// The angle at which the first contact stops sticking while a load turns; see [`crate::load_path::TurnOnset`].

@@ -5,7 +5,7 @@ use grasp_lcp::nalgebra::DMatrix;
 use grasp_lcp::planar::Contact;
 use grasp_lcp::planar::hand::{Finger, Hand, Joint, Tendon};
 use grasp_lcp::planar::{Grasp, Leg, Ramp, Turn, Wrench};
-use grasp_lcp::squeeze::{Bounds, Loads};
+use grasp_lcp::squeeze::Loads;
 use grasp_lcp::sweep::Uncertainty;
 use grasp_lcp::{Error, Limit, PolygonCone};
 
@@ -77,7 +77,6 @@ fn nothing_panics_and_what_agrees_agrees() {
         let turn = Turn::new(load * most, load * -most, Wrench::ZERO);
         let angle = grasp.onset_of_turn(turn).expect("a turn").onset.factor().expect("sticks");
         assert!((angle - (1.0_f64 / 3.0).acos()).abs() < 1e-12, "{angle}");
-        refused(grasp.least_onset_within(&ramp, &Bounds::none()).err());
         refused(grasp.least_squeeze(&Loads::Each(vec![load])).err());
         assert!(grasp.hold(&ramp).expect("a ramp").holds().is_some());
         let mut path = grasp

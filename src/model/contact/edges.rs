@@ -10,7 +10,7 @@ use super::law::LocalLaw;
 use super::state::State;
 use super::tangential::tangential;
 use super::tolerances::ZERO_SLACK;
-use crate::numerics::{Each, Harmonic, IntoList, Turning, moved, numbered, unit};
+use crate::numerics::{Harmonic, IntoList, Turning, moved, numbered, unit};
 use crate::prelude::*;
 
 /// Conditions on the force of a contact that keeps sticking. For a contact that stays open, the first component is the gap.
@@ -95,24 +95,6 @@ impl Edges {
         self.rows(&|around| {
             let vector = around.map(|row| influence.tr_mul(row) * size);
             Turning { number: around.map(|row| row.dot(force)), vector }.deepest(TAU).into_iter().list()
-        })
-    }
-
-    /// Rows that include the most violated one at every corner of a box `F + Σ ±c_p`. On a round cone the worst corner changes only at angles
-    /// where some `a·c_p` changes sign, two for each p. One angle between neighbouring changes therefore suffices.
-    pub(crate) fn in_a_box(&self, sides: &[SVector<f64, 3>]) -> Vec<SVector<f64, 3>> {
-        self.rows(&|around| {
-            let mut turns = vec![0.0];
-            for c in sides {
-                // A facet's product with c is zero where μ c_n = c₁ cos φ + c₂ sin φ.
-                let (towards, aside) = (c[2].atan2(c[1]), (around.constant.dot(c) / c[1].hypot(c[2])).acos());
-                // The angle is NaN if the sign never changes.
-                let both = [towards - aside, towards + aside].each(|x| x.rem_euclid(TAU));
-                turns.extend(both.iter().filter(|x| x.is_finite()));
-            }
-            turns.sort_by(f64::total_cmp);
-            turns.push(TAU);
-            turns.windows(2).map(|ends| 0.5 * (ends[0] + ends[1])).list()
         })
     }
 

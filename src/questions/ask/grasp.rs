@@ -36,7 +36,7 @@ use crate::prelude::*;
 /// | friction, squeeze and loads that explain the slips that were seen | [`identify`](Self::identify) |
 /// | the direction in which the least force slides | [`weakest_direction`](Self::weakest_direction) |
 /// | how an answer changes with the data | [`sensitivity`](crate::ask::Sensitivity::of) |
-/// | the load with a reserve where data are not known exactly | [`reserve`](Self::reserve), [`least_onset_within`](Self::least_onset_within) |
+/// | the load with a reserve where data are not known exactly | [`reserve`](Self::reserve) |
 /// | whether any contact forces could hold it | [`statics`](Self::statics) |
 /// | all equilibria under a load, the error of one | [`equilibria`](Self::equilibria), [`accuracy`](Self::accuracy), [`distinct`](Self::distinct) |
 /// | many loads, each on a grasp of its own; many questions on all cores | [`hold_batch`](Self::hold_batch), [`need_batch`](Self::need_batch); [`sweep`](crate::sweep) |

@@ -1,23 +1,11 @@
 //! Conversion of questions and answers about squeezes between the engine's vectors of three components and the callers' vectors of `C` components.
 
-use super::bounds::Bounds;
-use super::least_onset::LeastOnset;
 use super::least_squeeze::LeastSqueeze;
 use super::loads::Loads;
 use super::weakest_direction::WeakestDirection;
-use crate::grasp::{face_of_enum, face_of_struct};
-
-face_of_struct! {
-    Bounds { commands, base, direction }
-}
+use crate::grasp::face_of_enum;
 
 face_of_enum! {
-    LeastOnset {
-        At { factor: factor, contact: contact, commands: commands, ramp: ramp },
-        Never {},
-        NotSticking { contact: contact },
-        GivesWay { motion: motion },
-    }
     LeastSqueeze {
         Factor { factor: factor, binding: binding },
         NoFactor { contact: contact, load: load, factor: factor },

@@ -1,4 +1,4 @@
-//! The least sufficient squeeze, the weakest direction, and the least onset within bounds of the data: computed directly, not by sampling.
+//! The least sufficient squeeze and the weakest direction: computed directly, not by sampling.
 //!
 //! While all contacts stick, forces are linear in the load and in the commands. The condition of a contact is `a·F >= 0` for each facet of
 //! its cone. The round cone has a facet `a = (μ, -cos φ, -sin φ)` at every angle φ. So the worst of all forces of size r through a point
@@ -18,19 +18,13 @@
 //! | `parts` | the conditions that are broken under these loads at a given squeeze |
 //! | `least_squeeze` | the least factor of the commands |
 //! | `weakest_direction` | the least force, of all directions, at which a contact slides |
-//! | `bounds` | bounds of the errors of commands and loads |
-//! | `least_onset` | the least onset of sliding within these bounds |
 
-mod bounds;
 mod face;
-mod least_onset;
 mod least_squeeze;
 mod loads;
 mod parts;
 mod weakest_direction;
 
-pub use bounds::Bounds;
-pub use least_onset::LeastOnset;
 pub use least_squeeze::LeastSqueeze;
 pub(crate) use loads::LoadFields;
 pub use loads::Loads;
