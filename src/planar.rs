@@ -97,8 +97,6 @@ macro_rules! names {
         pub type Batch<const N: usize> = crate::screening::Batch<$axes, N>;
         /// A load for screening; see [`crate::screening::Pull`].
         pub type Pull = crate::screening::Pull<$axes>;
-        /// A load for screening that turns; see [`crate::screening::TurningPull`].
-        pub type TurningPull = crate::screening::TurningPull<$axes>;
         /// Loads for screening that a grasp must hold; see [`crate::screening::LoadCases`].
         pub type LoadCases = crate::screening::LoadCases<$axes>;
         /// A load program followed in load steps; see [`crate::load_path::SteppedPath`].

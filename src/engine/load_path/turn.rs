@@ -129,11 +129,6 @@ impl<const C: usize> Turn<C> {
     }
 
     /// Refuses parts that are not finite or beyond 1e50, and an angle that is not positive.
-    pub(crate) fn check(&self) -> Result<(), Error> {
-        self.check_in(Space::of::<C>())
-    }
-
-    /// [`Self::check`] inside the engine, for the plane or for space.
     pub(crate) fn check_in(&self, space: Space) -> Result<(), Error> {
         self.load.constant.check_in(space, "constant load")?;
         self.load.cosine.check_in(space, "cosine of the load")?;

@@ -8,9 +8,9 @@ use crate::prelude::*;
 /// The first slip of one grasp, encoded in numbers so that kernels can select among answers without a branch.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct SlipCode {
-    /// The load factor or the angle (rad), infinite if no contact leaves, or one of the codes below.
+    /// The load factor, infinite if no contact leaves, or one of the codes below.
     pub(super) code: f64,
-    /// Sum of 2^i over the contacts i that leave at this load factor or angle.
+    /// Sum of 2^i over the contacts i that leave at this load factor.
     pub(super) leaving: f64,
 }
 
@@ -25,23 +25,19 @@ pub(super) const UNCLEAR: f64 = -3.0;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum ScreeningVerdict {
-    /// Contacts stop sticking, at the [factor](crate::screening::Screened::factor) or the [angle](crate::screening::ScreenedTurn::angle):
-    /// they slide or open.
+    /// Contacts stop sticking, at the [factor](crate::screening::Screened::factor): they slide or open.
     Leaves,
-    /// However large the load grows, or as far as it turns, no contact stops sticking.
+    /// However large the load grows, no contact stops sticking.
     Never,
-    /// Not every contact sticks at load factor or angle zero: one would slide or be open, or there may be no equilibrium.
-    /// [`Grasp::onset`](crate::ask::Grasp::onset) and [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn) decide which.
+    /// Not every contact sticks at load factor zero: one would slide or be open, or there may be no equilibrium.
+    /// [`Grasp::onset`](crate::ask::Grasp::onset) decides which.
     NotSticking,
-    /// The load works on a motion that no contact resists, at load factor or angle zero or beyond.
+    /// The load works on a motion that no contact resists, at load factor zero or beyond.
     GivesWay,
-    /// Single passes of floating-point arithmetic cannot decide. [`Grasp::onset`](crate::ask::Grasp::onset) or
-    /// [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn) can.
+    /// Single passes of floating-point arithmetic cannot decide. [`Grasp::onset`](crate::ask::Grasp::onset) can.
     ///
-    /// * A contact is within rounding of the edge of its cone at load factor or angle zero.
-    /// * A margin closes so slowly that rounding would show in the load factor or the angle.
-    /// * While the load turns, the margin of a contact comes within rounding of zero, so that the contact may or may not leave. Or it leaves where
-    ///   the turn ends.
+    /// * A contact is within rounding of the edge of its cone at load factor zero.
+    /// * A margin closes so slowly that rounding would show in the load factor.
     /// * Two contacts in the plane do not hold the object because friction is missing.
     /// * Forces or stiffnesses are so large or small that squares overflow or lose digits.
     Unclear,
@@ -56,18 +52,18 @@ impl SlipCode {
             f64::INFINITY => ScreeningVerdict::Never,
             NOT_STICKING => ScreeningVerdict::NotSticking,
             GIVES_WAY => ScreeningVerdict::GivesWay,
-            place if place > 0.0 => ScreeningVerdict::Leaves,
+            factor if factor > 0.0 => ScreeningVerdict::Leaves,
             _ => ScreeningVerdict::Unclear,
         }
     }
 
-    pub(super) fn place(self) -> Option<f64> {
+    pub(super) fn factor(self) -> Option<f64> {
         (self.verdict() == ScreeningVerdict::Leaves).then_some(self.code)
     }
 
-    pub(super) fn holds_up_to(self, place: f64) -> bool {
+    pub(super) fn holds_up_to(self, factor: f64) -> bool {
         // The codes for other verdicts are negative.
-        place >= 0.0 && place <= self.code
+        factor >= 0.0 && factor <= self.code
     }
 
     pub(super) fn leaving(self) -> impl Iterator<Item = usize> + use<> {
@@ -80,11 +76,11 @@ impl SlipCode {
         })
     }
 
-    pub(super) fn show(self, f: &mut fmt::Formatter<'_>, [name, place]: [&str; 2]) -> fmt::Result {
-        let mut shown = f.debug_struct(name);
+    pub(super) fn show(self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut shown = f.debug_struct("Screened");
         shown.field("verdict", &self.verdict());
-        if let Some(value) = self.place() {
-            shown.field(place, &value).field("leaving", &self.leaving().collect::<Vec<_>>());
+        if let Some(factor) = self.factor() {
+            shown.field("factor", &factor).field("leaving", &self.leaving().collect::<Vec<_>>());
         }
         shown.finish()
     }

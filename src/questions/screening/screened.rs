@@ -1,4 +1,4 @@
-//! Answers of screening for one grasp under a load that grows or turns.
+//! The answer of screening for one grasp under a load that grows.
 
 use core::fmt;
 
@@ -7,15 +7,6 @@ use super::first_slip::{ScreeningVerdict, SlipCode};
 /// The onset of sliding of one grasp as a load grows, or the reason why screening does not know it.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Screened(pub(super) SlipCode);
-
-/// The onset of sliding of one grasp as a load turns, or the reason why screening does not know it. An angle is not a factor: this type has no
-/// factor.
-#[derive(Clone, Copy, PartialEq)]
-pub struct ScreenedTurn {
-    pub(super) first: SlipCode,
-    /// The angle up to which the load turns, rad; infinite for a full turn, beyond which the load repeats.
-    pub(super) most: f64,
-}
 
 impl Screened {
     /// How the screening ended.
@@ -28,7 +19,7 @@ impl Screened {
     /// also where no contact ever leaves.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
-        self.0.place()
+        self.0.factor()
     }
 
     /// Whether every contact is known to stick up to and including this load factor. For negative load factors nothing is known.
@@ -44,42 +35,8 @@ impl Screened {
     }
 }
 
-impl ScreenedTurn {
-    /// How the screening ended.
-    #[must_use]
-    pub fn verdict(&self) -> ScreeningVerdict {
-        self.first.verdict()
-    }
-
-    /// The angle at which the first contact stops sticking, rad, between 0 and 2π. `None` for every verdict but [`ScreeningVerdict::Leaves`], so also
-    /// where no contact leaves as far as the load turns.
-    #[must_use]
-    pub fn angle(&self) -> Option<f64> {
-        self.first.place()
-    }
-
-    /// Whether every contact is known to stick up to and including this angle, rad. Nothing is known of negative angles. Of angles beyond the turn
-    /// nothing is known either, unless it is a full turn.
-    #[must_use]
-    pub fn holds_up_to(&self, angle: f64) -> bool {
-        angle <= self.most && self.first.holds_up_to(angle)
-    }
-
-    /// The contacts that leave at the angle, counted from 0, in rising order. They are several if their angles agree to twelve digits, and none unless
-    /// the verdict is [`ScreeningVerdict::Leaves`].
-    pub fn leaving(&self) -> impl Iterator<Item = usize> + use<> {
-        self.first.leaving()
-    }
-}
-
 impl fmt::Debug for Screened {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.show(f, ["Screened", "factor"])
-    }
-}
-
-impl fmt::Debug for ScreenedTurn {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.first.show(f, ["ScreenedTurn", "angle"])
+        self.0.show(f)
     }
 }

@@ -4,7 +4,7 @@ use super::first_slip::{GIVES_WAY, NOT_STICKING, SlipCode, UNCLEAR};
 use super::lanes::Packed;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 
-/// The state of the grasp in each lane at load factor or angle zero.
+/// The state of the grasp in each lane at load factor zero.
 pub(super) struct Start<X: Packed> {
     /// The least margin of all contacts but those whose squared forces over- or underflow.
     margin: X,
@@ -39,7 +39,7 @@ impl<X: Packed> Start<X> {
     }
 }
 
-/// The verdicts. `first` is the load factor or angle at which contacts leave first, infinite, or a code. It counts only if all contacts stick at the
+/// The verdicts. `first` is the load factor at which contacts leave first, infinite, or a code. It counts only if all contacts stick at the
 /// start and the forces balance the load.
 #[inline(always)]
 pub(super) fn verdicts<A: Copy, X: Packed>(

@@ -1,9 +1,7 @@
 //! Batches of small grasps screened on all cores.
 
 use crate::prelude::*;
-use crate::screening::{
-    Batch, LoadCases, Pull, Screened, ScreenedGradients, ScreenedSqueeze, ScreenedTurn, TurningPull,
-};
+use crate::screening::{Batch, LoadCases, Pull, Screened, ScreenedGradients, ScreenedSqueeze};
 
 /// The load factors at which the first contact of each grasp of a batch stops sticking, for each of the loads:
 /// [`Batch::onsets_into`] on all cores. The answers come grasp by grasp, for each in the order of
@@ -45,16 +43,6 @@ pub fn onset_gradients_of_batch<const C: usize, const N: usize>(
     gradients: &mut ScreenedGradients<C>,
 ) {
     batch.onset_gradients_on_all_cores(pulls, gradients);
-}
-
-/// The angle at which the first contact of each grasp of a batch stops sticking, for each of the turning
-/// loads: [`Batch::turn_onsets_into`] on all cores. Answers come in the order of [`onsets_of_batch`].
-pub fn turn_onsets_of_batch<const C: usize, const N: usize>(
-    batch: &Batch<C, N>,
-    turns: &[TurningPull<C>],
-    answers: &mut Vec<ScreenedTurn>,
-) {
-    batch.turn_onsets_on_all_cores(turns, answers);
 }
 
 /// The least factor of the commands with which each grasp of a batch holds every load of a list, for
