@@ -33,8 +33,7 @@
 //! | [`LoadPath`] | whole pieces, which are stored | every event, energies, states anywhere | some hundreds of contacts |
 //! | [`SteppedPath`] | steps of exact slips, on the round cone | the steps | 10⁵ |
 //!
-//! **Sensitivities** ([`Sensitivity::of`](crate::ask::Sensitivity::of), [`response`](crate::ask::Sensitivity::response),
-//! [`OnsetMargins`]). In known states the law is linear, `F_i = K_i (a_i - G_iᵀq)`, where K_i depends on
+//! **Sensitivities** ([`Sensitivity::of`](crate::ask::Sensitivity::of), [`OnsetMargins`]). In known states the law is linear, `F_i = K_i (a_i - G_iᵀq)`, where K_i depends on
 //! stiffness, friction and state. A small change of a datum p leads to one more solve:
 //!
 //! ```text
@@ -83,7 +82,6 @@ mod program;
 mod pushed;
 mod ramp;
 mod relaxation;
-mod response;
 mod rigid_motion;
 mod segment;
 mod sensitivity;
@@ -124,7 +122,6 @@ pub use onset_margins::{Leaver, OnsetMargins};
 pub(crate) use path::path_outside;
 pub use path::{LoadPath, Path, SteppedPath};
 pub use ramp::Ramp;
-pub use response::Response;
 pub use sensitivity::Derivative;
 pub use small_motions::EndOfSmallMotions;
 pub use stepped::Step;

@@ -37,7 +37,7 @@ mod trial;
 pub(crate) use band_piece::uses_band;
 pub(crate) use load::Load;
 pub(crate) use newton::{Imbalance, newton, newton_on_cones};
-pub(crate) use piece::{Piece, least_combination, least_forces};
+pub(crate) use piece::{Piece, least_forces};
 pub(crate) use precise::PreciseTwist;
 pub(crate) use problem::{Lists, Problem};
 pub(crate) use relaxing::ViscousRelaxation;

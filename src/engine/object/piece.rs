@@ -6,7 +6,7 @@
 //! With x_r = right_r · v the rows of A = right Gᵀ, B = left Gᵀ and α = right·a give `x = α - A q`, `Bᵀx = -W`: an
 //! oblique projection (an orthogonal one when nothing slides). Both factors are orthogonalised.
 
-use crate::numerics::{IntoList, Map, Size, Square, Vector, mapped, numbered};
+use crate::numerics::{IntoList, Map, Size, Square, Vector, mapped};
 use core::ops::Range;
 
 use nalgebra::SVector;
@@ -254,18 +254,11 @@ pub(crate) fn least_forces(sites: &[Site], carries: &[bool], wrench: &Vector) ->
         }
     }
     let columns: Vec<Vector> = mapped(&axes, &|&(i, a)| sites[i].map.column(a));
-    let shares = least_combination(size_of(sites), &columns, wrench);
+    let factor = Orthogonal::new(size_of(sites), &columns);
+    let coordinates = factor.load_coordinates(wrench);
     let mut forces = vec![SVector::<f64, 3>::zeros(); sites.len()];
-    for (&(i, a), share) in axes.iter().zip(shares) {
-        forces[i][a] = -share;
+    for (k, &(i, a)) in axes.iter().enumerate() {
+        forces[i][a] = -factor.along_row(k, &coordinates);
     }
     forces
-}
-
-/// The smallest coefficients (least squares) with which these vectors add up to a target that they span.
-pub(crate) fn least_combination(size: Size, vectors: &[Vector], target: &Vector) -> Vec<f64> {
-    let count = vectors.len();
-    let factor = Orthogonal::new(size, vectors);
-    let coordinates = factor.load_coordinates(target);
-    numbered(count, &|i| factor.along_row(i, &coordinates))
 }
