@@ -8,7 +8,7 @@ use super::setup::Setup;
 use super::written::Scene;
 use crate::error::Error;
 use crate::grasp::inside;
-use crate::numerics::{mapped, moved};
+use crate::numerics::{Each, mapped, moved};
 use crate::words::{Words, listed, printable};
 
 /// A probable mistake in a scene.
@@ -282,7 +282,7 @@ fn lies_over_an_edge(f: &mut fmt::Formatter<'_>, words: Words, name: &str, angle
 
 /// Writes the force of a spring or a cable at rest, and its pretension, N. A spring that pushes has negative ones.
 fn write_pull(f: &mut fmt::Formatter<'_>, words: Words, name: &str, [force, told]: [f64; 2]) -> fmt::Result {
-    let [now, nominal] = [force, told].map(|x| words.number(x * told.signum()));
+    let [now, nominal] = [force, told].each(|x| words.number(x * told.signum()));
     let (does, why) = if told < 0.0 {
         ("pushes", "`pretension` acts before anything gives way; a larger one pushes with more")
     } else {
