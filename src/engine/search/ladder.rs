@@ -13,12 +13,12 @@ use super::proposals::{climb, dense_is_affordable, enumerable, propose_dense};
 #[cfg(feature = "std")]
 use super::record::record;
 use super::settings::Settings;
-use super::tolerances::{BESIDE_THE_WAY, MANY_CONTACTS, MOST_WORK};
+use super::tolerances::{BESIDE_THE_WAY, MANY_CONTACTS, MOST_WORK, SEVERAL_CONTACTS};
 use super::touching::touching_contacts;
 use super::tree::{Tree, has_round_cones, most_cases, search_tree};
 use crate::forms;
-use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{WHOLE, mapped};
 use crate::object::{Problem, ViscousRelaxation, newton_on_cones, twist_by_tresca};
 use crate::prelude::*;
 use crate::proofs;
@@ -45,7 +45,7 @@ pub(super) const LADDER: [Rung; 8] = [
     },
     Rung {
         name: "Newton's method",
-        applies: |scene| has_round_cones(scene.problem) || has_many_contacts(scene) && !is_on_an_edge(scene),
+        applies: |scene| has_round_cones(scene.problem) || seldom_cycles(scene) && !is_on_an_edge(scene),
         climb: newton,
         finds: Some(FoundBy::Newton),
     },
@@ -116,6 +116,12 @@ pub(crate) fn settle(problem: &Problem, settings: &Settings) -> (Settled, Effort
 
 fn has_many_contacts(scene: &ElasticTrial<'_, '_>) -> bool {
     scene.problem.len() >= MANY_CONTACTS
+}
+
+/// Whether Newton's method is expected to converge on polygons: with many contacts, and with several if there are few coordinates.
+fn seldom_cycles(scene: &ElasticTrial<'_, '_>) -> bool {
+    let several = || scene.problem.len() >= SEVERAL_CONTACTS && scene.problem.size().count() <= WHOLE;
+    has_many_contacts(scene) || several()
 }
 
 /// Whether the problem is one of rates with contacts on the edge of their cone.
