@@ -162,7 +162,7 @@ pub mod spatial;
 pub mod words;
 
 pub use engine::{equilibrium, forms, load_path};
-pub(crate) use engine::{object, proofs, search, structured};
+pub(crate) use engine::{object, proofs, search};
 #[cfg(feature = "plot")]
 pub use io::picture;
 #[cfg(feature = "serde")]

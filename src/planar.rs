@@ -59,10 +59,6 @@ macro_rules! names {
         pub type LeastSqueeze = crate::squeeze::LeastSqueeze<$axes>;
         /// The direction in which the least force causes sliding; see [`crate::squeeze::WeakestDirection`].
         pub type WeakestDirection = crate::squeeze::WeakestDirection<$axes>;
-        /// Bounds on the errors of commands and loads; see [`crate::squeeze::Bounds`].
-        pub type Bounds = crate::squeeze::Bounds<$axes>;
-        /// The least onset of sliding within bounds; see [`crate::squeeze::LeastOnset`].
-        pub type LeastOnset = crate::squeeze::LeastOnset<$axes>;
         /// A load that turns; see [`crate::load_path::Turn`].
         pub type Turn = crate::load_path::Turn<$axes>;
         /// The angle at which the first contact stops sticking while a load turns; see [`crate::load_path::TurnOnset`].
@@ -101,9 +97,7 @@ macro_rules! names {
         pub type Batch<const N: usize> = crate::screening::Batch<$axes, N>;
         /// A load for screening grasps by their first slips; see [`crate::screening::Pull`].
         pub type Pull = crate::screening::Pull<$axes>;
-        /// A turning load for screening grasps by their first slips; see [`crate::screening::TurningPull`].
-        pub type TurningPull = crate::screening::TurningPull<$axes>;
-        /// Loads that a grasp must hold, for screening grasps by their first slips; see [`crate::screening::LoadCases`].
+        /// Loads for screening that a grasp must hold; see [`crate::screening::LoadCases`].
         pub type LoadCases = crate::screening::LoadCases<$axes>;
         /// A load program followed in load steps; see [`crate::load_path::SteppedPath`].
         pub type SteppedPath<'g> = crate::load_path::SteppedPath<'g, $axes>;

@@ -6,4 +6,3 @@ pub mod load_path;
 pub(crate) mod object;
 pub(crate) mod proofs;
 pub(crate) mod search;
-pub(crate) mod structured;

@@ -4,8 +4,8 @@
 use super::alart_curnier::answer;
 use super::problem::{FrictionProblem, part};
 use super::tolerances::UNDETERMINED_FORCE;
-use crate::numerics::numbered;
 use crate::numerics::tolerances::{FEW_ROUNDINGS, SOLVED_ROUNDING, SUFFICIENT_DECREASE};
+use crate::numerics::{dot, increasing, mapped, numbered, summed};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector, SMatrix};
 
@@ -102,25 +102,47 @@ impl<'a, const C: usize> Newton<'a, C> {
                 }
             }
         }
-        let step = least_squares(jacobian, &-&point.residual);
+        let step = least_squares(&jacobian, -&point.residual);
         step.iter().all(|x| x.is_finite()).then_some(step)
     }
 }
 
-/// Least-squares solution of A x ≈ b by column-pivoted QR. Unknowns that A does not determine are zero.
-fn least_squares(a: DMatrix<f64>, b: &DVector<f64>) -> DVector<f64> {
+/// Least-squares solution of A x ≈ b by Gram–Schmidt orthogonalisation of b and the columns, the longest first. Unknowns that A does not determine
+/// are zero.
+fn least_squares(a: &DMatrix<f64>, mut b: DVector<f64>) -> DVector<f64> {
     let size = b.len();
-    let qr = a.col_piv_qr();
-    let r = qr.r();
-    let mut c = b.clone();
-    qr.q_tr_mul(&mut c);
-    let largest = if size > 0 { r[(0, 0)].abs() } else { 0.0 };
-    let rank = (0..size).take_while(|k| r[(*k, *k)].abs() > UNDETERMINED_FORCE * largest).count();
-    let mut x = DVector::zeros(size);
-    let solved = r.view((0, 0), (rank, rank)).solve_upper_triangular(&c.rows(0, rank).into_owned());
-    if let Some(solved) = solved {
-        x.rows_mut(0, rank).copy_from(&solved);
+    let mut columns: Vec<Vec<f64>> = numbered(size, &|j| a.as_slice()[size * j..][..size].to_vec());
+    // Column j has the products with the unit vectors that are orthogonal to it; `parts` has those of b.
+    let (mut products, mut parts) = (DMatrix::zeros(size, size), Vec::new());
+    let (mut open, mut order, mut largest): (Vec<usize>, Vec<usize>, f64) =
+        (numbered(size, &|j| j), vec![], 0.0);
+    while !open.is_empty() {
+        let squares: Vec<f64> = mapped(&open, &|j| dot(&columns[*j], &columns[*j]));
+        let longest = increasing(&squares)[open.len() - 1];
+        let (j, length) = (open.swap_remove(longest), squares[longest].sqrt());
+        largest = largest.max(length);
+        if length <= UNDETERMINED_FORCE * largest || length.is_nan() {
+            break;
+        }
+        let unit = mapped(&columns[j], &|x| x / length);
+        let project = |vector: &mut [f64]| {
+            let product = dot(&unit, vector);
+            for (x, y) in vector.iter_mut().zip(&unit) {
+                *x -= product * y;
+            }
+            product
+        };
+        for i in &open {
+            products[(order.len(), *i)] = project(&mut columns[*i]);
+        }
+        products[(order.len(), j)] = length;
+        parts.push(project(b.as_mut_slice()));
+        order.push(j);
     }
-    qr.p().inv_permute_rows(&mut x);
+    let mut x = DVector::zeros(size);
+    for (k, j) in order.iter().enumerate().rev() {
+        let later = summed(&order[k + 1..], &|i| products[(k, *i)] * x[*i]);
+        x[*j] = (parts[k] - later) / products[(k, *j)];
+    }
     x
 }

@@ -1,4 +1,4 @@
-//! The linear system of a pivot in Lemke's method: the balance of the object, bordered by one row and one column.
+//! The balance of the object, bordered by one row and one column: that of the arclength of a path.
 //!
 //! ```text
 //! T y  + c₀ z₀ = …      balance
@@ -9,7 +9,7 @@
 //! complementary pair that has no variable in the basis. Steps along load paths solve the same system, with the load factor as z₀. T alone may become
 //! singular along a path of pivots, but the bordered matrix of an exact basis is regular.
 
-use super::coordinates::{Indices, Size, Square, Vector};
+use super::coordinates::{Indices, Square, Vector};
 use crate::numerics::Each;
 
 /// LU factors with partial pivoting of a bordered matrix: d rows of the balance matrix T, then the border row.
@@ -27,58 +27,25 @@ pub(crate) struct Bordered {
     order_of_border: usize,
 }
 
-impl Default for Bordered {
-    /// Factors without a matrix, to be assigned later.
-    fn default() -> Self {
-        let size = Size::default();
-        Self {
-            rows: Square::zeros(size),
-            last: Vector::zeros(),
-            border: Vector::zeros(),
-            corner: 0.0,
-            order: size.in_order(),
-            order_of_border: 0,
-        }
-    }
-}
-
 impl Bordered {
     /// The LU factors; `None` if the matrix is singular.
     pub(crate) fn new(stiffness: &Square, cover: &Vector, gradient: &Vector, corner: f64) -> Option<Self> {
-        let mut factors = Self::default();
-        factors.assign(stiffness, cover, gradient, corner)?;
-        Some(factors)
-    }
-
-    /// Factorises another matrix in the same memory. `None` if it is singular; the factors must then not be used.
-    pub(crate) fn assign(
-        &mut self,
-        stiffness: &Square,
-        cover: &Vector,
-        gradient: &Vector,
-        corner: f64,
-    ) -> Option<()> {
         let size = stiffness.size();
         let (d, entries) = (size.count(), stiffness.as_slice());
-        if self.rows.size() != size {
-            (self.rows, self.order) = (Square::zeros(size), size.in_order());
-        }
+        let mut rows = Square::zeros(size);
         for i in 0..d {
-            let row = self.rows.column_slice_mut(i);
+            let row = rows.column_slice_mut(i);
             for j in 0..d {
                 row[j] = entries[j * d + i];
             }
         }
-        self.last = Vector::from_fn(size, |i| cover[i]);
-        self.border = Vector::from_fn(size, |j| gradient[j]);
-        self.corner = corner;
-        self.order.as_mut().iter_mut().enumerate().for_each(|(i, order)| *order = i);
-        self.order_of_border = d;
+        let (last, border) = (Vector::from_fn(size, |i| cover[i]), Vector::from_fn(size, |j| gradient[j]));
+        let mut factors = Self { rows, last, border, corner, order: size.in_order(), order_of_border: d };
         for k in 0..d {
-            self.eliminate(k)?;
+            factors.eliminate(k)?;
         }
-        self.corner = inverse(self.corner)?;
-        Some(())
+        factors.corner = inverse(factors.corner)?;
+        Some(factors)
     }
 
     /// Eliminates column k below its pivot, the largest entry of the column in the remaining rows. `None` if the pivot is zero, subnormal or not
@@ -135,16 +102,6 @@ impl Bordered {
     }
 
     pub(crate) fn solve(&self, balance: &Vector, last: f64) -> (Vector, f64) {
-        let [solution] = self.solve_each([(balance, last)]);
-        solution
-    }
-
-    /// Solves the bordered system for several right-hand sides, each given by its balance rows and its border row. Returns y and z₀ for each.
-    pub(crate) fn solve_each<const R: usize>(&self, sides: [(&Vector, f64); R]) -> [(Vector, f64); R] {
-        sides.map(|(balance, last)| self.solved(balance, last))
-    }
-
-    fn solved(&self, balance: &Vector, last: f64) -> (Vector, f64) {
         let size = self.rows.size();
         let d = size.count();
         let given = |from: usize| if from == d { last } else { balance[from] };

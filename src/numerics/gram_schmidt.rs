@@ -24,7 +24,7 @@ pub(super) fn factorise(
     r.fill(0.0);
     order.iter_mut().enumerate().for_each(|(j, order)| *order = j);
     // For each column its length, the length of its rounding errors, the length of its remainder, and its coefficients.
-    let [mut full, mut noise, mut left, mut parts] = core::array::from_fn(|_| Vector::all_zero(size));
+    let [mut full, mut noise, mut left, mut parts] = [(); 4].each(|()| Vector::all_zero(size));
     let [full, noise, left, parts] =
         [&mut full, &mut noise, &mut left, &mut parts].each(|list| &mut list.as_mut_slice()[..d]);
     lengths_and_noise(d, q, full, noise);

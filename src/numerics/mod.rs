@@ -35,7 +35,6 @@
 //! | `exact_sum` | sums of products without rounding |
 //! | `pairwise` | pairwise summation, on several threads |
 //! | `unit_vector` | unit vectors along an axis |
-//! | `event_queue` | an event queue: numbered items sorted by time |
 //! | `vector_dispatch` | loops on the widest vector instructions of the processor |
 //! | `pseudo_random` | reproducible pseudorandom numbers |
 //! | `square_root` | the square root of std under another name |
@@ -55,7 +54,6 @@ mod cores;
 mod dormand_prince;
 mod double_double;
 mod each;
-mod event_queue;
 mod exact_sum;
 mod factors;
 mod few_equations;
@@ -97,12 +95,11 @@ pub(crate) use bordered::{Bordered, solved_once};
 pub(crate) use bordered_band::BorderedBand;
 pub(crate) use cleared_for::cleared_for;
 pub(crate) use complete_pivoting::CompletePivoting;
-pub(crate) use coordinates::{Indices, Map, ScaledMap, Size, Square, Vector, WHOLE};
+pub(crate) use coordinates::{Indices, Map, Size, Square, Vector, WHOLE};
 pub(crate) use cores::{each_taken, in_order};
 pub(crate) use dormand_prince::{Stepped, explicit_step};
 pub(crate) use double_double::{DoubleDouble, rounding_of};
 pub(crate) use each::{Each, by_axis};
-pub(crate) use event_queue::EventQueue;
 pub(crate) use exact_sum::{ExactSum, times_power_of_two};
 pub(crate) use factors::Factors;
 pub(crate) use few_equations::{Equation, MOST_UNKNOWNS, solved};

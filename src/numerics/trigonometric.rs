@@ -114,27 +114,7 @@ impl Trigonometric {
         touched
     }
 
-    /// cot(φ/2) of the first angle φ in a full turn at which the polynomial becomes negative or touches zero. It is computed without trigonometric
-    /// functions, hence with the same bits on every processor. The polynomial must be positive at φ = 0. `None` if it stays positive.
-    pub(crate) fn first_cotangent(&self) -> Option<f64> {
-        let mut shifted = *self;
-        for quarter in 0_u8..4 {
-            if let Some(FirstZero::At(t) | FirstZero::Touches(t)) =
-                fall_of(&shifted.of_the_half_angle(), 1.0, 0.0)
-            {
-                return Some(match quarter {
-                    0 => 1.0 / t,
-                    1 => (1.0 - t) / (1.0 + t),
-                    2 => -t,
-                    _ => -(1.0 + t) / (1.0 - t),
-                });
-            }
-            shifted = shifted.a_quarter_on();
-        }
-        None
-    }
-
-    /// Coefficients of `(1 + t²)² f` as a polynomial in t = tan(φ/2), the constant first.
+    /// Coefficients of the polynomial `(1 + t²)² f`, the constant first.
     fn of_the_half_angle(&self) -> [f64; 5] {
         let (c, [a, b], [a2, b2]) = (self.constant, self.first, self.second);
         [c + a + a2, 2.0 * b + 4.0 * b2, 2.0 * c - 6.0 * a2, 2.0 * b - 4.0 * b2, c - a + a2]
@@ -286,31 +266,6 @@ mod tests {
             }
         }
         assert!(falls > 1000 && none > 1000, "{falls} {none}");
-    }
-
-    #[test]
-    fn cotangents_are_those_of_the_angles() {
-        let mut falls = 0;
-        for k in 0..2000 {
-            let number = |i: usize| 2.0 * generic(9 * k + i) - 2.0;
-            let f = Trigonometric {
-                constant: 2.0 * number(0),
-                first: [number(1), number(2)],
-                second: [number(3), number(4)],
-            };
-            if f.at(0.0) <= 0.0 {
-                continue;
-            }
-            match (f.first_fall(TAU, 0.0, 0), f.first_cotangent()) {
-                (Some(FirstZero::At(angle)), Some(u)) => {
-                    falls += 1;
-                    assert!((2.0 * 1.0_f64.atan2(u) - angle).abs() < 1e-14 * angle, "{f:?}");
-                }
-                (None, None) => {}
-                (angle, u) => panic!("{f:?}: {angle:?} {u:?}"),
-            }
-        }
-        assert!(falls > 300, "{falls}");
     }
 
     #[test]

@@ -1,11 +1,12 @@
 //! Every question about a hand is answered or refused with a typed error. None panics.
 
 use grasp_lcp::energy::MinimumOutcome;
+use grasp_lcp::load_path::Parameter;
 use grasp_lcp::nalgebra::DMatrix;
 use grasp_lcp::planar::Contact;
 use grasp_lcp::planar::hand::{Finger, Hand, Joint, Tendon};
 use grasp_lcp::planar::{Grasp, Leg, Ramp, Turn, Wrench};
-use grasp_lcp::squeeze::{Bounds, Loads};
+use grasp_lcp::squeeze::Loads;
 use grasp_lcp::sweep::Uncertainty;
 use grasp_lcp::{Error, Limit, PolygonCone};
 
@@ -77,7 +78,6 @@ fn nothing_panics_and_what_agrees_agrees() {
         let turn = Turn::new(load * most, load * -most, Wrench::ZERO);
         let angle = grasp.onset_of_turn(turn).expect("a turn").onset.factor().expect("sticks");
         assert!((angle - (1.0_f64 / 3.0).acos()).abs() < 1e-12, "{angle}");
-        refused(grasp.least_onset_within(&ramp, &Bounds::none()).err());
         refused(grasp.least_squeeze(&Loads::Each(vec![load])).err());
         assert!(grasp.hold(&ramp).expect("a ramp").holds().is_some());
         let mut path = grasp
@@ -86,8 +86,8 @@ fn nothing_panics_and_what_agrees_agrees() {
         path.run();
         let _ = path.beyond();
         refused(grasp.follow_in_steps(Wrench::ZERO, &[], 1e-4).err());
-        assert_eq!(grasp.sensitivity().response(held).expect("regular").forces.shape(), (4, 4));
-        assert_eq!(grasp.sensitivity().joint_response(held).expect("regular").forces.nrows(), 4);
+        let by_joint = grasp.sensitivity().of(held, Parameter::JointCommand { joint: 0 }).expect("regular");
+        assert_eq!(by_joint.forces.len(), 2);
         let uncertainty = Uncertainty::seeded(3).with_friction(0.1).with_stiffness(0.2).with_squeeze(0.1);
         for outcome in grasp.onset_of_samples(&ramp, &uncertainty, 5) {
             outcome.expect("a sample");

@@ -11,7 +11,6 @@ mod screening_exact_space;
 mod screening_gradients;
 mod screening_gradients_exact;
 mod screening_squeeze;
-mod screening_turns;
 mod screening_watch;
 mod sweep;
 mod thread_count;

@@ -13,4 +13,3 @@ mod sensitivity;
 mod turn;
 mod turn_exact;
 mod workspace;
-mod worst_case;

@@ -15,8 +15,29 @@ use std::collections::BTreeMap;
 /// Replaces the scene's questions by the question of the command line. If the command line has no load, the scene's questions of the same kind are
 /// kept.
 pub(crate) fn put(setup: &mut Setup<3>, asked: &Command) -> Result<(), Failure> {
+    let question = question_of(asked, setup)?;
+    match question {
+        Some(question) => setup.questions = vec![question],
+        None if setup.questions.iter().any(|question| is_of_kind(question, asked)) => {
+            setup.questions.retain(|question| is_of_kind(question, asked));
+        }
+        None => setup.questions = of_the_scene(setup, asked),
+    }
+    if setup.questions.is_empty()
+        && let Some(rest) = at_rest(asked)
+    {
+        eprintln!(
+            "warning: the scene has no such question, and no load is given: what stands at rest is asked"
+        );
+        setup.questions.push(rest);
+    }
+    if setup.questions.is_empty() { Err(Failure::Usage(missing(asked))) } else { Ok(()) }
+}
+
+/// The question of the command line; `None` if it has no load or amount.
+fn question_of(asked: &Command, setup: &mut Setup<3>) -> Result<Option<Question<3>>, Failure> {
     let words = Meaning { axes: setup.axes() };
-    let question = match asked {
+    Ok(match asked {
         Command::Hold { load, base, safety, .. } => {
             let asked = &*of_own_masses(load, base.is_some(), setup)?;
             words.hold(asked, base.as_ref(), *safety)?
@@ -73,46 +94,24 @@ pub(crate) fn put(setup: &mut Setup<3>, asked: &Command) -> Result<(), Failure> 
         Command::Shake { shakes, .. } => words.shake(shakes, setup)?,
         Command::Identify { slips, .. } => words.identify(slips, setup)?,
         _ => None,
-    };
-    match question {
-        Some(question) => setup.questions = vec![question],
-        None if setup.questions.iter().any(|question| is_of_kind(question, asked)) => {
-            setup.questions.retain(|question| is_of_kind(question, asked));
+    })
+}
+
+/// The message that neither the scene nor the command line has a question of this kind.
+fn missing(asked: &Command) -> String {
+    let say = match asked {
+        Command::Compare { .. } | Command::Onset { .. } => "--mass, --force or --moment",
+        Command::Need { .. } => "what is needed, such as `squeeze --mass 0.4`",
+        Command::Improve { .. } => "--mass, --force or --any-force",
+        Command::Turn { .. } => "--mass or --weight",
+        Command::Follow { .. } => "--to",
+        Command::Identify { .. } => "a table of slips behind the scene",
+        Command::Shake { .. } => "--force, or --mass and --acceleration",
+        _ => {
+            return "the scene asks nothing: use `hold`, `need`, `improve`, `onset`, `solve`, `compare`, `turn`, `follow` or `shake` with a load".to_owned();
         }
-        None => setup.questions = of_the_scene(setup, asked),
-    }
-    if setup.questions.is_empty()
-        && let Some(rest) = at_rest(asked)
-    {
-        eprintln!(
-            "warning: the scene has no such question, and no load is given: what stands at rest is asked"
-        );
-        setup.questions.push(rest);
-    }
-    if setup.questions.is_empty() {
-        let message = match asked {
-            Command::Compare { .. } | Command::Onset { .. } => {
-                "the scene has no such question: say --mass, --force or --moment"
-            }
-            Command::Need { .. } => {
-                "the scene has no such question: say what is needed, such as `squeeze --mass 0.4`"
-            }
-            Command::Improve { .. } => "the scene has no such question: say --mass, --force or --any-force",
-            Command::Turn { .. } => "the scene has no such question: say --mass or --weight",
-            Command::Follow { .. } => "the scene has no such question: say --to",
-            Command::Identify { .. } => {
-                "the scene has no such question: say a table of slips behind the scene"
-            }
-            Command::Shake { .. } => {
-                "the scene has no such question: say --force, or --mass and --acceleration"
-            }
-            _ => {
-                "the scene asks nothing: use `hold`, `need`, `improve`, `onset`, `solve`, `compare`, `turn`, `follow` or `shake` with a load"
-            }
-        };
-        return Err(Failure::Usage(message.to_owned()));
-    }
-    Ok(())
+    };
+    format!("the scene has no such question: say {say}")
 }
 
 /// The questions whether the object holds the loads of the scene's question `need`.

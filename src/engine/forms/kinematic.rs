@@ -114,7 +114,9 @@ pub(crate) fn kinematic_form_among(
     }
     let mut displacements = Vec::with_capacity(jumps.len());
     for of_contact in jumps.chunk_by(|a, b| a.contact == b.contact) {
-        displacements.extend(known[of_contact[0].contact].iter().flatten());
+        if let Some(known) = &known[of_contact[0].contact] {
+            displacements.extend(known);
+        }
     }
     form(problem, state, rows, &jumps, &|i, j| {
         trial.weighted_stretch(jumps[i].contact, &jumps[i].row, displacements[j])

@@ -178,7 +178,7 @@ impl<'s, 'g> Arc<'s, 'g> {
             if let Tangent::Sliding { drag, across, stiffness } = tangent {
                 let (dragged, held) = (map * drag, map * across);
                 let (normal, pulled) = (map.column(0), &held * *stiffness);
-                let [a, b, c, d] = [&dragged, &normal, &held, &pulled].map(Vector::as_slice);
+                let [a, b, c, d] = [&dragged, &normal, &held, &pulled].each(Vector::as_slice);
                 t.add(&self.sites()[i].support.ranges(), |i, j| a[i] * b[j] + c[i] * d[j]);
                 if self.driven {
                     let change = &self.segment.change[i];

@@ -14,7 +14,6 @@
 use super::tolerances::NO_RIGID_MOTION;
 use crate::contact::Law;
 use crate::friction::FrictionProblem;
-use crate::grasp::Space;
 use crate::numerics::{Vector, chosen, matrix_of, orthogonal_part, vector_of};
 use crate::object::Problem;
 use crate::prelude::*;
@@ -49,19 +48,21 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     }
     let load = orthogonal_part(rates.wrench.clone(), &resisted);
     let mut columns = Vec::new();
-    let (mut friction, axes) = (Vec::new(), rates.space().axes());
+    let mut friction = Vec::new();
     for &i in &touching {
         let site = &rates.sites[i];
-        (0..axes).for_each(|axis| columns.push(orthogonal_part(site.map.column(axis), &resisted)));
+        (0..3).for_each(|axis| columns.push(orthogonal_part(site.map.column(axis), &resisted)));
         let slides_freely = rates.local(i).is_frictionless() || !site.springs.resists_tangentially();
         friction.push(if slides_freely { 0.0 } else { rates.local(i).cone().limit(1.0) });
     }
-    let products = matrix_of(columns.len(), columns.len(), &|a, b| columns[a].dot(&columns[b]));
+    // In the plane nothing moves along the second tangent. With an entry of one on the diagonal friction along it opposes a motion of its own, and is zero.
+    let is_absent = |a: usize| a % 3 >= rates.space().axes();
+    let products = matrix_of(columns.len(), columns.len(), &|a, b| {
+        if a == b && is_absent(a) { 1.0 } else { columns[a].dot(&columns[b]) }
+    });
     let driven = vector_of(columns.len(), &|a| columns[a].dot(&load));
-    let pushes = match rates.space() {
-        Space::Planar => FrictionProblem::<2>::new(products, driven, friction).ok()?.solve(),
-        Space::Spatial => FrictionProblem::<3>::new(products, driven, friction).ok()?.solve(),
-    };
+    // The plane has no solver of its own here: compiling one would take as long as that for space.
+    let pushes = FrictionProblem::<3>::new(products, driven, friction).ok()?.solve();
     let pushes = pushes.solution()?;
     let motion = columns.iter().zip(pushes.r.iter()).fold(load.clone(), |v, (column, r)| v + column * *r);
     if motion.norm() > NO_RIGID_MOTION * load.norm() {
@@ -71,7 +72,7 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     // load in which contacts at their friction limit slide, other pressing contacts stick, and no contact comes nearer.
     let largest = pushes.r.amax();
     for (k, &i) in touching.iter().enumerate() {
-        let push = pushes.r.rows(axes * k, axes);
+        let push = pushes.r.rows(3 * k, 3);
         // Friction within this fraction of its limit counts as exhausted.
         let near = 1e-6;
         if push[0] <= near * largest {
@@ -79,7 +80,7 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
         }
         let sideways = push.iter().skip(1).map(|x| x * x).sum::<f64>().sqrt();
         let slides = sideways >= rates.local(i).cone().limit(push[0]) * (1.0 - near);
-        for column in &columns[axes * k..axes * k + if slides { 1 } else { axes }] {
+        for column in &columns[3 * k..3 * k + if slides { 1 } else { 3 }] {
             resist(&mut resisted, column);
         }
     }

@@ -23,21 +23,12 @@ pub struct Derivative<const C: usize> {
 impl Engine {
     /// Implements [`Sensitivity::of`](crate::ask::Sensitivity::of).
     pub(crate) fn sensitivity(&self, equilibrium: &Equilibrium<3>, by: Parameter) -> Option<Derivative<3>> {
-        let (response, state) = self.response_of(equilibrium)?;
+        let (local, problem) = (&equilibrium.local, self.problem_of(equilibrium)?);
+        let state = PieceState { forces: equilibrium.site_forces(), twist: local.twist.to() };
+        let response = StickingResponse::of(self, problem, &local.states);
         let PieceState { twist, mut forces } = response.derivative(&state, by)?;
         forces.truncate(self.len());
         let Motion { object: twist, joints, .. } = self.motion_outside(&twist);
         Some(Derivative { twist, joints, forces })
-    }
-
-    /// The linear response of the grasp in the contact states of an equilibrium, with the forces and the motion of that equilibrium. `None` if the
-    /// equilibrium has another number of contacts than the grasp.
-    pub(super) fn response_of(
-        &self,
-        equilibrium: &Equilibrium<3>,
-    ) -> Option<(StickingResponse<'_>, PieceState)> {
-        let local = &equilibrium.local;
-        let response = StickingResponse::of(self, self.problem_of(equilibrium)?, &local.states);
-        Some((response, PieceState { forces: equilibrium.site_forces(), twist: local.twist.to() }))
     }
 }

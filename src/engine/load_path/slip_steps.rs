@@ -5,7 +5,7 @@ use super::tolerances::LITTLE_NORMAL_FORCE;
 use super::within_a_step::Bounded;
 use crate::contact::tangential_norm;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{Stepped, explicit_step, largest, numbered, paired, regula_falsi};
+use crate::numerics::{Each, Stepped, explicit_step, largest, numbered, paired, regula_falsi};
 use crate::prelude::*;
 
 /// The end of a step of arclength `length` along which contacts slide or stick. It has the state `at`, its rates, and the step's estimated relative
@@ -151,8 +151,8 @@ impl Slips<'_> {
     fn first_dip(&self, (at, rates): (&[f64], &[f64]), end: &SlipStep, tolerance: f64) -> Option<f64> {
         let mut first: Option<f64> = None;
         for i in self.sticking() {
-            let values = [at, &end.at].map(|at| self.force(i, at));
-            let changes = [rates, &end.rates].map(|rates| self.force(i, rates) * end.length);
+            let values = [at, &end.at].each(|at| self.force(i, at));
+            let changes = [rates, &end.rates].each(|rates| self.force(i, rates) * end.length);
             let cone = Some(self.problem.cone(i));
             let dip = Bounded::new((values, changes), cone, (self.largest, tolerance)).dip();
             first = dip.map_or(first, |dip| Some(first.map_or(dip, |first| first.min(dip))));

@@ -130,12 +130,7 @@ impl<const C: usize> Turn<C> {
         self.angle.min(TAU)
     }
 
-    /// Refuses, with an error, loads that are not finite or beyond 1e50, a turn of bodies without their weight, and an angle out of range.
-    pub(crate) fn check(&self) -> Result<(), Error> {
-        self.check_in(Space::of::<C>())
-    }
-
-    /// [`Self::check`] for a turn of the engine, which has three components in the plane, too; `space` is the plane or space.
+    /// Refuses parts that are not finite or beyond 1e50, and an angle that is not positive.
     pub(crate) fn check_in(&self, space: Space) -> Result<(), Error> {
         self.load.constant.check_in(space, "constant load")?;
         self.load.cosine.check_in(space, "cosine of the load")?;

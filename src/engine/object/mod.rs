@@ -23,9 +23,7 @@
 
 mod band_piece;
 mod correction;
-mod energy_coordinates;
 mod free_motions;
-mod lazy_pricing;
 mod limited;
 mod load;
 mod newton;
@@ -36,24 +34,20 @@ mod problem;
 mod relaxing;
 mod sizes;
 mod solution;
-mod sums;
 mod tangent;
 mod tolerances;
 mod tresca;
 mod trial;
 
 pub(crate) use band_piece::uses_band;
-pub(crate) use energy_coordinates::{EnergyContact, EnergyCoordinates, Facet, Slipping, normal};
-pub(crate) use lazy_pricing::{LazyPricing, Point, slack};
 pub(crate) use load::Load;
 pub(crate) use newton::{Imbalance, newton, newton_on_cones};
-pub(crate) use piece::{Piece, least_combination, least_forces};
+pub(crate) use piece::{Piece, least_forces};
 pub(crate) use precise::PreciseTwist;
 pub(crate) use problem::{Lists, Problem};
 pub(crate) use relaxing::ViscousRelaxation;
 pub(crate) use sizes::{largest_force, least_spring_force};
 pub(crate) use solution::{PieceState, SolutionMemory, Unbalanced};
-pub(crate) use sums::{Sums, are_stale};
 pub(crate) use tangent::{balance, tangent_stiffness};
-pub(crate) use tolerances::{NO_FORCE, PRICING_MARGIN};
+pub(crate) use tolerances::NO_FORCE;
 pub(crate) use tresca::{states_by_tresca, twist_by_tresca};

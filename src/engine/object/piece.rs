@@ -8,7 +8,7 @@
 //! right·a have a row for each spring. So x is an oblique projection of α (an orthogonal one when nothing slides). A and B are factorised by
 //! orthogonal transformations.
 
-use crate::numerics::{IntoList, Map, Size, Square, Vector, mapped, numbered};
+use crate::numerics::{IntoList, Map, Size, Square, Vector, mapped};
 use core::ops::Range;
 
 use nalgebra::SVector;
@@ -265,18 +265,11 @@ pub(crate) fn least_forces(sites: &[Site], carries: &[bool], wrench: &Vector) ->
         }
     }
     let columns: Vec<Vector> = mapped(&axes, &|&(i, a)| sites[i].map.column(a));
-    let shares = least_combination(size_of(sites), &columns, wrench);
+    let factor = Orthogonal::new(size_of(sites), &columns);
+    let coordinates = factor.load_coordinates(wrench);
     let mut forces = vec![SVector::<f64, 3>::zeros(); sites.len()];
-    for (&(i, a), share) in axes.iter().zip(shares) {
-        forces[i][a] = -share;
+    for (k, &(i, a)) in axes.iter().enumerate() {
+        forces[i][a] = -factor.along_row(k, &coordinates);
     }
     forces
-}
-
-/// The coefficients c of least norm with `Σ c_i vectors_i = target`. The vectors must span the target.
-pub(crate) fn least_combination(size: Size, vectors: &[Vector], target: &Vector) -> Vec<f64> {
-    let count = vectors.len();
-    let factor = Orthogonal::new(size, vectors);
-    let coordinates = factor.load_coordinates(target);
-    numbered(count, &|i| factor.along_row(i, &coordinates))
 }

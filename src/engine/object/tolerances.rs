@@ -9,20 +9,9 @@
 /// as balanced.
 pub(super) const NO_WORK: f64 = 1e-13;
 
-/// The parameter ε of `lazy_pricing`, which decides when a contact is evaluated next. The waiting time is measured in length of the pivoting path, of
-/// which the component across the reference direction counts 1/ε times. With a smaller ε contacts are evaluated too early as soon as the path turns;
-/// with a larger one even on a straight path.
-pub(super) const PRICED_ACROSS: f64 = 0.25;
-
-/// Before `lazy_pricing` the value of a condition is reduced by this fraction of the sum of its terms' sizes, which exceeds its rounding. No contact
-/// then waits too long.
-///
-/// If smaller, a contact may be evaluated after the end of its state; if larger, contacts are evaluated too early.
-pub(crate) const PRICING_MARGIN: f64 = 1e-13;
-
-/// Contact forces below this fraction of the least force that the displacements could cause in a contact's softest spring are rounding errors. In a
-/// statically determinate grasp all forces may be zero. The solve and two refinement steps then leave 1e-45 of those spring forces. With this
-/// fraction such rounding errors are not compared with one another.
+/// Forces below this fraction of those that displacements could cause in the springs are rounding. A statically determinate grasp may carry no force
+/// at all. Three projections then leave 1e-45 of the forces that its springs could have from displacements of this size. With this fraction such
+/// noise is not compared with itself.
 ///
 /// If smaller, rounding errors count as forces; if larger, small forces beside large displacements do not count.
 pub(crate) const NO_FORCE: f64 = 1e-25;

@@ -84,7 +84,9 @@ impl GivenLimits {
         let (mut coupled, mut first) = (Vec::new(), vec![0]);
         for (site, ranges) in problem.sites.iter().zip(couplings) {
             let entry = |k: usize| (numbers[k], by_axis(|a| site.map[(k, a)]));
-            coupled.extend(ranges.into_iter().flatten().map(entry));
+            for range in ranges {
+                coupled.extend(range.map(entry));
+            }
             first.push(coupled.len());
         }
         let contacts = problem.locals().zip(&problem.offsets);

@@ -9,16 +9,16 @@ use super::enumerate::search;
 use super::least_motion::at_the_least_motion;
 use super::leaving::propose_of_the_leaving;
 use super::polish::polish_from;
-use super::proposals::{climb, dense_is_affordable, enumerable, propose_dense, propose_structured};
+use super::proposals::{climb, dense_is_affordable, enumerable, propose_dense};
 #[cfg(feature = "std")]
 use super::record::record;
 use super::settings::Settings;
-use super::tolerances::{BESIDE_THE_WAY, MANY_CONTACTS, MOST_WORK};
+use super::tolerances::{BESIDE_THE_WAY, MANY_CONTACTS, MOST_WORK, SEVERAL_CONTACTS};
 use super::touching::touching_contacts;
 use super::tree::{Tree, has_round_cones, most_cases, search_tree};
 use crate::forms;
-use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{WHOLE, mapped};
 use crate::object::{Problem, ViscousRelaxation, newton_on_cones, twist_by_tresca};
 use crate::prelude::*;
 use crate::proofs;
@@ -45,7 +45,7 @@ pub(super) const LADDER: [Rung; 8] = [
     },
     Rung {
         name: "Newton's method",
-        applies: |scene| has_round_cones(scene.problem) || has_many_contacts(scene) && !is_on_an_edge(scene),
+        applies: |scene| has_round_cones(scene.problem) || seldom_cycles(scene) && !is_on_an_edge(scene),
         climb: newton,
         finds: Some(FoundBy::Newton),
     },
@@ -120,7 +120,13 @@ fn has_many_contacts(scene: &ElasticTrial<'_, '_>) -> bool {
     scene.problem.len() >= MANY_CONTACTS
 }
 
-/// Whether the problem is a rate problem in which some contact is on the edge of its friction cone.
+/// Whether Newton's method is expected to converge on polygons: with many contacts, and with several if there are few coordinates.
+fn seldom_cycles(scene: &ElasticTrial<'_, '_>) -> bool {
+    let several = || scene.problem.len() >= SEVERAL_CONTACTS && scene.problem.size().count() <= WHOLE;
+    has_many_contacts(scene) || several()
+}
+
+/// Whether the problem is one of rates with contacts on the edge of their cone.
 fn is_on_an_edge(scene: &ElasticTrial<'_, '_>) -> bool {
     scene.problem.locals().any(|local| local.is_on_an_edge())
 }
@@ -198,31 +204,27 @@ fn separating_motion_of_few(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attemp
 /// The solver `structured`, which pivots on lists of contact states, then serves only if the matrix is too large. With few coordinates `structured`
 /// comes first, since its pivot costs a few operations per contact. Forms in which infinite friction has facets are tried last.
 fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
-    let (problem, dense) = (scene.proposing(), may_be_dense(scene));
     let of_the_leaving = |problem: &Problem, log: &mut Log| propose_of_the_leaving(scene, problem, log);
-    let on_states = |problem: &Problem, log: &mut Log| propose_structured(scene, problem, log);
     let on_a_matrix = |problem: &Problem, log: &mut Log| {
         let form = forms::kinematic_form(problem, &scene.trial, &scene.state);
         propose_dense(problem, scene.settings, (form, MOST_WORK), forms::kinematic_states, log)
     };
     let mut found = None;
     if scene.trial.is_banded() {
-        found = climb(problem, &of_the_leaving, log);
+        found = climb(scene.proposing(), &of_the_leaving, log);
     }
-    // With few contacts only the dense matrix is used: the solver on lists of contact states pivots in another order, and might end at another of
-    // several equilibria. With many coordinates its pivot solves a system of all coordinates, which costs more than a pivot on an affordable matrix.
-    let lists = problem.len() >= 8 && !(dense && scene.trial.is_banded());
-    if lists && found.is_none() {
-        found = climb(problem, &on_states, log);
+    if found.is_none() && !may_be_dense(scene) {
+        log.doubt = Doubt::OutOfPivots;
+        return Attempt::Nothing;
     }
-    if dense && found.is_none() {
-        found = climb(problem, &on_a_matrix, log);
-        log.effort.no_slips = log.is_infeasible && !problem.round;
+    if found.is_none() {
+        found = climb(scene.proposing(), &on_a_matrix, log);
+        log.effort.no_slips = log.is_infeasible && !scene.proposing().round;
     }
     if found.is_none()
         && let Some(with_edges) = scene.with_edges()
     {
-        found = if dense { climb(with_edges, &on_a_matrix, log) } else { climb(with_edges, &on_states, log) };
+        found = climb(with_edges, &on_a_matrix, log);
     }
     Attempt::of(found)
 }

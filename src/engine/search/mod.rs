@@ -24,8 +24,6 @@ mod enumerate;
 mod ladder;
 mod least_motion;
 mod leaving;
-#[cfg(test)]
-mod pivots;
 mod polish;
 mod proposals;
 #[cfg(feature = "std")]

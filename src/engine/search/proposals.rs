@@ -2,7 +2,7 @@
 
 use super::answer::{Doubt, Found};
 use super::candidate::{Judged, try_states};
-use super::elastic_trial::{ElasticTrial, Log};
+use super::elastic_trial::Log;
 use super::enumerate::combinations;
 use super::polish::{polish, solution_near};
 use super::settings::Settings;
@@ -13,7 +13,6 @@ use crate::forms::Form;
 use crate::lcp::{self, Basis, Outcome};
 use crate::object::Problem;
 use crate::prelude::*;
-use crate::structured;
 
 /// Whether a path of Lemke's method is affordable on a dense matrix with `times` as many rows as the kinematic form. A path takes about as many
 /// pivots as there are rows.
@@ -48,26 +47,7 @@ pub(super) fn climb(problem: &Problem, propose: &Propose<'_>, log: &mut Log) -> 
     polish(problem, &proposed, &near)
 }
 
-/// Contact states from the solver `structured`: Lemke's method, whose pivots change a list of contact states instead of a dense matrix. `None` if no
-/// path ends in a solution.
-pub(super) fn propose_structured(
-    scene: &ElasticTrial<'_, '_>,
-    problem: &Problem,
-    log: &mut Log,
-) -> Option<Vec<State>> {
-    let max_pivots = scene.settings.max_pivots;
-    let retries = if most_cases(problem, scene.settings) > 0 { 0 } else { COVERING_VECTORS };
-    let proposal = structured::propose(problem, &scene.trial, &scene.state, retries, max_pivots, MOST_WORK);
-    log.effort.rows = log.effort.rows.max(proposal.pairs);
-    log.effort.pivots += proposal.pivots;
-    if proposal.cut_short {
-        log.doubt = Doubt::OutOfPivots;
-    }
-    proposal.states
-}
-
-/// Contact states from Lemke's method on `form`, a complementarity problem with a dense matrix. It makes about `most_work` multiplications at most,
-/// unless the settings limit the pivots. `states` translates the final basis. `None` without a form, or if no path ends in a solution.
+/// Contact states from Lemke's method on a complementarity problem with a dense matrix.
 pub(super) fn propose_dense(
     problem: &Problem,
     settings: &Settings,

@@ -12,6 +12,12 @@ pub(super) const COVERING_VECTORS: usize = 3;
 /// If smaller, some grasps with few contacts get no proof; if larger, those with many wait for a search that finds nothing.
 pub(super) const MANY_CONTACTS: usize = 32;
 
+/// From this many contacts on Newton's method comes first in the plane and on polygons if there are no more coordinates than those of one object in space.
+/// With 8 to 20 contacts it then needs two thirds of the time of Lemke's method on a matrix. With more coordinates it often cycles.
+///
+/// If smaller, Newton's method is often tried in vain; if larger, grasps by a dozen fingers take longer.
+pub(super) const SEVERAL_CONTACTS: usize = 8;
+
 /// The largest number of multiplications of all paths of Lemke's method on one form, if the caller sets no limit on pivots: about a second. If
 /// larger, a search over thousands of contacts without an equilibrium takes minutes to give up. If smaller, some equilibria are missed.
 pub(super) const MOST_WORK: usize = 500_000_000;

@@ -10,7 +10,6 @@ use super::legend_corner::{emptiest_corner, legend_width, most_letters};
 use super::palette::{BLACK, GREY, PALETTE};
 use super::series::{ChartSeries, Stroke};
 use super::sheet::{Place, Sheet, plaque_size, sheet};
-use crate::numerics::IntoList;
 
 /// A chart of one or more series: add series and marks to it, then call [`Chart::to_svg`]. Points, labels and marks that are not finite are omitted;
 /// a line is interrupted at such a point.
@@ -82,8 +81,8 @@ impl Chart {
     /// Whether the chart has no finite point to draw.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        let mut points = self.series.iter().flat_map(|series| &series.points);
-        !points.any(|(x, y)| x.is_finite() && y.is_finite())
+        let is_finite = |(x, y): &(f64, f64)| x.is_finite() && y.is_finite();
+        !self.series.iter().any(|series| series.points.iter().any(is_finite))
     }
 
     /// Makes both axes logarithmic. Points and marks that are not positive are omitted.
@@ -133,8 +132,10 @@ impl Chart {
         chart.marks.retain(|(x, _)| x.is_finite());
         let is_finite = |(x, y): &(f64, f64)| x.is_finite() && y.is_finite();
         chart.labels.retain(|(point, _)| is_finite(point));
-        let corners = chart.series.iter().flat_map(ChartSeries::corners);
-        let finite: Vec<(f64, f64)> = corners.filter(is_finite).list();
+        let mut finite = Vec::new();
+        for series in &chart.series {
+            finite.extend(series.corners().into_iter().filter(is_finite));
+        }
         if finite.is_empty() {
             return Err(PictureError("no finite point".into()));
         }
@@ -155,8 +156,10 @@ impl Chart {
     /// The chart with decimal logarithms in place of its numbers.
     fn in_decades(&self) -> Self {
         let mut chart = self.clone();
-        for (x, y) in chart.series.iter_mut().flat_map(|s| &mut s.points) {
-            (*x, *y) = (x.log10(), y.log10());
+        for series in &mut chart.series {
+            for (x, y) in &mut series.points {
+                (*x, *y) = (x.log10(), y.log10());
+            }
         }
         for (x, _) in &mut chart.marks {
             *x = x.log10();

@@ -159,15 +159,15 @@ impl Painting {
         for (_, shape) in &self.strokes {
             match shape {
                 Shape::Line { places, width, .. } => {
-                    inked.extend(places.windows(2).flat_map(|ends| along(ends[0], ends[1], *width)));
+                    places.windows(2).for_each(|ends| along(ends[0], ends[1], *width, &mut inked));
                 }
-                Shape::Dashes { ends, width, .. } => inked.extend(along(ends[0], ends[1], *width)),
+                Shape::Dashes { ends, width, .. } => along(ends[0], ends[1], *width, &mut inked),
                 Shape::Area { corners, ink } if ink.opacity == 1.0 => {
                     inked.extend(corners.iter().map(|corner| (*corner, 20.0)));
                 }
                 // Of an area that is only tinted, such as a cone, names should not cover the edges.
                 Shape::Area { corners, .. } => {
-                    inked.extend(corners.windows(2).flat_map(|ends| along(ends[0], ends[1], 1.0)));
+                    corners.windows(2).for_each(|ends| along(ends[0], ends[1], 1.0, &mut inked));
                 }
                 Shape::Dot { at, radius, .. } => {
                     let around = [(0.0, 0.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)];
@@ -179,13 +179,17 @@ impl Painting {
     }
 }
 
-/// Places about 3 pixels apart on a line. Each has the cost of covering it: its share of the line's area.
-fn along(from: Place, to: Place, width: f64) -> impl Iterator<Item = (Place, f64)> {
+/// Adds places about 3 pixels apart on a line. Each has the cost of covering it: its share of the line's area.
+fn along(from: Place, to: Place, width: f64, inked: &mut Vec<(Place, f64)>) {
     let (x, y) = (to.0 - from.0, to.1 - from.1);
     let size = x.hypot(y);
     let steps = (size / 3.0).ceil().clamp(1.0, 1e4);
-    let parts = (0..).map(|k| f64::from(k) + 0.5).take_while(move |k| *k < steps).map(move |k| k / steps);
-    parts.map(move |part| ((from.0 + part * x, from.1 + part * y), width * size / steps))
+    let mut place = 0.5;
+    while place < steps {
+        let part = place / steps;
+        inked.push(((from.0 + part * x, from.1 + part * y), width * size / steps));
+        place += 1.0;
+    }
 }
 
 fn place(point: &EyePoint) -> Place {

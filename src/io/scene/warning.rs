@@ -8,7 +8,7 @@ use super::setup::Setup;
 use super::written::Scene;
 use crate::error::Error;
 use crate::grasp::inside;
-use crate::numerics::{mapped, moved};
+use crate::numerics::{Each, mapped, moved};
 use crate::words::{Words, listed, printable};
 
 /// A probable mistake in a scene.
@@ -283,7 +283,7 @@ fn lies_over_an_edge(f: &mut fmt::Formatter<'_>, words: Words, name: &str, angle
 
 /// Writes the pull of a spring or a cable without load, and its pretension, N. Both are negative for a spring that pushes.
 fn write_pull(f: &mut fmt::Formatter<'_>, words: Words, name: &str, [force, told]: [f64; 2]) -> fmt::Result {
-    let [now, nominal] = [force, told].map(|x| words.number(x * told.signum()));
+    let [now, nominal] = [force, told].each(|x| words.number(x * told.signum()));
     let (does, why) = if told < 0.0 {
         ("pushes", "`pretension` acts before anything gives way; a larger one pushes with more")
     } else {

@@ -203,12 +203,10 @@ impl LocalLaw<'_> {
             return Some(State::sliding_along(&edge[first]));
         }
         let number = |k: usize| (0_u16..).zip(self.facets()).find(|(_, h)| **h == edge[k]).map(|(j, _)| j);
-        let mut facets = vec![number(first)?];
-        if let Some(second) = second {
-            facets.push(number(second)?);
-        }
-        facets.sort_unstable();
-        Some(self.slipping_state(&facets))
+        let one = number(first)?;
+        let Some(second) = second else { return Some(self.slipping_state(&[one])) };
+        let other = number(second)?;
+        Some(self.slipping_state(&[one.min(other), one.max(other)]))
     }
 
     /// Translates a state under the whole contact law to the corresponding state under the law `rates`: the inverse of [`Self::of_the_rates`]. `None`

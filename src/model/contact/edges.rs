@@ -12,7 +12,7 @@ use super::law::LocalLaw;
 use super::state::State;
 use super::tangential::tangential;
 use super::tolerances::ZERO_SLACK;
-use crate::numerics::{Each, Harmonic, IntoList, Turning, moved, numbered, unit};
+use crate::numerics::{Harmonic, IntoList, Turning, moved, numbered, unit};
 use crate::prelude::*;
 
 /// Conditions on the force of a contact that keeps sticking. For a contact that stays open, the first component is the gap.
@@ -102,27 +102,7 @@ impl Edges {
         })
     }
 
-    /// Coefficients of conditions that include the most violated one at every corner of a box `F + Σ ±c_p` of forces. On a round cone, the worst
-    /// corner depends on the angle of the facet a. It changes only where some `a·c_p` changes sign, twice for each p. One angle between neighbouring
-    /// changes therefore suffices.
-    pub(crate) fn in_a_box(&self, sides: &[SVector<f64, 3>]) -> Vec<SVector<f64, 3>> {
-        self.rows(&|around| {
-            let mut turns = vec![0.0];
-            for c in sides {
-                // The product `a·c` of a facet's coefficients a with the side c is zero where μ c_n = c₁ cos φ + c₂ sin φ.
-                let (towards, aside) = (c[2].atan2(c[1]), (around.constant.dot(c) / c[1].hypot(c[2])).acos());
-                // The angle is NaN if the sign of the product never changes.
-                let both = [towards - aside, towards + aside].each(|x| x.rem_euclid(TAU));
-                turns.extend(both.iter().filter(|x| x.is_finite()));
-            }
-            turns.sort_by(f64::total_cmp);
-            turns.push(TAU);
-            turns.windows(2).map(|ends| 0.5 * (ends[0] + ends[1])).list()
-        })
-    }
-
-    /// For each condition an angle from 0 to `most`, rad, at which its value under the force of a turning load has a negative minimum. A condition
-    /// without such an angle gives none.
+    /// For each condition the angle, up to `most`, at which the force of a turning load violates it most.
     pub(crate) fn on_a_turn(&self, force: &Harmonic<SVector<f64, 3>>, most: f64) -> Vec<f64> {
         let nothing = Harmonic::new([SVector::zeros(); 3]);
         let margins = match self {

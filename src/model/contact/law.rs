@@ -132,12 +132,6 @@ impl<'c> LocalLaw<'c> {
         }
     }
 
-    /// Whether two contacts with the same polygon have the same facets in energy units: equal springs, equal friction, and both the whole cone.
-    pub(crate) fn has_the_facets_of(&self, other: &Self) -> bool {
-        let alike = self.springs == other.springs && self.friction == other.friction;
-        alike && self.has_a_whole_cone() && other.has_a_whole_cone()
-    }
-
     /// Number of complementary pairs of the contact: one for the gap, one for each facet.
     pub(crate) fn pairs(&self) -> usize {
         usize::from(self.may_open()) + self.facets().len()

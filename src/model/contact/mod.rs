@@ -67,6 +67,6 @@ pub(crate) use slide::Slide;
 pub(crate) use springs::Spring;
 pub(crate) use state::{Mode, State};
 pub(crate) use tangent::Tangent;
-pub(crate) use tangential::{cross, tangential, tangential_norm};
+pub(crate) use tangential::{tangential, tangential_norm};
 pub(crate) use tolerances::{MOST_SLACK, SMALLEST, WEIGHTLESS, ZERO_SLACK};
 pub(crate) use turning_exits::{TurningExit, Wave};

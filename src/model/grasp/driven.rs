@@ -202,7 +202,7 @@ impl Engine {
         of_joints: Option<&[f64]>,
     ) -> Vec<SVector<f64, 3>> {
         let mut changes = Vec::new();
-        self.changed_by(commands.into_iter().flatten().copied(), of_joints, &mut changes);
+        self.changed_by(commands.unwrap_or_default().iter().copied(), of_joints, &mut changes);
         changes
     }
 

@@ -10,6 +10,8 @@
 //!
 //! Any other rigid motion that agrees with the twist to first order differs from this one to second order, which first-order answers do not
 //! determine. The exponential map does not depend on the frame: a pure rotation about a pivot remains one for every choice of the origin.
+//!
+//! Nothing in the library calls these functions. With `inline` only a program that does compiles them, and the quaternions of nalgebra.
 
 use nalgebra::{ComplexField, Isometry2, Isometry3, SVector, UnitComplex, UnitQuaternion, Vector3};
 
@@ -31,6 +33,7 @@ impl Twist<2> {
     /// ```
     #[doc(alias = "isometry")]
     #[must_use]
+    #[inline]
     pub fn exp(&self) -> Isometry2<f64> {
         let half = 0.5 * self.rotation();
         let translation = UnitComplex::new(half) * SVector::from(self.translation()) * half.sinc();
@@ -48,6 +51,7 @@ impl Twist<2> {
     /// assert_eq!(Twist::log(&Isometry2::translation(2.0, 1.0)), Twist::new([2.0, 1.0], 0.0));
     /// ```
     #[must_use]
+    #[inline]
     pub fn log(motion: &Isometry2<f64>) -> Self {
         let half = 0.5 * motion.rotation.angle();
         let translation = UnitComplex::new(-half) * motion.translation.vector / half.sinc();
@@ -71,6 +75,7 @@ impl Twist<3> {
     /// ```
     #[doc(alias = "isometry")]
     #[must_use]
+    #[inline]
     pub fn exp(&self) -> Isometry3<f64> {
         let rotation = Vector3::from(self.rotation());
         let translation = Vector3::from(self.translation());
@@ -92,6 +97,7 @@ impl Twist<3> {
     /// assert!((twist - Twist::new([0.0, 0.0, 0.2], [0.0, 0.0, quarter])).to_vector().norm() < 1e-15);
     /// ```
     #[must_use]
+    #[inline]
     pub fn log(motion: &Isometry3<f64>) -> Self {
         let rotation = motion.rotation.scaled_axis();
         let chord = UnitQuaternion::from_scaled_axis(-0.5 * rotation) * motion.translation.vector;
@@ -101,6 +107,7 @@ impl Twist<3> {
 }
 
 /// The component of `v` along `axis`, as a vector; zero if `axis` is zero.
+#[inline]
 fn along(axis: &Vector3<f64>, v: &Vector3<f64>) -> Vector3<f64> {
     axis.try_normalize(0.0).map_or_else(Vector3::zeros, |axis| axis * axis.dot(v))
 }

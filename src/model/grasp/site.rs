@@ -113,9 +113,11 @@ impl Site {
     ) {
         let (object, axes) = (space.of_the_object(), space.axes());
         if on_object != 1.0 {
-            for (k, a) in (0..object).flat_map(|k| (0..axes).map(move |a| (k, a))) {
-                self.map[(k, a)] *= on_object;
-                self.map_rest[(k, a)] *= on_object;
+            for k in 0..object {
+                for a in 0..axes {
+                    self.map[(k, a)] *= on_object;
+                    self.map_rest[(k, a)] *= on_object;
+                }
             }
         }
         for (coordinate, motion) in motions {

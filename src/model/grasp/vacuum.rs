@@ -73,7 +73,11 @@ impl Engine {
 
     /// Indices of all contact points that belong to these contacts.
     pub(crate) fn points_of(&self, parts: &[WholeContact]) -> Vec<usize> {
-        parts.iter().flat_map(|part| self.wholes()[part.contact].range.clone()).collect()
+        let mut points = Vec::new();
+        for part in parts {
+            points.extend(self.wholes()[part.contact].range.clone());
+        }
+        points
     }
 
     /// The caller's load plus the pull of the vacuums.

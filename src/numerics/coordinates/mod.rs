@@ -8,7 +8,6 @@ mod list;
 mod map;
 mod map_entries;
 mod products;
-mod scaled_map;
 mod size;
 mod square;
 mod sums;
@@ -16,7 +15,6 @@ mod vector;
 
 pub(crate) use indices::Indices;
 pub(crate) use map::Map;
-pub(crate) use scaled_map::ScaledMap;
 pub(crate) use size::{Size, WHOLE};
 pub(crate) use square::Square;
 pub(crate) use vector::Vector;

@@ -2,11 +2,10 @@
 
 use core::ops::{Add, AddAssign, Index, IndexMut, Mul};
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SMatrix;
 
 use super::list::List;
 use super::products::{add_combined, add_fixed};
-use super::scaled_map::ScaledMap;
 use super::size::{Size, WHOLE};
 use super::vector::Vector;
 use crate::prelude::*;
@@ -52,14 +51,6 @@ impl Square {
     #[inline]
     pub(crate) fn zeros(size: Size) -> Self {
         Self { entries: Entries::zeros(size.count()), size }
-    }
-
-    pub(crate) fn from_diagonal(size: Size, mut entry: impl FnMut(usize) -> f64) -> Self {
-        let mut square = Self::zeros(size);
-        for k in 0..size.count() {
-            square[(k, k)] = entry(k);
-        }
-        square
     }
 
     #[inline]
@@ -130,11 +121,6 @@ impl Square {
         &mut self.as_mut_slice()[j * n..(j + 1) * n]
     }
 
-    /// Sets the size, and all entries to zero; memory is reused if the size is unchanged.
-    pub(crate) fn clear(&mut self, size: Size) {
-        if self.size == size { self.fill(0.0) } else { *self = Self::zeros(size) }
-    }
-
     /// Adds the dyad `a bᵀ`.
     #[inline]
     pub(crate) fn add_product(&mut self, a: &[f64], b: &[f64]) {
@@ -144,36 +130,6 @@ impl Square {
                 *entry += a * b;
             }
         }
-    }
-}
-
-impl Square {
-    /// Adds `w SᵀH S` with the matrix S, `map`, and the weight w. `hold` is the 3 × 3 matrix H; with `None` H is the identity.
-    pub(crate) fn add_congruent(&mut self, map: &ScaledMap, hold: Option<&SMatrix<f64, 3, 3>>, weight: f64) {
-        let columns = map.columns();
-        for (to, column) in self.as_mut_slice().chunks_exact_mut(columns.len().max(1)).zip(columns) {
-            let column = SVector::from(*column);
-            let weighted = hold.map_or(column, |hold| hold * column) * weight;
-            // For three and for six coordinates this loop has a length that the compiler knows.
-            match columns.len() {
-                WHOLE => add_transposed_product::<WHOLE>(columns, &weighted, to),
-                3 => add_transposed_product::<3>(columns, &weighted, to),
-                _ => {
-                    for (to, column) in to.iter_mut().zip(columns) {
-                        *to += SVector::from(*column).dot(&weighted);
-                    }
-                }
-            }
-        }
-    }
-}
-
-/// Adds to each entry of `to` the dot product of a column with `weighted`, a vector over the axes of a contact.
-#[inline]
-fn add_transposed_product<const N: usize>(columns: &[[f64; 3]], weighted: &SVector<f64, 3>, to: &mut [f64]) {
-    let (Some(columns), Some(to)) = (columns.first_chunk::<N>(), to.first_chunk_mut::<N>()) else { return };
-    for k in 0..N {
-        to[k] += SVector::from(columns[k]).dot(weighted);
     }
 }
 

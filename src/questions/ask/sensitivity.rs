@@ -3,7 +3,7 @@
 use super::grasp::Grasp;
 use crate::equilibrium::Equilibrium;
 use crate::grasp::{inside, outside};
-use crate::load_path::{Derivative, OnsetEvent, OnsetMargins, Parameter, Response};
+use crate::load_path::{Derivative, OnsetEvent, OnsetMargins, Parameter};
 
 /// Questions about derivatives of a grasp's answers by its data, made by [`Grasp::sensitivity`].
 #[derive(Debug, Clone, Copy)]
@@ -38,61 +38,10 @@ impl<'g, const C: usize> Sensitivity<'g, C> {
         OnsetMargins::new(&self.0.engine, &inside(event))
     }
 
-    /// Derivatives of an equilibrium of this grasp by its finger commands while every contact keeps its state: one linear solve for each axis of each
-    /// contact. `None` if the equilibrium has another number of contacts, or if a command has no equilibrium in these states.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Twist, Wrench};
-    ///
-    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    ///
-    /// let outcome = grasp.solve(Wrench::force([0.0, -4.0]))?;
-    /// let response = grasp.sensitivity().response(outcome.equilibrium().expect("holds")).expect("regular");
-    /// // The left finger moves on by 1 m: the object goes half the way, its force grows by half its stiffness.
-    /// assert!((response.twist[(0, 0)] - 0.5).abs() < 1e-14);
-    /// assert!((response.forces[(0, 0)] - 500.0).abs() < 1e-11);
-    ///
-    /// // 1 mm to the right: the left finger follows, the right one, whose normal points left, gives way.
-    /// let command = response.smallest_command(&Twist::new([1e-3, 0.0], 0.0)).expect("can be reached");
-    /// assert!((command[0] - 1e-3).abs() < 1e-16 && (command[2] - -1e-3).abs() < 1e-16);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    #[must_use]
-    pub fn response(&self, equilibrium: &Equilibrium<C>) -> Option<Response> {
-        self.0.of_equilibrium(equilibrium).engine.response(&inside(equilibrium))
-    }
-
-    /// Derivatives of an equilibrium by the joint commands of its hand while every contact and every drive keeps its state: as
-    /// [`Sensitivity::response`](crate::ask::Sensitivity::response), with a column for each joint and then each tendon.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::hand::{Finger, Hand, Joint};
-    /// use grasp_lcp::planar::{Twist, Wrench};
-    /// use grasp_lcp::planar::Contact;
-    ///
-    /// let jaw = |x: f64| {
-    ///     Finger::new([Joint::prismatic([-x, 0.0]).stiffness(1e3).command(0.01)])
-    ///         .contact(Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 1e3).friction(0.5))
-    /// };
-    /// let grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp()?;
-    /// let outcome = grasp.solve(Wrench::ZERO)?;
-    /// let response = grasp.sensitivity().joint_response(outcome.equilibrium().expect("holds")).expect("regular");
-    /// // 1 mm to the right: the left jaw closes by as much as the right one opens.
-    /// let commands = response.smallest_command(&Twist::new([1e-3, 0.0], 0.0)).expect("can be reached");
-    /// assert!((commands[0] - 1e-3).abs() < 1e-15 && (commands[1] + 1e-3).abs() < 1e-15);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    #[must_use]
-    pub fn joint_response(&self, equilibrium: &Equilibrium<C>) -> Option<Response> {
-        self.0.of_equilibrium(equilibrium).engine.joint_response(&inside(equilibrium))
-    }
-
-    /// Derivative of an equilibrium of this grasp by one parameter while every contact keeps its state: one linear solve, exact. On a load path
-    /// earlier slips are held constant. `None` if an index is out of range or the equilibrium has another number of contacts. Also `None` if the
-    /// change has no equilibrium in these states (a load on a motion without resistance), and for the position of a contact of a hand. Also where
-    /// changed geometry would resist a motion that nothing resists now.
+    /// Derivative of an equilibrium of this grasp by one parameter while every contact keeps its state: one linear solve, exact. On a load path earlier
+    /// slips are held constant. `None` if an index is out of range or the equilibrium has another number of contacts. Also `None` if the change has no
+    /// equilibrium in these states (a load on a free motion), for the position of a contact of a hand, and where changed geometry would resist a motion
+    /// that is free now.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

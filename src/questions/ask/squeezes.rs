@@ -3,8 +3,7 @@
 use super::grasp::Grasp;
 use crate::error::Error;
 use crate::grasp::{Face, Wrench, inside, outside};
-use crate::load_path::Ramp;
-use crate::squeeze::{Bounds, LeastOnset, LeastSqueeze, Loads, WeakestDirection};
+use crate::squeeze::{LeastSqueeze, Loads, WeakestDirection};
 
 impl<const C: usize> Grasp<C> {
     /// The least factor on all finger commands with which every contact touches and sticks under each of a set of loads. In space friction cones are
@@ -41,39 +40,8 @@ impl<const C: usize> Grasp<C> {
         self.engine.least_squeeze(&inside(loads), &self.settings).map(outside)
     }
 
-    /// The least load factor at first slip along a ramp, over all commands and loads within error bounds, with the commands and loads that attain it.
-    /// In space friction cones are round. Exact, not by sampling: see [`Bounds`].
-    ///
-    /// The worst friction is the smallest coefficient: use a grasp that has it. Stiffness and geometry do not enter linearly; [`Self::reserve`]
-    /// includes them.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Bounds, Contact, Grasp, LeastOnset, Ramp, Wrench};
-    ///
-    /// // Two fingers that press with 1000 N/m · 10 mm = 10 N, μ = 0.5, to 1 mm; a pull down of up to 2 N beside the weight.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    /// let weight = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
-    /// let bounds = Bounds::none().with_commands([[0.001, 0.0]; 2]).with_base(Wrench::force([0.0, 2.0]));
-    /// // 2 μ · 9 N less 2 N.
-    /// let LeastOnset::At { factor, .. } = grasp.least_onset_within(&weight, &bounds)? else { panic!("it slides") };
-    /// assert!((factor - 7.0).abs() < 1e-13);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As for [`Self::onset`]; [`Error::Argument`] or [`Error::Size`] for bounds below zero or beyond 1e50, or of another number of contacts;
-    /// [`Error::NotForHands`] for a grasp by a hand.
-    pub fn least_onset_within(
-        &self,
-        ramp: impl Into<Ramp<C>>,
-        bounds: &Bounds<C>,
-    ) -> Result<LeastOnset<C>, Error> {
-        self.engine.least_onset_within(&inside(&ramp.into()), &inside(bounds), &self.settings).map(outside)
-    }
-
-    /// The direction in which the least force through a point (m) makes a contact stop sticking, beside a base load; in space with round friction
-    /// cones.
+    /// The direction in which the least force through a point (m) makes a contact stop sticking, in addition to a base load; in space on the round
+    /// cone.
     ///
     /// For each facet of a friction cone the worst direction has a closed form. With the contact forces F⁰ under the base load, a force x gives
     /// contact forces `F⁰ + A x`. The condition `a·F >= 0` of the facet is first broken by the x along `-Aᵀa` of size `a·F⁰ / |Aᵀa|`.

@@ -3,7 +3,7 @@
 //!
 //! With one tangential stiffness per contact, `K_i = k_t I + (k_n - k_t) n nᵀ` in coordinate axes.
 
-use super::block::{Block, Layout, count};
+use super::block::{Block, Layout, count, entries};
 use super::factors::LaneFactors;
 use super::finger::{Force, LaneFinger, moment, world};
 use super::lanes::{Packed, dot};
@@ -60,15 +60,11 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
     /// Contact number i of the grasp in each lane, with its arm from the centroid.
     #[inline(always)]
     pub(super) fn finger(&self, block: &Block<'_, C, X>, i: usize) -> LaneFinger<C, X> {
-        let mut arm = block.points().map(|row| row[i]);
+        let mut arm = entries(&block.points(), i);
         for axis in 0..C {
             arm[axis] -= self.centre[axis];
         }
-        LaneFinger {
-            normal: block.normals().map(|row| row[i]),
-            springs: block.springs().map(|row| row[i]),
-            arm,
-        }
+        LaneFinger { normal: entries(&block.normals(), i), springs: entries(&block.springs(), i), arm }
     }
 
     /// For each lane, a positive number if some motion of the object stretches no spring, up to rounding; else zero.

@@ -8,10 +8,9 @@ use super::load_cases::LoadCases;
 use super::point_batch::PointBatch;
 use super::pull::Pull;
 use super::question::ScreeningQuestion;
-use super::screened::{Screened, ScreenedTurn};
+use super::screened::Screened;
 use super::screened_gradient::ScreenedGradients;
 use super::screened_squeeze::ScreenedSqueeze;
-use super::turning_pull::TurningPull;
 use crate::numerics::each_taken;
 use crate::prelude::*;
 
@@ -107,16 +106,9 @@ impl<const C: usize, const N: usize> Batch<C, N> {
         self.ask_into(&Kernels::get().pull, pulls, answers);
     }
 
-    /// The angle at first slip of every grasp under each of the turning loads, on one thread;
-    /// [`sweep::turn_onsets_of_batch`](crate::sweep::turn_onsets_of_batch) uses all cores. Answers are ordered as in [`Self::onsets_into`], and each
-    /// equals that of [`Fingers::onset_of_turn`] bit for bit.
-    pub fn turn_onsets_into(&self, turns: &[TurningPull<C>], answers: &mut Vec<ScreenedTurn>) {
-        self.ask_into(&Kernels::get().turning_pull, turns, answers);
-    }
-
-    /// For each grasp and each list of loads, the least factor of the commands with which all contacts stick under every load of the list, on one
-    /// thread; [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch) uses all cores. Answers are ordered as in
-    /// [`Self::onsets_into`], and each equals that of [`Fingers::least_squeeze`] bit for bit.
+    /// The least factor of the commands with which each grasp holds every load of a list, for each of the lists, on one thread;
+    /// [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch) uses all cores. Answers are ordered as in [`Self::onsets_into`], and
+    /// each equals that of [`Fingers::least_squeeze`] bit for bit.
     pub fn least_squeezes_into(&self, cases: &[LoadCases<C>], answers: &mut Vec<ScreenedSqueeze>) {
         self.ask_into(&Kernels::get().load_cases, cases, answers);
     }
@@ -149,10 +141,6 @@ impl<const C: usize, const N: usize> Batch<C, N> {
     ) {
         gradients.contacts = N;
         self.ask_on_all_cores(&Kernels::get().gradient, &of_the_first(pulls), &mut gradients.numbers);
-    }
-
-    pub(crate) fn turn_onsets_on_all_cores(&self, turns: &[TurningPull<C>], answers: &mut Vec<ScreenedTurn>) {
-        self.ask_on_all_cores(&Kernels::get().turning_pull, turns, answers);
     }
 
     pub(crate) fn least_squeezes_on_all_cores(

@@ -8,7 +8,7 @@ use super::lanes::{LANES, Lanes};
 use super::method::Method;
 use super::question::{Scenes, ScreeningQuestion};
 use super::springs::StickingSprings;
-use crate::numerics::{OnVectors, Vectors, on_the_widest};
+use crate::numerics::{Each, OnVectors, Vectors, on_the_widest};
 use crate::prelude::*;
 
 /// The forces at contacts, with room for as many contacts as a grasp of a batch may have.
@@ -60,7 +60,7 @@ impl<const C: usize, Q: ScreeningQuestion<C>> BatchPart<'_, C, Q> {
         let numbers = self.numbers.chunks_exact(Layout::<C>::numbers(contacts));
         let blocks = numbers.zip(self.parted.chunks_exact(2 * contacts));
         let of_block = LANES * self.questions.len() * Q::answers(contacts);
-        let mut methods = [Method::Edges, Method::Motions].map(StickingSprings::none);
+        let mut methods = [Method::Edges, Method::Motions].each(StickingSprings::none);
         let all = blocks.zip(self.answers.chunks_mut(of_block)).enumerate();
         for (k, ((numbers, parted), answers)) in all {
             let block = Block { contacts, ends, numbers, parted };

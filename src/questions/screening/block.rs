@@ -12,8 +12,18 @@ pub(super) fn count(contacts: usize) -> usize {
     contacts.min(MOST_POINTS)
 }
 
-/// Grasps with the same number of contacts, one in each lane. `numbers` has the rows of [`Layout`], each with one entry per contact, then the three
-/// entries of [`Sizes`]. The number of contacts is known only at run time, so that kernels are compiled once for the plane and once for space.
+/// The entry of contact `i` in each of these rows.
+#[inline(always)]
+pub(super) fn entries<X: Copy, const K: usize>(rows: &[&[X]; K], i: usize) -> [X; K] {
+    let mut all = [rows[0][i]; K];
+    for row in 1..K {
+        all[row] = rows[row][i];
+    }
+    all
+}
+
+/// Grasps with the same number of contacts, one in each lane. Each row has one number per contact; three [`Sizes`] follow. The number of contacts is
+/// known only at run time, so that kernels are compiled once for the plane and once for space.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Block<'a, const C: usize, X: Packed> {
     pub(super) contacts: usize,

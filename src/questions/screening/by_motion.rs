@@ -7,7 +7,7 @@
 //! T is.
 
 use super::balance::RigidBody;
-use super::block::{Block, Commanded, Layout, MOST_SCREENED};
+use super::block::{Block, Commanded, Layout, MOST_SCREENED, entries};
 use super::finger::{Force, displacement, stretched};
 use super::forces::AnyForces;
 use super::lanes::Packed;
@@ -89,7 +89,7 @@ fn let_go<const C: usize, X: Packed>(
     for (i, force) in contacts.iter_mut().enumerate() {
         *force = Force::none();
         if let Some(commands) = commands {
-            let [normal, tangential] = block.springs().map(|row| row[i]);
+            let [normal, tangential] = entries(&block.springs(), i);
             force.normal = normal * commands.pressed[i];
             for axis in 0..C {
                 force.tangential[axis] = tangential * commands.sheared[axis][i];
@@ -176,7 +176,7 @@ fn bound_rounding<const C: usize, X: Packed>(
     let span = shift + turn * body.reach;
     let (mut most, mut second) = (zero, zero);
     for (i, force) in forces.of.iter_mut().enumerate().take(block.contacts) {
-        let [normal, tangential] = block.springs().map(|row| row[i]);
+        let [normal, tangential] = entries(&block.springs(), i);
         let mut stretched = normal.max(tangential) * span;
         let mut size = force.normal.abs();
         if let Some(commands) = commands {

@@ -7,10 +7,9 @@ use super::kernels::Kernels;
 use super::load_cases::LoadCases;
 use super::one_grasp::OneGrasp;
 use super::pull::Pull;
-use super::screened::{Screened, ScreenedTurn};
+use super::screened::Screened;
 use super::screened_gradient::ScreenedGradients;
 use super::screened_squeeze::ScreenedSqueeze;
-use super::turning_pull::TurningPull;
 use crate::error::Error;
 use crate::grasp::Contact;
 use crate::prelude::*;
@@ -96,31 +95,6 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
         gradients.numbers.resize(GradientRow::<C>::numbers(N), f64::NAN);
         let question = GradientOf { pull: *pull, contact: None };
         (Kernels::get().gradient.one)(&self.grasp, &question, &mut gradients.numbers);
-    }
-
-    /// The angle at which the first contact stops sticking while the load turns, and the contacts that stop sticking there. Where screening cannot
-    /// decide, the verdict says why.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Fingers, Turn, TurningPull};
-    /// use grasp_lcp::screening::ScreeningVerdict;
-    ///
-    /// // Palms that press with 10 N each hold a box of 12 N that begins on its side.
-    /// let palm = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(10.0);
-    /// let palms = Fingers::new(&[palm(-1.0), palm(1.0)])?;
-    /// let from_its_side = Turn::tilting([12.0, 0.0], [0.0, 0.0]).reversed();
-    /// let onset = palms.onset_of_turn(&TurningPull::new(&from_its_side)?);
-    /// // 6 sin θ + 3 cos θ = 5 there.
-    /// let closed = (5.0 / 45_f64.sqrt()).asin() - 3_f64.atan2(6.0);
-    /// assert!((onset.angle().unwrap() - closed).abs() < 1e-14);
-    ///
-    /// let light = palms.onset_of_turn(&TurningPull::new(&Turn::tilting([0.0, -2.0], [0.0, 0.0]))?);
-    /// assert_eq!(light.verdict(), ScreeningVerdict::Never);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    #[must_use]
-    pub fn onset_of_turn(&self, turn: &TurningPull<C>) -> ScreenedTurn {
-        Kernels::get().turning_pull.ask(&self.grasp, turn)
     }
 
     /// The least common factor of all commands with which every contact touches and sticks under each of the loads. Clearances are not scaled. Where

@@ -25,23 +25,20 @@ pub(super) const UNCLEAR: f64 = -3.0;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum ScreeningVerdict {
-    /// Contacts stop sticking, at the [factor](crate::screening::Screened::factor) or the [angle](crate::screening::ScreenedTurn::angle):
-    /// they slide or open.
+    /// Contacts stop sticking, at the [factor](crate::screening::Screened::factor): they slide or open.
     Leaves,
-    /// However large the load grows, or as far as it turns, no contact stops sticking.
+    /// However large the load grows, no contact stops sticking.
     Never,
-    /// Not every contact sticks at load factor or angle zero: one would slide or be open, or there may be no equilibrium.
-    /// [`Grasp::onset`](crate::ask::Grasp::onset) and [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn) decide which.
+    /// Not every contact sticks at load factor zero: one would slide or be open, or there may be no equilibrium.
+    /// [`Grasp::onset`](crate::ask::Grasp::onset) decides which.
     NotSticking,
     /// The base load or the growing load, or a term of a turning load, works on a motion that no contact resists.
     GivesWay,
     /// Screening cannot decide, because of rounding or missing friction. [`Grasp::onset`](crate::ask::Grasp::onset) or
     /// [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn) can.
     ///
-    /// * A contact is within rounding of the edge of its cone at load factor or angle zero.
-    /// * A margin closes so slowly that rounding would show in the load factor or the angle.
-    /// * While the load turns, the margin of a contact comes within rounding of zero, so that the contact may or may not leave. Or it leaves where
-    ///   the turn ends.
+    /// * A contact is within rounding of the edge of its cone at load factor zero.
+    /// * A margin closes so slowly that rounding would show in the load factor.
     /// * Two contacts in the plane do not hold the object because friction is missing.
     /// * Forces or stiffnesses are so large or small that squares overflow or lose digits.
     Unclear,
@@ -56,18 +53,18 @@ impl SlipCode {
             f64::INFINITY => ScreeningVerdict::Never,
             NOT_STICKING => ScreeningVerdict::NotSticking,
             GIVES_WAY => ScreeningVerdict::GivesWay,
-            place if place > 0.0 => ScreeningVerdict::Leaves,
+            factor if factor > 0.0 => ScreeningVerdict::Leaves,
             _ => ScreeningVerdict::Unclear,
         }
     }
 
-    pub(super) fn place(self) -> Option<f64> {
+    pub(super) fn factor(self) -> Option<f64> {
         (self.verdict() == ScreeningVerdict::Leaves).then_some(self.code)
     }
 
-    pub(super) fn holds_up_to(self, place: f64) -> bool {
-        // A negative code in place of a load factor means that nothing is known to hold, not even at zero.
-        place >= 0.0 && place <= self.code
+    pub(super) fn holds_up_to(self, factor: f64) -> bool {
+        // The codes for other verdicts are negative.
+        factor >= 0.0 && factor <= self.code
     }
 
     pub(super) fn leaving(self) -> impl Iterator<Item = usize> + use<> {
@@ -80,11 +77,11 @@ impl SlipCode {
         })
     }
 
-    pub(super) fn show(self, f: &mut fmt::Formatter<'_>, [name, place]: [&str; 2]) -> fmt::Result {
-        let mut shown = f.debug_struct(name);
+    pub(super) fn show(self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut shown = f.debug_struct("Screened");
         shown.field("verdict", &self.verdict());
-        if let Some(value) = self.place() {
-            shown.field(place, &value).field("leaving", &self.leaving().collect::<Vec<_>>());
+        if let Some(factor) = self.factor() {
+            shown.field("factor", &factor).field("leaving", &self.leaving().collect::<Vec<_>>());
         }
         shown.finish()
     }

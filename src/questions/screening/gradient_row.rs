@@ -1,7 +1,7 @@
 //! The derivatives of the load factor at first slip by all data of a grasp and the load, as a row of numbers.
 
 use super::answer_slots::AnswerSlots;
-use super::block::{Block, Layout, MOST_SCREENED, count};
+use super::block::{Block, Layout, MOST_SCREENED, count, entries};
 use super::edge::LeavingEdge;
 use super::finger::world;
 use super::forces::AnyForces;
@@ -72,7 +72,7 @@ impl<const C: usize, X: Packed> Slopes<'_, C, X> {
         let virtually = self.motions[1];
         let mut turn = [X::all(0.0); C];
         turn.copy_from_slice(&virtually.turn[..C]);
-        let mut arm = block.points().map(|row| row[0]);
+        let mut arm = entries(&block.points(), 0);
         for entry in &mut arm {
             *entry = -*entry;
         }
@@ -101,9 +101,9 @@ impl<const C: usize, X: Packed> Slopes<'_, C, X> {
     #[inline(always)]
     fn contact(&self, block: &Block<'_, C, X>, i: usize, scale: X, row: &mut [X; LONGEST_ROW]) {
         let (zero, contacts) = (X::all(0.0), count(block.contacts));
-        let normal = block.normals().map(|row| row[i]);
-        let [k_n, k_t] = block.springs().map(|row| row[i]);
-        let [force, mut answered] = self.forces.map(|forces| forces.of[i]);
+        let normal = entries(&block.normals(), i);
+        let [k_n, k_t] = entries(&block.springs(), i);
+        let (force, mut answered) = (self.forces[0].of[i], self.forces[1].of[i]);
         let give = |k: X| k.above(zero, X::all(1.0) / k, zero);
         let gives = match self.method {
             Method::Edges => [k_n, k_t],

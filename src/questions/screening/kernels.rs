@@ -12,7 +12,6 @@ use super::one_grasp::OneGrasp;
 use super::pull::Pull;
 use super::put_on::PutOn;
 use super::question::ScreeningQuestion;
-use super::turning_pull::TurningPull;
 use super::watch::{Measured, Watched};
 use crate::error::Error;
 use crate::grasp::Contact;
@@ -21,7 +20,6 @@ use crate::grasp::Contact;
 pub(super) struct Kernels<const C: usize> {
     pub(super) prepare: fn(&[Contact<C>]) -> Result<OneGrasp<C>, Error>,
     pub(super) pull: Kernel<C, Pull<C>>,
-    pub(super) turning_pull: Kernel<C, TurningPull<C>>,
     pub(super) load_cases: Kernel<C, LoadCases<C>>,
     pub(super) gradient: Kernel<C, GradientOf<C>>,
     pub(super) put_on: fn(BatchPart<'_, C, PutOn<C>>),
@@ -41,9 +39,8 @@ static SPACE: Kernels<3> = Kernels::new();
 impl<const C: usize> Kernels<C> {
     const fn new() -> Self {
         let prepare = OneGrasp::new;
-        let (pull, turning_pull) = (Kernel::new(), Kernel::new());
-        let (load_cases, gradient) = (Kernel::new(), Kernel::new());
-        Self { prepare, pull, turning_pull, load_cases, gradient, put_on: screen, watch: OneGrasp::watch }
+        let (pull, load_cases, gradient) = (Kernel::new(), Kernel::new(), Kernel::new());
+        Self { prepare, pull, load_cases, gradient, put_on: screen, watch: OneGrasp::watch }
     }
 
     /// The kernels for `C` axes: 2 in the plane, 3 in space.

@@ -151,8 +151,12 @@ impl Packed for Lanes {
 
     #[cfg_attr(not(feature = "simd"), inline)]
     #[cfg_attr(feature = "simd", inline(always))]
-    fn each<T: Copy>(of: impl FnMut(usize) -> T) -> [T; LANES] {
-        core::array::from_fn(of)
+    fn each<T: Copy>(mut of: impl FnMut(usize) -> T) -> [T; LANES] {
+        let mut all = [of(0); LANES];
+        for lane in 1..LANES {
+            all[lane] = of(lane);
+        }
+        all
     }
 
     #[cfg_attr(not(feature = "simd"), inline)]

@@ -11,6 +11,7 @@
 use super::block::{AnyScene, Block, Layout, Sizes};
 use super::lanes::Packed;
 use super::triangle::{self, N, Triangle, others};
+use crate::numerics::Each;
 
 /// The method by which the contact forces of a grasp are found.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,7 +51,7 @@ pub(super) fn is_a_triangle<const C: usize, X: Packed>(block: &Block<'_, C, X>) 
 /// Chooses the method for a triangle in space. For [`Method::Edges`] it replaces stiffnesses by compliances and writes [`Sizes`] above zero, which
 /// mark the choice.
 pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
-    let stiff = scene.block().springs().map(|row| [row[0], row[1], row[2]]);
+    let stiff = scene.block().springs().each(|row| [row[0], row[1], row[2]]);
     let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
     for (axis, row) in stiff.iter().enumerate() {
         for (i, stiffness) in row.iter().enumerate() {
@@ -79,7 +80,7 @@ pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
 fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     let mut triangle = Triangle::none();
     triangle.ready(scene);
-    let length = triangle.edge.map(|edge| edge.iter().map(|x| x * x).sum::<f64>().sqrt());
+    let length = triangle.edge.each(|edge| edge.iter().map(|x| x * x).sum::<f64>().sqrt());
     let [c_n, c_t] = scene.springs();
     // A bound of the forces along edges that balanced contact forces P of size one cause: `|N| |A⁻¹| |Nᵀ| C P` by absolute values. N, A and C are
     // defined in [`super::triangle`].
@@ -88,7 +89,7 @@ fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
         let mut unit = [0.0; N];
         unit[k] = 1.0;
         let lambda = triangle.factors.solve(N, &unit);
-        let given = others(k).map(|i| c_t[i].max(c_n[i])).iter().sum::<f64>() * length[k];
+        let given = others(k).each(|i| c_t[i].max(c_n[i])).iter().sum::<f64>() * length[k];
         for i in 0..N {
             gives += length[i] * lambda[i].abs() * given;
         }

@@ -12,7 +12,6 @@
 //!
 //! ```text
 //! F_i(τ) = F_i(W₀) + τ F_i'            W = W₀ + τ W'                      onset: the least τ > 0 beyond which
-//! F_i(θ) = F_i⁰ + F_iᶜ cos θ + F_iˢ sin θ,  W = W⁰ + Wᶜ cos θ + Wˢ sin θ   ... the least θ > 0 ...    |F_t| > μ F_n (if μ is 0 or infinite: F_n < 0)
 //! F_i(s) = s F_iᵃ + F_i(W)             a = s times the commands           squeeze: the least s >= 0 with |F_t| <= μ F_n at every contact
 //! ```
 //!
@@ -33,11 +32,9 @@
 //! In the code a *scene* is one grasp, a *lane* its place in a vector register, and a *block* as many scenes as there are lanes.
 //!
 //! [`Grasp::onset`]: crate::ask::Grasp::onset
-//! [`Grasp::onset_of_turn`]: crate::ask::Grasp::onset_of_turn
 //! [`Grasp::least_squeeze`]: crate::ask::Grasp::least_squeeze
 
 mod answer_slots;
-mod arccotangent;
 mod balance;
 mod batch;
 mod batch_part;
@@ -72,8 +69,6 @@ mod screened_squeeze;
 mod springs;
 mod tolerances;
 mod triangle;
-mod turning;
-mod turning_pull;
 mod verdict;
 mod watch;
 
@@ -84,8 +79,7 @@ pub use load_cases::LoadCases;
 pub use point_batch::PointBatch;
 pub use pull::Pull;
 pub(crate) use put_on::{PutOn, WhileSticking};
-pub use screened::{Screened, ScreenedTurn};
+pub use screened::Screened;
 pub use screened_gradient::{ScreenedGradient, ScreenedGradients};
 pub use screened_squeeze::{ScreenedSqueeze, SqueezeVerdict};
-pub use turning_pull::TurningPull;
 pub use watch::Watched;

@@ -3,13 +3,13 @@
 //! The springs give the displacement of the object at each contact, `u = a - C F`, with the command a, the compliance C and the force F.
 //! Displacements at both ends of an edge e between contacts differ by `ω × e`, from which the rotation ω follows.
 
-use super::block::{Block, Commanded, MOST_SCREENED};
+use super::block::{Block, Commanded, MOST_SCREENED, entries};
 use super::finger::{Force, world};
 use super::forces::AnyForces;
 use super::lanes::{Packed, cross, dot};
 use super::springs::Cause;
 use super::triangle::{self, Triangle, others};
-use crate::numerics::Vectors;
+use crate::numerics::{Each, Vectors};
 
 /// A small motion of the object: displacements at its contacts, m, and its rotation, rad.
 #[derive(Debug, Clone, Copy)]
@@ -44,8 +44,8 @@ impl<const C: usize, X: Packed> ObjectMotion<C, X> {
                 for i in 0..2 {
                     self.at[i] = off_the_spring(block, &cause.commands, i, &forces.of[i]);
                 }
-                let [x, y] = [0, 1].map(|axis| points[axis][1] - points[axis][0]);
-                let [u, v] = [0, 1].map(|axis| self.at[1][axis] - self.at[0][axis]);
+                let [x, y] = [0, 1].each(|axis| points[axis][1] - points[axis][0]);
+                let [u, v] = [0, 1].each(|axis| self.at[1][axis] - self.at[0][axis]);
                 self.turn[0] = (x * v - y * u) / (x * x + y * y);
             },
         );
@@ -97,13 +97,13 @@ fn off_the_spring<const C: usize, X: Packed>(
     i: usize,
     force: &Force<C, X>,
 ) -> [X; C] {
-    let [c_n, c_t] = block.springs().map(|row| row[i]);
+    let [c_n, c_t] = entries(&block.springs(), i);
     let mut left = *force;
     left.normal = commands.pressed[i] - c_n * force.normal;
     for axis in 0..C {
         left.tangential[axis] = commands.sheared[axis][i] - c_t * force.tangential[axis];
     }
-    world(&block.normals().map(|row| row[i]), &left)
+    world(&entries(&block.normals(), i), &left)
 }
 
 /// The derivatives of the work of a contact force F under a motion of the object with displacement u and rotation ω at the contact. The derivative by

@@ -115,7 +115,7 @@ fn write<const C: usize>(
     scene.part(index, [a[0], contact.clearance]);
     a[0] = 0.0;
     if C == 3 {
-        let n = frame.column(0);
+        let n = frame.column(0).into_owned();
         // If the command was given along the coordinate axes, it is not rotated into the frame and back, which would round it.
         a = contact.commanded_in_world().map_or_else(|| frame * a, |u| u - n * n.dot(u));
     } else {

@@ -21,8 +21,8 @@ use super::forces::AnyForces;
 use super::lanes::Packed;
 use super::tolerances::ON_THE_EDGE;
 use crate::contact::ZERO_SLACK;
-use crate::numerics::Vectors;
 use crate::numerics::tolerances::LINEARLY_DEPENDENT;
+use crate::numerics::{Each, Vectors};
 
 /// Replaces the stiffnesses of a pair by compliances.
 ///
@@ -32,14 +32,14 @@ use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
     let block = scene.block();
     let (points, normals, [k_n, k_t]) = (block.points(), block.normals(), block.springs());
-    let slippery = [k_t[0], k_t[1]].map(|k| k == 0.0);
-    let [x, y] = [0, 1].map(|axis| points[axis][1] - points[axis][0]);
+    let slippery = [k_t[0], k_t[1]].each(|k| k == 0.0);
+    let [x, y] = [0, 1].each(|axis| points[axis][1] - points[axis][0]);
     let along = |i: usize| {
         let t = normals[1][i] * x - normals[0][i] * y;
         t * t <= LINEARLY_DEPENDENT * (x * x + y * y)
     };
     let count = (0..2).map(|i| if slippery[i] { 1 + usize::from(along(i)) } else { 0 }).sum();
-    let compliances = [0, 1].map(|i| match count {
+    let compliances = [0, 1].each(|i| match count {
         0 => [1.0 / k_n[i], 1.0 / k_t[i]],
         1 => [0.0, f64::from(u8::from(slippery[i]))],
         _ => [f64::NAN; 2],
@@ -61,7 +61,7 @@ pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
 /// Sums of absolute values of terms, which bound the rounding of contact forces, for a pair whose springs are compliances.
 fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     let pair = Pair::new(scene);
-    let [x, y] = [0, 1].map(|axis| scene.points()[axis][1] - scene.points()[axis][0]);
+    let [x, y] = [0, 1].each(|axis| scene.points()[axis][1] - scene.points()[axis][0]);
     let length = x.abs() + y.abs();
     let mut gives = 0.0;
     for i in 0..2 {
@@ -228,7 +228,7 @@ impl<X: Packed> Pair<X> {
     ) {
         let (commanded, size) = others.map_or((self.commanded, self.sizes.commands), |others| {
             let points = block.points();
-            let [x, y] = [0, 1].map(|axis| points[axis][1] - points[axis][0]);
+            let [x, y] = [0, 1].each(|axis| points[axis][1] - points[axis][0]);
             let taken = |i: usize| taken(i, others, (self.n[i], self.t[i]));
             (taken(0) + taken(1), self.size_of(x.abs() + y.abs(), others))
         });

@@ -5,6 +5,7 @@
 //! rounding does not decide which motion counts as without resistance.
 
 use super::lanes::Packed;
+use crate::numerics::Each;
 
 /// The exchange of two rotations in each lane: that about the coordinate axis nearest to the line between two contacts becomes the last coordinate.
 #[derive(Debug, Clone, Copy)]
@@ -18,7 +19,7 @@ impl<X: Packed> AlongTheLine<X> {
     #[inline(always)]
     pub(super) fn between<const C: usize>(points: &[&[X]; C]) -> Self {
         let (zero, one) = (X::all(0.0), X::all(1.0));
-        let [x, y, z] = [0, 1, 2 % C].map(|axis| (points[axis][1] - points[axis][0]).abs());
+        let [x, y, z] = [0, 1, 2 % C].each(|axis| (points[axis][1] - points[axis][0]).abs());
         let is_x = y.max(z).above(x, zero, one);
         Self { is: [is_x, z.above(y, zero, one - is_x)] }
     }

@@ -10,6 +10,7 @@ use super::put_on::PutOn;
 use super::question::ScreeningQuestion;
 use super::screened::Screened;
 use crate::grasp::Contact;
+use crate::numerics::Each;
 use crate::prelude::*;
 
 /// Many grasps for screening, all with the same number of contact points, two to 64, which is known only at run time.
@@ -54,7 +55,7 @@ impl<const C: usize> PointBatch<C> {
     pub fn with_capacity(points: usize, grasps: usize) -> Self {
         let blocks = grasps.div_ceil(LANES);
         let sizes = [Layout::<C>::numbers(points), 2 * points];
-        let [numbers, parted] = sizes.map(|size| Vec::with_capacity(blocks * size));
+        let [numbers, parted] = sizes.each(|size| Vec::with_capacity(blocks * size));
         Self { contacts: points, ends: u64::MAX, numbers, parted, len: 0, scene: None }
     }
 

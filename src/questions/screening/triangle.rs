@@ -18,7 +18,7 @@
 //! This takes half the operations of [`super::balance`], and forces balance for any λ. But a small force among large ones is more accurate with
 //! `balance`; [`super::method`] chooses between the two.
 
-use super::block::{Block, Commanded};
+use super::block::{Block, Commanded, entries};
 use super::factors::LaneFactors;
 use super::forces::AnyForces;
 use super::lanes::{Packed, cross, dot};
@@ -74,7 +74,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         let (mut ends, mut begins, mut corner) = (none, none, none);
         for i in 0..N {
             let [j, k] = others(i);
-            let normal = normals.map(|row| row[i]);
+            let normal = entries(&normals, i);
             ends[i] = dot(&normal, &edge[j]);
             begins[i] = dot(&normal, &edge[k]);
             corner[i] = dot(&edge[j], &edge[k]);
@@ -86,8 +86,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
             let [tail, head] = others(k);
             // The three edges add up to zero, so that `|e_k|² = -(e_k·e_i + e_k·e_j)`.
             let square = -(corner[tail] + corner[head]);
-            let [end, begin] =
-                [(head, &ends), (tail, &begins)].map(|(i, along)| (c_n[i] - c_t[i]) * along[i]);
+            let (end, begin) = ((c_n[head] - c_t[head]) * ends[head], (c_n[tail] - c_t[tail]) * begins[tail]);
             gives[k][k] = (c_t[head] + c_t[tail]) * square + (end * ends[head] + begin * begins[tail]);
             let (row, column) = (tail.max(head), tail.min(head));
             gives[row][column] = -(c_t[k] * corner[k] + (c_n[k] - c_t[k]) * ends[k] * begins[k]);
@@ -125,7 +124,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
             for axis in 0..C {
                 borne[i][axis] += twist * self.edge[i][axis] - lift * self.across[axis];
             }
-            pressed[i] = dot(&normals.map(|row| row[i]), &borne[i]);
+            pressed[i] = dot(&entries(&normals, i), &borne[i]);
             shrunk[i] = (springs[0][i] - springs[1][i]) * pressed[i];
         }
         let mut taken = self.along_normals(&shrunk);

@@ -3,7 +3,7 @@
 use core::fmt;
 
 use super::answer_slots::AnswerSlots;
-use super::block::{MOST_SCREENED, count};
+use super::block::{MOST_SCREENED, count, entries};
 use super::cone::StickingCone;
 use super::fingers::Fingers;
 use super::first_exit::judge;
@@ -129,7 +129,10 @@ impl<const C: usize> Measured<'_, C> {
     fn write<X: Packed>(&self, normals: [&[X]; C], measured: &mut AnyForces<C, X>) {
         measured.clear();
         for (i, force) in self.forces.iter().enumerate().take(MOST_SCREENED) {
-            let (normal, world) = (normals.map(|row| row[i]), force.map(X::all));
+            let (normal, mut world) = (entries(&normals, i), [X::all(0.0); C]);
+            for axis in 0..C {
+                world[axis] = X::all(force[axis]);
+            }
             let along = dot(&normal, &world);
             let part = &mut measured.of[i];
             part.normal = along;

@@ -17,7 +17,7 @@ use crate::error::Error;
 use crate::grasp::{Engine, WholeContact, Wrench};
 use crate::lcp::{self, quadratic_program};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{IntoList, indexed, largest, mapped, matrix_of, vector_of};
+use crate::numerics::{IntoList, chosen, indexed, largest, mapped, matrix_of, vector_of};
 use crate::prelude::*;
 use crate::search::Settings;
 #[cfg(feature = "serde")]
@@ -99,14 +99,16 @@ impl Engine {
             under.push(answer.of);
         }
         let mut slips = Vec::new();
-        for (i, axis) in (0..none.len())
-            .filter(|i| sticking.law(*i).may_slide())
-            .flat_map(|i| (1..self.space().axes()).map(move |a| (i, a)))
-        {
-            let mut offsets = none.clone();
-            offsets[i][axis] = -1.0;
-            let Ok(answer) = sticking.forces(&offsets, &nothing) else { return Ok(None) };
-            slips.push(((i, axis), answer.of));
+        let (mut normal, mut all) = (0.0_f64, 0.0_f64);
+        for i in chosen(none.len(), &|i| sticking.law(*i).may_slide()) {
+            for axis in 1..self.space().axes() {
+                let mut offsets = none.clone();
+                offsets[i][axis] = -1.0;
+                let Ok(answer) = sticking.forces(&offsets, &nothing) else { return Ok(None) };
+                normal = normal.max(largest(&answer.of, &|force| force[0].abs()));
+                all = all.max(largest(&answer.of, &SVector::norm));
+                slips.push(((i, axis), answer.of));
+            }
         }
         let program = Program::new(&sticking.edges, &rest.of, &under, &slips.iter().map(|(_, f)| f).list());
         let Some((factor, sizes, multipliers)) = program.solved() else { return Ok(None) };
@@ -126,8 +128,6 @@ impl Engine {
             let of = self.wholes().with(&binds).into_iter();
             binding.extend(of.map(|contact| BindingContact { load: k.checked_sub(1), contact }));
         }
-        let normal = slips.iter().flat_map(|(_, forces)| forces).map(|f| f[0].abs()).fold(0.0, f64::max);
-        let all = slips.iter().flat_map(|(_, forces)| forces).map(Matrix::norm).fold(0.0, f64::max);
         let slips_change_normal_forces = normal > SOLVED_ROUNDING * all;
         let around_the_round_cone = settings.is_round(self.space());
         Ok(Some(Shakedown {

@@ -1,24 +1,12 @@
 //! Conversion of the types about squeezes between the engine, whose vectors have three components in the plane, too, and callers, with `C`
 //! components.
 
-use super::bounds::Bounds;
-use super::least_onset::LeastOnset;
 use super::least_squeeze::LeastSqueeze;
 use super::loads::Loads;
 use super::weakest_direction::WeakestDirection;
-use crate::grasp::{face_of_enum, face_of_struct};
-
-face_of_struct! {
-    Bounds { commands, base, direction }
-}
+use crate::grasp::face_of_enum;
 
 face_of_enum! {
-    LeastOnset {
-        At { factor: factor, contact: contact, commands: commands, ramp: ramp },
-        Never {},
-        NotSticking { contact: contact },
-        GivesWay { motion: motion },
-    }
     LeastSqueeze {
         Factor { factor: factor, binding: binding },
         NoFactor { contact: contact, load: load, factor: factor },

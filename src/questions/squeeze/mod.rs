@@ -22,16 +22,12 @@
 //! | `bounds` | bounds of the errors of commands and loads |
 //! | `least_onset` | the least load factor at which a contact stops sticking, within these bounds |
 
-mod bounds;
 mod face;
-mod least_onset;
 mod least_squeeze;
 mod loads;
 mod parts;
 mod weakest_direction;
 
-pub use bounds::Bounds;
-pub use least_onset::LeastOnset;
 pub use least_squeeze::LeastSqueeze;
 pub(crate) use loads::LoadFields;
 pub use loads::Loads;

@@ -1,9 +1,7 @@
 //! Screening of batches of grasps of two to five contacts on all cores.
 
 use crate::prelude::*;
-use crate::screening::{
-    Batch, LoadCases, Pull, Screened, ScreenedGradients, ScreenedSqueeze, ScreenedTurn, TurningPull,
-};
+use crate::screening::{Batch, LoadCases, Pull, Screened, ScreenedGradients, ScreenedSqueeze};
 
 /// The load factor at which the first contact stops sticking, for each grasp of a batch and each of the growing loads: [`Batch::onsets_into`] on all
 /// cores. `answers` is overwritten and its memory reused. It then has the answers of the first grasp in the order of the loads, then those of the
@@ -47,18 +45,9 @@ pub fn onset_gradients_of_batch<const C: usize, const N: usize>(
     batch.onset_gradients_on_all_cores(pulls, gradients);
 }
 
-/// The angle at which the first contact stops sticking, for each grasp of a batch and each of the turning loads: [`Batch::turn_onsets_into`] on all
-/// cores. Answers come in the order of [`onsets_of_batch`].
-pub fn turn_onsets_of_batch<const C: usize, const N: usize>(
-    batch: &Batch<C, N>,
-    turns: &[TurningPull<C>],
-    answers: &mut Vec<ScreenedTurn>,
-) {
-    batch.turn_onsets_on_all_cores(turns, answers);
-}
-
-/// The least factor of the commands with which all contacts stick under every load of a list, for each grasp of a batch and each of the lists:
-/// [`Batch::least_squeezes_into`] on all cores. Answers come in the order of [`onsets_of_batch`].
+/// The least factor of the commands with which each grasp of a batch holds every load of a list, for
+/// each of the lists: [`Batch::least_squeezes_into`] on all cores. Answers come in the order of
+/// [`onsets_of_batch`].
 pub fn least_squeezes_of_batch<const C: usize, const N: usize>(
     batch: &Batch<C, N>,
     cases: &[LoadCases<C>],

@@ -21,7 +21,7 @@ mod tolerances;
 mod uncertainty;
 mod union;
 
-pub use batch::{least_squeezes_of_batch, onset_gradients_of_batch, onsets_of_batch, turn_onsets_of_batch};
+pub use batch::{least_squeezes_of_batch, onset_gradients_of_batch, onsets_of_batch};
 pub(crate) use caught::caught;
 #[cfg(feature = "json")]
 pub(crate) use caught::fault_in;

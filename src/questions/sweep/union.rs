@@ -10,7 +10,7 @@
 //! points of failure.
 
 use super::margin::FacetMargin;
-use crate::numerics::{IntoList, dot, normal_tail, normal_tail_of_both};
+use crate::numerics::{Each, IntoList, dot, normal_tail, normal_tail_of_both};
 use crate::prelude::*;
 
 /// Possible failures of contacts, under one load or under several; a failure is a negative margin.
@@ -79,7 +79,7 @@ impl Failure {
         let data = self.gradient.len() - usize::from(self.contact != other.contact);
         let correlation = dot(&self.gradient[..data], &other.gradient[..data]);
         let first_order = normal_tail_of_both([self.reliability, other.reliability], correlation);
-        let [more, more_of_other] = [self, other].map(|of| of.probability / of.first_order);
+        let [more, more_of_other] = [self, other].each(|of| of.probability / of.first_order);
         more.min(more_of_other) * first_order
     }
 }

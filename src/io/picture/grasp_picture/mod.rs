@@ -71,7 +71,7 @@ pub(super) fn stills_of_a_page(of: &[PlanarPicture]) -> Result<Vec<String>, Pict
     for picture in &mut pictures {
         picture.scale = picture.scale.min(scale);
     }
-    let points: Vec<_> = pictures.iter().flat_map(Picture::points).collect();
+    let points = mapped(&pictures, &Picture::points).concat();
     tried(&pictures, &|picture| picture.draw_on(&OF_A_PAGE, &points))
 }
 
@@ -148,7 +148,10 @@ impl<'a> Picture<'a> {
         let title = lines(self.of.title, 70);
         let caution = caution(self.state(), self.of.says.iter().copied());
         let sentences = self.of.says.iter().copied().chain(caution.as_deref());
-        let says: Vec<_> = sentences.flat_map(|words| lines(words, paper.letters)).collect();
+        let mut says = Vec::new();
+        for words in sentences {
+            says.extend(lines(words, paper.letters));
+        }
         // Line heights of the title and of sentences.
         let line_heights = (24.0, 20.0);
         let more = line_heights.0 * title.len().saturating_sub(1) as f64 + line_heights.1 * says.len() as f64;
@@ -202,7 +205,9 @@ impl<'a> Picture<'a> {
                 if self.of.grasp.contacts()[tip.of.range.start].against.is_some() {
                     points.push(at - force);
                 }
-                points.extend(self.cone(tip, does).into_iter().flatten());
+                if let Some(cone) = self.cone(tip, does) {
+                    points.extend(cone);
+                }
             }
         }
         if let Some(load) = &self.load {

@@ -71,7 +71,9 @@ impl Page {
         let mut marks = marks_of_the_grasp(&drawing);
         let mut everything = mapped(&marks, &Mark::points).concat();
         for frame in [None].into_iter().chain(self.frames.iter().map(Some)) {
-            everything.extend(marks_of_the_answer(&drawing, frame).iter().flat_map(Mark::points));
+            for mark in marks_of_the_answer(&drawing, frame) {
+                everything.extend(mark.points());
+            }
         }
         // Marks whose size is in pixels need a border.
         let eye = Eye::new(view, window.within(18.0), drawing.span, everything)?;

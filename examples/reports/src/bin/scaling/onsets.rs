@@ -5,8 +5,8 @@ use std::hint::black_box;
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::{Contact, Wrench};
-use grasp_lcp::load_path::{Ramp, Turn};
-use grasp_lcp::screening::{Batch, Fingers, LoadCases, Pull, TurningPull};
+use grasp_lcp::load_path::Ramp;
+use grasp_lcp::screening::{Batch, Fingers, LoadCases, Pull};
 use grasp_lcp::squeeze::Loads;
 use grasp_lcp::sweep::onsets_of_batch;
 use grasp_lcp::{planar, spatial};
@@ -114,7 +114,6 @@ fn family<const C: usize, const N: usize>(
     batch_row("batch on all cores", on_all_cores, &needs::<C, N>(1.0, 10 * GRASPS, Cores::All));
     let of_many = needs::<C, N>(16.0, 10 * GRASPS, Cores::All);
     batch_row("batch of 16 loads each, all cores", of_many_loads, &of_many);
-    turns(name, (&fingers, &batch), &grasps, direction)?;
     squeezes(name, (&fingers, &batch), &grasps, direction)
 }
 
@@ -136,38 +135,6 @@ fn needs<const C: usize, const N: usize>(loads: f64, grasps: usize, cores: Cores
         operations: ready / loads + load,
         cores,
     }
-}
-
-/// Times the search for the angle at which a contact slides while a load turns: for a light load that all grasps hold, and for one under which many slide.
-fn turns<const C: usize, const N: usize>(
-    name: &str,
-    (fingers, batch): (&[Fingers<C, N>], &Batch<C, N>),
-    grasps: &[Grasp<C>],
-    direction: &Wrench<C>,
-) -> Outcome {
-    for (times, how) in [(1.0, "light"), (20.0, "heavy")] {
-        let turn = Turn::new(Wrench::ZERO, *direction * 0.1, *direction * times);
-        let pull = TurningPull::new(&turn)?;
-        let mut answers = Vec::new();
-        let together = best(|| batch.turn_onsets_into(black_box(&[pull]), &mut answers)) / GRASPS as f64;
-        let alone = best(|| {
-            for grasp in fingers {
-                black_box(black_box(grasp).onset_of_turn(&pull));
-            }
-        }) / GRASPS as f64;
-        let whole = best(|| {
-            for grasp in grasps {
-                black_box(grasp.onset_of_turn(black_box(&turn)).is_ok());
-            }
-        }) / grasps.len() as f64;
-        let leave = answers.iter().filter(|answer| answer.angle().is_some()).count();
-        let remark = format!("{:.0} % leave", 100.0 * leave as f64 / GRASPS as f64);
-        let name = format!("{how} load that turns, {name}");
-        let beside = Beside { in_general: whole, ..Beside::NOTHING };
-        row(&format!("{name}, one at a time"), alone, beside, &remark);
-        row(&format!("{name}, batch on one thread"), together, beside, &remark);
-    }
-    Ok(())
 }
 
 /// The least squeeze under two loads.
