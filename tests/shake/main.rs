@@ -5,6 +5,7 @@ mod followed_cycles;
 mod rocked_ball;
 mod shakedown;
 mod to_and_fro;
+mod too_far;
 mod two_nodes;
 mod walking_block;
 mod within_a_play;

@@ -130,8 +130,7 @@ impl<const C: usize> Equilibrium<C> {
     /// A warning if a motion [is not small](Self::too_far); otherwise `None`.
     #[must_use]
     pub fn caution(&self, words: Words) -> Option<String> {
-        let digits = words.precision();
-        self.too_far.as_ref().map(|far| format!("{far:.digits$}: results for small motions no longer apply"))
+        self.too_far.as_ref().map(|far| far.caution(words))
     }
 
     /// The [motions that nothing resists](Self::free_motions): "nothing resists turning about …".

@@ -76,6 +76,12 @@ impl fmt::Display for TooFar {
 }
 
 impl TooFar {
+    /// The caution for answers beyond small motions: "left slips by more than 4 mm: results for small motions no longer apply".
+    pub(crate) fn caution(&self, words: Words) -> String {
+        let digits = words.precision();
+        format!("{self:.digits$}: results for small motions no longer apply")
+    }
+
     /// The motion beyond its limit, with a verb, without the name of the body or contact: "turns by more than 5.7°". Limits have two significant
     /// digits.
     #[must_use]

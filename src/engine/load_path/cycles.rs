@@ -8,7 +8,7 @@ use super::leg::Leg;
 use super::pieces::Pieces;
 use super::stretch::Stretch;
 use crate::contact::{Coulomb, Mode, State};
-use crate::equilibrium::Equilibrium;
+use crate::equilibrium::{Equilibrium, TooFar};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
@@ -134,6 +134,11 @@ impl<'g> Cycles<'g> {
     /// The end of the path, if it has ended before all legs so far were completed; else `None`.
     pub(crate) fn end(&self) -> Option<&PathEnd<3>> {
         self.path.end().filter(|end| !matches!(end, PathEnd::Completed))
+    }
+
+    /// The motion on the path so far that first ceased to be small; `None` if all are small.
+    pub(crate) fn too_far(&self) -> Option<TooFar> {
+        self.path.end_of_small_motions().map(|end| end.what.clone())
     }
 
     /// The index of the present leg within the cycle, and the fraction of this leg covered.

@@ -5,7 +5,7 @@ use super::onset::{OnsetAnswer, OnsetAt};
 use super::path::{PathAnswer, PathOutcome};
 use super::question::Question;
 use super::solved::SolveAnswer;
-use crate::equilibrium::{ContactState, Equilibrium, Outcome, TooFar, WholeAnswer};
+use crate::equilibrium::{ContactState, Equilibrium, Outcome, WholeAnswer};
 use crate::grasp::Wrench;
 use crate::load_path::{Change, PadChange};
 use crate::numerics::IntoList;
@@ -98,8 +98,10 @@ fn solved<const C: usize>(under: &str, answer: &SolveAnswer<C>, words: Words) ->
     let digits = words.precision();
     let sentence = match &answer.outcome {
         Outcome::Equilibrium(state) => {
-            let caution =
-                state.too_far.as_ref().map_or(String::new(), |far| beyond_small_motions(far, words));
+            let caution = state
+                .too_far
+                .as_ref()
+                .map_or(String::new(), |far| format!(". CAUTION: {}", far.caution(words)));
             format!("EQUILIBRIUM{under}: {}{caution}", in_short(state))
         }
         Outcome::NoEquilibrium(none) => format!("NO EQUILIBRIUM{under}: {none:.digits$}"),
@@ -114,11 +116,6 @@ fn solved<const C: usize>(under: &str, answer: &SolveAnswer<C>, words: Words) ->
         }
         _ => format!("{sentence}; {from_rest}"),
     }
-}
-
-/// A warning that the motions under this load are no longer small.
-fn beyond_small_motions(far: &TooFar, words: Words) -> String {
-    format!(". CAUTION: {far:.0$}: results for small motions no longer apply", words.precision())
 }
 
 /// Names the contacts that slide, or says that everything sticks.
@@ -156,7 +153,7 @@ fn first_slip<const C: usize, At>(
             let (what, leaves) = leaving(event, words);
             let (at, beyond) = (place(&event.at), &event.beyond);
             let too_far = event.state.too_far.as_ref();
-            let caution = too_far.map_or(String::new(), |far| beyond_small_motions(far, words));
+            let caution = too_far.map_or(String::new(), |far| format!(". CAUTION: {}", far.caution(words)));
             format!("{what} at {at}: {leaves}; beyond: {beyond:.digits$}{caution}")
         }
         OnsetAnswer::Never => format!("NOTHING SLIDES {how_far}"),

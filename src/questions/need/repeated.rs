@@ -22,6 +22,8 @@ impl Loading {
         };
         let shaken = self.grasp.shake(base, &legs)?;
         let does = if demand == Demand::Rests { shaken.rests() } else { shaken.stays() };
+        // Beyond small motions nothing is known to rest or to stay.
+        let does = if shaken.too_far.is_some() { does.map(|_| false) } else { does };
         Ok(match does {
             Some(true) => Trial::always(),
             Some(false) => Trial::does_not(self.said(&shaken), carried(&shaken, legs.len())),

@@ -9,7 +9,7 @@ same_on_both_sides! { BindingContact }
 
 face_of_struct! {
     Shakedown { factor, slips, binding, slips_change_normal_forces, friction_falls, around_the_round_cone }
-    Shaken { base, repeats, every, cycles, followed, change, ratio, moved, state }
+    Shaken { base, repeats, every, cycles, followed, change, ratio, moved, too_far, state }
 }
 
 face_of_enum! {

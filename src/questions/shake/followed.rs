@@ -5,6 +5,7 @@ use super::recurrence::Recurrence;
 use super::round::Round;
 use super::tolerances::{NEAR_THE_LIMIT, NEAR_THE_LIMIT_ON_ARCS};
 use super::verdict::{Repeats, Shaken};
+use crate::equilibrium::TooFar;
 use crate::error::Error;
 use crate::grasp::{BodyMotion, Engine, WholeContact, Wrench};
 use crate::load_path::{CycleState, Cycles, Leg, PathEnd, Ramp};
@@ -36,6 +37,7 @@ impl Engine {
                 change: 0.0,
                 ratio: 0.0,
                 moved: Vec::new(),
+                too_far: None,
                 state: None,
             });
         };
@@ -54,6 +56,7 @@ impl Engine {
             alike: 0,
             followed: 0,
             cycles_gone: 0,
+            too_far: None,
         };
         Ok(shaking.until_it_repeats())
     }
@@ -79,6 +82,8 @@ struct Shaking<'g, 's> {
     followed: usize,
     /// Number of load cycles from rest to the present state, including cycles that extrapolation skipped.
     cycles_gone: usize,
+    /// The motion that first ceased to be small in the cycles followed so far.
+    too_far: Option<TooFar>,
 }
 
 impl<'g> Shaking<'g, '_> {
@@ -88,7 +93,9 @@ impl<'g> Shaking<'g, '_> {
         while self.followed < most_cycles {
             self.followed += 1;
             self.cycles_gone += 1;
-            let Some(cycle) = Cycle::next(self.engine, &mut self.cycles) else {
+            let next = Cycle::next(self.engine, &mut self.cycles);
+            self.note_how_far(&self.cycles.too_far());
+            let Some(cycle) = next else {
                 let repeats = self.repeats_at_end(self.cycles_gone);
                 return walked_out.unwrap_or_else(|| self.answer(repeats, (change, 0.0), None));
             };
@@ -211,7 +218,8 @@ impl<'g> Shaking<'g, '_> {
     fn limit(&mut self, recurrence: &Recurrence<'_>, last: &Cycle) -> Option<Cycle> {
         self.followed += 1;
         let there = recurrence.fixed_point().filter(|_| recurrence.ratio() < 1.0)?;
-        let (limit, _) = Cycle::beginning_at(self.engine, &self.cycles, &there, self.settings)?;
+        let (limit, cycles) = Cycle::beginning_at(self.engine, &self.cycles, &there, self.settings)?;
+        self.note_how_far(&cycles.too_far());
         // If friction falls once contacts slide, events at the limit may differ from those just before the limit. The cycle at the limit then does
         // not show the behaviour of the grasp.
         let happens_there = limit.from.weaker.is_empty() || limit.record.is_like(&last.record);
@@ -223,6 +231,12 @@ impl<'g> Shaking<'g, '_> {
     fn has_walked_out(&self, cycle: &Cycle) -> bool {
         let is_out = |moved: &BodyMotion<3>| moved.speed() > moved.reach && moved.reach > 0.0;
         cycle.walks() && self.moves(&self.rest, &cycle.to).iter().any(is_out)
+    }
+
+    fn note_how_far(&mut self, too_far: &Option<TooFar>) {
+        if self.too_far.is_none() {
+            self.too_far.clone_from(too_far);
+        }
     }
 
     fn note(&mut self, cycle: &Cycle) {
@@ -282,6 +296,7 @@ impl<'g> Shaking<'g, '_> {
             change,
             ratio,
             moved,
+            too_far: self.too_far.clone(),
             state,
         }
     }

@@ -1,6 +1,6 @@
 //! The behaviour of a grasp under a repeated load, and the data of the cycles.
 
-use crate::equilibrium::Equilibrium;
+use crate::equilibrium::{Equilibrium, TooFar};
 use crate::grasp::{BodyMotion, Motion, WholeContact, Wrench};
 use crate::hold::{Lost, Verdict};
 use crate::prelude::*;
@@ -38,6 +38,10 @@ pub struct Shaken<const C: usize> {
     /// The motion of the object, or of each body, from the equilibrium under the base load to the end of the last cycle; if slips die out, to the
     /// limit.
     pub moved: Vec<BodyMotion<C>>,
+    /// The motion that first ceases to be [small](crate::Settings::small_motions) within the cycles: beyond it, answers are those for the undeformed
+    /// geometry. `None` if all motions are small.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub too_far: Option<TooFar>,
     /// The equilibrium after the last cycle that was followed, before the next one begins; `None` where the load path has ended.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub state: Option<Box<Equilibrium<C>>>,

@@ -22,12 +22,9 @@ impl<const C: usize> fmt::Display for Shaken<C> {
         }
         let at_the_loss =
             || if let Repeats::Lost { lost, .. } = &self.repeats { lost.state.as_ref() } else { None };
-        match self.state.as_ref().or_else(at_the_loss) {
-            Some(state) => {
-                state.caution(Words::of(f)).map_or(Ok(()), |caution| write!(f, ". CAUTION: {caution}"))
-            }
-            None => Ok(()),
-        }
+        let state = self.state.as_ref().or_else(at_the_loss);
+        let far = state.and_then(|state| state.too_far.as_ref()).or(self.too_far.as_ref());
+        far.map_or(Ok(()), |far| write!(f, ". CAUTION: {}", far.caution(Words::of(f))))
     }
 }
 

@@ -1,0 +1,24 @@
+//! Motions within a cycle that are no longer small are named, although the object comes back.
+
+use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
+
+/// Two jaws press with 8 N each. Beyond 16 N one of them is open, and its gap grows by the load over the stiffness of the other.
+#[test]
+fn jaws_that_open_too_far_in_every_cycle_are_named() {
+    let jaw = |x: f64, name: &str| {
+        let jaw = Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(2e3, 1e3).friction(0.5);
+        jaw.pressed_with(8.0).name(name)
+    };
+    let grasp = Grasp::new([jaw(-0.04, "left"), jaw(0.04, "right")]).unwrap();
+    let shaken = |force: f64| {
+        let legs = [force, -force].map(|x| Leg::there_and_back(Wrench::force([x, 0.0])));
+        grasp.shake(Wrench::ZERO, &legs.concat()).unwrap()
+    };
+    // A tenth of the grasp's size is 4 mm: the gap is force / 2000 - 8 mm.
+    assert_eq!(shaken(23.0).too_far, None, "{}", shaken(23.0));
+    let far = shaken(25.0);
+    assert!(
+        far.rests() == Some(true) && far.to_string().contains("CAUTION: left opens by more than 4 mm"),
+        "{far}"
+    );
+}
