@@ -39,3 +39,16 @@ fn a_bed_beside_a_stop_slides_earlier_if_it_is_stiffer() {
     assert!((slips / (30.0 * (1.0 + stiffness / tangential)) - 1.0).abs() < 1e-9, "{slips}");
     assert_eq!(setup.depends_on_tangential_stiffness().expect("answered"), [0]);
 }
+
+/// With soft tangential springs the object turns too far before the load is reached, although friction would hold it.
+#[test]
+fn a_load_that_is_reached_by_small_motions_only_with_stiff_springs_depends() {
+    let [left, right] = [
+        Contact::new([-0.05, -0.04], [1.0, 0.0]).series_stiffness(2e4, 8e3).friction(0.2).force(10.0),
+        Contact::new([0.05, -0.04], [-1.0, 0.0]).series_stiffness(2e4, 1e3).friction(0.8).pressed_with(10.0),
+    ];
+    let load = Wrench::force_at([2.0, -2.0], [0.0, -0.01]);
+    let setup = Setup::<2>::new([left.into(), right.into()]).ask(hold(load));
+    assert_eq!(setup.grasp().unwrap().hold(load).unwrap().holds(), Some(true));
+    assert_eq!(setup.depends_on_tangential_stiffness().expect("answered"), [0]);
+}

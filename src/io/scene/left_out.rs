@@ -42,8 +42,12 @@ impl Setup<3> {
             return Ok(None);
         }
         let is_motion = |question: &Question<3>| matches!(question, Question::Solve { .. });
-        let questions =
-            self.questions_that_depend(&|trial| self.with_springs(trial), &is_motion, SAME_ANSWER)?;
+        let questions = self.questions_that_depend(
+            &|trial| self.with_springs(trial),
+            &without_limits,
+            &is_motion,
+            SAME_ANSWER,
+        )?;
         let depends = !questions.is_empty();
         let stiffness = DEFAULT_STIFFNESS;
         Ok(depends.then_some(Warning::StiffnessLeftOut { contacts, names, stiffness, questions }))
@@ -64,16 +68,18 @@ impl Setup<3> {
         }
         let questions =
             // Links are usually much stiffer than the contacts, so that answers depend on their stiffness only slightly.
-            self.questions_that_depend(&|trial| self.with_links(trial), &|_| false, 1e-3)?;
+            self.questions_that_depend(&|trial| self.with_links(trial), &without_limits, &|_| false, 1e-3)?;
         let (depends, stiffness) = (!questions.is_empty(), Link::<3>::STIFF);
         Ok(depends.then_some(Warning::StiffnessLeftOut { contacts, names, stiffness, questions }))
     }
 
     /// Indices of the questions whose answers depend on the stiffness. A relative change of more than `same_within` in one of two trials shows it;
-    /// questions for which `is_known` holds are listed without a trial.
+    /// questions for which `is_known` holds are listed without a trial. The grasps `compared` answer, and if the given grasp answers otherwise, the
+    /// limits that they lack depend on stiffness.
     pub(super) fn questions_that_depend(
         &self,
         trial: &dyn Fn(usize) -> Self,
+        compared: &dyn Fn(&Grasp<3>) -> Grasp<3>,
         is_known: &dyn Fn(&Question<3>) -> bool,
         same_within: f64,
     ) -> Result<Vec<usize>, Error> {
@@ -81,13 +87,11 @@ impl Setup<3> {
         let others = [trial(1), trial(2)];
         let mut questions = Vec::new();
         for (number, question) in self.questions.iter().enumerate() {
-            // The load at which motions cease to be small always depends on stiffness. Answers are therefore compared without
-            // this limit. If the limit itself changes the answer, the answer depends on stiffness.
-            let figures = self.figures(&without_limits(&given), question)?;
+            let figures = self.figures(&compared(&given), question)?;
             let mut depends =
                 is_known(question) || !same(&figures, &self.figures(&given, question)?, same_within);
             for other in &others {
-                let others = other.figures(&without_limits(&other.grasp_checked()?), question)?;
+                let others = other.figures(&compared(&other.grasp_checked()?), question)?;
                 depends |= !same(&figures, &others, same_within);
             }
             if depends {

@@ -1,6 +1,7 @@
 //! Whether an answer depends on the stiffness of contacts along their tangents.
 
 use super::setup::Setup;
+use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::inside;
 
@@ -9,8 +10,7 @@ const DEPENDS: f64 = 0.05;
 
 impl<const C: usize> Setup<C> {
     /// Indices of the questions whose answers change by more than 5 % if the tangential stiffness of all contacts is a tenth, or ten times as large.
-    /// Each question is answered three times. The load at which motions cease to be small always depends on this stiffness, so its change counts only
-    /// where it limits the answer.
+    /// Each question is answered three times, with the limits of [small motions](crate::Settings::small_motions).
     ///
     /// # Errors
     /// As for [`Self::answers`].
@@ -24,7 +24,7 @@ impl Setup<3> {
     fn where_tangential_springs_matter(&self) -> Result<Vec<usize>, Error> {
         let (softer, stiffer) = (self.with_tangential(0.1)?, self.with_tangential(10.0)?);
         let trial = |trial: usize| if trial == 1 { softer.clone() } else { stiffer.clone() };
-        self.questions_that_depend(&trial, &|_| false, DEPENDS)
+        self.questions_that_depend(&trial, &Grasp::clone, &|_| false, DEPENDS)
     }
 
     /// This setup with the tangential stiffness of each contact multiplied by `times`.

@@ -321,17 +321,12 @@ impl<const C: usize> fmt::Display for Lost<C> {
 impl fmt::Display for NothingNear {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("no equilibrium under the whole load")?;
-        if self.translation.is_infinite() {
-            return f.write_str(", wherever the object goes");
-        }
-        if self.translation > 1e3 {
-            return f.write_str(" within a kilometre of this position");
+        // Beyond a kilometre or half a turn the proof covers every motion of the model, which describes small motions alone.
+        if self.translation > 1e3 || self.rotation >= core::f64::consts::PI {
+            return f.write_str(", as far as motions are small");
         }
         let words = Words::of(f);
         let (length, angle) = (words.length(self.translation), words.angle(self.rotation));
-        if self.rotation >= core::f64::consts::PI {
-            return write!(f, " within {length} of this position, however the object turns");
-        }
         write!(f, " within {length} and {angle} of this position")
     }
 }
