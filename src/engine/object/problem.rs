@@ -44,6 +44,8 @@ pub(crate) struct Problem<'g> {
     pub(crate) round: bool,
     /// Cache of the factors of the elastic trial; `None` in rates.
     pub(crate) trial: Option<&'g Remembered>,
+    /// States near which the search begins, if it has many coordinates; empty in rates, and if there are none.
+    pub(crate) near: &'g [State],
 }
 
 /// The lists of a problem that have one entry for each contact. Another problem can reuse their memory.
@@ -76,7 +78,7 @@ impl Engine {
         load: &Load,
     ) -> Problem<'_> {
         let trial = Some(self.remembered_trial());
-        Problem { trial, ..Problem::at_rest(self.sites(), polygon, round, lists, load) }
+        Problem { trial, near: &self.near, ..Problem::at_rest(self.sites(), polygon, round, lists, load) }
     }
 
     /// The problem at rest under the caller's load, with polygons in place of round cones.
@@ -117,6 +119,7 @@ impl<'g> Problem<'g> {
             infinite_friction_has_edges: false,
             round,
             trial: None,
+            near: &[],
         }
     }
 
@@ -125,7 +128,8 @@ impl<'g> Problem<'g> {
     pub(crate) fn at_rates(&self, laws: Vec<Law>, offsets: Vec<SVector<f64, 3>>, wrench: Vector) -> Self {
         let slips = vec![SVector::zeros(); self.len()];
         let wrench_rest = Vector::zeros();
-        let mut rates = Self { laws, offsets, slips, wrench, wrench_rest, trial: None, ..self.clone() };
+        let mut rates =
+            Self { laws, offsets, slips, wrench, wrench_rest, trial: None, near: &[], ..self.clone() };
         let round = rates.locals().any(|local| local.may_slide());
         rates.round &= round;
         rates

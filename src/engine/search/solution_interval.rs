@@ -17,8 +17,8 @@ use crate::prelude::*;
 /// The same forces in other states, which show the free motions: contacts on the edge of their cone slide, and contacts without force are open.
 /// Returns `found` itself if these states break a condition.
 pub(crate) fn on_the_solution_interval(problem: &Problem, found: Found) -> Found {
-    // In space the springs perpendicular to the slip resist, so that no motion stays free.
-    if problem.space() == Space::Spatial {
+    // In space the springs perpendicular to the slip resist, so that no motion stays free. Quick searches, near states that are given, report none.
+    if problem.space() == Space::Spatial || !problem.near.is_empty() {
         return found;
     }
     let Some(states) = yielding(problem, &found) else { return found };

@@ -126,7 +126,7 @@ impl Around {
             if (amount > at) != up {
                 continue;
             }
-            let now = tries.at(amount)?;
+            let now = (tries.short)(amount)?;
             let (did, does) = (trial.as_ref().is_none_or(Trial::does), now.does());
             if let Trial::Unknown(_) = now {
                 continue;
@@ -159,8 +159,7 @@ impl Around {
 
 /// Tries at most [`BETWEEN`] amounts between those `known`, each in the middle of two neighbours. These are the widest apart of those with the same
 /// verdict, but with contacts that rest in different states. While contacts keep their states at rest, this state is a smooth function of the amount.
-/// Where they change, the carried part may jump. Neighbours that both carry an unlimited load are left out. Returns whether one of the amounts has
-/// the other verdict.
+/// Where they change, the carried part may jump. Returns whether one of the amounts has the other verdict.
 pub(super) fn between_states(
     known: &[(f64, Trial)],
     is_claimed: &dyn Fn(f64) -> bool,
@@ -172,15 +171,15 @@ pub(super) fn between_states(
         list.sort_by(|one, other| one.0.total_cmp(&other.0));
         let differ = |pair: &&[(f64, Trial)]| {
             let [(one, trial), (other, next)] = [&pair[0], &pair[1]];
-            let [Some(carried), Some(by_next)] = [trial.carried(), next.carried()] else { return false };
-            let is_same = trial.does() == next.does() && carried.min(by_next).is_finite();
+            let are_decided = trial.carried().is_some() && next.carried().is_some();
+            let is_same = are_decided && trial.does() == next.does();
             is_same && *other > one * BETWEEN_STATES && (tries.rests_otherwise)(*one, *other)
         };
         let ratio = |pair: &&[(f64, Trial)]| pair[1].0 / pair[0].0;
         let widest = list.windows(2).filter(differ).max_by(|a, b| ratio(a).total_cmp(&ratio(b)));
         let Some([(one, trial), (other, _)]) = widest else { break };
         let (at, did) = ((one * other).sqrt(), trial.does());
-        let now = tries.at(at)?;
+        let now = (tries.short)(at)?;
         is_new |= now.carried().is_some() && now.does() != did;
         list.push((at, now));
     }

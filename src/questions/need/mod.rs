@@ -21,8 +21,9 @@
 //! Every trial of an amount is a verdict from rest ([`Grasp::hold`](crate::ask::Grasp::hold)). The answer names two amounts that were tried: one
 //! suffices, the other beside it does not. Secants of the carried fraction of the load narrow this bracket, in the plane to the last digits. Where that
 //! fraction jumps, the margin of small motions, or of sticking at rest, takes its place; where nothing rests beyond the bound, margins of the contacts at
-//! rest do. The trials of the narrowing skip the enumeration of many contact states, which is slowest near a bound, and find no reason why nothing rests;
-//! both amounts of the answer are tried with both.
+//! rest do. The trials of the narrowing skip the enumeration of contact states at rest, which is slowest near a bound, and find no reason why nothing
+//! rests. With many bodies they begin near the contact states of the nearest amount, and both amounts of the answer are then tried again without.
+//! Otherwise only the insufficient one is.
 //!
 //! Statics comes first: the amounts for which some forces inside all cones balance the loads form an interval, and a proof excludes all others. More is
 //! not always better: a motor at its limit presses no harder while another finger still pushes the object away. So the search goes both ways from the

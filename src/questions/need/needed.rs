@@ -126,14 +126,14 @@ fn start(grasp: &Grasp<3>, need: &Posed) -> f64 {
 
 fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error> {
     let (grasp, need) = (tried.grasp, tried.need);
-    let (whole, quick) = (
-        |amount: f64| tried.at(amount, demand),
-        |amount: f64, short: bool| tried.quick(amount, demand, short),
-    );
+    let whole = |amount: f64| tried.at(amount, demand, false);
+    let short = |amount: f64| tried.at(amount, demand, true);
+    let quick = |amount: f64, short: bool| tried.quick(amount, demand, short);
     let rests_otherwise = |one: f64, other: f64| tried.rests_otherwise(one, other);
     let rest_ends = |does: f64, does_not: f64| tried.rest_ends(does, does_not);
     let tries = Tries {
         whole: &whole,
+        short: &short,
         quick: &quick,
         rests_otherwise: &rests_otherwise,
         rest_ends: &rest_ends,

@@ -102,7 +102,9 @@ impl Range {
         // If a proof exists that contact forces cannot balance some load, the work of this load along the motion of the proof.
         let left = |amount: f64| {
             let here = loading(amount)?;
-            for load in here.to_balance() {
+            let mut loads = here.to_balance();
+            loads.dedup();
+            for load in loads {
                 if let Some(motion) = here.grasp.engine.unbalanced_along(&load, here.grasp.settings())? {
                     return Ok::<_, Error>(Some(here.grasp.engine.work_along(&load, &motion)?));
                 }

@@ -16,8 +16,10 @@ use crate::prelude::*;
 pub(super) struct Tries<'t> {
     /// A trial with the whole search for equilibria.
     pub(super) whole: TrialOf<'t>,
+    /// The same, but loads beyond those asked about are not followed, so that the distance of a sufficient amount from the bound stays unknown.
+    pub(super) short: TrialOf<'t>,
     /// A quick trial leaves out the enumeration of many contact states, which is slowest where no equilibrium exists; such a trial is undecided. With
-    /// `true`, loads beyond those asked about are not followed, so that the distance of a sufficient amount from the bound stays unknown.
+    /// `true` it is short, too.
     pub(super) quick: &'t dyn Fn(f64, bool) -> Result<Trial, Error>,
     /// Whether contacts rest in other states with one of two whole trials than with the other.
     pub(super) rests_otherwise: &'t dyn Fn(f64, f64) -> bool,

@@ -102,8 +102,10 @@ impl Threshold {
             if at == bracket.edge.does || at == bracket.edge.does_not.0 {
                 break;
             }
+            // The load beyond which a sufficient amount fails is only sought if it may guide the next trial.
+            let short = halves || bracket.which == 1 || bracket.edge.does_not.1.carried().is_none();
             let (at, now) = if presumes {
-                (at, (tries.quick)(at, halves)?)
+                (at, (tries.quick)(at, short)?)
             } else {
                 decided(tries.whole, at, Some(bracket.width()))?
             };

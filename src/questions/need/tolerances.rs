@@ -67,11 +67,6 @@ pub(super) const BESIDE_A_BOUND: Enough = &[(0, 1e-10), (16, 1e-8), (20, 1e-4)];
 /// If the load is sought, it is followed up to this multiple. If larger, a search without a sufficient amount takes longer.
 pub(super) const MOST_LOADS: f64 = (1u32 << 20) as f64;
 
-/// Most contact states that a quick trial enumerates.
-///
-/// With fewer, quick trials leave amounts undecided that they would decide as fast. With more, trials that refute an amount take longer.
-pub(super) const FEW_STATES: usize = 256;
-
 /// Relative distance from an end of a bracket up to which a predicted bound may lie outside the bracket.
 ///
 /// If smaller, rounding drops a prediction that is right. If larger, one that is wrong costs more trials.

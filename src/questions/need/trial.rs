@@ -1,7 +1,7 @@
 //! The result of trying one amount: whether it meets the demand, and by how much it does or does not.
 
 use super::question::Demand;
-use crate::hold::RestingContact;
+use crate::hold::AtRest;
 use crate::prelude::*;
 
 /// Stands for the carried part if the load at rest has no equilibrium at all. It is below 0, which means that only the load at rest is carried.
@@ -108,8 +108,8 @@ impl Trial {
 pub(super) struct Trials {
     pub(super) held: Option<Trial>,
     pub(super) sticks: Option<Trial>,
-    /// The contacts at rest; `None` where nothing rests or they are not known.
-    pub(super) at_rest: Option<Vec<RestingContact>>,
+    /// `None` where nothing rests or it is not known.
+    pub(super) at_rest: Option<AtRest>,
 }
 
 impl Trials {
