@@ -242,12 +242,14 @@ impl Narrowing {
         let (from, to) = (self.edge.does, self.edge.does_not.0);
         let is_near = |at: f64, end: f64| (at - end).abs() <= NEAR_A_PREDICTION * end.abs();
         let last = self.predicted.filter(|at| is_near(*at, from) || is_near(*at, to));
-        let next = (tries.rest_ends)(from, to).or(last);
+        let new = (tries.rest_ends)(from, to);
+        let next = new.or(last);
         // The bound is nearer to a prediction than the last prediction is: first the sufficient amount comes as near, then the other one.
         let off = next.zip(self.predicted).map_or(0.0, |(next, last): (f64, f64)| (next - last).abs());
         let end = if off > 0.25 * AT_A_JUMP * to.abs() { from } else { to };
         let moved = |at: f64| at + off.min(0.5 * (end - at).abs()).copysign(end - at);
-        self.predicted = next.or(self.predicted);
+        // Predictions are exact in the plane, where margins are linear. In space one is tried again only once, on its other side.
+        self.predicted = if tries.is_planar { next.or(self.predicted) } else { new };
         next.map(|at| moved(at).clamp(from.min(to), from.max(to)))
     }
 
@@ -262,28 +264,45 @@ impl Narrowing {
 
 /// One end of a bracket: the amount, its measures, and the same before the end last moved.
 struct Side {
-    at: f64,
     measures: [Option<f64>; 2],
-    before: Option<(f64, [Option<f64>; 2])>,
+    /// The last three amounts of this end with their measures, the present one first.
+    last: [Option<(f64, [Option<f64>; 2])>; 3],
 }
 
 impl Side {
     const fn of(at: f64, measures: [Option<f64>; 2]) -> Self {
-        Self { at, measures, before: None }
+        Self { measures, last: [Some((at, measures)), None, None] }
     }
 
     fn moves_to(&mut self, at: f64, measures: [Option<f64>; 2]) {
-        self.before = Some((self.at, self.measures));
-        (self.at, self.measures) = (at, measures);
+        let [one, other, _] = self.last;
+        (self.measures, self.last) = (measures, [Some((at, measures)), one, other]);
     }
 
-    /// The amount at which a measure would vanish, extrapolated from two amounts on this side. The other side may have another slope.
+    /// The amount at which a measure would vanish, extrapolated from amounts on this side. The other side may have another slope.
     fn root(&self, which: usize) -> Option<f64> {
-        let (before, measures) = self.before?;
-        let (now, then) = (self.measures[which]?, measures[which]?);
-        let is_nearer = now * then > 0.0 && now.abs() < then.abs();
-        is_nearer.then(|| self.at + (self.at - before) * (now / (then - now)))
+        let points = self.last.map(|point| point.and_then(|(at, measures)| Some((at, measures[which]?))));
+        where_it_vanishes(points)
     }
+}
+
+/// The amount at which a margin vanishes, extrapolated from the nearest two or three amounts, the nearest first, each with its margin. `None` unless the
+/// margin falls towards zero.
+///
+/// The amount is a linear or quadratic function of the margin. Near a fold, where an equilibrium ends, the margin changes like a square root: the
+/// function then has its extreme value at the fold, before the margin vanishes.
+pub(super) fn where_it_vanishes(points: [Option<(f64, f64)>; 3]) -> Option<f64> {
+    let [(x0, m0), (x1, m1)] = [points[0]?, points[1]?];
+    let falls = |now: f64, then: f64| now * then > 0.0 && now.abs() < then.abs();
+    if !falls(m0, m1) {
+        return None;
+    }
+    let slope = (x1 - x0) / (m1 - m0);
+    let Some((x2, m2)) = points[2].filter(|(_, m2)| falls(m1, *m2)) else { return Some(x0 - slope * m0) };
+    let bend = ((x2 - x1) / (m2 - m1) - slope) / (m2 - m0);
+    let fold = 0.5 * (m0 + m1 - slope / bend);
+    let end = if falls(fold, m0) { fold } else { 0.0 };
+    Some(x0 + (end - m0) * (slope + bend * (end - m1)))
 }
 
 /// A measure at both ends, the sufficient one first, if its sign differs by more than rounding.
@@ -310,4 +329,20 @@ const ROUNDING: f64 = 1e-11;
 fn middle(from: f64, to: f64) -> f64 {
     let is_far = from > 0.0 && to > 0.0 && (from / to).max(to / from) > FAR_APART;
     if is_far { (from * to).sqrt() } else { 0.5 * (from + to) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::where_it_vanishes;
+
+    #[test]
+    fn where_margins_vanish_or_turn_back() {
+        let line = |m: f64| Some((2.0 + 3.0 * m, m));
+        assert_eq!(where_it_vanishes([line(0.5), line(1.0), None]), Some(2.0));
+        assert_eq!(where_it_vanishes([line(1.0), line(0.5), None]), None);
+        // The margin 0.5 + √(x - 1) ends at a fold, at x = 1.
+        let fold = |m: f64| Some((1.0 + (m - 0.5) * (m - 0.5), m));
+        let end = where_it_vanishes([fold(0.6), fold(0.8), fold(1.1)]).expect("the margin falls");
+        assert!((end - 1.0).abs() < 1e-12, "{end}");
+    }
 }

@@ -8,6 +8,7 @@ use super::posed::{Posed, Safety, Sought};
 use super::question::Demand;
 use super::range::Range;
 use super::search::{Guess, SearchPlan};
+use super::threshold::where_it_vanishes;
 use super::tolerances::{APART_IN_A_SCAN, EXACT, EXACT_IN_SPACE, MOST_LOADS, SECOND};
 use super::trial::{Trial, Trials};
 use crate::ask::Grasp;
@@ -129,18 +130,20 @@ impl<'q> Tried<'q> {
     }
 
     /// The amount between a sufficient and an insufficient one at which the first contact at rest leaves its state: its margins are extrapolated
-    /// linearly from the sufficient amount and the nearest one behind it with the same states. `None` without such an amount.
+    /// from the sufficient amount and the nearest ones behind it with the same states. `None` without such an amount.
     pub(super) fn rest_ends(&self, does: f64, does_not: f64) -> Option<f64> {
         let lists = [self.known.borrow(), self.quick.borrow()];
         let mut behind: Vec<_> =
             rests(&lists).filter(|(at, _)| (at - does) * (does - does_not) >= 0.0).collect();
         behind.sort_by(|(one, _), (other, _)| (one - does).abs().total_cmp(&(other - does).abs()));
         let (_, here) = *behind.first().filter(|(at, _)| *at == does)?;
-        let (before, there) =
-            behind.into_iter().find(|(at, there)| *at != does && same_kinds(here, there))?;
-        let contacts = here.contacts.iter().zip(&there.contacts);
-        let ends = contacts.flat_map(|(now, then)| now.margins.into_iter().zip(then.margins));
-        let roots = ends.map(|(now, then)| does + (does - before) * (now / (then - now)));
+        behind.dedup_by_key(|(at, _)| *at);
+        let mut alike = behind.into_iter().filter(|(_, there)| same_kinds(here, there));
+        let three = [(); 3].map(|()| alike.next());
+        let margins = (0..here.contacts.len()).flat_map(|i| [(i, 0), (i, 1)]);
+        let roots = margins.filter_map(|(i, k)| {
+            where_it_vanishes(three.map(|point| point.map(|(at, rest)| (at, rest.contacts[i].margins[k]))))
+        });
         let between = roots.filter(|root| (root - does) * (root - does_not) < 0.0);
         between.min_by(|one, other| (one - does).abs().total_cmp(&(other - does).abs()))
     }
