@@ -50,6 +50,8 @@ pub(crate) struct Problem<'g> {
     pub(crate) round: bool,
     /// Place where the grasp keeps the factorised elastic trial, in which all contacts stick, once it is computed; `None` in the rate problem.
     pub(crate) trial: Option<&'g Remembered>,
+    /// States near which the search begins, if it has many coordinates; empty in rates, and if there are none.
+    pub(crate) near: &'g [State],
 }
 
 /// Three lists of a [`Problem`] with an entry for each contact. They are passed in so that a new problem reuses the memory of an earlier one.
@@ -83,7 +85,7 @@ impl Engine {
         load: &Load,
     ) -> Problem<'_> {
         let trial = Some(self.remembered_trial());
-        Problem { trial, ..Problem::at_rest(self.sites(), polygon, round, lists, load) }
+        Problem { trial, near: &self.near, ..Problem::at_rest(self.sites(), polygon, round, lists, load) }
     }
 
     /// The static problem under the caller's load and the commands of the grasp, with polygonal friction cones in place of round ones.
@@ -124,6 +126,7 @@ impl<'g> Problem<'g> {
             infinite_friction_has_edges: false,
             round,
             trial: None,
+            near: &[],
         }
     }
 
@@ -132,7 +135,8 @@ impl<'g> Problem<'g> {
     pub(crate) fn at_rates(&self, laws: Vec<Law>, offsets: Vec<SVector<f64, 3>>, wrench: Vector) -> Self {
         let slips = vec![SVector::zeros(); self.len()];
         let wrench_rest = Vector::zeros();
-        let mut rates = Self { laws, offsets, slips, wrench, wrench_rest, trial: None, ..self.clone() };
+        let mut rates =
+            Self { laws, offsets, slips, wrench, wrench_rest, trial: None, near: &[], ..self.clone() };
         let round = rates.locals().any(|local| local.may_slide());
         rates.round &= round;
         rates

@@ -7,7 +7,7 @@ use super::candidate::{Refused, admit};
 use super::elastic_trial::{Attempt, ElasticTrial, Log};
 use super::enumerate::search;
 use super::least_motion::at_the_least_motion;
-use super::leaving::propose_of_the_leaving;
+use super::leaving::{propose_near_a_similar_one, propose_of_the_leaving};
 use super::polish::polish_from;
 use super::proposals::{climb, dense_is_affordable, enumerable, propose_dense};
 #[cfg(feature = "std")]
@@ -36,7 +36,13 @@ pub(super) struct Rung {
     finds: Option<FoundBy>,
 }
 
-pub(super) const LADDER: [Rung; 8] = [
+pub(super) const LADDER: [Rung; 9] = [
+    Rung {
+        name: "states of a similar grasp",
+        applies: |scene| scene.trial.is_banded() && !scene.problem.round && !scene.problem.near.is_empty(),
+        climb: near_those_of_a_similar_grasp,
+        finds: Some(FoundBy::KinematicForm),
+    },
     Rung {
         name: "touching contacts",
         applies: |_| true,
@@ -73,7 +79,12 @@ pub(super) const LADDER: [Rung; 8] = [
         climb: separating_motion_of_few,
         finds: None,
     },
-    Rung { name: "every case", applies: |_| true, climb: every_case, finds: Some(FoundBy::Enumeration) },
+    Rung {
+        name: "every case",
+        applies: |scene| !scene.settings.is_quick || scene.problem.trial.is_none(),
+        climb: every_case,
+        finds: Some(FoundBy::Enumeration),
+    },
 ];
 
 /// Tries the methods in order, starting with the elastic trial, until an equilibrium, or a proof that none exists, is found. Otherwise the result is
@@ -141,7 +152,13 @@ fn may_be_dense(scene: &ElasticTrial<'_, '_>) -> bool {
     !has_many_contacts(scene) || dense_is_affordable(scene.proposing(), 1)
 }
 
-/// Tries the contact states in which contacts that would pull are open and all others stick.
+/// Lemke's method on the contacts that leave the states of a similar grasp.
+fn near_those_of_a_similar_grasp(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
+    let propose = |problem: &Problem, log: &mut Log| propose_near_a_similar_one(scene, problem, log);
+    Attempt::of(climb(scene.problem, &propose, log))
+}
+
+/// Tries the states in which contacts that would pull are open and all others stick.
 fn touching_contacts_stick(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     Attempt::of(touching_contacts(scene.problem, scene.unjumped.clone(), scene.state.clone()))
 }

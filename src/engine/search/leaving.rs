@@ -74,8 +74,23 @@ pub(super) fn propose_of_the_leaving(
     pivoted(problem, scene.settings, (Base { states, piece, at }, leaving, 0), log)
 }
 
-/// Contact states in which no contact breaks a condition, from Lemke's path on the contacts `among`, to which contacts are added that break one. If a
-/// path finds no solution, their neighbours pivot as well, up to `most` contacts altogether. `None` if no path succeeds.
+/// Contact states in which no contact breaks a condition, from those of a similar grasp, if few contacts leave these.
+pub(super) fn propose_near_a_similar_one(
+    scene: &ElasticTrial<'_, '_>,
+    problem: &Problem,
+    log: &mut Log,
+) -> Option<Vec<State>> {
+    let base = Base::of(problem, regular(problem, problem.near.to_vec())?)?;
+    let leaving = breaking(problem, &base.states, &base.at);
+    match leaving.len() {
+        0 => Some(base.states),
+        // With more contacts that leave, their paths take longer than those from the elastic trial.
+        1..=24 => pivoted(problem, scene.settings, (base, leaving, 0), log),
+        _ => None,
+    }
+}
+
+/// States from Lemke's path on the contacts `among`. If a path finds no solution, their neighbours pivot as well, up to `most` contacts altogether.
 fn pivoted(
     problem: &Problem,
     settings: &Settings,

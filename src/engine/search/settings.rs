@@ -50,6 +50,8 @@ pub struct Settings {
     pub most_cycles: usize,
     /// Limits of small motions: by default a tenth of a radian, and slips of a tenth of the grasp's size.
     pub small_motions: SmallMotions,
+    /// Whether searches for an equilibrium at rest leave out the last method, which tries every case and takes longest where nothing rests.
+    pub(crate) is_quick: bool,
 }
 
 impl Default for Settings {
@@ -64,6 +66,7 @@ impl Default for Settings {
             most_load: 100.0,
             most_cycles: 1_000,
             small_motions: SmallMotions::default(),
+            is_quick: false,
         }
     }
 }

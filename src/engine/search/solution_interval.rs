@@ -17,8 +17,8 @@ use crate::prelude::*;
 /// In the plane, the same forces in other states, which show the free motions: contacts on the edge of their cone slide, and contacts without force
 /// are open. Returns `found` itself in space, and if these states break a condition, change forces or have no further free motion.
 pub(crate) fn on_the_solution_interval(problem: &Problem, found: Found) -> Found {
-    // In space a sliding contact still resists motions perpendicular to its slip, so that no motion stays free.
-    if problem.space() == Space::Spatial {
+    // In space the springs perpendicular to the slip resist, so that no motion stays free. Quick searches, near states that are given, report none.
+    if problem.space() == Space::Spatial || !problem.near.is_empty() {
         return found;
     }
     let Some(states) = yielding(problem, &found) else { return found };

@@ -10,6 +10,7 @@ use super::site::Site;
 use super::vacuum::Vacuum;
 use super::whole_contact::WholeContacts;
 use super::wrench::Wrench;
+use crate::contact::State;
 use crate::error::{Error, LARGEST};
 use crate::numerics::Space;
 use crate::numerics::{Size, moved};
@@ -37,6 +38,8 @@ pub(crate) struct Engine {
     pub(super) vacuum: Option<Box<Vacuum>>,
     /// Factors of the stiffness matrix of the elastic trial, a state in which all contacts stick; computed on first use.
     trial: Remembered,
+    /// Contact states at rest of a similar grasp, near which searches with many coordinates begin; empty if there are none.
+    pub(crate) near: Vec<State>,
 }
 
 impl Engine {
@@ -133,7 +136,8 @@ impl Engine {
         }
         let (vacuum, trial) = (Vacuum::of(space, &contacts, &sites), Remembered::default());
         let wholes = WholeContacts::of(&contacts);
-        Ok(Self { space, size, contacts, sites, wholes, origin, length, linkage: None, vacuum, trial })
+        let (linkage, near) = (None, Vec::new());
+        Ok(Self { space, size, contacts, sites, wholes, origin, length, linkage, vacuum, trial, near })
     }
 
     /// Whether the grasp is in the plane or in space.

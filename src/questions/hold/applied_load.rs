@@ -4,7 +4,7 @@ use core::mem::{Discriminant, discriminant};
 
 use nalgebra::SVector;
 
-use crate::contact::Polygon;
+use crate::contact::{Polygon, State};
 use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium, Outcome};
 use crate::error::{Error, is_moderate};
 use crate::grasp::{Coordinates, Engine, Wrench};
@@ -14,7 +14,7 @@ use crate::load_path::{
 };
 use crate::object::Load;
 use crate::proofs::nothing_near;
-use crate::search::{Doubt, Settings};
+use crate::search::{Doubt, Settings, Settled};
 
 use super::caught::Caught;
 use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
@@ -44,8 +44,16 @@ pub(crate) struct OfThePath {
     /// The largest ratio of a rotation, slip or opening to its limit in [small motions](crate::Settings::small_motions), up to the whole load or the
     /// end of the path. For [`Extent::Brief`] the path may reach beyond the whole load.
     pub(crate) farthest: f64,
-    /// The state of every contact under the base load. `None` if this equilibrium was not computed, and always for [`Extent::Brief`].
-    pub(crate) at_rest: Option<Vec<RestingContact>>,
+    /// `None` where nothing rests, and of a brief verdict.
+    pub(crate) at_rest: Option<AtRest>,
+}
+
+/// The equilibrium from which the load is put on.
+#[derive(Debug, Clone)]
+pub(crate) struct AtRest {
+    pub(crate) contacts: Vec<RestingContact>,
+    /// The engine's states of contacts and drives, if they had to be searched for.
+    pub(crate) states: Vec<State>,
 }
 
 /// The state of a contact in the equilibrium under the base load, and its distances from the end of this state.
@@ -100,6 +108,10 @@ impl Engine {
     ) -> Result<(Verdict<3>, OfThePath), Error> {
         // The search of the first slip and the load path share the equilibrium under the base load. With many bodies it takes most of the time.
         let (onset, rest) = self.onset_from_rest(ramp, settings)?;
+        let states = match &rest {
+            Some((Settled::Found(found, _), _)) => found.states.clone(),
+            _ => Vec::new(),
+        };
         let mut path = self.follow_from_rest((&ramp.base, rest), &[Leg::along(ramp)], settings)?;
         let events = path.run_while_small();
         let is_on = matches!(path.end(), Some(PathEnd::Completed)) && path.end_of_small_motions().is_none();
@@ -171,7 +183,9 @@ impl Engine {
             return Ok((verdict, OfThePath { farthest, at_rest: None }));
         }
         let rest = path.state_at(0, 0.0);
-        let at_rest = rest.as_ref().map(|rest| mapped(&rest.contacts, &RestingContact::of));
+        let at_rest = rest
+            .as_ref()
+            .map(|rest| AtRest { contacts: mapped(&rest.contacts, &RestingContact::of), states });
         if extent == Extent::Decided {
             return Ok((verdict, OfThePath { farthest, at_rest }));
         }

@@ -37,7 +37,7 @@ mod way_out;
 mod way_out_words;
 mod words;
 
-pub(crate) use applied_load::{Extent, OfThePath, RestingContact};
+pub(crate) use applied_load::{AtRest, Extent, OfThePath};
 pub use caught::{Caught, MovesTo, SlippedBy};
 pub use short::{How, LossVerb, ShortVerdict};
 pub use verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};

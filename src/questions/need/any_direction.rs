@@ -78,7 +78,7 @@ impl Loading {
             for across in tangents(direction, space) {
                 for sign in [1.0, -1.0] {
                     let d = unit([0, 1, 2].map(|a| direction[a] + sign * step * across[a]));
-                    let (verdict, path) = self.grasp.hold_to_an_extent(&along(d), self.extent())?;
+                    let (verdict, path) = self.grasp.hold_to_an_extent(&along(d), self.extent)?;
                     let trial = self.judged((&verdict, 1.0 - path.farthest), Demand::Held);
                     if !trial.does() || trial.carried() < weakest.carried() {
                         (best, weakest) = (Some(d), weakest.or_worse(trial));

@@ -127,7 +127,7 @@ impl Around {
             if (amount > at) != up {
                 continue;
             }
-            let now = tries.at(amount)?;
+            let now = (tries.short)(amount)?;
             let (did, does) = (trial.as_ref().is_none_or(Trial::does), now.does());
             if let Trial::Unknown(_) = now {
                 continue;
@@ -173,15 +173,15 @@ pub(super) fn between_states(
         list.sort_by(|one, other| one.0.total_cmp(&other.0));
         let differ = |pair: &&[(f64, Trial)]| {
             let [(one, trial), (other, next)] = [&pair[0], &pair[1]];
-            let [Some(carried), Some(by_next)] = [trial.carried(), next.carried()] else { return false };
-            let is_same = trial.does() == next.does() && carried.min(by_next).is_finite();
+            let are_decided = trial.carried().is_some() && next.carried().is_some();
+            let is_same = are_decided && trial.does() == next.does();
             is_same && *other > one * BETWEEN_STATES && (tries.rests_otherwise)(*one, *other)
         };
         let ratio = |pair: &&[(f64, Trial)]| pair[1].0 / pair[0].0;
         let widest = list.windows(2).filter(differ).max_by(|a, b| ratio(a).total_cmp(&ratio(b)));
         let Some([(one, trial), (other, _)]) = widest else { break };
         let (at, did) = ((one * other).sqrt(), trial.does());
-        let now = tries.at(at)?;
+        let now = (tries.short)(at)?;
         is_new |= now.carried().is_some() && now.does() != did;
         list.push((at, now));
     }

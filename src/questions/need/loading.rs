@@ -1,14 +1,17 @@
 //! The trial of one amount: the grasp with this amount set, and the verdicts on its loads.
 
+use alloc::sync::Arc;
 use core::cell::Cell;
 use core::fmt;
 
 use super::any_direction::directions;
 use super::posed::{Posed, Safety, Sought};
 use super::question::Demand;
-use super::tolerances::{FEW_STATES, MOST_LOADS};
+use super::tolerances::MOST_LOADS;
 use super::trial::{NOT_AT_REST, Trial, Trials};
 use crate::ask::Grasp;
+use crate::contact::State;
+use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::hold::{Extent, Holding, Verdict};
@@ -29,9 +32,9 @@ pub(super) struct Loading {
     words: Words,
     /// Load paths are followed up to this multiple of the load.
     followed: f64,
-    /// Whether the verdicts leave out the enumeration of many contact states.
-    is_quick: bool,
-    /// If some link cannot have its prescribed tension at rest, a sentence about it; the amount is then insufficient.
+    /// How much of a verdict a trial needs.
+    pub(super) extent: Extent,
+    /// The reason why a link cannot have its tension at rest, if so: the amount then does not suffice.
     refused: Option<String>,
 }
 
@@ -73,10 +76,10 @@ impl Loading {
         let followed = match need.sought {
             Sought::Load => MOST_LOADS / amount.max(1.0),
             Sought::Squeeze => 32.0,
-            _ => 4.0,
+            _ => 2.0,
         };
         let grasp = grasp.with(&grasp.settings().with_most_load(followed.max(1.0)));
-        Ok(Self { grasp, loads, base, times, words: need.words, followed, is_quick: false, refused })
+        Ok(Self { grasp, loads, base, times, words: need.words, followed, extent: Extent::Measured, refused })
     }
 
     /// The loads that contact forces must balance if the amount is to suffice: the load at rest, and its sum with each load. A force of any direction
@@ -104,15 +107,20 @@ impl Loading {
         list
     }
 
-    /// This loading with quick trials, which leave out the enumeration of many contact states. If `short`, load paths end at the loads of the
-    /// question.
-    pub(super) fn quick(mut self, short: bool) -> Self {
-        self.followed = if short { 1.0 } else { self.followed };
-        self.is_quick = true;
-        let settings = self.grasp.settings();
-        let states = settings.most_states.min(FEW_STATES);
-        self.grasp =
-            self.grasp.with(&settings.with_most_states(states).with_most_load(self.followed.max(1.0)));
+    /// This loading without loads beyond those asked about.
+    pub(super) fn short(mut self) -> Self {
+        self.followed = 1.0;
+        self.grasp = self.grasp.with(&self.grasp.settings().with_most_load(1.0));
+        self
+    }
+
+    /// This loading with trials that skip the enumeration of contact states at rest. Searches for a rest begin near these contact states.
+    pub(super) fn quick(mut self, near: Vec<State>) -> Self {
+        self.extent = Extent::Decided;
+        self.grasp = self.grasp.with(&Settings { is_quick: true, ..*self.grasp.settings() });
+        if !near.is_empty() {
+            Arc::make_mut(&mut self.grasp.engine).near = near;
+        }
         self
     }
 
@@ -168,7 +176,7 @@ impl Loading {
         let (mut weakest, mut least) = (first.get(), f64::INFINITY);
         for k in 0..ramps.len() {
             let which = (first.get() + k) % ramps.len();
-            if self.is_quick && demand == Demand::Sticks {
+            if self.grasp.settings().is_quick && demand == Demand::Sticks {
                 sticks = sticks.or_worse(self.first_slip(&ramps[which])?);
                 if let Trial::DoesNot { .. } = sticks {
                     first.set(which);
@@ -176,7 +184,7 @@ impl Loading {
                 }
                 continue;
             }
-            let (verdict, path) = self.grasp.hold_to_an_extent(&ramps[which], self.extent())?;
+            let (verdict, path) = self.grasp.hold_to_an_extent(&ramps[which], self.extent)?;
             kinds = path.at_rest;
             let of_this = |trial| self.said_of(which, &ramps[which].direction, trial);
             held = held.or_worse(of_this(self.judged((&verdict, 1.0 - path.farthest), Demand::Held)));
@@ -194,7 +202,7 @@ impl Loading {
                 return Ok(Trials { held, sticks: Some(sticks), at_rest: kinds });
             }
         }
-        let is_held = !(self.is_quick && demand == Demand::Sticks);
+        let is_held = !(self.grasp.settings().is_quick && demand == Demand::Sticks);
         first.set(weakest);
         Ok(Trials { held: is_held.then_some(held), sticks: Some(sticks), at_rest: kinds })
     }
@@ -215,11 +223,6 @@ impl Loading {
         } else {
             Trial::DoesNot { says: String::new(), carried: factor, other, is_too_far: false }
         })
-    }
-
-    /// The part of a verdict that a trial needs; quick trials need less.
-    pub(super) const fn extent(&self) -> Extent {
-        if self.is_quick { Extent::Decided } else { Extent::Measured }
     }
 
     pub(super) fn said(&self, what: &impl fmt::Display) -> String {

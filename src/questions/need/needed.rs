@@ -126,20 +126,20 @@ fn start(grasp: &Grasp<3>, need: &Posed) -> f64 {
 
 fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error> {
     let (grasp, need) = (tried.grasp, tried.need);
-    let (whole, quick) = (
-        |amount: f64| tried.at(amount, demand),
-        |amount: f64, short: bool| tried.quick(amount, demand, short),
-    );
+    let whole = |amount: f64| tried.at(amount, demand, false);
+    let short = |amount: f64| tried.at(amount, demand, true);
+    let quick = |amount: f64, short: bool| tried.quick(amount, demand, short);
     let rests_otherwise = |one: f64, other: f64| tried.rests_otherwise(one, other);
     let rest_ends = |does: f64, does_not: f64| tried.rest_ends(does, does_not);
     let tries = Tries {
         whole: &whole,
+        short: &short,
         quick: &quick,
         rests_otherwise: &rests_otherwise,
         rest_ends: &rest_ends,
         is_planar: grasp.space() == Space::Planar,
     };
-    let mut plan = tried.plan(look)?;
+    let plan = tried.plan(look)?;
     if plan.range.is_empty {
         let trial = tries.at(plan.start)?;
         return Ok(nothing_does(vec![(plan.start, trial)], plan.limits, Some(&plan.range)));
@@ -148,88 +148,122 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
     if matches!(need.sought, Sought::Angle { .. }) && tries.at(plan.start)?.does() {
         return Ok(Amount::Any { to: plan.start, until: None, tried: None });
     }
-    let is_squeeze = matches!(need.sought, Sought::Squeeze);
-    let at_rest =
-        |does: f64| if is_squeeze { presses(grasp, does, need.base) } else { Ok(Default::default()) };
-    let far_end = |edge: Threshold| {
-        let Threshold { does, does_not: (does_not, trial), .. } = edge;
-        let (Trial::DoesNot { says: otherwise, .. } | Trial::Unknown(otherwise)) = trial else {
-            return Ok::<_, Error>(None);
-        };
-        let (presses, at_their_limit) = at_rest(does)?;
-        Ok(Some(FarEnd { does, does_not, otherwise, presses, at_their_limit }))
-    };
     let scan = if look == Look::Around { need.scan } else { 0 };
-    let searched = match search(tries, &plan, &tried.known(demand))? {
-        Searched::All(to) => at_proved_end(to, &plan, tries)?.map_or(Searched::All(to), Searched::Threshold),
-        searched => searched,
-    };
-    let bound = match searched {
-        Searched::Threshold(edge) => edge,
-        Searched::All(to) => {
-            let seek = || Around::far_end(to, scan, &plan, &tried.known(demand), tries);
-            let mut until = seek()?;
-            let end = until.as_ref().map(|edge| edge.does);
-            let is_inside = |at: f64| end.is_none_or(|end| (at - to) * (at - end) <= 0.0);
-            if !plan.is_monotone && scan > 0 && between_states(&tried.known(demand), &is_inside, tries)? {
-                until = seek()?;
-            }
-            let until = until.map(far_end).transpose()?.flatten();
-            return Ok(Amount::Any { to, until, tried: (!plan.is_monotone).then(|| tried.amounts(demand)) });
-        }
+    let found = Found { tried, demand, tries, scan };
+    match search(tries, &plan, &found.known())? {
+        Searched::Threshold(edge) => found.bound(plan, edge, look),
+        Searched::All(to) => match at_proved_end(to, &plan, tries)? {
+            Some(edge) => found.bound(plan, edge, look),
+            None => found.any(&plan, to),
+        },
         Searched::Nothing(mut vain) => {
             // With `Look::Towards` an amount that holds the object is known already. If the verdict on sticking is decided for some amounts, the
             // undecided ones are dropped.
             if look == Look::Towards && vain.iter().any(|(_, trial)| trial.carried().is_some()) {
                 vain.retain(|(_, trial)| trial.carried().is_some());
             }
-            return Ok(nothing_does(vain, plan.limits, None));
+            Ok(nothing_does(vain, plan.limits, None))
         }
-    };
-    let (does, does_not) = (bound.does, bound.does_not.0);
-    // A larger squeeze always carries more here, but it may move the part too far. One much larger squeeze is tried; if it is insufficient, the whole
-    // range is scanned.
-    if plan.is_monotone && is_squeeze && scan > 0 && plan.contains(FAR_FROM_START * does) {
-        tries.at(FAR_FROM_START * does)?;
     }
-    let is_too_much = |(at, trial): &(f64, Trial)| *at > does && matches!(trial, Trial::DoesNot { .. });
-    plan.is_monotone &= !plan.is_least || !tried.known(demand).iter().any(is_too_much);
-    let (otherwise, is_too_far) = match &bound.does_not.1 {
-        Trial::Unknown(doubt) => return Ok(Amount::Undecided { at: does_not, doubt: doubt.clone() }),
-        Trial::DoesNot { says, is_too_far, .. } => (says.clone(), *is_too_far),
-        Trial::Does { .. } => (String::new(), false),
-    };
-    let is_far = is_squeeze || matches!(need.sought, Sought::Force { .. });
-    let around = || Around::of(&bound, scan, is_far, &plan, &tried.known(demand), tries);
-    let mut found = around()?;
-    if !plan.is_monotone && scan > 0 && between_states(&tried.known(demand), &|_| true, tries)? {
-        found = around()?;
+}
+
+/// A search that has found sufficient amounts, and the scan that completes the answer.
+struct Found<'f, 'q> {
+    tried: &'f Tried<'q>,
+    demand: Demand,
+    tries: Tries<'f>,
+    /// Number of amounts that are tried around the bound.
+    scan: usize,
+}
+
+impl Found<'_, '_> {
+    fn known(&self) -> Vec<(f64, Trial)> {
+        self.tried.known(self.demand)
     }
-    let Around { changes, mut until, elsewhere } = found;
-    let far = match look {
-        Look::Everywhere(far) => far,
-        Look::Towards => beyond_which_none_does(does, plan.is_least, &tried.known(demand)),
-        Look::Around => None,
-    };
-    if let (Some(far), None) = (far, &until) {
-        until = far_end_near(far, does, tries)?;
+
+    /// What presses at rest with this squeeze, see [`presses`]; nothing if another quantity is sought.
+    fn presses(&self, does: f64) -> Result<(Vec<Press>, Vec<String>), Error> {
+        match self.tried.need.sought {
+            Sought::Squeeze => presses(self.tried.grasp, does, self.tried.need.base),
+            _ => Ok(Default::default()),
+        }
     }
-    let (presses, at_their_limit) = at_rest(does)?;
-    let is_last = plan.is_monotone || plan.is_the_end(does_not, !plan.is_least);
-    let tried = (!is_last).then(|| tried.amounts(demand));
-    Ok(Amount::Bound {
-        does,
-        does_not,
-        otherwise,
-        is_too_far,
-        unknown: bound.unknown.map(|(at, _)| at),
-        changes,
-        until: until.map(far_end).transpose()?.flatten(),
-        elsewhere,
-        presses,
-        at_their_limit,
-        tried,
-    })
+
+    fn far_end(&self, edge: Option<Threshold>) -> Result<Option<FarEnd>, Error> {
+        let Some(Threshold { does, does_not: (does_not, trial), .. }) = edge else { return Ok(None) };
+        let (Trial::DoesNot { says: otherwise, .. } | Trial::Unknown(otherwise)) = trial else {
+            return Ok(None);
+        };
+        let (presses, at_their_limit) = self.presses(does)?;
+        Ok(Some(FarEnd { does, does_not, otherwise, presses, at_their_limit }))
+    }
+
+    /// Whether an amount between those tried has another verdict than its neighbours; see [`between_states`].
+    fn changes_between(&self, plan: &SearchPlan, is_claimed: &dyn Fn(f64) -> bool) -> Result<bool, Error> {
+        let is_asked = !plan.is_monotone && self.scan > 0;
+        if is_asked { between_states(&self.known(), is_claimed, self.tries) } else { Ok(false) }
+    }
+
+    /// The answer if all amounts that were tried towards harder ones suffice, `to` being the last.
+    fn any(&self, plan: &SearchPlan, to: f64) -> Result<Amount, Error> {
+        let seek = || Around::far_end(to, self.scan, plan, &self.known(), self.tries);
+        let mut until = seek()?;
+        let end = until.as_ref().map(|edge| edge.does);
+        if self.changes_between(plan, &|at| end.is_none_or(|end| (at - to) * (at - end) <= 0.0))? {
+            until = seek()?;
+        }
+        let tried = (!plan.is_monotone).then(|| self.tried.amounts(self.demand));
+        Ok(Amount::Any { to, until: self.far_end(until)?, tried })
+    }
+
+    /// The answer with a bound, from its bracket and from amounts that are tried around it.
+    fn bound(&self, mut plan: SearchPlan, bound: Threshold, look: Look) -> Result<Amount, Error> {
+        let (does, does_not) = (bound.does, bound.does_not.0);
+        let is_squeeze = self.tried.need.sought == Sought::Squeeze;
+        // A larger squeeze always carries more here, but it may move the part too far. One far squeeze is tried; if it is too much, the whole range
+        // is scanned.
+        if plan.is_monotone && is_squeeze && self.scan > 0 && plan.contains(FAR_FROM_START * does) {
+            self.tries.at(FAR_FROM_START * does)?;
+        }
+        let is_too_much = |(at, trial): &(f64, Trial)| *at > does && matches!(trial, Trial::DoesNot { .. });
+        plan.is_monotone &= !plan.is_least || !self.known().iter().any(is_too_much);
+        let (otherwise, is_too_far) = match &bound.does_not.1 {
+            Trial::Unknown(doubt) => return Ok(Amount::Undecided { at: does_not, doubt: doubt.clone() }),
+            Trial::DoesNot { says, is_too_far, .. } => (says.clone(), *is_too_far),
+            Trial::Does { .. } => (String::new(), false),
+        };
+        let is_far = is_squeeze || matches!(self.tried.need.sought, Sought::Force { .. });
+        let around = || Around::of(&bound, self.scan, is_far, &plan, &self.known(), self.tries);
+        let mut found = around()?;
+        if self.changes_between(&plan, &|_| true)? {
+            found = around()?;
+        }
+        let Around { changes, mut until, elsewhere } = found;
+        let far = match look {
+            Look::Everywhere(far) => far,
+            Look::Towards => beyond_which_none_does(does, plan.is_least, &self.known()),
+            Look::Around => None,
+        };
+        if let (Some(far), None) = (far, &until) {
+            until = far_end_near(far, does, self.tries)?;
+        }
+        let (presses, at_their_limit) = self.presses(does)?;
+        let is_last = plan.is_monotone || plan.is_the_end(does_not, !plan.is_least);
+        let tried = (!is_last).then(|| self.tried.amounts(self.demand));
+        Ok(Amount::Bound {
+            does,
+            does_not,
+            otherwise,
+            is_too_far,
+            unknown: bound.unknown.map(|(at, _)| at),
+            changes,
+            until: self.far_end(until)?,
+            elsewhere,
+            presses,
+            at_their_limit,
+            tried,
+        })
+    }
 }
 
 /// The bracket at the proved end of the range, where `to` is the last amount tried and all tried amounts suffice. Beyond the proved end no contact

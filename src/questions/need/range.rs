@@ -104,7 +104,9 @@ impl Range {
         // The work of a load along the motion that proves it unbalanced; `None` if no load has such a proof.
         let left = |amount: f64| {
             let here = loading(amount)?;
-            for load in here.to_balance() {
+            let mut loads = here.to_balance();
+            loads.dedup();
+            for load in loads {
                 if let Some(motion) = here.grasp.engine.unbalanced_along(&load, here.grasp.settings())? {
                     return Ok::<_, Error>(Some(here.grasp.engine.work_along(&load, &motion)?));
                 }

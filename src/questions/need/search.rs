@@ -16,8 +16,10 @@ use crate::prelude::*;
 pub(super) struct Tries<'t> {
     /// Full trials, which include the enumeration of contact states in the search for equilibria.
     pub(super) whole: TrialOf<'t>,
-    /// Quick trials, which leave out the enumeration of many contact states. It is slowest where no equilibrium exists; a quick trial is then
-    /// undecided. With `true`, load paths end at the loads of the question, so that the distance of a sufficient amount from the bound stays unknown.
+    /// The same, but loads beyond those asked about are not followed, so that the distance of a sufficient amount from the bound stays unknown.
+    pub(super) short: TrialOf<'t>,
+    /// A quick trial leaves out the enumeration of many contact states, which is slowest where no equilibrium exists; such a trial is undecided. With
+    /// `true` it is short, too.
     pub(super) quick: &'t dyn Fn(f64, bool) -> Result<Trial, Error>,
     /// Whether the contact states at rest differ between two amounts with full trials.
     pub(super) rests_otherwise: &'t dyn Fn(f64, f64) -> bool,
@@ -111,8 +113,49 @@ impl SearchPlan {
         self.contains(guess).then_some(guess)
     }
 
-    /// The first amount tried: `start` if contact forces can balance the loads with it, or else an amount inside the range. Between two ends that is
-    /// the middle.
+    /// Whether an amount lies beyond another one, where less suffices: below it if the least amount is sought.
+    fn is_harder(&self, one: f64, other: f64) -> bool {
+        if self.is_least { one < other } else { one > other }
+    }
+
+    /// The amount at this relative distance beyond the proved end of the range, if that end lies beyond a sufficient amount.
+    fn beside_the_end(&self, does: f64, part: f64) -> Option<f64> {
+        let end = self.end(!self.is_least).filter(|end| self.is_harder(*end, does))?;
+        Some(if self.is_least { end * (1.0 - part) } else { end * (1.0 + part) })
+    }
+
+    /// Guesses of the bound, in the order in which they are tried: from the carried part at both ends of a bracket, then beside the proved end.
+    fn guesses(
+        &self,
+        (does, trial): (f64, &Trial),
+        does_not: Option<&(f64, Trial)>,
+    ) -> impl Iterator<Item = f64> + use<> {
+        let beyond = |at: f64, trial: &Trial, part: f64| {
+            let guess = self.guessed(at, trial).filter(|guess| !self.is_harder(does, *guess));
+            guess.map(|guess| if self.is_least { guess * (1.0 - part) } else { guess * (1.0 + part) })
+        };
+        let from_beyond = |part: f64| does_not.and_then(|(at, trial)| beyond(*at, trial, part));
+        let [nearest, near_enough, nearby] = NEAR_AN_END;
+        let likely = |part: f64| self.range.likely.filter(|_| self.is_least).map(|at| at * part);
+        // Offset of the trials beside the estimate of least friction. If smaller than the error of that estimate, both would fall on one side.
+        let off = 3e-12;
+        let near = |part: f64| self.beside_the_end(does, part);
+        let guesses = [
+            beyond(does, trial, LAST_DIGITS),
+            from_beyond(LAST_DIGITS),
+            from_beyond(64.0 * LAST_DIGITS),
+            near(-nearby),
+            likely(1.0 + off),
+            likely(1.0 - off),
+            near(-nearest),
+            near(-near_enough),
+            near(nearest),
+            near(near_enough),
+        ];
+        guesses.into_iter().flatten()
+    }
+
+    /// The first amount tried: the start if forces can balance it, or else one inside the range. Between two ends that is the middle.
     pub(super) fn begin(&self) -> f64 {
         match (self.range.low, self.range.high) {
             _ if self.contains(self.start) => self.start,
@@ -258,36 +301,13 @@ fn edge_from(
     (mut does, mut trial): (f64, Trial),
     vain: &[(f64, Trial)],
 ) -> Result<Searched, Error> {
-    let up = !plan.is_least;
-    let is_beyond = |at: f64, from: f64| if up { at > from } else { at < from };
-    let nearest = vain.iter().filter(|(at, trial)| is_beyond(*at, does) && trial.carried().is_some());
+    let is_harder = |one: f64, other: f64| plan.is_harder(one, other);
+    let nearest = vain.iter().filter(|(at, trial)| is_harder(*at, does) && trial.carried().is_some());
     let mut does_not =
-        nearest.reduce(|one, other| if is_beyond(one.0, other.0) { other } else { one }).cloned();
-    let mut unknown = None;
-    // The carried part of the load gives estimates of the bound of the sufficient amounts from both sides. The proved end of the range is a further
-    // estimate.
-    let beyond = |at: f64, trial: &Trial, part: f64| {
-        let guess = plan.guessed(at, trial).filter(|guess| is_beyond(*guess, does) || *guess == does);
-        guess.map(|guess| if up { guess * (1.0 + part) } else { guess * (1.0 - part) })
-    };
-    let from_beyond =
-        |part: f64| does_not.as_ref().and_then(|(at, trial): &(f64, Trial)| beyond(*at, trial, part));
-    let guesses =
-        [beyond(does, &trial, LAST_DIGITS), from_beyond(LAST_DIGITS), from_beyond(64.0 * LAST_DIGITS)];
-    let end = plan.end(up).filter(|end| is_beyond(*end, does));
-    let near = |part: f64| end.map(|end| end * if up { 1.0 + part } else { 1.0 - part });
-    let [nearest, near_enough, nearby] = NEAR_AN_END;
-    let likely = plan.range.likely.filter(|_| !up);
-    // Offset of the trials beside the estimate of least friction. If smaller than the error of that estimate, both would fall on one side.
-    let off = 3e-12;
-    let [above, below] = [likely.map(|at| at * (1.0 + off)), likely.map(|at| at * (1.0 - off))];
-    let inside = near(-nearby);
-    let ends = [inside, above, below, near(-nearest), near(-near_enough), near(nearest), near(near_enough)];
-    for at in guesses.into_iter().chain(ends) {
-        let Some(amount) = at else { continue };
-        if does_not.as_ref().is_some_and(|not: &(f64, Trial)| !is_beyond(not.0, amount))
-            || !is_beyond(amount, does)
-        {
+        nearest.reduce(|one, other| if is_harder(one.0, other.0) { other } else { one }).cloned();
+    let inside = plan.beside_the_end(does, -NEAR_AN_END[2]);
+    for amount in plan.guesses((does, &trial), does_not.as_ref()) {
+        if does_not.as_ref().is_some_and(|not| !is_harder(not.0, amount)) || !is_harder(amount, does) {
             continue;
         }
         // A full trial of an amount whose quick trial is undecided would take long, so the next estimate is tried instead.
@@ -300,34 +320,46 @@ fn edge_from(
             now @ Trial::DoesNot { .. } => does_not = Some((amount, now)),
             Trial::Unknown(_) => {}
         }
-        // The amount just inside the proved end of the range does not suffice, so the bound of the sufficient amounts is elsewhere.
-        if at == inside && does != amount {
+        // The amount just inside the proved end does not suffice, so the bound is elsewhere.
+        if Some(amount) == inside && does != amount {
             break;
         }
     }
-    let (mut at, mut factor) = (does, 1.0);
-    while does_not.is_none() {
-        // The ratio grows from step to step: a wide bracket is soon narrowed by secants, whereas load paths with tiny contact forces take long.
+    if let Some(does_not) = does_not {
+        let edge = Threshold { does, does_not, unknown: None };
+        return Ok(Searched::Threshold(edge.narrowed(tries, trial.measures(), plan.enough)?));
+    }
+    first_insufficient(tries, plan, (does, trial))
+}
+
+/// The bracket of the bound beyond a sufficient amount if no guess of the bound has found an insufficient one.
+fn first_insufficient(
+    tries: Tries<'_>,
+    plan: &SearchPlan,
+    (mut does, mut trial): (f64, Trial),
+) -> Result<Searched, Error> {
+    let (mut at, mut factor, mut unknown) = (does, 1.0, None);
+    let does_not = loop {
+        // The ratio grows from step to step: secants narrow a wide bracket quickly, and paths at tiny forces take long.
         factor *= FAR_APART;
-        at = if up { at * factor } else { at / factor };
+        at = if plan.is_least { at / factor } else { at * factor };
         if !plan.contains(at) {
             // Beyond the proved end of the range no trial is needed.
             let says = || Trial::does_not("no forces of the contacts balance it", NOT_AT_REST);
-            does_not = near(near_enough).map(|end| (end, says()));
-            break;
+            break plan.beside_the_end(does, NEAR_AN_END[1]).map(|end| (end, says()));
         }
         match decided(tries.whole, at, None)? {
             (at, now @ Trial::Does { .. }) => (does, trial) = (at, now),
             (_, Trial::Unknown(why)) => unknown = unknown.or(Some((at, why))),
-            (at, now @ Trial::DoesNot { .. }) => does_not = Some((at, now)),
+            (at, now @ Trial::DoesNot { .. }) => break Some((at, now)),
         }
-    }
+    };
     match (does_not, unknown) {
         (Some(does_not), unknown) => {
             let edge = Threshold { does, does_not, unknown };
             Ok(Searched::Threshold(edge.narrowed(tries, trial.measures(), plan.enough)?))
         }
-        (None, Some(why)) if is_beyond(why.0, does) => {
+        (None, Some(why)) if plan.is_harder(why.0, does) => {
             let does_not = (why.0, Trial::Unknown(why.1.clone()));
             Ok(Searched::Threshold(Threshold { does, does_not, unknown: Some(why) }))
         }

@@ -78,149 +78,233 @@ impl Threshold {
     /// Narrows the bracket. If `presumes`, trials are quick and undecided amounts count as insufficient. Otherwise trials are full, and an undecided
     /// trial ends the narrowing.
     fn by(
-        mut self,
+        self,
         tries: Tries<'_>,
         presumes: bool,
         (does, enough): ([Option<f64>; 2], Enough),
     ) -> Result<Self, Error> {
-        let mut sides = [Side::of(self.does, does), Side::of(self.does_not.0, self.does_not.1.measures())];
-        let is_at_rest = self.does_not.1.carried().is_some_and(|carried| carried <= 0.0);
-        let mut which = usize::from(is_at_rest && signs_differ(&sides, 1).is_some());
-        // `kept` is the end of the bracket that the last step moved. `push` is the least distance of the next trial from both ends, relative to the
-        // amount. `widths` are the last three widths of the bracket, `last_root` the last zero of a secant, `predicted` the last predicted bound. For
-        // amounts within rounding of a bound in space, load paths begin where equilibria vanish (a fold) and take a hundred times as long.
-        let first_push = if tries.is_planar { 0.5 * LAST_DIGITS } else { 0.25 * enough[0].1 };
-        let (mut kept, mut push, mut widths) = (None, first_push, [f64::INFINITY; 3]);
-        let (mut last_root, mut predicted) = (None, None);
-        let first = |sides: &[Side; 2], which: usize| {
-            let fall = signs_differ(sides, which).map(|[over, under]| over - under);
-            ((sides[1].at - sides[0].at).abs(), fall)
-        };
-        let mut at_first = first(&sides, which);
-        // Halving a ratio of 4 down to [`EXACT`] takes 40 steps; after the 120th step only rounding would change the bracket.
+        let mut bracket = Narrowing::of(self, tries.is_planar, does, enough);
+        // Halving a ratio of 4 down to [`EXACT`] takes 40 steps; those past 120 only follow rounding.
         for step in 0..120 {
-            let (from, to) = (self.does, self.does_not.0);
-            let width = (to - from).abs();
             let close =
                 enough.iter().rev().find(|(steps, _)| *steps <= step).map_or(0.0, |(_, close)| *close);
-            let is_within = |close: f64| width <= close * from.abs().max(to.abs());
-            if is_within(close) {
+            if bracket.is_within(close) {
                 break;
             }
-            let is_slow = width > 0.125 * widths[step % 3];
-            widths[step % 3] = width;
-            // If the present measure is unknown at one end of the bracket, the other measure is used, provided that it is known at both ends.
-            if signs_differ(&sides, which).is_none() && signs_differ(&sides, 1 - which).is_some() {
-                which = 1 - which;
-                at_first = first(&sides, which);
-            }
-            // As the bracket shrinks to 1/16 of its width, the difference of a smooth measure between its ends falls to 1/16, too. If more than a
-            // quarter is left, the measure jumps at the bound of the sufficient amounts.
-            let jumps = |sides: &[Side; 2], which: usize| {
-                let now = signs_differ(sides, which).map(|[over, under]| over - under);
-                let falls = now.zip(at_first.1).is_some_and(|(now, first)| now > 0.25 * first);
-                width <= at_first.0 / 16.0 && falls
-            };
-            let mut halves = jumps(&sides, which);
-            if halves && which == 0 && signs_differ(&sides, 1).is_some() {
-                (which, halves) = (1, false);
-                at_first = first(&sides, which);
-            }
-            // Where the measures jump, no secant finds the bound of the sufficient amounts. In space, moreover, load paths are less accurate than
-            // rounding about the side of the jump on which an amount lies. So a wider bracket is enough.
-            if !tries.is_planar && (halves || signs_differ(&sides, which).is_none()) && is_within(AT_A_JUMP) {
+            let is_slow = bracket.is_slow(step);
+            let halves = bracket.choose_measure();
+            // Within a jump no measure guides the search. In space, moreover, paths decide less accurately than rounding on which side of the jump an
+            // amount lies. So a wider bracket is enough.
+            let is_blind = halves || bracket.fall().is_none();
+            if !tries.is_planar && is_blind && bracket.is_within(AT_A_JUMP) {
                 break;
             }
-            if !halves && width <= at_first.0 / 16.0 {
-                at_first = first(&sides, which);
-            }
-            let root = signs_differ(&sides, which).and_then(|[over, under]| {
-                let secant = || from + (to - from) * (over / (over - under));
-                let is_inside = |root: &f64| (root - from) * (root - to) < 0.0;
-                let root = kept.and_then(|side: usize| sides[side].root(which)).filter(is_inside);
-                // A secant through measures at the level of rounding is meaningless.
-                (over - under >= ROUNDING).then(|| root.unwrap_or_else(secant))
-            });
-            let mut root = root.filter(|_| !(halves || step >= 3 && is_slow && kept.is_none()));
-            // The carried part jumps where no equilibrium at rest exists beyond the bound of the sufficient amounts. The bound is then where a
-            // contact at rest changes its state.
-            let stalls = step >= 3 && is_slow && step % 2 == 1;
-            if root.is_none() && !stalls {
-                let is_near = |at: f64, end: f64| (at - end).abs() <= NEAR_A_PREDICTION * end.abs();
-                let last = predicted.filter(|at| is_near(*at, from) || is_near(*at, to));
-                let next = (tries.rest_ends)(from, to).or(last);
-                // `off` is the difference between the last two predictions of the bound, an estimate of their error. The next trial lies this far
-                // from the prediction, first on the side of the sufficient amount, then on the other side.
-                let off = next.zip(predicted).map_or(0.0, |(next, last): (f64, f64)| (next - last).abs());
-                let end = if off > 0.25 * AT_A_JUMP * to.abs() { from } else { to };
-                let moved = |at: f64| at + off.min(0.5 * (end - at).abs()).copysign(end - at);
-                root = next.map(|at| moved(at).clamp(from.min(to), from.max(to)));
-                predicted = next.or(predicted);
-            }
-            let at = match root {
-                Some(root) => {
-                    let moves = last_root.map_or(0.0, |last: f64| 1e-2 * (root - last).abs());
-                    let least = (push * from.abs().max(to.abs()) / width).min(0.5);
-                    // The next trial lies a little beyond the zero of the secant, so that the other end of the bracket moves this time.
-                    let beyond = (moves / width).max(least) * if kept == Some(1) { -1.0 } else { 1.0 };
-                    let beyond = if kept.is_some() { beyond } else { 0.0 };
-                    from + (to - from) * ((root - from) / (to - from) + beyond).clamp(least, 1.0 - least)
-                }
-                None => middle(from, to),
-            };
-            last_root = root;
-            if at == from || at == to {
+            let at = bracket.next(&tries, (step, is_slow, halves));
+            if at == bracket.edge.does || at == bracket.edge.does_not.0 {
                 break;
             }
+            // The load beyond which a sufficient amount fails is only sought if it may guide the next trial.
+            let short = halves || bracket.which == 1 || bracket.edge.does_not.1.carried().is_none();
             let (at, now) = if presumes {
-                (at, (tries.quick)(at, halves)?)
+                (at, (tries.quick)(at, short)?)
             } else {
-                decided(tries.whole, at, Some(width))?
+                decided(tries.whole, at, Some(bracket.width()))?
             };
-            // If the same end of the bracket moves twice, the next trial is farther away from both ends.
-            let side = usize::from(!now.does());
-            push = if kept == Some(side) { 16.0 * push } else { first_push };
-            kept = if step % 4 == 3 && is_slow { None } else { Some(side) };
-            sides[side].moves_to(at, now.measures());
+            bracket.moved_by(at, &now, step % 4 == 3 && is_slow);
             match now {
-                Trial::Does { .. } => self.does = at,
-                Trial::DoesNot { .. } => self.does_not = (at, now),
-                Trial::Unknown(_) if presumes => self.does_not = (at, now),
-                Trial::Unknown(why) => {
-                    self.unknown = Some((at, why));
+                Trial::Does { .. } => bracket.edge.does = at,
+                Trial::Unknown(why) if !presumes => {
+                    bracket.edge.unknown = Some((at, why));
                     break;
                 }
+                now => bracket.edge.does_not = (at, now),
             }
         }
-        Ok(self)
+        Ok(bracket.edge)
+    }
+}
+
+/// A bracket that is being narrowed, and what guides the next trial.
+struct Narrowing {
+    edge: Threshold,
+    sides: [Side; 2],
+    /// Index of the measure in use.
+    which: usize,
+    /// The width of the bracket, and the fall of the measure across it, since which the measure is watched for a jump.
+    at_first: (f64, Option<f64>),
+    /// The end that the last step moved.
+    kept: Option<usize>,
+    /// The least distance of the next trial from both ends, relative to the amount; and what it is at first.
+    push: [f64; 2],
+    /// The last three widths.
+    widths: [f64; 3],
+    last_root: Option<f64>,
+    /// The last bound that contacts at rest predicted.
+    predicted: Option<f64>,
+}
+
+impl Narrowing {
+    fn of(edge: Threshold, is_planar: bool, does: [Option<f64>; 2], enough: Enough) -> Self {
+        let sides = [Side::of(edge.does, does), Side::of(edge.does_not.0, edge.does_not.1.measures())];
+        let is_at_rest = edge.does_not.1.carried().is_some_and(|carried| carried <= 0.0);
+        let which = usize::from(is_at_rest && signs_differ(&sides, 1).is_some());
+        // Right at a bound in space, paths begin at a fold and take a hundred times as long.
+        let push = [if is_planar { 0.5 * LAST_DIGITS } else { 0.25 * enough[0].1 }; 2];
+        let (widths, at_first) = ([f64::INFINITY; 3], (0.0, None));
+        let mut new =
+            Self { edge, sides, which, at_first, kept: None, push, widths, last_root: None, predicted: None };
+        new.watch(which);
+        new
+    }
+
+    fn width(&self) -> f64 {
+        (self.edge.does_not.0 - self.edge.does).abs()
+    }
+
+    /// Whether the width of the bracket is at most this part of its larger amount.
+    fn is_within(&self, close: f64) -> bool {
+        self.width() <= close * self.largest()
+    }
+
+    fn largest(&self) -> f64 {
+        self.edge.does.abs().max(self.edge.does_not.0.abs())
+    }
+
+    /// Whether the last three steps together left more than an eighth of the width.
+    fn is_slow(&mut self, step: usize) -> bool {
+        let width = self.width();
+        width > 0.125 * core::mem::replace(&mut self.widths[step % 3], width)
+    }
+
+    /// The fall of the measure in use from one end of the bracket to the other; `None` unless its sign differs.
+    fn fall(&self) -> Option<f64> {
+        signs_differ(&self.sides, self.which).map(|[over, under]| over - under)
+    }
+
+    /// Uses a measure, and watches it from here on.
+    fn watch(&mut self, which: usize) {
+        self.which = which;
+        self.at_first = (self.width(), self.fall());
+    }
+
+    /// Chooses the measure that guides the next trial. Returns whether it jumps at the bound, so that the bracket has to be halved.
+    fn choose_measure(&mut self) -> bool {
+        let is_known = |sides: &[Side; 2], which: usize| signs_differ(sides, which).is_some();
+        // If the present measure is not known at both ends of the bracket, the other measure is used, provided that it is.
+        if !is_known(&self.sides, self.which) && is_known(&self.sides, 1 - self.which) {
+            self.watch(1 - self.which);
+        }
+        if self.width() > self.at_first.0 / 16.0 {
+            return false;
+        }
+        // As the bracket shrinks to 1/16 of its width, the change of a smooth measure across it falls to 1/16, too. If more than a quarter is left, the
+        // measure jumps at the bound.
+        let jumps = self.fall().zip(self.at_first.1).is_some_and(|(now, first)| now > 0.25 * first);
+        let has_other = self.which == 0 && is_known(&self.sides, 1);
+        if !jumps || has_other {
+            self.watch(if jumps { 1 } else { self.which });
+        }
+        jumps && !has_other
+    }
+
+    /// The next amount to try: beside the root of the measure, or where contacts at rest probably leave their states, or in the middle.
+    fn next(&mut self, tries: &Tries<'_>, (step, is_slow, halves): (usize, bool, bool)) -> f64 {
+        let (from, to, width) = (self.edge.does, self.edge.does_not.0, self.width());
+        let is_used = !(halves || step >= 3 && is_slow && self.kept.is_none());
+        let mut root = self.root().filter(|_| is_used);
+        // Where the carried part jumps because nothing rests beyond the bound, contacts at rest leave their states there.
+        let stalls = step >= 3 && is_slow && step % 2 == 1;
+        if root.is_none() && !stalls {
+            root = self.where_rest_ends(tries);
+        }
+        let last = core::mem::replace(&mut self.last_root, root);
+        let Some(root) = root else { return middle(from, to) };
+        let moves = last.map_or(0.0, |last: f64| 1e-2 * (root - last).abs());
+        let least = (self.push[0] * self.largest() / width).min(0.5);
+        // The next trial goes a little beyond the root, so that it should fall on the other side of it than the last trial.
+        let beyond = (moves / width).max(least) * if self.kept == Some(1) { -1.0 } else { 1.0 };
+        let beyond = if self.kept.is_some() { beyond } else { 0.0 };
+        from + (to - from) * ((root - from) / (to - from) + beyond).clamp(least, 1.0 - least)
+    }
+
+    /// The root of the measure in use: extrapolated on the side that the last step moved, or else by a secant.
+    fn root(&self) -> Option<f64> {
+        let [over, under] = signs_differ(&self.sides, self.which)?;
+        let (from, to) = (self.edge.does, self.edge.does_not.0);
+        let secant = || from + (to - from) * (over / (over - under));
+        let is_inside = |root: &f64| (root - from) * (root - to) < 0.0;
+        let root = self.kept.and_then(|side| self.sides[side].root(self.which)).filter(is_inside);
+        // A secant through measures at the level of rounding has no meaning.
+        (over - under >= ROUNDING).then(|| root.unwrap_or_else(secant))
+    }
+
+    /// The amount at which contacts at rest probably leave their states, as far from the ends of the bracket as it is accurate.
+    fn where_rest_ends(&mut self, tries: &Tries<'_>) -> Option<f64> {
+        let (from, to) = (self.edge.does, self.edge.does_not.0);
+        let is_near = |at: f64, end: f64| (at - end).abs() <= NEAR_A_PREDICTION * end.abs();
+        let last = self.predicted.filter(|at| is_near(*at, from) || is_near(*at, to));
+        let new = (tries.rest_ends)(from, to);
+        let next = new.or(last);
+        // The bound is nearer to a prediction than the last prediction is: first the sufficient amount comes as near, then the other one.
+        let off = next.zip(self.predicted).map_or(0.0, |(next, last): (f64, f64)| (next - last).abs());
+        let end = if off > 0.25 * AT_A_JUMP * to.abs() { from } else { to };
+        let moved = |at: f64| at + off.min(0.5 * (end - at).abs()).copysign(end - at);
+        // Predictions are exact in the plane, where margins are linear. In space one is tried again only once, on its other side.
+        self.predicted = if tries.is_planar { next.or(self.predicted) } else { new };
+        next.map(|at| moved(at).clamp(from.min(to), from.max(to)))
+    }
+
+    /// Notes the result of a trial. If the same end moves twice, the next trial is farther away from both ends.
+    fn moved_by(&mut self, at: f64, trial: &Trial, forgets: bool) {
+        let side = usize::from(!trial.does());
+        self.push[0] = if self.kept == Some(side) { 16.0 * self.push[0] } else { self.push[1] };
+        self.kept = if forgets { None } else { Some(side) };
+        self.sides[side].moves_to(at, trial.measures());
     }
 }
 
 /// One end of a bracket: the amount and its measures, and the amount and measures before this end moved last.
 struct Side {
-    at: f64,
     measures: [Option<f64>; 2],
-    before: Option<(f64, [Option<f64>; 2])>,
+    /// The last three amounts of this end with their measures, the present one first.
+    last: [Option<(f64, [Option<f64>; 2])>; 3],
 }
 
 impl Side {
     const fn of(at: f64, measures: [Option<f64>; 2]) -> Self {
-        Self { at, measures, before: None }
+        Self { measures, last: [Some((at, measures)), None, None] }
     }
 
     fn moves_to(&mut self, at: f64, measures: [Option<f64>; 2]) {
-        self.before = Some((self.at, self.measures));
-        (self.at, self.measures) = (at, measures);
+        let [one, other, _] = self.last;
+        (self.measures, self.last) = (measures, [Some((at, measures)), one, other]);
     }
 
     /// The amount at which a measure would vanish, extrapolated from the last two amounts at this end. On the other side of the bound of the
     /// sufficient amounts the measure may have another slope.
     fn root(&self, which: usize) -> Option<f64> {
-        let (before, measures) = self.before?;
-        let (now, then) = (self.measures[which]?, measures[which]?);
-        let is_nearer = now * then > 0.0 && now.abs() < then.abs();
-        is_nearer.then(|| self.at + (self.at - before) * (now / (then - now)))
+        let points = self.last.map(|point| point.and_then(|(at, measures)| Some((at, measures[which]?))));
+        where_it_vanishes(points)
     }
+}
+
+/// The amount at which a margin vanishes, extrapolated from the nearest two or three amounts, the nearest first, each with its margin. `None` unless the
+/// margin falls towards zero.
+///
+/// The amount is a linear or quadratic function of the margin. Near a fold, where an equilibrium ends, the margin changes like a square root: the
+/// function then has its extreme value at the fold, before the margin vanishes.
+pub(super) fn where_it_vanishes(points: [Option<(f64, f64)>; 3]) -> Option<f64> {
+    let [(x0, m0), (x1, m1)] = [points[0]?, points[1]?];
+    let falls = |now: f64, then: f64| now * then > 0.0 && now.abs() < then.abs();
+    if !falls(m0, m1) {
+        return None;
+    }
+    let slope = (x1 - x0) / (m1 - m0);
+    let Some((x2, m2)) = points[2].filter(|(_, m2)| falls(m1, *m2)) else { return Some(x0 - slope * m0) };
+    let bend = ((x2 - x1) / (m2 - m1) - slope) / (m2 - m0);
+    let fold = 0.5 * (m0 + m1 - slope / bend);
+    let end = if falls(fold, m0) { fold } else { 0.0 };
+    Some(x0 + (end - m0) * (slope + bend * (end - m1)))
 }
 
 /// A measure at both ends of the bracket, the sufficient end first; `None` unless its sign differs by more than rounding.
@@ -248,4 +332,20 @@ const ROUNDING: f64 = 1e-11;
 fn middle(from: f64, to: f64) -> f64 {
     let is_far = from > 0.0 && to > 0.0 && (from / to).max(to / from) > FAR_APART;
     if is_far { (from * to).sqrt() } else { 0.5 * (from + to) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::where_it_vanishes;
+
+    #[test]
+    fn where_margins_vanish_or_turn_back() {
+        let line = |m: f64| Some((2.0 + 3.0 * m, m));
+        assert_eq!(where_it_vanishes([line(0.5), line(1.0), None]), Some(2.0));
+        assert_eq!(where_it_vanishes([line(1.0), line(0.5), None]), None);
+        // The margin 0.5 + √(x - 1) ends at a fold, at x = 1.
+        let fold = |m: f64| Some((1.0 + (m - 0.5) * (m - 0.5), m));
+        let end = where_it_vanishes([fold(0.6), fold(0.8), fold(1.1)]).expect("the margin falls");
+        assert!((end - 1.0).abs() < 1e-12, "{end}");
+    }
 }

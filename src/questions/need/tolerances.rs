@@ -68,12 +68,7 @@ pub(super) const BESIDE_A_BOUND: Enough = &[(0, 1e-10), (16, 1e-8), (20, 1e-4)];
 /// If the load is sought, load paths are followed up to this multiple. If larger, a search without a sufficient amount takes longer.
 pub(super) const MOST_LOADS: f64 = (1u32 << 20) as f64;
 
-/// Most contact states that a quick trial enumerates.
-///
-/// With fewer, quick trials leave amounts undecided that would be decided as fast. With more, trials of insufficient amounts take longer.
-pub(super) const FEW_STATES: usize = 256;
-
-/// Relative distance from an end of the bracket up to which a predicted bound of the sufficient amounts may lie outside the bracket.
+/// Relative distance from an end of a bracket up to which a predicted bound may lie outside the bracket.
 ///
 /// If smaller, rounding drops a prediction that is right. If larger, one that is wrong costs more trials.
 pub(super) const NEAR_A_PREDICTION: f64 = 1e-9;

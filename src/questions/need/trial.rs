@@ -1,7 +1,7 @@
 //! The trial of one amount: whether the grasp meets the demand with it, and the distance to the bound of the sufficient amounts.
 
 use super::question::Demand;
-use crate::hold::RestingContact;
+use crate::hold::AtRest;
 use crate::prelude::*;
 
 /// The value of the carried part if the load at rest has no equilibrium at all. A negative carried part means that not even the load at rest is
@@ -111,8 +111,8 @@ impl Trial {
 pub(super) struct Trials {
     pub(super) held: Option<Trial>,
     pub(super) sticks: Option<Trial>,
-    /// The contacts at rest; `None` where no equilibrium at rest exists or it is not known.
-    pub(super) at_rest: Option<Vec<RestingContact>>,
+    /// `None` where nothing rests or it is not known.
+    pub(super) at_rest: Option<AtRest>,
 }
 
 impl Trials {

@@ -1,6 +1,6 @@
 //! The amounts that were tried for an answer, and the plan for the search of further amounts.
 
-use core::cell::{Cell, RefCell};
+use core::cell::{Cell, Ref, RefCell};
 
 use super::answer::TriedAmounts;
 use super::loading::Loading;
@@ -8,13 +8,16 @@ use super::posed::{Posed, Safety, Sought};
 use super::question::Demand;
 use super::range::Range;
 use super::search::{Guess, SearchPlan};
+use super::threshold::where_it_vanishes;
 use super::tolerances::{APART_IN_A_SCAN, EXACT, EXACT_IN_SPACE, MOST_LOADS, SECOND};
 use super::trial::{Trial, Trials};
 use crate::ask::Grasp;
+use crate::contact::State;
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::hold::RestingContact;
+use crate::hold::{AtRest, Extent};
 use crate::numerics::{Space, mapped, picked};
+use crate::object::uses_band;
 use crate::prelude::*;
 
 /// The extent of a search for sufficient amounts.
@@ -60,11 +63,32 @@ impl<'q> Tried<'q> {
         }
     }
 
-    pub(super) fn at(&self, amount: f64, demand: Demand) -> Result<Trial, Error> {
+    /// Tries an amount. If `short`, no load is followed beyond the whole load.
+    pub(super) fn at(&self, amount: f64, demand: Demand, short: bool) -> Result<Trial, Error> {
         if let Some(trial) = of(&self.known, amount, demand) {
             return Ok(trial);
         }
-        self.put_on(&Loading::of(self.grasp, self.need, amount, self.safety)?, (amount, demand), &self.known)
+        // A sufficient quick trial has the verdict of a whole one, unless its search for a rest began elsewhere.
+        if demand == Demand::Held
+            && !uses_band(self.grasp.engine.size())
+            && let Some(trial) = of(&self.quick, amount, demand).filter(Trial::does)
+        {
+            let quick =
+                self.quick.borrow().iter().find(|(at, of)| *at == amount && of.held.is_some()).cloned();
+            self.known.borrow_mut().extend(quick);
+            return Ok(trial);
+        }
+        let mut loading = self.loading(amount, short || demand == Demand::Sticks)?;
+        if short {
+            loading.extent = Extent::Decided;
+        }
+        let mut trials = loading.put_on(demand, &self.first)?;
+        // Where no search decides about a rest, the path of the load at rest from zero may.
+        if short && trials.of(demand).is_none_or(|trial| trial.carried().is_none()) {
+            loading.extent = Extent::Measured;
+            trials = loading.put_on(demand, &self.first)?;
+        }
+        Ok(kept(&self.known, amount, trials, demand))
     }
 
     /// Tries an amount without the enumeration of many contact states. If `short`, load paths end at the loads of the question.
@@ -73,20 +97,25 @@ impl<'q> Tried<'q> {
         if let Some(trial) = found {
             return Ok(trial);
         }
-        let loading = Loading::of(self.grasp, self.need, amount, self.safety)?.quick(short);
-        self.put_on(&loading, (amount, demand), &self.quick)
+        let loading = self.loading(amount, short)?.quick(self.rests_near(amount));
+        let trials = loading.put_on(demand, &self.first)?;
+        Ok(kept(&self.quick, amount, trials, demand))
     }
 
-    fn put_on(
-        &self,
-        loading: &Loading,
-        (amount, demand): (f64, Demand),
-        list: &RefCell<Vec<(f64, Trials)>>,
-    ) -> Result<Trial, Error> {
-        let trials = loading.put_on(demand, &self.first)?;
-        let trial = trials.of(demand).cloned();
-        list.borrow_mut().push((amount, trials));
-        Ok(trial.unwrap_or_else(|| Trial::Unknown(String::new())))
+    fn loading(&self, amount: f64, short: bool) -> Result<Loading, Error> {
+        let loading = Loading::of(self.grasp, self.need, amount, self.safety)?;
+        Ok(if short { loading.short() } else { loading })
+    }
+
+    /// With many coordinates, the contact states at rest with the nearest amount with which something rests.
+    fn rests_near(&self, amount: f64) -> Vec<State> {
+        if !uses_band(self.grasp.engine.size()) {
+            return Vec::new();
+        }
+        let lists = [self.known.borrow(), self.quick.borrow()];
+        let nearest = rests(&lists)
+            .min_by(|(one, _), (other, _)| (one - amount).abs().total_cmp(&(other - amount).abs()));
+        nearest.map_or_else(Vec::new, |(_, rest)| rest.states.clone())
     }
 
     /// Whether the state of some contact at rest differs between these two amounts. Both amounts were tried.
@@ -94,7 +123,7 @@ impl<'q> Tried<'q> {
         let known = self.known.borrow();
         let found =
             |amount: f64| known.iter().find(|(at, _)| *at == amount).map(|(_, trials)| &trials.at_rest);
-        let differ = |one: &Option<Vec<_>>, other: &Option<Vec<_>>| match (one, other) {
+        let differ = |one: &Option<AtRest>, other: &Option<AtRest>| match (one, other) {
             (Some(one), Some(other)) => !same_kinds(one, other),
             (one, other) => one.is_some() != other.is_some(),
         };
@@ -105,15 +134,17 @@ impl<'q> Tried<'q> {
     /// extrapolated linearly from `does` and the nearest amount on its far side with the same contact states. `None` if there is no such amount.
     pub(super) fn rest_ends(&self, does: f64, does_not: f64) -> Option<f64> {
         let lists = [self.known.borrow(), self.quick.borrow()];
-        let all = || lists.iter().flat_map(|list| list.iter());
-        let rests = all().filter_map(|(at, trials)| Some((*at, trials.at_rest.as_deref()?)));
-        let mut behind: Vec<_> = rests.filter(|(at, _)| (at - does) * (does - does_not) >= 0.0).collect();
+        let mut behind: Vec<_> =
+            rests(&lists).filter(|(at, _)| (at - does) * (does - does_not) >= 0.0).collect();
         behind.sort_by(|(one, _), (other, _)| (one - does).abs().total_cmp(&(other - does).abs()));
         let (_, here) = *behind.first().filter(|(at, _)| *at == does)?;
-        let (before, there) =
-            behind.into_iter().find(|(at, there)| *at != does && same_kinds(here, there))?;
-        let ends = here.iter().zip(there).flat_map(|(now, then)| now.margins.into_iter().zip(then.margins));
-        let roots = ends.map(|(now, then)| does + (does - before) * (now / (then - now)));
+        behind.dedup_by_key(|(at, _)| *at);
+        let mut alike = behind.into_iter().filter(|(_, there)| same_kinds(here, there));
+        let three = [(); 3].map(|()| alike.next());
+        let margins = (0..here.contacts.len()).flat_map(|i| [(i, 0), (i, 1)]);
+        let roots = margins.filter_map(|(i, k)| {
+            where_it_vanishes(three.map(|point| point.map(|(at, rest)| (at, rest.contacts[i].margins[k]))))
+        });
         let between = roots.filter(|root| (root - does) * (root - does_not) < 0.0);
         between.min_by(|one, other| (one - does).abs().total_cmp(&(other - does).abs()))
     }
@@ -179,12 +210,26 @@ impl<'q> Tried<'q> {
     }
 }
 
-/// The result for this amount and demand from a list, if the amount was tried.
+/// The amounts with which something rests, and what rests.
+fn rests<'l>(lists: &'l [Ref<'l, Vec<(f64, Trials)>>; 2]) -> impl Iterator<Item = (f64, &'l AtRest)> {
+    let all = lists.iter().flat_map(|list| list.iter());
+    all.filter_map(|(at, trials)| Some((*at, trials.at_rest.as_ref()?)))
+}
+
+/// The result for a demand, which is kept in a list.
+fn kept(list: &RefCell<Vec<(f64, Trials)>>, amount: f64, trials: Trials, demand: Demand) -> Trial {
+    let trial = trials.of(demand).cloned();
+    list.borrow_mut().push((amount, trials));
+    trial.unwrap_or_else(|| Trial::Unknown(String::new()))
+}
+
+/// The result in a list for this amount and demand, if it was tried.
 fn of(trials: &RefCell<Vec<(f64, Trials)>>, amount: f64, demand: Demand) -> Option<Trial> {
     trials.borrow().iter().find(|(at, _)| *at == amount).and_then(|(_, trials)| trials.of(demand).cloned())
 }
 
 /// Whether each contact is in a state of the same kind in both lists.
-fn same_kinds(one: &[RestingContact], other: &[RestingContact]) -> bool {
+fn same_kinds(one: &AtRest, other: &AtRest) -> bool {
+    let (one, other) = (&one.contacts, &other.contacts);
     one.len() == other.len() && one.iter().zip(other).all(|(one, other)| one.kind == other.kind)
 }

@@ -35,99 +35,108 @@ impl fmt::Display for Needed {
 
 impl Needed {
     fn amount(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let words = Words::of(f);
-        let (is_least, how) = (self.quantity.is_least(), self.demand);
-        let aim = match how {
-            Demand::Sticks => "nothing slides",
-            Demand::Held if is_least => "it holds",
-            Demand::Held => "holds",
-            Demand::Rests => "it comes to rest however often the load is put on",
-            Demand::Stays => "it does not walk however often the load is put on",
-        };
         match &self.amount {
-            Amount::Bound {
-                does,
-                otherwise,
-                unknown,
-                changes,
-                until,
-                is_too_far,
-                elsewhere,
-                presses,
-                at_their_limit,
-                tried,
-                ..
-            } => {
-                let much = self.much(words, *does, presses);
-                match until {
-                    Some(end) if self.ends_small_motions(how, *is_too_far) => {
-                        write!(f, "HOLDS {}", self.in_small_motions(words, end, *does))?;
-                    }
-                    None if self.ends_small_motions(how, *is_too_far) => {
-                        write!(f, "TAKES {much}, up to which motions are small, and holds")?;
-                    }
-                    _ if is_least => write!(f, "NEEDS {much} so that {aim}")?,
-                    Some(end) => write!(f, "TAKES {} and {aim}", self.between_ends(words, end.does, *does))?,
-                    None => write!(f, "TAKES {much} and {aim}")?,
-                }
-                let is_one_amount = self.beside(f, *does)? && !self.ends_small_motions(how, *is_too_far);
-                self.safe_amount(f, (*does, presses), is_one_amount)?;
-                write!(f, ". With {} {otherwise}", if is_least { "less:" } else { "more:" })?;
-                if let Some(unknown) = unknown {
-                    write!(f, ". With {} it is not known", self.short(words, *unknown, &[]))?;
-                }
-                if let Some(limit) = at_limit(at_their_limit) {
-                    write!(f, ". At rest {limit}")?;
-                }
-                let mut told = 1;
-                told += usize::from(until.is_some());
-                self.far_end(f, until.as_ref())?;
-                told += self.windows(f, elsewhere)?;
-                if *changes > told {
-                    write!(f, ". The verdict changes {changes} times among the amounts that were looked at")?;
-                }
-                self.amounts_tried(f, *tried)?;
-            }
-            Amount::Any { .. } if self.has_no_squeeze() => write!(f, "NEEDS no squeeze: {aim}")?,
-            Amount::Any { to, until, tried } if is_least => {
-                write!(f, "NEEDS none: {aim} down to {}", self.much(words, roughly(*to, true), &[]))?;
-                self.beside(f, *to)?;
-                self.far_end(f, until.as_ref())?;
-                self.amounts_tried(f, *tried)?;
-            }
-            Amount::Any { to, until: Some(end), tried } => {
-                let much = self.much(words, end.does, &[]);
-                write!(
-                    f,
-                    "TAKES {much} and more: it holds up to {}",
-                    self.short(words, roughly(*to, false), &[])
-                )?;
-                self.beside(f, *to)?;
-                self.far_end(f, Some(end))?;
-                self.amounts_tried(f, *tried)?;
-            }
-            Amount::Any { to, tried, .. } => {
-                let amount = if self.quantity == Quantity::Angle { *to } else { roughly(*to, false) };
-                let aim = if how == Demand::Held { "it holds" } else { aim };
-                write!(f, "TAKES any: {aim} up to {}", self.much(words, amount, &[]).trim_end_matches(','))?;
-                self.beside(f, *to)?;
-                self.amounts_tried(f, *tried)?;
-            }
+            Amount::Bound { .. } => self.bound(f),
+            Amount::Any { .. } if self.has_no_squeeze() => write!(f, "NEEDS no squeeze: {}", self.aim()),
+            Amount::Any { to, until, tried } => self.any(f, *to, until.as_ref(), *tried),
             Amount::None { otherwise, .. } if self.has_no_squeeze() => {
-                write!(f, "NO squeeze does: {otherwise}")?;
+                write!(f, "NO squeeze does: {otherwise}")
             }
             Amount::None { otherwise, .. } if self.quantity == Quantity::Angle => {
-                write!(f, "NO angle does, since it does not hold before it turns: {otherwise}")?;
+                write!(f, "NO angle does, since it does not hold before it turns: {otherwise}")
             }
             Amount::None { otherwise, .. } => {
                 self.none(f)?;
-                write!(f, ": {otherwise}")?;
+                write!(f, ": {otherwise}")
             }
             Amount::Undecided { at, doubt } => {
-                write!(f, "UNDECIDED at {}: {doubt}", self.much(words, *at, &[]))?;
+                write!(f, "UNDECIDED at {}: {doubt}", self.much(Words::of(f), *at, &[]))
             }
         }
-        Ok(())
+    }
+
+    /// What the amount achieves: "it holds", or only "holds" after "TAKES … and".
+    fn aim(&self) -> &'static str {
+        match self.demand {
+            Demand::Sticks => "nothing slides",
+            Demand::Held if self.quantity.is_least() => "it holds",
+            Demand::Held => "holds",
+            Demand::Rests => "it comes to rest however often the load is put on",
+            Demand::Stays => "it does not walk however often the load is put on",
+        }
+    }
+
+    /// Writes the bound, the amounts beside it, what happens beyond it, and how it was found.
+    fn bound(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Amount::Bound {
+            does,
+            otherwise,
+            unknown,
+            changes,
+            until,
+            is_too_far,
+            elsewhere,
+            presses,
+            at_their_limit,
+            tried,
+            ..
+        } = &self.amount
+        else {
+            return Ok(());
+        };
+        let (words, is_least, aim) = (Words::of(f), self.quantity.is_least(), self.aim());
+        let much = self.much(words, *does, presses);
+        let ends_small_motions = self.ends_small_motions(self.demand, *is_too_far);
+        match until {
+            Some(end) if ends_small_motions => {
+                write!(f, "HOLDS {}", self.in_small_motions(words, end, *does))?;
+            }
+            None if ends_small_motions => {
+                write!(f, "TAKES {much}, up to which motions are small, and holds")?;
+            }
+            _ if is_least => write!(f, "NEEDS {much} so that {aim}")?,
+            Some(end) => write!(f, "TAKES {} and {aim}", self.between_ends(words, end.does, *does))?,
+            None => write!(f, "TAKES {much} and {aim}")?,
+        }
+        let is_one_amount = self.beside(f, *does)? && !ends_small_motions;
+        self.safe_amount(f, (*does, presses), is_one_amount)?;
+        write!(f, ". With {} {otherwise}", if is_least { "less:" } else { "more:" })?;
+        if let Some(unknown) = unknown {
+            write!(f, ". With {} it is not known", self.short(words, *unknown, &[]))?;
+        }
+        if let Some(limit) = at_limit(at_their_limit) {
+            write!(f, ". At rest {limit}")?;
+        }
+        self.far_end(f, until.as_ref())?;
+        let told = 1 + usize::from(until.is_some()) + self.windows(f, elsewhere)?;
+        if *changes > told {
+            write!(f, ". The verdict changes {changes} times among the amounts that were looked at")?;
+        }
+        self.amounts_tried(f, *tried)
+    }
+
+    /// Writes that all amounts that were tried suffice, `to` being the last, up to the far end `until`.
+    fn any(
+        &self,
+        f: &mut fmt::Formatter<'_>,
+        to: f64,
+        until: Option<&FarEnd>,
+        tried: Option<TriedAmounts>,
+    ) -> fmt::Result {
+        let (words, aim) = (Words::of(f), self.aim());
+        if self.quantity.is_least() {
+            write!(f, "NEEDS none: {aim} down to {}", self.much(words, roughly(to, true), &[]))?;
+        } else if let Some(end) = until {
+            let [much, to] = [self.much(words, end.does, &[]), self.short(words, roughly(to, false), &[])];
+            write!(f, "TAKES {much} and more: it holds up to {to}")?;
+        } else {
+            let amount = if self.quantity == Quantity::Angle { to } else { roughly(to, false) };
+            let aim = if self.demand == Demand::Held { "it holds" } else { aim };
+            write!(f, "TAKES any: {aim} up to {}", self.much(words, amount, &[]).trim_end_matches(','))?;
+        }
+        self.beside(f, to)?;
+        self.far_end(f, until)?;
+        self.amounts_tried(f, tried)
     }
 
     /// Writes that no amount suffices, with the proof or the range of amounts tried, and the amount with which most of the load is carried.

@@ -21,7 +21,9 @@ fn main() -> Result<(), Failure> {
     let family = std::env::args().nth(3).unwrap_or_default();
     println!("{scenes} scenes of each quantity, {amounts} amounts around each answer\n");
     println!("                         scenes                  amounts tried    run time of need");
-    println!("sought                   wrong   undecided       mean    most     in holds (all, most)");
+    println!(
+        "sought                   wrong   undecided       mean    most     in holds (median, all, most)"
+    );
     let planar = |name: &str, quantity: Quantity<2>| {
         survey(&family, (name, ""), &amounts::planar, quantity, (scenes, amounts))
     };
@@ -85,13 +87,15 @@ fn survey<const C: usize>(
     }
     let mean = |list: &[f64]| list.iter().sum::<f64>() / list.len().max(1) as f64;
     let most = |list: &[f64]| list.iter().copied().fold(0.0, f64::max);
-    let ratios: Vec<f64> = times.iter().map(|[need, hold]| need / hold).collect();
+    let mut ratios: Vec<f64> = times.iter().map(|[need, hold]| need / hold).collect();
+    ratios.sort_by(f64::total_cmp);
     let sum = |which: usize| times.iter().map(|times| times[which]).sum::<f64>();
     println!(
-        "{name:24}{:6}{undecided:12}{:12.1}{:8}{:12.1}{:10.1}",
+        "{name:24}{:6}{undecided:12}{:12.1}{:8}{:12.1}{:10.1}{:10.1}",
         wrong.len(),
         mean(&counts),
         most(&counts),
+        ratios.get(ratios.len() / 2).unwrap_or(&0.0),
         sum(0) / sum(1),
         most(&ratios)
     );
