@@ -188,7 +188,7 @@ fn inverse(pivot: f64) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numerics::Draw;
+    use crate::numerics::{Draw, Size};
 
     fn same_bits<const N: usize>(case: u64) {
         let (size, mut draw) = (Size::of(N - 1), Draw::new([case, N as u64, 0]));
