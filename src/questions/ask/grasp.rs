@@ -282,6 +282,16 @@ impl<const C: usize> Grasp<C> {
         Ok((outside(verdict), more.farthest))
     }
 
+    /// The size and direction of the least force through a point with which motions are no longer small, in addition to a base load. `None` if no
+    /// force moves the object while everything sticks.
+    pub(crate) fn farthest_direction(
+        &self,
+        base: &Wrench<C>,
+        point: [f64; 3],
+    ) -> Result<Option<(f64, [f64; 3])>, Error> {
+        self.engine.farthest_direction(&inside(base), point, &self.settings)
+    }
+
     /// The least margin of sticking under the base load, divided by the largest force, as if every contact stuck. `None` if all forces are zero, or
     /// if no contact resists the load.
     pub(crate) fn sticking_margin(&self, base: &Wrench<C>) -> Option<f64> {

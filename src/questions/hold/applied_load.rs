@@ -44,6 +44,8 @@ pub(crate) struct OfThePath {
     pub(crate) farthest: f64,
     /// The contacts under the base load. `None` if the base load has no equilibrium, and for [`Extent::Brief`].
     pub(crate) at_rest: Option<Vec<RestingContact>>,
+    /// Number of jumps while the load is put on: a contact catches the object, or friction falls. It is 0 for [`Extent::Brief`].
+    pub(crate) jumps: usize,
 }
 
 /// A contact in the equilibrium under the base load.
@@ -165,12 +167,14 @@ impl Engine {
         };
         if extent == Extent::Brief {
             verdict.lost.iter_mut().for_each(|lost| lost.state = None);
-            return Ok((verdict, OfThePath { farthest, at_rest: None }));
+            return Ok((verdict, OfThePath { farthest, ..Default::default() }));
         }
         let rest = path.state_at(0, 0.0);
         let at_rest = rest.as_ref().map(|rest| mapped(&rest.contacts, &RestingContact::of));
+        let jumps = events.iter().filter(|event| event.jump.is_some()).count();
+        let of_the_path = OfThePath { farthest, at_rest, jumps };
         if extent == Extent::Decided {
-            return Ok((verdict, OfThePath { farthest, at_rest }));
+            return Ok((verdict, of_the_path));
         }
         let there = state.as_ref().or_else(|| verdict.lost.as_ref()?.state.as_deref());
         let rest = rest.filter(|_| ramp.command_change.is_none() && ramp.joint_change.is_none());
@@ -178,7 +182,7 @@ impl Engine {
             rest.zip(there).and_then(|(rest, there)| self.left_out_by_small_motions(&rest, there));
         verdict.caught = Caught::among(self.wholes(), &events);
         verdict.state = state.map(Box::new);
-        Ok((verdict, OfThePath { farthest, at_rest }))
+        Ok((verdict, of_the_path))
     }
 
     /// The conclusion where the path ended before the whole load was applied.

@@ -18,6 +18,7 @@ use crate::grasp::{ContactPoints, Wrench, inside};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Space, largest, mapped};
 use crate::prelude::*;
+use crate::squeeze::Loads;
 
 impl<const C: usize> Grasp<C> {
     /// How much does it need? The least squeeze, friction or force, the greatest load, arm or angle; see [`Need`].
@@ -137,6 +138,7 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
         quick: &quick,
         rests_otherwise: &rests_otherwise,
         rest_ends: &rest_ends,
+        learns: matches!(need.loads, Loads::AnyForce { .. }),
         is_planar: grasp.space() == Space::Planar,
     };
     let mut plan = tried.plan(look)?;

@@ -9,7 +9,7 @@ use super::question::Demand;
 use super::range::Range;
 use super::search::{Guess, SearchPlan};
 use super::tolerances::{APART_IN_A_SCAN, EXACT, EXACT_IN_SPACE, MOST_LOADS, SECOND};
-use super::trial::{Trial, Trials};
+use super::trial::{Refuting, Trial, Trials};
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
@@ -39,15 +39,13 @@ pub(super) struct Tried<'q> {
     known: RefCell<Vec<(f64, Trials)>>,
     /// Results of quick trials, which leave out the enumeration of many contact states.
     quick: RefCell<Vec<(f64, Trials)>>,
-    /// Index of the load that refuted the last insufficient amount, or was carried least with the last sufficient one; the next trial applies this
-    /// load first.
-    first: Cell<usize>,
+    refuting: Refuting,
     /// The range of amounts outside which proofs exclude all amounts; computed by the first search and shared by all.
     range: Cell<Option<Range>>,
 }
 
 impl<'q> Tried<'q> {
-    pub(super) const fn new(grasp: &'q Grasp<3>, need: &'q Posed, safety: Safety, start: f64) -> Self {
+    pub(super) fn new(grasp: &'q Grasp<3>, need: &'q Posed, safety: Safety, start: f64) -> Self {
         Self {
             grasp,
             need,
@@ -55,7 +53,7 @@ impl<'q> Tried<'q> {
             start,
             known: RefCell::new(Vec::new()),
             quick: RefCell::new(Vec::new()),
-            first: Cell::new(0),
+            refuting: Refuting::default(),
             range: Cell::new(None),
         }
     }
@@ -83,7 +81,12 @@ impl<'q> Tried<'q> {
         (amount, demand): (f64, Demand),
         list: &RefCell<Vec<(f64, Trials)>>,
     ) -> Result<Trial, Error> {
-        let trials = loading.put_on(demand, &self.first)?;
+        let before = self.refuting.directions.borrow().clone();
+        let trials = loading.put_on(demand, &self.refuting)?;
+        // Earlier quick trials did not include a direction that is found now.
+        if self.refuting.directions.borrow().iter().any(|direction| !before.contains(direction)) {
+            self.quick.borrow_mut().clear();
+        }
         let trial = trials.of(demand).cloned();
         list.borrow_mut().push((amount, trials));
         Ok(trial.unwrap_or_else(|| Trial::Unknown(String::new())))

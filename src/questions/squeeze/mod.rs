@@ -18,11 +18,13 @@
 //! | `parts` | the conditions that are broken under these loads at a given squeeze |
 //! | `least_squeeze` | the least factor of the commands |
 //! | `weakest_direction` | the least force, of all directions, at which a contact slides |
+//! | `farthest_direction` | the least force, of all directions, at which a motion is no longer small |
 //! | `bounds` | bounds of the errors of commands and loads |
 //! | `least_onset` | the least onset of sliding within these bounds |
 
 mod bounds;
 mod face;
+mod farthest_direction;
 mod least_onset;
 mod least_squeeze;
 mod loads;
