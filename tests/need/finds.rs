@@ -71,3 +71,28 @@ fn no_direction_between_samples_is_lost() -> Tested {
     }
     Ok(())
 }
+
+/// A finger of one joint that a tendon closes against a stop without friction: only the tension that balances the other tendon holds.
+#[test]
+fn only_the_balanced_tension() -> Tested {
+    let text = r#"{ "format": "grasp-lcp/1", "planar": {
+        "fingers": [
+            { "joints": [{ "name": "l", "prismatic": [1, 0] }], "contacts": [{ "name": "left", "point": [-0.03, 0], "normal": [1, 0], "stiffness": 1e4, "friction": 0.5 }] },
+            { "joints": [{ "name": "r", "prismatic": [-1, 0] }], "contacts": [{ "name": "right", "point": [0.03, 0], "normal": [-1, 0], "stiffness": 1e4, "friction": 0.5 }] }
+        ],
+        "tendons": [{ "name": "tl", "arms": [1, 0], "tension": TENSION }, { "name": "tr", "arms": [0, 1], "tension": 20 }]
+    } }"#;
+    let weight = planar::Wrench::force([0.0, -3.0]);
+    for (given, said) in [("20", "ONLY 20 N at tl does, as given, and"), ("8", "ONLY 20 N at tl does, and")] {
+        let scene = Scene::from_json(text.replace("TENSION", given).as_bytes())?;
+        let grasp = scene.planar().ok_or("a planar scene")?.grasp()?;
+        let needed = grasp.need(&Need::force("tl", weight))?;
+        let tension: f64 = given.parse()?;
+        assert!((needed.amount.bound().ok_or("one does")? * tension / 20.0 - 1.0).abs() < 1e-12, "{needed}");
+        assert!(
+            needed.to_string().starts_with(said) && !needed.to_string().contains("does not do"),
+            "{needed}"
+        );
+    }
+    Ok(())
+}

@@ -258,12 +258,6 @@ pub struct AmountWindow {
     pub to: Option<f64>,
 }
 
-impl AmountWindow {
-    pub(super) fn contains(&self, amount: f64) -> bool {
-        self.from.is_none_or(|from| from <= amount) && self.to.is_none_or(|to| amount <= to)
-    }
-}
-
 /// Refuses a relative reduction of friction or squeeze outside `0 <= value < 1`.
 pub(super) fn check_part(what: &'static str, value: f64) -> Result<(), Error> {
     if (0.0..1.0).contains(&value) {

@@ -142,9 +142,8 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
         is_planar: grasp.space() == Space::Planar,
     };
     let mut plan = tried.plan(look)?;
-    if plan.range.is_empty {
-        let trial = tries.at(plan.start)?;
-        return Ok(nothing_does(vec![(plan.start, trial)], plan.limits, Some(&plan.range)));
+    if let Some(proved) = by_proof(&plan, tries)? {
+        return Ok(proved);
     }
     // Angles beyond the given turn are not tried.
     if matches!(need.sought, Sought::Angle { .. }) && tries.at(plan.start)?.does() {
@@ -232,6 +231,43 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
         at_their_limit,
         tried,
     })
+}
+
+/// The answer if proofs exclude all amounts, or all but one that suffices; `None` otherwise.
+fn by_proof(plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Amount>, Error> {
+    let only = only_amount(plan, tries)?;
+    if only.is_some() || !plan.range.is_empty {
+        return Ok(only);
+    }
+    let trial = tries.at(plan.start)?;
+    Ok(Some(nothing_does(vec![(plan.start, trial)], plan.limits, Some(&plan.range))))
+}
+
+/// The answer if proofs exclude all amounts but one, and this one suffices; `None` otherwise. The multiple 1, the amount
+/// given, is tried where this is the one up to rounding.
+fn only_amount(plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Amount>, Error> {
+    let Some(only) = plan.range.point() else { return Ok(None) };
+    let does = if (only - 1.0).abs() <= NEGLIGIBLE { 1.0 } else { only };
+    if !tries.at(does)?.does() {
+        return Ok(None);
+    }
+    let otherwise = "no forces of the contacts balance the load".to_owned();
+    let end = |way: f64| does * (1.0 + way * NEGLIGIBLE);
+    let beyond =
+        FarEnd { does, does_not: end(1.0), otherwise, presses: Vec::new(), at_their_limit: Vec::new() };
+    Ok(Some(Amount::Bound {
+        does,
+        does_not: end(-1.0),
+        otherwise: beyond.otherwise.clone(),
+        is_too_far: false,
+        unknown: None,
+        changes: 2,
+        until: Some(beyond),
+        elsewhere: Vec::new(),
+        presses: Vec::new(),
+        at_their_limit: Vec::new(),
+        tried: None,
+    }))
 }
 
 /// The bracket at the proved end of the range, where `to` is the last amount tried and all tried amounts suffice. Beyond the proved end no contact
