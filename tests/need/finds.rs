@@ -96,3 +96,24 @@ fn only_the_balanced_tension() -> Tested {
     }
     Ok(())
 }
+
+/// A squeeze that carries the load may move contacts too far at a small multiple of the one given, though its least multiple is far smaller.
+#[test]
+fn the_upper_end_beyond_the_squeeze_given() -> Tested {
+    let jaw = |x: f64, k: f64| planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(k, k).friction(0.8);
+    let grasp = planar::Grasp::new([
+        jaw(-0.03, 1e3).pressed_with(300.0),
+        jaw(0.03, 1e3).command([0.0, 0.0]),
+        planar::Contact::new([0.0, 0.02], [0.0, -1.0]).series_stiffness(1e3, 1e3).friction(0.01),
+    ])?;
+    let load = planar::Wrench::force([0.0, 1.0]);
+    let needed = grasp.need(&Need::squeeze(load).if_lower_by(0.0, 0.0))?;
+    let until = match &needed.amount {
+        Amount::Bound { until: Some(end), .. } | Amount::Any { until: Some(end), .. } => end,
+        _ => panic!("{needed}"),
+    };
+    for (squeeze, holds) in [(until.does, true), (until.does_not, false)] {
+        assert_eq!(grasp.squeezed(squeeze)?.hold(load)?.holds(), Some(holds), "{needed}");
+    }
+    Ok(())
+}

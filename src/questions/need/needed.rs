@@ -188,10 +188,11 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
         }
     };
     let (does, does_not) = (bound.does, bound.does_not.0);
-    // A larger squeeze always carries more here, but it may move the part too far. One much larger squeeze is tried; if it is insufficient, the whole
-    // range is scanned.
-    if plan.is_monotone && is_squeeze && scan > 0 && plan.contains(FAR_FROM_START * does) {
-        tries.at(FAR_FROM_START * does)?;
+    // A larger squeeze always carries more here, but it may move the part too far. A squeeze is tried that is much larger than the least one and than
+    // the one given; if it is insufficient, the whole range is scanned.
+    let ample = FAR_FROM_START * does.max(plan.start);
+    if plan.is_monotone && is_squeeze && scan > 0 && plan.contains(ample) {
+        tries.at(ample)?;
     }
     let is_too_much = |(at, trial): &(f64, Trial)| *at > does && matches!(trial, Trial::DoesNot { .. });
     plan.is_monotone &= !plan.is_least || !tried.known(demand).iter().any(is_too_much);
