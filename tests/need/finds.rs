@@ -58,6 +58,9 @@ fn no_direction_between_samples_is_lost() -> Tested {
     let any = Loads::AnyForce { base: load, size: 4.82, point };
     let needed = scene(16.7185)?.need(&Need::squeeze(any).if_lower_by(0.0, 0.0).with_scan(0))?;
     let least = needed.amount.bound().expect("some does");
+    // At rest without load nothing presses: only the number to enter is named.
+    let entered = grasp_lcp::words::Words::default().number(16.7185 * least);
+    assert!(needed.to_string().contains(&format!("(`pressed_with` {entered} N at c2)")), "{needed}");
     for (press, holds) in [(1.0001 * least, true), (0.8 * least, false)] {
         let grasp = scene(16.7185 * press)?;
         let mut all = true;
@@ -68,6 +71,49 @@ fn no_direction_between_samples_is_lost() -> Tested {
             all &= grasp.hold(planar::Ramp::load(load, force))?.holds() == Some(true);
         }
         assert_eq!(all, holds, "{press}");
+    }
+    Ok(())
+}
+
+const FOUR: &str = r#"{ "name": "c0", "point": [0.04688, 0.0174], "normal": [-0.93753, -0.34791], "stiffness": [5254, 21656], "friction": 0.2423, "pressed_with": 19.0759 },
+    { "name": "c1", "point": [0.00152, 0.04998], "normal": [-0.0304, -0.99954], "stiffness": [3463, 21185], "friction": 0.2037, "pressed_with": 3.02 },
+    { "name": "c2", "point": [-0.04962, -0.00615], "normal": [0.99241, 0.12294], "stiffness": [20692, 5954], "friction": 0.3441, "kinetic_friction": 0.2444 },
+    { "name": "c3", "point": [0.01167, -0.04862], "normal": [-0.2334, 0.97238], "stiffness": [4127, 23934], "friction": 0.2582, "kinetic_friction": 0.2085 }"#;
+
+/// Kinetic friction at rest: the largest squeeze is the last one that `hold` confirms, and the forces at rest are those of a path.
+#[test]
+fn kinetic_friction_at_rest() -> Tested {
+    let (grasp, load) = (planar_scene(FOUR)?, planar::Wrench::force_at([1.095, 1.515], [0.0122, 0.0013]));
+    let needed = grasp.need(&Need::squeeze(load).if_lower_by(0.0, 0.0))?;
+    let Amount::Any { until: Some(end), .. } = &needed.amount else { panic!("{needed}") };
+    for (squeeze, holds) in [(end.does, true), (end.does_not, false)] {
+        assert_eq!(grasp.squeezed(squeeze)?.hold(load)?.holds(), Some(holds), "{needed}");
+    }
+    let squeezed = grasp.squeezed(end.does)?;
+    let state = squeezed.follow(planar::Wrench::ZERO, &[])?.state().ok_or("rests")?;
+    for (press, contact) in end.presses.iter().zip(&state.contacts) {
+        assert!((press.force - contact.normal_force()).abs() < 1e-9, "{needed}");
+    }
+    Ok(())
+}
+
+/// A contact that presses an object against springs: at rest it has less than its `pressed_with`, and the sentence has the number to enter.
+#[test]
+fn the_number_to_enter() -> Tested {
+    let jaw = |x: f64, k: f64| planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(k, k).friction(0.5);
+    let grasp = |press: f64| {
+        planar::Grasp::new([jaw(-0.03, 3e3).name("left").pressed_with(press), jaw(0.03, 1e3).name("right")])
+    };
+    let weight = planar::Wrench::force([0.0, -4.0]);
+    let needed = grasp(40.0)?.need(&Need::squeeze(weight).if_lower_by(0.0, 0.0))?;
+    // In series with the other spring a quarter is left of the force: 4 N at each contact for 16 N.
+    let words = needed.to_string();
+    assert!(
+        words.starts_with("NEEDS 4 N at left (`pressed_with` 16 N, 0.4 times the squeeze given) so that"),
+        "{words}"
+    );
+    for (press, holds) in [(16.0 * (1.0 + 1e-9), true), (16.0 * (1.0 - 1e-9), false)] {
+        assert_eq!(grasp(press)?.hold(weight)?.holds(), Some(holds));
     }
     Ok(())
 }
@@ -94,6 +140,34 @@ fn only_the_balanced_tension() -> Tested {
             "{needed}"
         );
     }
+    Ok(())
+}
+
+/// A press fit of four points: friction carries μ k δ R at each, so that an overlap of δ = M / (4 μ k R) is needed.
+#[test]
+fn the_overlap_of_a_press_fit() -> Tested {
+    let (k, mu, radius, moment) = (1e7, 0.15, 0.02, 3.0);
+    let point = |quarter: i32| {
+        let (sin, cos) = (f64::from(quarter) * std::f64::consts::FRAC_PI_2).sin_cos();
+        let contact =
+            planar::Contact::new([radius * cos, radius * sin], [-cos, -sin]).series_stiffness(k, 0.8 * k);
+        contact.name(format!("g{quarter}")).friction(mu).clearance(-2e-5)
+    };
+    let grasp = planar::Grasp::new((0..4).map(point))?;
+    let load = planar::Wrench::new([0.0, 0.0], moment);
+    let needed = grasp.need(&Need::squeeze(load).if_lower_by(0.1, 0.0))?;
+    let overlap = moment / (4.0 * mu * k * radius);
+    assert!((needed.amount.bound().ok_or("some does")? * 2e-5 / overlap - 1.0).abs() < 1e-10, "{needed}");
+    let words = needed.to_string();
+    assert!(
+        words.starts_with("NEEDS 0.025 mm of overlap (250 N) at g0, g1, g2 and g3 so that it holds"),
+        "{words}"
+    );
+    let Amount::Bound { presses, .. } = &needed.amount else { panic!("{needed}") };
+    assert!(presses.iter().all(|press| press.is_set && (press.force - k * overlap).abs() < 1e-6), "{needed}");
+    // No part of it has a command, so that none is named as one to ask for.
+    let Err(Error::Part { allowed, .. }) = grasp.need(&Need::force("g0", load)) else { panic!("no command") };
+    assert!(allowed.is_empty(), "{allowed}");
     Ok(())
 }
 

@@ -245,6 +245,11 @@ impl<const C: usize> Grasp<C> {
         self.engine.is_squeezed()
     }
 
+    /// Whether contacts overlap, by clearances below zero.
+    pub(crate) fn overlaps(&self) -> bool {
+        self.engine.overlaps()
+    }
+
     /// Whether this contact presses by its own command, constant force or vacuum, in a grasp where no joint or tendon presses.
     pub(crate) fn is_set_by_itself(&self, point: usize) -> bool {
         self.engine.is_commanded(point) && !self.engine.is_driven()

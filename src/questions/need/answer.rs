@@ -43,6 +43,9 @@ pub struct Needed {
     /// if no body is loaded.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub in_place_of_squeeze: bool,
+    /// Whether the sought squeeze consists of overlaps, clearances below zero, because no command presses. Amounts are then multiples of the overlaps.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
+    pub by_overlaps: bool,
     /// Contacts that are without friction and stay so, where a coefficient for all others is sought.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub without_friction: Vec<WholeContact>,

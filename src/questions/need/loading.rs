@@ -43,6 +43,7 @@ impl Loading {
         let mut grasp = if squeeze == 1.0 { grasp.clone() } else { grasp.not_installed_squeezed(squeeze)? };
         match &need.sought {
             Sought::Squeeze => {}
+            Sought::Overlaps => grasp = grasp.with_overlaps(amount * (1.0 - safety.lower[1]))?,
             Sought::Friction { contacts } => {
                 let is_meant =
                     |i: usize, mu: f64| contacts.as_ref().map_or(mu > 0.0, |those| those.contains(&i));

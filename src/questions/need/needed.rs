@@ -3,7 +3,7 @@
 use super::answer::{Amount, FarEnd, Needed, Quantity};
 use super::around::{Around, between_states};
 use super::posed::{Posed, Safety, Sought};
-use super::press::{Press, pressure_of_cup};
+use super::press::{Press, force_set, pressure_of_cup};
 use super::question::{Demand, Need};
 use super::range::Range;
 use super::search::{SearchPlan, Searched, Tries, search};
@@ -12,7 +12,7 @@ use super::tolerances::FAR_FROM_START;
 use super::trial::Trial;
 use super::tried::{Look, Tried};
 use crate::ask::Grasp;
-use crate::equilibrium::{DriveState, Outcome};
+use crate::equilibrium::DriveState;
 use crate::error::Error;
 use crate::grasp::{ContactPoints, Wrench, inside};
 use crate::numerics::tolerances::NEGLIGIBLE;
@@ -55,7 +55,7 @@ impl Need<3> {
         self.check_acts(grasp.is_loaded_at_rest())?;
         let quantity = posed.quantity();
         let asked = posed.on(grasp)?;
-        let is_squeezed = grasp.is_squeezed();
+        let is_squeezed = grasp.is_squeezed() || asked.sought == Sought::Overlaps;
         let mut safety = asked.safety;
         if !is_squeezed {
             safety.lower[1] = 0.0;
@@ -89,6 +89,7 @@ impl Need<3> {
             safety: safety.load,
             force: asked.force_of_load(),
             of: asked.pressed_by(grasp)?,
+            by_overlaps: asked.sought == Sought::Overlaps,
             in_place_of_squeeze: quantity == Quantity::Squeeze && !is_squeezed,
             without_friction: match asked.sought {
                 Sought::Friction { contacts: None } => {
@@ -106,7 +107,7 @@ impl Need<3> {
 fn start(grasp: &Grasp<3>, need: &Posed) -> f64 {
     let contacts = grasp.contacts();
     match &need.sought {
-        Sought::Squeeze | Sought::Load | Sought::Force { .. } => 1.0,
+        Sought::Squeeze | Sought::Overlaps | Sought::Load | Sought::Force { .. } => 1.0,
         Sought::Friction { contacts: those, .. } => {
             let is_meant = |i: &usize| those.as_ref().is_none_or(|those| those.contains(i));
             let all = contacts.iter().enumerate().filter(|(i, _)| is_meant(i));
@@ -149,9 +150,8 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
     if matches!(need.sought, Sought::Angle { .. }) && tries.at(plan.start)?.does() {
         return Ok(Amount::Any { to: plan.start, until: None, tried: None });
     }
-    let is_squeeze = matches!(need.sought, Sought::Squeeze);
-    let at_rest =
-        |does: f64| if is_squeeze { presses(grasp, does, need.base) } else { Ok(Default::default()) };
+    let is_squeeze = matches!(need.sought, Sought::Squeeze | Sought::Overlaps);
+    let at_rest = |does: f64| if is_squeeze { presses(grasp, does, need) } else { Ok(Default::default()) };
     let far_end = |edge: Threshold| {
         let Threshold { does, does_not: (does_not, trial), .. } = edge;
         let (Trial::DoesNot { says: otherwise, .. } | Trial::Unknown(otherwise)) = trial else {
@@ -343,27 +343,35 @@ fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], proof: Option<&Range>
 ///
 /// If without a load the contacts that are pressed by commands carry no force beyond rounding, their forces under the load at rest are returned. A
 /// contact held by a given force presses with it even if no equilibrium is known.
-fn presses(grasp: &Grasp<3>, squeeze: f64, base: Wrench<3>) -> Result<(Vec<Press>, Vec<String>), Error> {
-    let squeezed = grasp.squeezed(squeeze)?;
+fn presses(grasp: &Grasp<3>, squeeze: f64, need: &Posed) -> Result<(Vec<Press>, Vec<String>), Error> {
+    let (is_by_overlap, base) = (need.sought == Sought::Overlaps, need.base);
+    let squeezed = if is_by_overlap { grasp.with_overlaps(squeeze)? } else { grasp.squeezed(squeeze)? };
+    let nothing = NEGLIGIBLE * need.largest_force();
     let list = |force: &dyn Fn(usize) -> f64| {
         let press = |contact: &ContactPoints| {
             let points = contact.range.clone();
+            let force = points.clone().fold(0.0, |sum, point| sum + force(point));
+            let set = &squeezed.contacts()[points.clone()];
+            let overlap = set.iter().map(|point| -point.clearance).fold(0.0, f64::max);
             Press {
                 part: contact.with(points.len()),
-                force: points.clone().fold(0.0, |sum, point| sum + force(point)),
-                pressure: pressure_of_cup(&squeezed.contacts()[points.clone()]),
-                is_set: points.into_iter().any(|point| grasp.is_set_by_itself(point)),
+                force: if force.abs() <= nothing { 0.0 } else { force },
+                pressure: pressure_of_cup(set),
+                pressed_with: force_set(set).filter(|_| !is_by_overlap),
+                overlap: Some(overlap).filter(|overlap| is_by_overlap && *overlap > 0.0),
+                is_set: points.into_iter().any(|point| grasp.is_set_by_itself(point))
+                    || is_by_overlap && overlap > 0.0,
             }
         };
         mapped(grasp.engine.wholes(), &press)
     };
     let loads = [Wrench::ZERO, base];
     for load in &loads[usize::from(base == Wrench::ZERO)..] {
-        let Outcome::Equilibrium(state) = squeezed.solve(load)? else { continue };
+        // Contacts that slide at rest may have kinetic friction, which a path takes into account.
+        let Some(state) = squeezed.follow(*load, &[])?.state() else { continue };
         let presses = list(&|i| state.contacts[i].force[0]);
         let mut set = presses.iter().filter(|press| press.is_set).peekable();
-        let nothing = NEGLIGIBLE * base.force_part().norm();
-        if *load != base && set.peek().is_some() && set.all(|press| press.force <= nothing) {
+        if *load != base && set.peek().is_some() && set.all(|press| press.force <= 0.0) {
             continue;
         }
         // The drive of a contact that is held by a given force is always at its limit, so this contact is not listed.

@@ -151,11 +151,13 @@ impl<'q> Tried<'q> {
             // A load is put on from rest, so a path to a larger load has passed all smaller ones.
             Sought::Load | Sought::Angle { .. } => true,
             Sought::Squeeze => grasp.is_proportional() && need.base == Wrench::ZERO,
-            Sought::Friction { .. } | Sought::Arm { .. } | Sought::Force { .. } => false,
+            Sought::Friction { .. } | Sought::Arm { .. } | Sought::Force { .. } | Sought::Overlaps => false,
         };
         let guess = match need.sought {
             Sought::Load | Sought::Angle { .. } => Guess::Times,
-            Sought::Squeeze | Sought::Friction { .. } | Sought::Force { .. } => Guess::Divided,
+            Sought::Squeeze | Sought::Overlaps | Sought::Friction { .. } | Sought::Force { .. } => {
+                Guess::Divided
+            }
             Sought::Arm { .. } => Guess::Nothing,
         };
         let range = match self.range.get() {
