@@ -171,6 +171,21 @@ fn the_overlap_of_a_press_fit() -> Tested {
     Ok(())
 }
 
+/// Two edges at x = -60 mm and +20 mm, the centre of mass 100 mm up: tilted one way the block tips at atan(20/100), the other way it slides or tips later.
+#[test]
+fn the_sense_of_a_tilt() -> Tested {
+    let edge = |x: f64| planar::Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e7, 1e7).friction(0.8);
+    let block = planar::Grasp::new([edge(-0.06), edge(0.02)])?;
+    let turn = planar::Turn::tilting([0.0, -9.81], [0.0, 0.1]).up_to(1.5);
+    for (turn, sense, tangent) in [(turn, " anticlockwise", 0.6), (turn.reversed(), " clockwise", 0.2)] {
+        let needed = block.need(&Need::angle(turn))?;
+        let angle = needed.amount.bound().ok_or("it tips")?;
+        assert!((angle.tan() - tangent).abs() < 1e-3, "{needed}");
+        assert!(needed.to_string().contains(&format!("°{sense} and holds")), "{needed}");
+    }
+    Ok(())
+}
+
 /// A squeeze that carries the load may move contacts too far at a small multiple of the one given, though its least multiple is far smaller.
 #[test]
 fn the_upper_end_beyond_the_squeeze_given() -> Tested {

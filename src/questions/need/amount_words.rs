@@ -73,7 +73,11 @@ impl Needed {
     /// The words for the place where the sought force acts, " on jaw", or for the sense of an angle in the plane.
     pub(super) fn at(&self) -> String {
         match &self.of {
-            None => String::new(),
+            None => match self.anticlockwise {
+                Some(true) => " anticlockwise".to_owned(),
+                Some(false) => " clockwise".to_owned(),
+                None => String::new(),
+            },
             Some(PressedBy { part: Some(part), is_body: true, .. }) => format!(" on {}", printable(part)),
             Some(PressedBy { part: Some(part), .. }) => format!(" at {}", printable(part)),
             Some(_) => " at rest".to_owned(),

@@ -43,6 +43,9 @@ pub struct Needed {
     /// if no body is loaded.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub in_place_of_squeeze: bool,
+    /// For an angle in the plane: whether the grasp is tilted anticlockwise, from x to y. `None` for other quantities, and unless the load turns.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub anticlockwise: Option<bool>,
     /// Whether the sought squeeze consists of overlaps, clearances below zero, because no command presses. Amounts are then multiples of the overlaps.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub by_overlaps: bool,

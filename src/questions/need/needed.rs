@@ -89,6 +89,7 @@ impl Need<3> {
             safety: safety.load,
             force: asked.force_of_load(),
             of: asked.pressed_by(grasp)?,
+            anticlockwise: asked.tilts_anticlockwise(grasp.space()),
             by_overlaps: asked.sought == Sought::Overlaps,
             in_place_of_squeeze: quantity == Quantity::Squeeze && !is_squeezed,
             without_friction: match asked.sought {

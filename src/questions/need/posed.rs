@@ -163,6 +163,14 @@ impl Posed {
         of_loads.max(force(&self.base))
     }
 
+    /// Whether an angle in the plane is one of an anticlockwise tilt. In coordinates of the tilted grasp the load turns the other way.
+    pub(super) fn tilts_anticlockwise(&self, space: Space) -> Option<bool> {
+        let Sought::Angle { turn } = &self.sought else { return None };
+        let [_, cosine, sine] = turn.parts().map(|part| part.force_part());
+        let turns = cosine[0] * sine[1] - cosine[1] * sine[0];
+        (space == Space::Planar && turns != 0.0).then_some(turns < 0.0)
+    }
+
     /// The part that exerts the sought force, with the size of that force; `None` for other quantities.
     pub(super) fn pressed_by(&self, grasp: &Grasp<3>) -> Result<Option<PressedBy>, Error> {
         let Sought::Force { of } = &self.sought else { return Ok(None) };
