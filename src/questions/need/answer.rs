@@ -128,9 +128,9 @@ pub enum Amount {
         /// The sufficient amount at the bound, for which a verdict was computed.
         does: f64,
         /// The insufficient amount next to `does`. Either the grasp was computed with it, or a proof excludes it. As a rule the two amounts differ by
-        /// a fraction of at most 1e-12; in [`Needed::sticks`] and [`Needed::safe`] of at most 1e-8. In space, and for a force of any direction, the fraction is up
-        /// to 1e-6 where the carried part of the load jumps at the bound. It is 1e-5 or more where only an enumeration of contact states shows that an amount is
-        /// insufficient.
+        /// a fraction of at most 1e-12; in [`Needed::sticks`] and [`Needed::safe`] of at most 1e-8. In space, and for a force of any
+        /// direction, the fraction is up to 1e-6 where the carried part of the load jumps at the bound. It is 1e-5 or more where only an
+        /// enumeration of contact states shows that an amount is insufficient.
         does_not: f64,
         /// The verdict on the grasp with `does_not`, in a sentence.
         otherwise: String,

@@ -175,8 +175,8 @@ impl Loading {
         Turn::new(self.base + constant * times, cosine * times, sine * times).up_to(turn.angle())
     }
 
-    /// The worst result over the loads of all these ramps. The loop ends at the first load that is not carried. `note` gets the index of each load that
-    /// was tried, whether it is held, and the number of jumps on its path.
+    /// The worst result over the loads of all these ramps. The loop ends at the first load that is not carried. `note` gets the index of each
+    /// load, the result for it, and the number of jumps on its path.
     fn all(
         &self,
         ramps: &[Ramp<3>],

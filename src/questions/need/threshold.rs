@@ -38,8 +38,8 @@ impl Threshold {
     ) -> Result<Self, Error> {
         let mut presumed = self.clone().by(tries, true, (does, enough))?;
         let mut here = tries.at(presumed.does)?;
-        // A full trial may find a weaker direction of a force, which later quick trials include. Such directions differ less and less, so that an amount
-        // a little easier is tried, too.
+        // A full trial may find a weaker direction of a force, which later quick trials include. Such directions differ less and less. So an
+        // amount that is easier by 1e-6 is tried, too.
         let mut enough = enough;
         for _ in 0..6 {
             if !tries.learns || !matches!(here, Trial::DoesNot { .. }) {
