@@ -12,6 +12,14 @@ pub(crate) const LARGEST: f64 = 1e50;
 /// The wording of the range of [`is_moderate`] in error messages.
 pub(crate) const MODERATE: &str = "finite and at most 1e50 in size";
 
+/// The parts that are allowed, as the end of a sentence.
+fn one_of(allowed: &str) -> String {
+    match allowed {
+        "" => "and no other part has: what presses by overlap is the squeeze".to_owned(),
+        allowed => format!("must be one of {allowed}"),
+    }
+}
+
 /// Whether a number is finite and at most [`LARGEST`] in size.
 pub(crate) fn is_moderate(x: f64) -> bool {
     x.abs() <= LARGEST
@@ -211,8 +219,8 @@ pub enum Error {
         /// The fault and the allowed values, in words.
         fault: String,
     },
-    /// The part whose force is sought has no load, command or force that can be multiplied, or does not exist.
-    #[error("part {name:?} has no load, command or force of its own, must be one of {allowed}")]
+    /// The part whose force is sought has no load, command or force to scale, or does not exist.
+    #[error("part {name:?} has no load, command or force of its own, {}", one_of(allowed))]
     Part {
         /// The name of the part that was given.
         name: String,

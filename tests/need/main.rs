@@ -3,6 +3,7 @@
 mod both_sides;
 mod brute_force;
 mod closed_forms;
+mod finds;
 mod installed;
 mod reasons;
 mod repeated;

@@ -160,7 +160,7 @@ pub(crate) enum Command {
         /// A force of constant direction beside the weight, N, at the same point.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         base: Option<Numbers>,
-        /// The axis about which the grasp is tilted; in space only.
+        /// The axis about which the grasp is tilted, by the right-hand rule; in the plane 0,0,1 (anticlockwise, also if left out) or 0,0,-1.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y,Z")]
         axis: Option<Numbers>,
         #[command(flatten)]
@@ -329,7 +329,7 @@ pub(crate) struct Wanted {
     /// For an arm: the direction in which the force is moved outwards.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
     pub(crate) along: Option<Numbers>,
-    /// For an angle in space: the axis about which the grasp is tilted.
+    /// For an angle: the axis about which the grasp is tilted, by the right-hand rule; in the plane 0,0,1 (anticlockwise, also if left out) or 0,0,-1.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y,Z")]
     pub(crate) axis: Option<Numbers>,
     /// For friction: the name of the contact whose coefficient is sought; that of all contacts if left out.

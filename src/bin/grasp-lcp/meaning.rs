@@ -284,7 +284,14 @@ impl Meaning {
         axis: Option<&Numbers>,
     ) -> Result<Turn, Failure> {
         let axis = match (self.axes, axis) {
-            (2, Some(_)) => return Err(Failure::Usage("--axis: there is none in the plane".to_owned())),
+            (2, Some(Numbers(axis))) => match axis[..] {
+                [x, y, z] if x == 0.0 && y == 0.0 && z != 0.0 => [0.0, 0.0, z.signum()],
+                _ => {
+                    let message =
+                        "--axis: in the plane it must be 0,0,1 for anticlockwise or 0,0,-1 for clockwise";
+                    return Err(Failure::Usage(message.to_owned()));
+                }
+            },
             (2, None) => [0.0, 0.0, 1.0],
             (_, Some(axis)) => self.direction(axis, "axis")?,
             (_, None) => {

@@ -6,6 +6,7 @@ use super::hand::Linkage;
 use super::whole_contact::ContactPoints;
 use super::wrench::Wrench;
 use crate::error::{Error, MODERATE, is_moderate};
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{IntoList, mapped};
 use crate::prelude::*;
 use crate::words::{listed, printable};
@@ -43,8 +44,21 @@ impl Engine {
         self.is_driven() || (0..self.len()).any(|point| self.is_commanded(point))
     }
 
-    /// Whether all forces except the caller's loads scale with the squeeze, so that twice the squeeze carries twice the load. Not so with constant
-    /// loads on bodies, external torques, tendons, joint limits or clearances.
+    /// Whether contacts overlap by more than rounding: clearances below zero, as in a press fit.
+    pub(crate) fn overlaps(&self) -> bool {
+        self.contacts.iter().any(|contact| contact.clearance < -NEGLIGIBLE * self.length())
+    }
+
+    /// A copy of this grasp with all clearances below zero multiplied by `factor`.
+    pub(crate) fn with_overlaps(&self, factor: f64) -> Result<Self, Error> {
+        let mut contacts = self.contacts.clone();
+        for contact in contacts.iter_mut().filter(|contact| contact.clearance < 0.0) {
+            contact.clearance *= factor;
+        }
+        self.with_data(contacts, &|_| 1.0)
+    }
+
+    /// Whether all forces except the caller's loads scale with the squeeze. Twice the squeeze then carries twice the load.
     pub(crate) fn is_proportional(&self) -> bool {
         let stays = self.linkage().is_some_and(|linkage| {
             let loads = linkage.bodies.as_ref().map_or(&[][..], |bodies| &bodies.loads);
@@ -118,10 +132,13 @@ impl Engine {
             return Ok((of(false, tension), grasp));
         }
         let mut pressing = self.loaded_bodies();
-        let labels = parts.iter().map(ContactPoints::text);
-        pressing.extend(labels.filter(|label| label != name));
+        let is_commanded = |part: &&ContactPoints| {
+            part.range.clone().any(|point| self.is_commanded(point) || self.contacts[point].at_rest.is_some())
+        };
+        pressing.extend(parts.iter().filter(is_commanded).map(ContactPoints::text));
         pressing.extend(self.linkage().map_or_else(Vec::new, Linkage::names_that_press));
         let all: Vec<_> = mapped(&pressing, &|name| printable(name));
-        Err(Error::Part { name: name.to_owned(), allowed: listed(&all) })
+        let allowed = if all.is_empty() { String::new() } else { listed(&all) };
+        Err(Error::Part { name: name.to_owned(), allowed })
     }
 }

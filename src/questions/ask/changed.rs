@@ -174,7 +174,12 @@ impl<const C: usize> Grasp<C> {
         Ok((pressing, self.changed(Ok(engine))?))
     }
 
-    /// [`Self::squeezed`] without its last step, which adjusts the commands of links to the tensions that they are to have.
+    /// This grasp with the overlaps of its contacts, clearances below zero, multiplied by `factor`.
+    pub(crate) fn with_overlaps(&self, factor: f64) -> Result<Self, Error> {
+        self.changed(self.engine.with_overlaps(factor))
+    }
+
+    /// [`Self::squeezed`] without the last step, which adjusts the commands of links to their given tensions.
     pub(crate) fn not_installed_squeezed(&self, factor: f64) -> Result<Self, Error> {
         self.changed(self.engine.squeezed(factor))
     }

@@ -248,7 +248,12 @@ impl<const C: usize> Grasp<C> {
         self.engine.is_squeezed()
     }
 
-    /// Whether this contact point presses by its own command, constant force or vacuum, in a grasp where no joint or tendon presses.
+    /// Whether contacts overlap, by clearances below zero.
+    pub(crate) fn overlaps(&self) -> bool {
+        self.engine.overlaps()
+    }
+
+    /// Whether this contact presses by its own command, constant force or vacuum, in a grasp where no joint or tendon presses.
     pub(crate) fn is_set_by_itself(&self, point: usize) -> bool {
         self.engine.is_commanded(point) && !self.engine.is_driven()
     }
@@ -285,8 +290,18 @@ impl<const C: usize> Grasp<C> {
         Ok((outside(verdict), more.farthest))
     }
 
-    /// The least margin of sticking over all contacts under the base load, divided by the largest contact force, computed as if every contact stuck.
-    /// `None` if all contact forces are zero, or if no contact resists the load.
+    /// The size and direction of the least force through a point with which motions are no longer small, in addition to a base load. `None` if no
+    /// force moves the object while everything sticks.
+    pub(crate) fn farthest_direction(
+        &self,
+        base: &Wrench<C>,
+        point: [f64; 3],
+    ) -> Result<Option<(f64, [f64; 3])>, Error> {
+        self.engine.farthest_direction(&inside(base), point, &self.settings)
+    }
+
+    /// The least margin of sticking under the base load, divided by the largest force, as if every contact stuck. `None` if all forces are zero, or
+    /// if no contact resists the load.
     pub(crate) fn sticking_margin(&self, base: &Wrench<C>) -> Option<f64> {
         self.engine.sticking_margin(&inside(base), &self.settings)
     }

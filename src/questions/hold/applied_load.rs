@@ -44,8 +44,10 @@ pub(crate) struct OfThePath {
     /// The largest ratio of a rotation, slip or opening to its limit in [small motions](crate::Settings::small_motions), up to the whole load or the
     /// end of the path. For [`Extent::Brief`] the path may reach beyond the whole load.
     pub(crate) farthest: f64,
-    /// `None` where nothing rests, and of a brief verdict.
+    /// The equilibrium under the base load. `None` if it has none, and for [`Extent::Brief`].
     pub(crate) at_rest: Option<AtRest>,
+    /// Number of jumps while the load is put on: a contact catches the object, or friction falls. It is 0 for [`Extent::Brief`].
+    pub(crate) jumps: usize,
 }
 
 /// The equilibrium from which the load is put on.
@@ -180,14 +182,16 @@ impl Engine {
         };
         if extent == Extent::Brief {
             verdict.lost.iter_mut().for_each(|lost| lost.state = None);
-            return Ok((verdict, OfThePath { farthest, at_rest: None }));
+            return Ok((verdict, OfThePath { farthest, ..Default::default() }));
         }
         let rest = path.state_at(0, 0.0);
         let at_rest = rest
             .as_ref()
             .map(|rest| AtRest { contacts: mapped(&rest.contacts, &RestingContact::of), states });
+        let jumps = events.iter().filter(|event| event.jump.is_some()).count();
+        let of_the_path = OfThePath { farthest, at_rest, jumps };
         if extent == Extent::Decided {
-            return Ok((verdict, OfThePath { farthest, at_rest }));
+            return Ok((verdict, of_the_path));
         }
         let there = state.as_ref().or_else(|| verdict.lost.as_ref()?.state.as_deref());
         let rest = rest.filter(|_| ramp.command_change.is_none() && ramp.joint_change.is_none());
@@ -197,7 +201,7 @@ impl Engine {
         verdict.left_out = by_the_load.into_iter().chain(by_forces).min_by(f64::total_cmp);
         verdict.caught = Caught::among(self.wholes(), &events);
         verdict.state = state.map(Box::new);
-        Ok((verdict, OfThePath { farthest, at_rest }))
+        Ok((verdict, of_the_path))
     }
 
     /// The [`Holding`] of a path that ended before the whole load was applied with small motions.

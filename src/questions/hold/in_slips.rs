@@ -54,6 +54,6 @@ impl Engine {
             lost,
             state: None,
         };
-        Some((verdict, OfThePath { farthest, at_rest: None }))
+        Some((verdict, OfThePath { farthest, ..Default::default() }))
     }
 }

@@ -10,7 +10,7 @@ impl Needed {
     pub(super) fn range(&self, words: Words, from: f64, to: f64) -> String {
         let [low, high] = [from, to].map(|amount| words.number(amount));
         match self.quantity {
-            Quantity::Squeeze => format!("{low} to {high} times the squeeze given"),
+            Quantity::Squeeze => format!("{low} to {}", self.times_squeeze(words, to)),
             Quantity::Friction => format!("{low} to {high}"),
             Quantity::Load => format!("{low} to {high} times the load"),
             Quantity::Arm => format!("{} to {}", words.reach(from), words.reach(to)),
@@ -36,10 +36,7 @@ impl Needed {
     /// An amount as text, with the contacts or the body where it acts: "12 N at left and right".
     pub(super) fn much(&self, words: Words, amount: f64, presses: &[Press]) -> String {
         match self.quantity {
-            Quantity::Squeeze => {
-                let times = format!("{} times the squeeze given", words.number(amount));
-                press::in_words(words, presses, times)
-            }
+            Quantity::Squeeze => press::in_words(words, presses, self.times_squeeze(words, amount)),
             Quantity::Friction => format!("a coefficient of friction of {}", words.number(amount)),
             Quantity::Load => match self.force {
                 Some(force) => {
@@ -55,10 +52,7 @@ impl Needed {
     /// An amount as text, without the contacts or the body where it acts, which the sentence has named before: "12 N".
     pub(super) fn short(&self, words: Words, amount: f64, presses: &[Press]) -> String {
         match self.quantity {
-            Quantity::Squeeze => match press::all_alike(words, presses) {
-                Some(force) => force,
-                None => format!("{} times the squeeze given", words.number(amount)),
-            },
+            Quantity::Squeeze => press::in_short(words, presses, self.times_squeeze(words, amount)),
             Quantity::Friction => words.number(amount),
             Quantity::Load => format!("{} times the load", words.number(amount)),
             Quantity::Arm => words.reach(amount),
@@ -70,10 +64,20 @@ impl Needed {
         }
     }
 
-    /// The words for the place where the sought force acts: " on jaw".
+    /// A multiple of the squeeze as text: "1.2 times the squeeze given".
+    fn times_squeeze(&self, words: Words, amount: f64) -> String {
+        let given = if self.by_overlaps { "overlaps" } else { "squeeze" };
+        format!("{} times the {given} given", words.number(amount))
+    }
+
+    /// The words for the place where the sought force acts, " on jaw", or for the sense of an angle in the plane.
     pub(super) fn at(&self) -> String {
         match &self.of {
-            None => String::new(),
+            None => match self.anticlockwise {
+                Some(true) => " anticlockwise".to_owned(),
+                Some(false) => " clockwise".to_owned(),
+                None => String::new(),
+            },
             Some(PressedBy { part: Some(part), is_body: true, .. }) => format!(" on {}", printable(part)),
             Some(PressedBy { part: Some(part), .. }) => format!(" at {}", printable(part)),
             Some(_) => " at rest".to_owned(),

@@ -43,6 +43,12 @@ pub struct Needed {
     /// if no body is loaded.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub in_place_of_squeeze: bool,
+    /// For an angle in the plane: whether the grasp is tilted anticlockwise, from x to y. `None` for other quantities, and unless the load turns.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub anticlockwise: Option<bool>,
+    /// Whether the sought squeeze consists of overlaps, clearances below zero, because no command presses. Amounts are then multiples of the overlaps.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
+    pub by_overlaps: bool,
     /// Contacts that are without friction and stay so, where a coefficient for all others is sought.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub without_friction: Vec<WholeContact>,
@@ -122,9 +128,9 @@ pub enum Amount {
         /// The sufficient amount at the bound, for which a verdict was computed.
         does: f64,
         /// The insufficient amount next to `does`. Either the grasp was computed with it, or a proof excludes it. As a rule the two amounts differ by
-        /// a fraction of at most 1e-12; in [`Needed::sticks`] and [`Needed::safe`] of at most 1e-8. In space the fraction is up to 1e-6 where the
-        /// carried part of the load jumps at the bound. It is 1e-5 or more where only an enumeration of contact states shows that an amount is
-        /// insufficient.
+        /// a fraction of at most 1e-12; in [`Needed::sticks`] and [`Needed::safe`] of at most 1e-8. In space, and for a force of any
+        /// direction, the fraction is up to 1e-6 where the carried part of the load jumps at the bound. It is 1e-5 or more where only an
+        /// enumeration of contact states shows that an amount is insufficient.
         does_not: f64,
         /// The verdict on the grasp with `does_not`, in a sentence.
         otherwise: String,
@@ -256,12 +262,6 @@ pub struct AmountWindow {
     /// The greatest sufficient amount of the window.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub to: Option<f64>,
-}
-
-impl AmountWindow {
-    pub(super) fn contains(&self, amount: f64) -> bool {
-        self.from.is_none_or(|from| from <= amount) && self.to.is_none_or(|to| amount <= to)
-    }
 }
 
 /// Refuses a relative reduction of friction or squeeze outside `0 <= value < 1`.

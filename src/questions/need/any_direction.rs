@@ -3,11 +3,12 @@
 
 use core::f64::consts::{PI, TAU};
 
-use super::loading::Loading;
+use super::loading::{Loading, force_at};
 use super::question::Demand;
-use super::trial::Trial;
+use super::trial::{Refuting, Trial, Trials};
 use crate::error::Error;
 use crate::grasp::Wrench;
+use crate::hold::OfThePath;
 use crate::load_path::Ramp;
 use crate::numerics::{Space, dot, numbered};
 use crate::prelude::*;
@@ -33,15 +34,21 @@ impl Loading {
             }));
         }
         Ok(Some(match self.grasp.weakest_direction(base, point)? {
-            WeakestDirection::Never => Trial::always(),
+            WeakestDirection::Never => self.farthest(base, size, point)?,
             WeakestDirection::Force { size: most, .. } if most >= size => {
-                Trial::carries(most / size)
+                self.farthest(base, size, point)?.or_worse(Trial::carries(most / size))
             }
-            WeakestDirection::Force { .. } if demand != Demand::Sticks => return Ok(None),
+            // Sliding contacts still hold, unless motions as large as those without sliding are too large.
+            WeakestDirection::Force { .. } if demand != Demand::Sticks => {
+                let trial = self.farthest(base, size, point)?;
+                return Ok((!trial.does()).then_some(trial));
+            }
+            WeakestDirection::GivesWay { .. } if demand != Demand::Sticks => return Ok(None),
             WeakestDirection::Force { load, size: most, .. } => {
                 let first = self.grasp.hold(Ramp::load(*base, load - *base))?;
                 let who = first.first_slip.map_or_else(|| "it slides".to_owned(), |first| self.said(&first));
-                Trial::does_not(format!("{who} under a force of one direction"), most / size)
+                let along = self.words.along(&(load - *base).force_part().normalize());
+                Trial::does_not(format!("{who} under a force along {along}"), most / size)
             }
             WeakestDirection::GivesWay { .. } => Trial::nothing("nothing resists a force of one direction"),
             // A contact that is open before the force acts may be closed by the force. In that case no closed form compares directions.
@@ -56,30 +63,122 @@ impl Loading {
         }))
     }
 
+    /// The result for the direction in which motions are largest while everything sticks.
+    fn farthest(&self, base: &Wrench<3>, size: f64, point: [f64; 3]) -> Result<Trial, Error> {
+        let Some((most, direction)) = self.grasp.farthest_direction(base, point)? else {
+            return Ok(Trial::always());
+        };
+        if most >= size {
+            return Ok(Trial::carries(most / size));
+        }
+        let ramp = Ramp::load(*base, force_at(direction.map(|x| x * size), point));
+        Ok(self.one_direction(&ramp)?.0)
+    }
+
+    /// The worst result between evenly spread directions, all of which carry the load. Near each direction that carries less than its neighbours the
+    /// weakest one is sought. Between neighbours with different numbers of jumps the place is sought where the number changes: there the carried part
+    /// of the load jumps as well.
+    pub(super) fn between_directions(
+        &self,
+        (all, found): (&[[f64; 3]], &[Carried]),
+        along: &dyn Fn([f64; 3]) -> Ramp<3>,
+        mut held: Trial,
+        refuting: &Refuting,
+    ) -> Result<Trial, Error> {
+        let neighbours = neighbours(all, self.grasp.space());
+        let is_least = |k: &usize| neighbours[*k].iter().all(|other| found[*k].part <= found[*other].part);
+        let mut minima: Vec<usize> = (0..all.len()).filter(is_least).collect();
+        minima.sort_by(|a, b| found[*a].part.total_cmp(&found[*b].part));
+        for k in minima.into_iter().take(MOST_MINIMA) {
+            if held.does() {
+                let (direction, weakest) = self.weakest_near(all[k], along, Trial::carries(found[k].part))?;
+                if !weakest.does() {
+                    refuting.add(direction);
+                }
+                held = held.or_worse(weakest);
+            }
+        }
+        let is_edge = |[one, other]: &[usize; 2]| one < other && found[*one].jumps != found[*other].jumps;
+        let pairs =
+            neighbours.iter().enumerate().flat_map(|(one, near)| near.iter().map(move |other| [one, *other]));
+        let mut edges: Vec<[usize; 2]> = pairs.filter(is_edge).collect();
+        let least = |[one, other]: &[usize; 2]| found[*one].part.min(found[*other].part);
+        edges.sort_by(|a, b| least(a).total_cmp(&least(b)));
+        for [one, other] in edges.into_iter().take(MOST_EDGES) {
+            let (mut ends, jumps) = ([all[one], all[other]], found[one].jumps);
+            let mut parts = [found[one].part, found[other].part];
+            loop {
+                // At the jump the carried part has different limits from both sides, to which it is linear in the angle.
+                let is_near = parts[0].min(parts[1]) < 1.0 + 10.0 * LAST_STEP;
+                let last = if is_near { LAST_STEP_AT_A_JUMP } else { LAST_STEP };
+                let apart = [0, 1, 2].map(|axis| ends[0][axis] - ends[1][axis]);
+                if !held.does() || dot(&apart, &apart) <= last * last {
+                    break;
+                }
+                let middle = unit([0, 1, 2].map(|axis| ends[0][axis] + ends[1][axis]));
+                let (trial, path) = self.one_direction(&along(middle))?;
+                let end = usize::from(path.jumps != jumps);
+                (ends[end], parts[end]) = (middle, trial.carried().unwrap_or(0.0));
+                if !trial.does() {
+                    refuting.add(middle);
+                }
+                held = held.or_worse(trial);
+            }
+        }
+        Ok(held)
+    }
+
+    /// The worst result over these directions, up to the first one that is not held; `None` without directions.
+    pub(super) fn of_directions(
+        &self,
+        directions: &[[f64; 3]],
+        along: &dyn Fn([f64; 3]) -> Ramp<3>,
+    ) -> Result<Option<Trials>, Error> {
+        let mut worst: Option<Trials> = None;
+        for direction in directions {
+            let (trial, OfThePath { at_rest, .. }) = self.one_direction(&along(*direction))?;
+            let held = Some(match worst.and_then(|worst| worst.held) {
+                Some(held) => held.or_worse(trial),
+                None => trial,
+            });
+            let is_refuted = matches!(held, Some(Trial::DoesNot { .. }));
+            worst = Some(Trials { held, sticks: None, at_rest });
+            if is_refuted {
+                break;
+            }
+        }
+        Ok(worst)
+    }
+
+    /// The result for one direction, with facts about its load path.
+    fn one_direction(&self, ramp: &Ramp<3>) -> Result<(Trial, OfThePath), Error> {
+        let (verdict, path) = self.grasp.hold_to_an_extent(ramp, self.extent)?;
+        let trial = self.judged((&verdict, 1.0 - path.farthest), Demand::Held);
+        Ok((self.said_of(1, &ramp.direction, trial), path))
+    }
+
     /// Improves on `weakest`, the trial for the evenly spread direction that carries least of the load. From this `direction` the search moves to
     /// neighbours that carry less. Its step is halved where no neighbour carries less.
-    pub(super) fn weakest_near(
+    fn weakest_near(
         &self,
         mut direction: [f64; 3],
         along: &dyn Fn([f64; 3]) -> Ramp<3>,
         mut weakest: Trial,
-    ) -> Result<Trial, Error> {
+    ) -> Result<([f64; 3], Trial), Error> {
         let space = self.grasp.space();
-        // The first step is half of the distance between evenly spread directions, rad. The carried parts of the load in directions within the last
-        // step differ by less than 1e-6.
-        let (mut step, last) = (if space == Space::Planar { 0.5 * TAU / 72.0 } else { 0.125 }, 1e-3);
+        // The first step is half of the distance between evenly spread directions, rad.
+        let mut step = if space == Space::Planar { 0.5 * TAU / 72.0 } else { 0.125 };
         for _ in 0..50 {
             // If the weakest direction carries far more than the load, so do its neighbours, and the search ends.
             let Trial::Does { carried, .. } = weakest else { break };
-            if step < last || carried > 1.1 {
+            if step < LAST_STEP || carried > 1.1 {
                 break;
             }
             let mut best = None;
             for across in tangents(direction, space) {
                 for sign in [1.0, -1.0] {
                     let d = unit([0, 1, 2].map(|a| direction[a] + sign * step * across[a]));
-                    let (verdict, path) = self.grasp.hold_to_an_extent(&along(d), self.extent)?;
-                    let trial = self.judged((&verdict, 1.0 - path.farthest), Demand::Held);
+                    let (trial, _) = self.one_direction(&along(d))?;
                     if !trial.does() || trial.carried() < weakest.carried() {
                         (best, weakest) = (Some(d), weakest.or_worse(trial));
                     }
@@ -90,8 +189,45 @@ impl Loading {
                 None => step *= 0.5,
             }
         }
-        Ok(weakest)
+        Ok((direction, weakest))
     }
+}
+
+/// A direction in which a force was tried: the part of the load that is carried, at least 1, and the number of jumps while it is put on.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Carried {
+    pub(super) part: f64,
+    pub(super) jumps: usize,
+}
+
+impl Carried {
+    pub(super) const ALL: Self = Self { part: f64::INFINITY, jumps: 0 };
+}
+
+/// The least angle between directions that are tried, rad. The carried parts of the load within this angle differ by less than 1e-6, unless they jump.
+const LAST_STEP: f64 = 1e-3;
+
+/// The least angle between directions at a jump of the carried part, rad, where less than 1 % more than the load is carried. If larger, directions
+/// that are lost stay unseen within this angle.
+const LAST_STEP_AT_A_JUMP: f64 = 1e-8;
+
+/// At most this many directions that carry less than their neighbours are improved on. If fewer, a weakest direction is missed where two carry nearly
+/// the same.
+const MOST_MINIMA: usize = 3;
+
+/// At most this many pairs of neighbouring directions with different numbers of jumps are searched, those that carry least first. If fewer, narrow
+/// cones of directions that are lost stay unseen. Each pair takes five to seven verdicts.
+const MOST_EDGES: usize = 12;
+
+/// For each of the evenly spread directions its neighbours: both on a circle, some six on the sphere.
+fn neighbours(all: &[[f64; 3]], space: Space) -> Vec<Vec<usize>> {
+    let count = all.len();
+    // On a sphere each of 200 directions has an area of (0.25 rad)².
+    let is_near = |one: usize, other: usize| match space {
+        Space::Planar => (one + 1) % count == other || (other + 1) % count == one,
+        Space::Spatial => one != other && dot(&all[one], &all[other]) > 0.32_f64.cos(),
+    };
+    numbered(count, &|one| (0..count).filter(|other| is_near(one, *other)).collect())
 }
 
 fn unit(vector: [f64; 3]) -> [f64; 3] {

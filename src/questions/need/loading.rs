@@ -1,14 +1,13 @@
 //! The trial of one amount: the grasp with this amount set, and the verdicts on its loads.
 
 use alloc::sync::Arc;
-use core::cell::Cell;
 use core::fmt;
 
-use super::any_direction::directions;
+use super::any_direction::{Carried, directions};
 use super::posed::{Posed, Safety, Sought};
 use super::question::Demand;
 use super::tolerances::MOST_LOADS;
-use super::trial::{NOT_AT_REST, Trial, Trials};
+use super::trial::{NOT_AT_REST, Refuting, Trial, Trials};
 use crate::ask::Grasp;
 use crate::contact::State;
 use crate::equilibrium::Settings;
@@ -29,7 +28,7 @@ pub(super) struct Loading {
     pub(super) base: Wrench<3>,
     /// Factor on `loads`.
     pub(super) times: f64,
-    words: Words,
+    pub(super) words: Words,
     /// Load paths are followed up to this multiple of the load.
     followed: f64,
     /// How much of a verdict a trial needs.
@@ -47,6 +46,7 @@ impl Loading {
         let mut grasp = if squeeze == 1.0 { grasp.clone() } else { grasp.not_installed_squeezed(squeeze)? };
         match &need.sought {
             Sought::Squeeze => {}
+            Sought::Overlaps => grasp = grasp.with_overlaps(amount * (1.0 - safety.lower[1]))?,
             Sought::Friction { contacts } => {
                 let is_meant =
                     |i: usize, mu: f64| contacts.as_ref().map_or(mu > 0.0, |those| those.contains(&i));
@@ -124,9 +124,9 @@ impl Loading {
         self
     }
 
-    /// Determines whether the grasp meets the demand with this amount. The load of index `first` is applied first. Then `first` becomes the index of
-    /// a load that is not carried, or else of the one carried least. As a rule the same load refutes the next amount.
-    pub(super) fn put_on(&self, demand: Demand, first: &Cell<usize>) -> Result<Trials, Error> {
+    /// Determines whether the grasp meets the demand with this amount. Loads in `refuting` are applied first, and a load that is not carried,
+    /// or else the one carried least, is noted there.
+    pub(super) fn put_on(&self, demand: Demand, refuting: &Refuting) -> Result<Trials, Error> {
         if let Some(refused) = &self.refused {
             return Ok(Trials::only(demand, Trial::does_not(refused, NOT_AT_REST)));
         }
@@ -137,14 +137,13 @@ impl Loading {
         Ok(match &self.loads {
             Loads::Each(loads) => {
                 let ramps: Vec<_> = mapped(loads, &|load| Ramp::load(besides, *load * times));
-                self.all(&ramps, demand, first)?
+                self.all(&ramps, demand, refuting, &mut |_, _, _| ())?
             }
             Loads::AnyForce { base, size, point } => {
                 let trial = self.any_force(*base * times, *size * times, *point, demand)?;
                 match (demand, &trial) {
-                    (Demand::Held, Some(Trial::Does { .. })) | (Demand::Sticks, _) => {
-                        Trials::only(demand, trial.unwrap_or_else(Trial::always))
-                    }
+                    (Demand::Held, Some(Trial::Does { .. } | Trial::DoesNot { .. }))
+                    | (Demand::Sticks, _) => Trials::only(demand, trial.unwrap_or_else(Trial::always)),
                     _ => {
                         // Without the force of any direction, the constant load beside it is applied in addition to the load at rest.
                         let force = |d: [f64; 3]| force_at(d.map(|x| x * *size * times), *point);
@@ -152,9 +151,24 @@ impl Loading {
                         let mut ramps = vec![Ramp::load(besides, *base * times)];
                         let (all, along) = (directions(self.grasp.space()), |d| Ramp::load(loaded, force(d)));
                         ramps.extend(mapped(&all, &|d| along(*d)));
-                        let mut trials = Trials { sticks: None, ..self.all(&ramps, demand, first)? };
-                        if let (Some(held), Some(which)) = (&trials.held, first.get().checked_sub(1)) {
-                            trials.held = Some(self.weakest_near(all[which], &along, held.clone())?);
+                        let list = refuting.directions.borrow().clone();
+                        if let Some(trials) = self.of_directions(&list, &along)?
+                            && (self.grasp.settings().is_quick
+                                || trials.held.as_ref().is_some_and(|held| !held.does()))
+                        {
+                            return Ok(trials);
+                        }
+                        let mut found = vec![Carried::ALL; ramps.len()];
+                        let mut note = |which: usize, trial: &Trial, jumps| {
+                            found[which] = Carried { part: trial.carried().unwrap_or(0.0), jumps };
+                        };
+                        let mut trials =
+                            Trials { sticks: None, ..self.all(&ramps, demand, refuting, &mut note)? };
+                        // Of the evenly spread directions the one that is refuted, or carried least, is tried first from then on.
+                        refuting.first.get().checked_sub(1).into_iter().for_each(|k| refuting.add(all[k]));
+                        if let Some(held) = trials.held.take_if(|held| held.does()) {
+                            trials.held =
+                                Some(self.between_directions((&all, &found[1..]), &along, held, refuting)?);
                         }
                         trials
                     }
@@ -170,16 +184,23 @@ impl Loading {
         Turn::new(self.base + constant * times, cosine * times, sine * times).up_to(turn.angle())
     }
 
-    /// The worst result over the loads of all these ramps. The loop ends at the first load that is not carried.
-    fn all(&self, ramps: &[Ramp<3>], demand: Demand, first: &Cell<usize>) -> Result<Trials, Error> {
+    /// The worst result over the loads of all these ramps. The loop ends at the first load that is not carried. `note` gets the index of each
+    /// load, the result for it, and the number of jumps on its path.
+    fn all(
+        &self,
+        ramps: &[Ramp<3>],
+        demand: Demand,
+        refuting: &Refuting,
+        note: &mut dyn FnMut(usize, &Trial, usize),
+    ) -> Result<Trials, Error> {
         let (mut held, mut sticks, mut kinds) = (Trial::always(), Trial::always(), None);
-        let (mut weakest, mut least) = (first.get(), f64::INFINITY);
+        let (mut weakest, mut least) = (refuting.first.get(), f64::INFINITY);
         for k in 0..ramps.len() {
-            let which = (first.get() + k) % ramps.len();
+            let which = (refuting.first.get() + k) % ramps.len();
             if self.grasp.settings().is_quick && demand == Demand::Sticks {
                 sticks = sticks.or_worse(self.first_slip(&ramps[which])?);
                 if let Trial::DoesNot { .. } = sticks {
-                    first.set(which);
+                    refuting.first.set(which);
                     return Ok(Trials::only(demand, sticks));
                 }
                 continue;
@@ -187,7 +208,9 @@ impl Loading {
             let (verdict, path) = self.grasp.hold_to_an_extent(&ramps[which], self.extent)?;
             kinds = path.at_rest;
             let of_this = |trial| self.said_of(which, &ramps[which].direction, trial);
-            held = held.or_worse(of_this(self.judged((&verdict, 1.0 - path.farthest), Demand::Held)));
+            let held_by_this = of_this(self.judged((&verdict, 1.0 - path.farthest), Demand::Held));
+            note(which, &held_by_this, path.jumps);
+            held = held.or_worse(held_by_this);
             let at_rest = self.grasp.sticking_margin(&verdict.base).unwrap_or(f64::INFINITY);
             sticks = sticks.or_worse(of_this(self.judged((&verdict, at_rest), Demand::Sticks)));
             if let Some(carried) = held.carried().filter(|carried| *carried < least) {
@@ -195,7 +218,7 @@ impl Loading {
             }
             let wanted = if demand == Demand::Sticks { &sticks } else { &held };
             if let Trial::DoesNot { .. } = wanted {
-                first.set(which);
+                refuting.first.set(which);
                 // A load that is not held also makes something slide. If something slides before all loads were applied, it is not known whether all
                 // loads are held.
                 let held = (!held.does() || k + 1 == ramps.len()).then_some(held);
@@ -203,7 +226,7 @@ impl Loading {
             }
         }
         let is_held = !(self.grasp.settings().is_quick && demand == Demand::Sticks);
-        first.set(weakest);
+        refuting.first.set(weakest);
         Ok(Trials { held: is_held.then_some(held), sticks: Some(sticks), at_rest: kinds })
     }
 
@@ -230,12 +253,19 @@ impl Loading {
         format!("{what:.digits$}")
     }
 
-    /// If the question has several loads, adds to the sentence of a trial the number of the load and the load itself.
-    fn said_of(&self, which: usize, load: &Wrench<3>, mut trial: Trial) -> Trial {
-        if let (Loads::Each(list), Trial::DoesNot { says, .. }) = (&self.loads, &mut trial)
-            && list.len() > 1
-        {
-            *says = format!("under load {}, {}: {says}", which + 1, self.words.load(load));
+    /// If the question has several loads, adds to the sentence of a trial the number of the load and the load itself. For a force of any direction it
+    /// adds the direction.
+    pub(super) fn said_of(&self, which: usize, load: &Wrench<3>, mut trial: Trial) -> Trial {
+        let Trial::DoesNot { says, .. } = &mut trial else { return trial };
+        match &self.loads {
+            Loads::Each(list) if list.len() > 1 => {
+                *says = format!("under load {}, {}: {says}", which + 1, self.words.load(load));
+            }
+            Loads::AnyForce { .. } if which > 0 => {
+                let along = self.words.along(&load.force_part().normalize());
+                *says = format!("under a force along {along}: {says}");
+            }
+            _ => {}
         }
         trial
     }

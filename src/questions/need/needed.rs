@@ -3,7 +3,7 @@
 use super::answer::{Amount, FarEnd, Needed, Quantity};
 use super::around::{Around, between_states};
 use super::posed::{Posed, Safety, Sought};
-use super::press::{Press, pressure_of_cup};
+use super::press::{Press, force_set, pressure_of_cup};
 use super::question::{Demand, Need};
 use super::range::Range;
 use super::search::{SearchPlan, Searched, Tries, search};
@@ -12,12 +12,13 @@ use super::tolerances::FAR_FROM_START;
 use super::trial::Trial;
 use super::tried::{Look, Tried};
 use crate::ask::Grasp;
-use crate::equilibrium::{DriveState, Outcome};
+use crate::equilibrium::DriveState;
 use crate::error::Error;
 use crate::grasp::{ContactPoints, Wrench, inside};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Space, largest, mapped};
 use crate::prelude::*;
+use crate::squeeze::Loads;
 
 impl<const C: usize> Grasp<C> {
     /// How much does it need? The least squeeze, friction or force, the greatest load, arm or angle; see [`Need`].
@@ -54,7 +55,7 @@ impl Need<3> {
         self.check_acts(grasp.is_loaded_at_rest())?;
         let quantity = posed.quantity();
         let asked = posed.on(grasp)?;
-        let is_squeezed = grasp.is_squeezed();
+        let is_squeezed = grasp.is_squeezed() || asked.sought == Sought::Overlaps;
         let mut safety = asked.safety;
         if !is_squeezed {
             safety.lower[1] = 0.0;
@@ -88,6 +89,8 @@ impl Need<3> {
             safety: safety.load,
             force: asked.force_of_load(),
             of: asked.pressed_by(grasp)?,
+            anticlockwise: asked.tilts_anticlockwise(grasp.space()),
+            by_overlaps: asked.sought == Sought::Overlaps,
             in_place_of_squeeze: quantity == Quantity::Squeeze && !is_squeezed,
             without_friction: match asked.sought {
                 Sought::Friction { contacts: None } => {
@@ -105,7 +108,7 @@ impl Need<3> {
 fn start(grasp: &Grasp<3>, need: &Posed) -> f64 {
     let contacts = grasp.contacts();
     match &need.sought {
-        Sought::Squeeze | Sought::Load | Sought::Force { .. } => 1.0,
+        Sought::Squeeze | Sought::Overlaps | Sought::Load | Sought::Force { .. } => 1.0,
         Sought::Friction { contacts: those, .. } => {
             let is_meant = |i: &usize| those.as_ref().is_none_or(|those| those.contains(i));
             let all = contacts.iter().enumerate().filter(|(i, _)| is_meant(i));
@@ -137,12 +140,12 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
         quick: &quick,
         rests_otherwise: &rests_otherwise,
         rest_ends: &rest_ends,
+        learns: matches!(need.loads, Loads::AnyForce { .. }),
         is_planar: grasp.space() == Space::Planar,
     };
     let plan = tried.plan(look)?;
-    if plan.range.is_empty {
-        let trial = tries.at(plan.start)?;
-        return Ok(nothing_does(vec![(plan.start, trial)], plan.limits, Some(&plan.range)));
+    if let Some(proved) = by_proof(&plan, tries)? {
+        return Ok(proved);
     }
     // Angles beyond the given turn are not tried.
     if matches!(need.sought, Sought::Angle { .. }) && tries.at(plan.start)?.does() {
@@ -184,7 +187,7 @@ impl Found<'_, '_> {
     /// What presses at rest with this squeeze, see [`presses`]; nothing if another quantity is sought.
     fn presses(&self, does: f64) -> Result<(Vec<Press>, Vec<String>), Error> {
         match self.tried.need.sought {
-            Sought::Squeeze => presses(self.tried.grasp, does, self.tried.need.base),
+            Sought::Squeeze | Sought::Overlaps => presses(self.tried.grasp, does, self.tried.need),
             _ => Ok(Default::default()),
         }
     }
@@ -219,11 +222,12 @@ impl Found<'_, '_> {
     /// The answer with a bound, from its bracket and from amounts that are tried around it.
     fn bound(&self, mut plan: SearchPlan, bound: Threshold, look: Look) -> Result<Amount, Error> {
         let (does, does_not) = (bound.does, bound.does_not.0);
-        let is_squeeze = self.tried.need.sought == Sought::Squeeze;
-        // A larger squeeze always carries more here, but it may move the part too far. One far squeeze is tried; if it is too much, the whole range
-        // is scanned.
-        if plan.is_monotone && is_squeeze && self.scan > 0 && plan.contains(FAR_FROM_START * does) {
-            self.tries.at(FAR_FROM_START * does)?;
+        let is_squeeze = matches!(self.tried.need.sought, Sought::Squeeze | Sought::Overlaps);
+        // A larger squeeze always carries more here, but it may move the part too far. A squeeze is tried that is much larger than the least one and
+        // than the one given; if it is insufficient, the whole range is scanned.
+        let ample = FAR_FROM_START * does.max(plan.start);
+        if plan.is_monotone && is_squeeze && self.scan > 0 && plan.contains(ample) {
+            self.tries.at(ample)?;
         }
         let is_too_much = |(at, trial): &(f64, Trial)| *at > does && matches!(trial, Trial::DoesNot { .. });
         plan.is_monotone &= !plan.is_least || !self.known().iter().any(is_too_much);
@@ -264,6 +268,43 @@ impl Found<'_, '_> {
             tried,
         })
     }
+}
+
+/// The answer if proofs exclude all amounts, or all but one that suffices; `None` otherwise.
+fn by_proof(plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Amount>, Error> {
+    let only = only_amount(plan, tries)?;
+    if only.is_some() || !plan.range.is_empty {
+        return Ok(only);
+    }
+    let trial = tries.at(plan.start)?;
+    Ok(Some(nothing_does(vec![(plan.start, trial)], plan.limits, Some(&plan.range))))
+}
+
+/// The answer if proofs exclude all amounts but one, and this one suffices; `None` otherwise. The multiple 1, the amount
+/// given, is tried where this is the one up to rounding.
+fn only_amount(plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Amount>, Error> {
+    let Some(only) = plan.range.point() else { return Ok(None) };
+    let does = if (only - 1.0).abs() <= NEGLIGIBLE { 1.0 } else { only };
+    if !tries.at(does)?.does() {
+        return Ok(None);
+    }
+    let otherwise = "no forces of the contacts balance the load".to_owned();
+    let end = |way: f64| does * (1.0 + way * NEGLIGIBLE);
+    let beyond =
+        FarEnd { does, does_not: end(1.0), otherwise, presses: Vec::new(), at_their_limit: Vec::new() };
+    Ok(Some(Amount::Bound {
+        does,
+        does_not: end(-1.0),
+        otherwise: beyond.otherwise.clone(),
+        is_too_far: false,
+        unknown: None,
+        changes: 2,
+        until: Some(beyond),
+        elsewhere: Vec::new(),
+        presses: Vec::new(),
+        at_their_limit: Vec::new(),
+        tried: None,
+    }))
 }
 
 /// The bracket at the proved end of the range, where `to` is the last amount tried and all tried amounts suffice. Beyond the proved end no contact
@@ -338,27 +379,35 @@ fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], proof: Option<&Range>
 ///
 /// If without a load the contacts that are pressed by commands carry no force beyond rounding, their forces under the load at rest are returned. A
 /// contact held by a given force presses with it even if no equilibrium is known.
-fn presses(grasp: &Grasp<3>, squeeze: f64, base: Wrench<3>) -> Result<(Vec<Press>, Vec<String>), Error> {
-    let squeezed = grasp.squeezed(squeeze)?;
+fn presses(grasp: &Grasp<3>, squeeze: f64, need: &Posed) -> Result<(Vec<Press>, Vec<String>), Error> {
+    let (is_by_overlap, base) = (need.sought == Sought::Overlaps, need.base);
+    let squeezed = if is_by_overlap { grasp.with_overlaps(squeeze)? } else { grasp.squeezed(squeeze)? };
+    let nothing = NEGLIGIBLE * need.largest_force();
     let list = |force: &dyn Fn(usize) -> f64| {
         let press = |contact: &ContactPoints| {
             let points = contact.range.clone();
+            let force = points.clone().fold(0.0, |sum, point| sum + force(point));
+            let set = &squeezed.contacts()[points.clone()];
+            let overlap = set.iter().map(|point| -point.clearance).fold(0.0, f64::max);
             Press {
                 part: contact.with(points.len()),
-                force: points.clone().fold(0.0, |sum, point| sum + force(point)),
-                pressure: pressure_of_cup(&squeezed.contacts()[points.clone()]),
-                is_set: points.into_iter().any(|point| grasp.is_set_by_itself(point)),
+                force: if force.abs() <= nothing { 0.0 } else { force },
+                pressure: pressure_of_cup(set),
+                pressed_with: force_set(set).filter(|_| !is_by_overlap),
+                overlap: Some(overlap).filter(|overlap| is_by_overlap && *overlap > 0.0),
+                is_set: points.into_iter().any(|point| grasp.is_set_by_itself(point))
+                    || is_by_overlap && overlap > 0.0,
             }
         };
         mapped(grasp.engine.wholes(), &press)
     };
     let loads = [Wrench::ZERO, base];
     for load in &loads[usize::from(base == Wrench::ZERO)..] {
-        let Outcome::Equilibrium(state) = squeezed.solve(load)? else { continue };
+        // Contacts that slide at rest may have kinetic friction, which a path takes into account.
+        let Some(state) = squeezed.follow(*load, &[])?.state() else { continue };
         let presses = list(&|i| state.contacts[i].force[0]);
         let mut set = presses.iter().filter(|press| press.is_set).peekable();
-        let nothing = NEGLIGIBLE * base.force_part().norm();
-        if *load != base && set.peek().is_some() && set.all(|press| press.force <= nothing) {
+        if *load != base && set.peek().is_some() && set.all(|press| press.force <= 0.0) {
             continue;
         }
         // The drive of a contact that is held by a given force is always at its limit, so this contact is not listed.

@@ -65,6 +65,8 @@ pub(super) struct Posed {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Sought {
     Squeeze,
+    /// The squeeze where no command presses, but contacts overlap, as in a press fit.
+    Overlaps,
     /// The contact points whose coefficient is sought; `None` for all with friction.
     Friction {
         contacts: Option<Vec<usize>>,
@@ -122,14 +124,16 @@ impl Posed {
     }
 
     /// The question with the data of this grasp. The friction of a soft fingertip is set at all its points. Where no command presses, a force is
-    /// sought in place of a squeeze. It is the load of the only loaded body, or the load at rest where no body is loaded.
+    /// sought in place of a squeeze. It is the load of the only loaded body, or the load at rest where no body is loaded and no contacts overlap.
     pub(super) fn on(mut self, grasp: &Grasp<3>) -> Result<Self, Error> {
         match &mut self.sought {
             Sought::Friction { contacts: Some(contacts) } => *contacts = grasp.points_of(contacts)?,
             Sought::Squeeze if !grasp.is_squeezed() => {
                 let bodies = grasp.loaded_bodies();
                 let is_at_rest = bodies.is_empty() && self.base != Wrench::ZERO;
-                if bodies.len() == 1 || is_at_rest {
+                if bodies.len() != 1 && grasp.overlaps() {
+                    self.sought = Sought::Overlaps;
+                } else if bodies.len() == 1 || is_at_rest {
                     self.sought = Sought::Force { of: bodies.into_iter().next() };
                 }
             }
@@ -146,6 +150,25 @@ impl Posed {
             }
             _ => None,
         }
+    }
+
+    /// The largest force of the question, N: at rest, of a load, or of any direction.
+    pub(super) fn largest_force(&self) -> f64 {
+        let force = |load: &Wrench<3>| load.force_part().norm();
+        let of_loads = match &self.loads {
+            Loads::Each(list) => list.iter().map(force).fold(0.0, f64::max),
+            Loads::AnyForce { base, size, .. } => force(base).max(*size),
+            Loads::Turn(turn) => turn.parts().iter().map(force).fold(0.0, f64::max),
+        };
+        of_loads.max(force(&self.base))
+    }
+
+    /// Whether an angle in the plane is one of an anticlockwise tilt. In coordinates of the tilted grasp the load turns the other way.
+    pub(super) fn tilts_anticlockwise(&self, space: Space) -> Option<bool> {
+        let Sought::Angle { turn } = &self.sought else { return None };
+        let [_, cosine, sine] = turn.parts().map(|part| part.force_part());
+        let turns = cosine[0] * sine[1] - cosine[1] * sine[0];
+        (space == Space::Planar && turns != 0.0).then_some(turns < 0.0)
     }
 
     /// The part that exerts the sought force, with the size of that force; `None` for other quantities.
@@ -165,7 +188,7 @@ impl Posed {
 
     pub(super) fn quantity(&self) -> Quantity {
         match self.sought {
-            Sought::Squeeze => Quantity::Squeeze,
+            Sought::Squeeze | Sought::Overlaps => Quantity::Squeeze,
             Sought::Friction { .. } => Quantity::Friction,
             Sought::Load => Quantity::Load,
             Sought::Arm { .. } => Quantity::Arm,

@@ -24,6 +24,26 @@ pub struct Press {
     /// Of a suction cup: the pressure of its vacuum below that of the air around, Pa.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub pressure: Option<f64>,
+    /// The force to set for this squeeze, N: `pressed_with`, or `force`, of the contact. At rest the contact presses with another `force` where the
+    /// object gives way. `None` for suction cups, links, and contacts with a command across their normal.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub pressed_with: Option<f64>,
+    /// Of a contact that presses by its overlap, where overlaps are the squeeze: the overlap, m, which is its clearance below zero.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub overlap: Option<f64>,
+}
+
+/// The force that is set at these points of one contact, N; `None` unless it is one number.
+pub(super) fn force_set(points: &[Contact<3>]) -> Option<f64> {
+    let of_point = |point: &Contact<3>| {
+        let is_plain = point.link.is_none()
+            && point.suction == 0.0
+            && point.command[1] == 0.0
+            && point.command[2] == 0.0;
+        let pressed = point.stiffness.series()[0] * (point.command[0] - point.clearance);
+        Some(point.force.unwrap_or(pressed)).filter(|force| is_plain && *force > 0.0)
+    };
+    points.iter().map(of_point).sum()
 }
 
 /// The pressure of a suction cup's vacuum below that of the air, Pa, if these points in space form its ring-shaped lip. In the plane there is no area.
@@ -40,13 +60,20 @@ pub(super) fn pressure_of_cup(points: &[Contact<3>]) -> Option<f64> {
 }
 
 impl Press {
-    /// The force of the contact as text: "16.7 N"; of a suction cup "13.3 kPa (16.7 N)".
+    /// The force of the contact as text: "16.7 N"; of a suction cup "13.3 kPa (16.7 N)", of an overlap "0.025 mm of overlap (250 N)".
     fn in_words(&self, words: Words) -> String {
         let newtons = words.number(self.force);
-        match self.pressure {
-            Some(pressure) => format!("{} kPa ({newtons} N)", words.number(1e-3 * pressure)),
-            None => format!("{newtons} N"),
+        match (self.pressure, self.overlap) {
+            (Some(pressure), _) => format!("{} kPa ({newtons} N)", words.number(1e-3 * pressure)),
+            (None, Some(overlap)) => format!("{} of overlap ({newtons} N)", words.length(overlap)),
+            (None, None) => format!("{newtons} N"),
         }
+    }
+
+    /// Whether the force in words is a number that is set: a pressure, an overlap, or the force that is set.
+    fn names_itself(&self) -> bool {
+        let is_set = |set: f64| (set - self.force).abs() <= ALIKE_IN_WORDS * set;
+        self.pressure.is_some() || self.overlap.is_some() || self.pressed_with.is_some_and(is_set)
     }
 }
 
@@ -55,36 +82,80 @@ impl Press {
 fn pressing(presses: &[Press]) -> Vec<&Press> {
     let is_one_set = presses.iter().any(|press| press.is_set);
     let most = presses.iter().map(|press| press.force).fold(0.0, f64::max);
-    let is_meant = |press: &&Press| (press.is_set || !is_one_set) && press.force >= ALIKE_IN_WORDS * most;
+    let is_meant = |press: &&Press| {
+        (press.is_set || !is_one_set) && press.force > 0.0 && press.force >= ALIKE_IN_WORDS * most
+    };
     presses.iter().filter(is_meant).collect()
+}
+
+/// Whether a number is the same at all these contacts, to within [`ALIKE_IN_WORDS`].
+fn is_alike(presses: &[&Press], number: &dyn Fn(&Press) -> Option<f64>) -> bool {
+    let number = |press: &Press| number(press).unwrap_or(0.0);
+    let is_same = |press: &&Press, first: f64| (number(press) - first).abs() <= ALIKE_IN_WORDS * first.abs();
+    presses.first().is_some_and(|first| presses.iter().all(|press| is_same(press, number(first))))
 }
 
 /// The normal force that is the same at all pressing contacts, to within [`ALIKE_IN_WORDS`], N; `None` if forces differ.
 pub(super) fn alike(presses: &[Press]) -> Option<f64> {
     let pressing = pressing(presses);
-    let first = pressing.first()?.force;
-    pressing.iter().all(|press| (press.force - first).abs() <= ALIKE_IN_WORDS * first).then_some(first)
+    is_alike(&pressing, &|press| Some(press.force)).then(|| pressing[0].force)
 }
 
-/// The normal force that is the same at all pressing contacts, as text; `None` if forces differ.
-pub(super) fn all_alike(words: Words, presses: &[Press]) -> Option<String> {
+/// The force that is the same at all pressing contacts, as text: `name(force)`, followed by the number to set unless the force is that number:
+/// `pressed_with`, or else `times`, the multiple of the given squeeze. `None` if forces or numbers differ.
+fn all_alike(
+    words: Words,
+    presses: &[Press],
+    times: &str,
+    name: &dyn Fn(String) -> String,
+) -> Option<String> {
+    let pressing = pressing(presses);
     alike(presses)?;
-    pressing(presses).first().map(|press| press.in_words(words))
+    let is_same = is_alike(&pressing, &|press| press.pressure) && is_alike(&pressing, &|press| press.overlap);
+    let first = pressing.first().filter(|_| is_same)?;
+    let named = name(first.in_words(words));
+    Some(match first.pressed_with.filter(|_| is_alike(&pressing, &|press| press.pressed_with)) {
+        _ if pressing.iter().all(|press| press.names_itself()) => named,
+        Some(set) => format!("{named} (`pressed_with` {} N, {times})", words.number(set)),
+        None => format!("{named} ({times})"),
+    })
 }
 
-/// The forces of all pressing contacts as text: "12 N at left and right". If forces differ, each is given with its contact, followed by `times`, the
-/// multiple of the given squeeze.
+/// The force at each pressing contact as text without names, as in [`in_words`].
+pub(super) fn in_short(words: Words, presses: &[Press], times: String) -> String {
+    all_alike(words, presses, &times, &|force| force).unwrap_or(times)
+}
+
+/// The forces of all pressing contacts as text: "12 N at left and right". If forces differ, each is given with its contact. Unless the force is the
+/// number that is set, the text has that number and `times`, the multiple of the given squeeze.
 pub(super) fn in_words(words: Words, presses: &[Press], times: String) -> String {
     let pressing = pressing(presses);
     let names: Vec<_> = mapped(&pressing, &|press| press.part.text());
-    match all_alike(words, presses) {
-        Some(force) if names.len() > MOST_NAMES => format!("{force} at every contact"),
-        Some(force) => format!("{force} at {}", listed(&names)),
-        None if pressing.is_empty() || names.len() > MOST_NAMES => times,
+    let is_long = names.len() > MOST_NAMES;
+    let named = |force| {
+        let place = if is_long { "every contact".to_owned() } else { listed(&names) };
+        format!("{force} at {place}")
+    };
+    match all_alike(words, presses, &times, &named) {
+        Some(alike) => alike,
+        None if pressing.is_empty() => with_what_is_set(words, presses, times),
+        None if is_long => times,
         None => {
             let each: Vec<_> =
                 mapped(&pressing, &|press| format!("{} at {}", press.in_words(words), press.part.text()));
             format!("{} ({times})", listed(&each))
         }
+    }
+}
+
+/// The multiple `times` of the given squeeze, with the force that is set, where no contact presses at rest.
+fn with_what_is_set(words: Words, presses: &[Press], times: String) -> String {
+    let set: Vec<&Press> = presses.iter().filter(|press| press.is_set).collect();
+    match set.first().and_then(|first| first.pressed_with) {
+        Some(force) if is_alike(&set, &|press| press.pressed_with) && set.len() <= MOST_NAMES => {
+            let names: Vec<_> = mapped(&set, &|press| press.part.text());
+            format!("{times} (`pressed_with` {} N at {})", words.number(force), listed(&names))
+        }
+        _ => times,
     }
 }

@@ -10,6 +10,7 @@ use super::posed::{Posed, Safety, Sought};
 use super::tolerances::{LAST_DIGITS, SAME_COEFFICIENT};
 use crate::ask::Grasp;
 use crate::error::Error;
+use crate::numerics::tolerances::NEGLIGIBLE;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 use crate::squeeze::Loads;
@@ -23,6 +24,8 @@ pub(super) struct Range {
     pub(super) is_empty: bool,
     /// Whether the range is empty because no contact forces balance the load at rest alone.
     pub(super) is_empty_at_rest: bool,
+    /// The single amount that proofs leave, if they exclude all others.
+    only: Option<f64>,
     /// For friction only: an estimate of the lower end by secants, which is more accurate than the proved end.
     pub(super) likely: Option<f64>,
 }
@@ -35,8 +38,14 @@ impl Range {
         safety: Safety,
         [least, most]: [f64; 2],
     ) -> Result<Self, Error> {
-        let mut range =
-            Self { low: None, high: None, is_empty: false, is_empty_at_rest: false, likely: None };
+        let mut range = Self {
+            low: None,
+            high: None,
+            is_empty: false,
+            is_empty_at_rest: false,
+            only: None,
+            likely: None,
+        };
         let loading = |amount: f64| Loading::of(grasp, need, amount, safety);
         match need.sought {
             Sought::Angle { .. } => {}
@@ -54,6 +63,15 @@ impl Range {
             }
         }
         Ok(range)
+    }
+
+    /// The single amount in this range, up to rounding; `None` if there are more or none.
+    pub(super) fn point(&self) -> Option<f64> {
+        match (self.low, self.high) {
+            _ if self.is_empty => self.only,
+            (Some(low), Some(high)) if high - low <= NEGLIGIBLE * high => Some(0.5 * (low + high)),
+            _ => None,
+        }
     }
 
     /// Moves one end of the range inwards (the lower one if `up`), as far as proofs exclude amounts that leave the load of index `which` unbalanced.
@@ -79,6 +97,9 @@ impl Range {
             let (work, beyond) = (works(&here)?, works(&there)?);
             // The load works along the motion at both ends of the range, so no contact forces balance it at any amount between them.
             if beyond >= 0.0 || at == end {
+                // Proofs from both sides may exclude one amount by rounding only.
+                let root = at + (end - at) * (work / (work - beyond));
+                self.only = (at == end || (root - end).abs() <= NEGLIGIBLE * end).then_some(end);
                 self.is_empty = true;
                 return Ok(());
             }

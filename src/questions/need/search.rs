@@ -25,6 +25,8 @@ pub(super) struct Tries<'t> {
     pub(super) rests_otherwise: &'t dyn Fn(f64, f64) -> bool,
     /// An estimate of the amount, between a sufficient and an insufficient one, at which the first contact at rest changes its state.
     pub(super) rest_ends: &'t dyn Fn(f64, f64) -> Option<f64>,
+    /// Whether full trials may find directions of a force that later quick trials include.
+    pub(super) learns: bool,
     /// Whether the grasp is planar. Contact states then change at amounts that are exact to rounding.
     pub(super) is_planar: bool,
 }

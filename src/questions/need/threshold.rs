@@ -36,8 +36,29 @@ impl Threshold {
         does: [Option<f64>; 2],
         enough: Enough,
     ) -> Result<Self, Error> {
-        let presumed = self.clone().by(tries, true, (does, enough))?;
-        let (here, beside) = (tries.at(presumed.does)?, presumed.does_not.0);
+        let mut presumed = self.clone().by(tries, true, (does, enough))?;
+        let mut here = tries.at(presumed.does)?;
+        // A full trial may find a weaker direction of a force, which later quick trials include. Such directions differ less and less. So an
+        // amount that is easier by 1e-6 is tried, too.
+        let mut enough = enough;
+        for _ in 0..6 {
+            if !tries.learns || !matches!(here, Trial::DoesNot { .. }) {
+                break;
+            }
+            (self.does_not, enough) = ((presumed.does, here), WHERE_DIRECTIONS_ARE_FOUND);
+            let easier =
+                presumed.does + (self.does - presumed.does).signum() * AT_A_JUMP * presumed.does.abs();
+            if (easier - presumed.does).abs() >= (self.does - presumed.does).abs() {
+                return Ok(self);
+            }
+            if tries.at(easier)?.does() {
+                self.does = easier;
+                return Ok(self);
+            }
+            presumed = self.clone().by(tries, true, (does, enough))?;
+            here = tries.at(presumed.does)?;
+        }
+        let beside = presumed.does_not.0;
         if !here.does() {
             return self.by(tries, false, (does, enough));
         }
@@ -320,6 +341,10 @@ fn signs_differ(sides: &[Side; 2], which: usize) -> Option<[f64; 2]> {
 /// If smaller, the enumeration of contact states takes longer, or is undecided. If larger, the insufficient amount of the answer is farther from the
 /// bound than necessary.
 const APART_WHERE_HARD: [f64; 3] = [1e-5, 1e-3, 1e-1];
+
+/// The width at which a bracket is narrow enough while weaker directions of a force are found. If narrower, trials are spent on directions that do not
+/// decide; if wider, the width shows in the answer.
+const WHERE_DIRECTIONS_ARE_FOUND: Enough = &[(0, AT_A_JUMP)];
 
 /// Relative distances from the bound of the sufficient amounts for full trials in the plane, and in space if quick trials are decided beside the
 /// bound.

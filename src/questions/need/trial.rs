@@ -1,5 +1,7 @@
 //! The trial of one amount: whether the grasp meets the demand with it, and the distance to the bound of the sufficient amounts.
 
+use core::cell::{Cell, RefCell};
+
 use super::question::Demand;
 use crate::hold::AtRest;
 use crate::prelude::*;
@@ -123,5 +125,24 @@ impl Trials {
     pub(super) fn only(demand: Demand, trial: Trial) -> Self {
         let (held, sticks) = if demand == Demand::Sticks { (None, Some(trial)) } else { (Some(trial), None) };
         Self { held, sticks, at_rest: None }
+    }
+}
+
+/// The loads that refuted earlier amounts. As a rule the same load refutes the next amount, so it is applied first.
+#[derive(Debug, Default)]
+pub(super) struct Refuting {
+    /// Index of the load that refuted the last insufficient amount, or was carried least with the last sufficient one.
+    pub(super) first: Cell<usize>,
+    /// Directions of a force of any direction that refuted an amount, or were carried least. Quick trials are confined to them.
+    pub(super) directions: RefCell<Vec<[f64; 3]>>,
+}
+
+impl Refuting {
+    /// Puts a direction first. The list keeps the last six, so that it takes a small part of the time of all directions.
+    pub(super) fn add(&self, direction: [f64; 3]) {
+        let mut list = self.directions.borrow_mut();
+        list.retain(|other| *other != direction);
+        list.insert(0, direction);
+        list.truncate(6);
     }
 }

@@ -10,7 +10,7 @@ use super::range::Range;
 use super::search::{Guess, SearchPlan};
 use super::threshold::where_it_vanishes;
 use super::tolerances::{APART_IN_A_SCAN, EXACT, EXACT_IN_SPACE, MOST_LOADS, SECOND};
-use super::trial::{Trial, Trials};
+use super::trial::{Refuting, Trial, Trials};
 use crate::ask::Grasp;
 use crate::contact::State;
 use crate::error::Error;
@@ -42,15 +42,13 @@ pub(super) struct Tried<'q> {
     known: RefCell<Vec<(f64, Trials)>>,
     /// Results of quick trials, which leave out the enumeration of many contact states.
     quick: RefCell<Vec<(f64, Trials)>>,
-    /// Index of the load that refuted the last insufficient amount, or was carried least with the last sufficient one; the next trial applies this
-    /// load first.
-    first: Cell<usize>,
+    refuting: Refuting,
     /// The range of amounts outside which proofs exclude all amounts; computed by the first search and shared by all.
     range: Cell<Option<Range>>,
 }
 
 impl<'q> Tried<'q> {
-    pub(super) const fn new(grasp: &'q Grasp<3>, need: &'q Posed, safety: Safety, start: f64) -> Self {
+    pub(super) fn new(grasp: &'q Grasp<3>, need: &'q Posed, safety: Safety, start: f64) -> Self {
         Self {
             grasp,
             need,
@@ -58,7 +56,7 @@ impl<'q> Tried<'q> {
             start,
             known: RefCell::new(Vec::new()),
             quick: RefCell::new(Vec::new()),
-            first: Cell::new(0),
+            refuting: Refuting::default(),
             range: Cell::new(None),
         }
     }
@@ -82,11 +80,11 @@ impl<'q> Tried<'q> {
         if short {
             loading.extent = Extent::Decided;
         }
-        let mut trials = loading.put_on(demand, &self.first)?;
+        let mut trials = self.put_on(&loading, demand)?;
         // Where no search decides about a rest, the path of the load at rest from zero may.
         if short && trials.of(demand).is_none_or(|trial| trial.carried().is_none()) {
             loading.extent = Extent::Measured;
-            trials = loading.put_on(demand, &self.first)?;
+            trials = self.put_on(&loading, demand)?;
         }
         Ok(kept(&self.known, amount, trials, demand))
     }
@@ -98,8 +96,18 @@ impl<'q> Tried<'q> {
             return Ok(trial);
         }
         let loading = self.loading(amount, short)?.quick(self.rests_near(amount));
-        let trials = loading.put_on(demand, &self.first)?;
+        let trials = self.put_on(&loading, demand)?;
         Ok(kept(&self.quick, amount, trials, demand))
+    }
+
+    fn put_on(&self, loading: &Loading, demand: Demand) -> Result<Trials, Error> {
+        let before = self.refuting.directions.borrow().clone();
+        let trials = loading.put_on(demand, &self.refuting)?;
+        // Earlier quick trials did not include a direction that is found now.
+        if self.refuting.directions.borrow().iter().any(|direction| !before.contains(direction)) {
+            self.quick.borrow_mut().clear();
+        }
+        Ok(trials)
     }
 
     fn loading(&self, amount: f64, short: bool) -> Result<Loading, Error> {
@@ -179,11 +187,13 @@ impl<'q> Tried<'q> {
             // A load is put on from rest, so a path to a larger load has passed all smaller ones.
             Sought::Load | Sought::Angle { .. } => true,
             Sought::Squeeze => grasp.is_proportional() && need.base == Wrench::ZERO,
-            Sought::Friction { .. } | Sought::Arm { .. } | Sought::Force { .. } => false,
+            Sought::Friction { .. } | Sought::Arm { .. } | Sought::Force { .. } | Sought::Overlaps => false,
         };
         let guess = match need.sought {
             Sought::Load | Sought::Angle { .. } => Guess::Times,
-            Sought::Squeeze | Sought::Friction { .. } | Sought::Force { .. } => Guess::Divided,
+            Sought::Squeeze | Sought::Overlaps | Sought::Friction { .. } | Sought::Force { .. } => {
+                Guess::Divided
+            }
             Sought::Arm { .. } => Guess::Nothing,
         };
         let range = match self.range.get() {

@@ -45,9 +45,13 @@ impl Needed {
             Amount::None { otherwise, .. } if self.quantity == Quantity::Angle => {
                 write!(f, "NO angle does, since it does not hold before it turns: {otherwise}")
             }
-            Amount::None { otherwise, .. } => {
+            Amount::None { otherwise, best, .. } => {
                 self.none(f)?;
-                write!(f, ": {otherwise}")
+                if otherwise.is_empty() {
+                    return Ok(());
+                }
+                let best = self.much(Words::of(f), *best, &[]);
+                write!(f, ". With {}: {otherwise}", best.trim_end_matches(','))
             }
             Amount::Undecided { at, doubt } => {
                 write!(f, "UNDECIDED at {}: {doubt}", self.much(Words::of(f), *at, &[]))
@@ -85,6 +89,9 @@ impl Needed {
             return Ok(());
         };
         let (words, is_least, aim) = (Words::of(f), self.quantity.is_least(), self.aim());
+        if until.as_ref().is_some_and(|end| end.does == *does) {
+            return self.only(f, *does, otherwise);
+        }
         let much = self.much(words, *does, presses);
         let ends_small_motions = self.ends_small_motions(self.demand, *is_too_far);
         match until {
@@ -139,23 +146,35 @@ impl Needed {
         self.amounts_tried(f, tried)
     }
 
-    /// Writes that no amount suffices, with the proof or the range of amounts tried, and the amount with which most of the load is carried.
+    /// Writes that one amount suffices, and no other.
+    fn only(&self, f: &mut fmt::Formatter<'_>, does: f64, otherwise: &str) -> fmt::Result {
+        let much = self.much(Words::of(f), does, &[]);
+        write!(f, "ONLY {} does", much.trim_end_matches(','))?;
+        if does == 1.0 && self.quantity != Quantity::Friction {
+            f.write_str(", as given")?;
+        }
+        if let Some(Amount::Bound { .. }) = self.sticks {
+            f.write_str(", and nothing slides")?;
+        }
+        write!(f, ". With more or less {otherwise}")?;
+        self.safe_amount(f, (does, &[]), false)
+    }
+
+    /// Writes that no amount suffices, with the proof or the range of amounts tried.
     fn none(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, what) = (Words::of(f), self.quantity);
-        let Amount::None { from, to, best, tried, is_proved, at_rest, .. } = &self.amount else {
+        let Amount::None { from, to, tried, is_proved, at_rest, .. } = &self.amount else {
             return Ok(());
         };
         let range = self.range(words, roughly(*from, true), roughly(*to, false));
         if *at_rest {
             let why = "no forces of the contacts balance the load at rest alone, before the rest is put on";
-            write!(f, "NO {what} does: {why}")?;
+            write!(f, "NO {what} does: {why}")
         } else if *is_proved {
-            write!(f, "NO {what} does, from {range}: no forces of the contacts balance the load with any")?;
+            write!(f, "NO {what} does, from {range}: no forces of the contacts balance the load with any")
         } else {
-            write!(f, "NO {what} that was tried does, of {tried} from {range}")?;
+            write!(f, "NO {what} that was tried does, of {tried} from {range}")
         }
-        let best = self.much(words, *best, &[]);
-        write!(f, ". With {}", best.trim_end_matches(','))
     }
 
     /// Whether a squeeze is sought in a grasp in which no command presses.
@@ -344,8 +363,10 @@ impl Amount {
         } else {
             AmountWindow { from: far, to: near }
         };
-        let is_in =
-            |amount: f64| own.contains(amount) || elsewhere.iter().any(|window| window.contains(amount));
-        [amount, amount * (1.0 + ALIKE_IN_WORDS), amount * (1.0 - ALIKE_IN_WORDS)].into_iter().any(is_in)
+        let [least, most] = [amount * (1.0 - ALIKE_IN_WORDS), amount * (1.0 + ALIKE_IN_WORDS)];
+        let is_in = |window: &AmountWindow| {
+            window.from.is_none_or(|from| from <= most) && window.to.is_none_or(|to| least <= to)
+        };
+        is_in(&own) || elsewhere.iter().any(is_in)
     }
 }

@@ -23,6 +23,7 @@
 //! | `least_onset` | the least load factor at which a contact stops sticking, within these bounds |
 
 mod face;
+mod farthest_direction;
 mod least_squeeze;
 mod loads;
 mod parts;
