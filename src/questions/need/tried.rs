@@ -19,6 +19,7 @@ use crate::hold::{AtRest, Extent};
 use crate::numerics::{Space, mapped, picked};
 use crate::object::uses_band;
 use crate::prelude::*;
+use crate::squeeze::Loads;
 
 /// The extent of a search for sufficient amounts.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,9 +67,11 @@ impl<'q> Tried<'q> {
         if let Some(trial) = of(&self.known, amount, demand) {
             return Ok(trial);
         }
-        // A sufficient quick trial has the verdict of a whole one, unless its search for a rest began elsewhere.
+        // A sufficient quick trial has the verdict of a whole one, unless its search for a rest began elsewhere, or directions between those of a force
+        // of any direction are left out.
         if demand == Demand::Held
             && !uses_band(self.grasp.engine.size())
+            && !matches!(self.need.loads, Loads::AnyForce { .. })
             && let Some(trial) = of(&self.quick, amount, demand).filter(Trial::does)
         {
             let quick =

@@ -89,7 +89,8 @@ impl Needed {
             return Ok(());
         };
         let (words, is_least, aim) = (Words::of(f), self.quantity.is_least(), self.aim());
-        if until.as_ref().is_some_and(|end| end.does == *does) {
+        // A bound that was searched for has the amounts that were tried beside it; one that proofs leave has none.
+        if tried.is_none() && until.as_ref().is_some_and(|end| end.does == *does) {
             return self.only(f, *does, otherwise);
         }
         let much = self.much(words, *does, presses);
