@@ -60,7 +60,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need tray.json
-//! TAKES 21.8014° and holds, 17.5855° and nothing slides. It takes 19.7989° if friction is 10 % less. With more: it is lost at 21.8014°
+//! TAKES 21.8014° anticlockwise and holds, 17.5855° and nothing slides. It takes 19.7989° if friction is 10 % less. With more: it is lost at 21.8014°
 //! ```
 //!
 //! All weights turn together. The stack slides on the tray at tan θ = 0.4, before its upper box slides or tips.

@@ -3,8 +3,8 @@
 mod both_sides;
 mod brute_force;
 mod closed_forms;
-mod finds;
 mod installed;
+mod once_misleading;
 mod reasons;
 mod repeated;
 mod said_in_full;

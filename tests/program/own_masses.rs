@@ -22,7 +22,7 @@ fn refused(arguments: &[&str]) -> String {
 #[test]
 fn of_their_own_weight() {
     let tilted = told(&["need", "-", "angle", "--may-slide"]);
-    assert!(tilted.contains("TAKES 21.8014° and holds, 18.4349° "), "{tilted}");
+    assert!(tilted.contains("TAKES 21.8014° anticlockwise and holds, 18.4349° "), "{tilted}");
     let turned = told(&["turn", "-"]);
     assert!(turned.starts_with("FIRST SLIP at 18.4349°: ") && turned.contains("from (0, -10) N"), "{turned}");
     let accelerated = told(&["hold", "-", "--acceleration", "2,0"]);

@@ -33,6 +33,9 @@ impl<const C: usize> Setup<C> {
     }
 
     /// The answer to every question, in order. `words` is the form of the numbers in sentences.
+    ///
+    /// # Errors
+    /// As for [`Self::answers`].
     pub fn answers_in(&self, words: Words) -> Result<Vec<Answer<C>>, Error> {
         inside(self).answered(words).map(outside)
     }

@@ -94,7 +94,7 @@ impl<'g> Shaking<'g, '_> {
             self.followed += 1;
             self.cycles_gone += 1;
             let next = Cycle::next(self.engine, &mut self.cycles);
-            self.note_how_far(&self.cycles.too_far());
+            self.note_how_far(self.cycles.too_far());
             let Some(cycle) = next else {
                 let repeats = self.repeats_at_end(self.cycles_gone);
                 return walked_out.unwrap_or_else(|| self.answer(repeats, (change, 0.0), None));
@@ -219,7 +219,7 @@ impl<'g> Shaking<'g, '_> {
         self.followed += 1;
         let there = recurrence.fixed_point().filter(|_| recurrence.ratio() < 1.0)?;
         let (limit, cycles) = Cycle::beginning_at(self.engine, &self.cycles, &there, self.settings)?;
-        self.note_how_far(&cycles.too_far());
+        self.note_how_far(cycles.too_far());
         // If friction falls once contacts slide, events at the limit may differ from those just before the limit. The cycle at the limit then does
         // not show the behaviour of the grasp.
         let happens_there = limit.from.weaker.is_empty() || limit.record.is_like(&last.record);
@@ -233,10 +233,8 @@ impl<'g> Shaking<'g, '_> {
         cycle.walks() && self.moves(&self.rest, &cycle.to).iter().any(is_out)
     }
 
-    fn note_how_far(&mut self, too_far: &Option<TooFar>) {
-        if self.too_far.is_none() {
-            self.too_far.clone_from(too_far);
-        }
+    fn note_how_far(&mut self, too_far: Option<TooFar>) {
+        self.too_far = self.too_far.take().or(too_far);
     }
 
     fn note(&mut self, cycle: &Cycle) {

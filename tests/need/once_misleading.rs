@@ -197,9 +197,9 @@ fn the_upper_end_beyond_the_squeeze_given() -> Tested {
     ])?;
     let load = planar::Wrench::force([0.0, 1.0]);
     let needed = grasp.need(&Need::squeeze(load).if_lower_by(0.0, 0.0))?;
-    let until = match &needed.amount {
-        Amount::Bound { until: Some(end), .. } | Amount::Any { until: Some(end), .. } => end,
-        _ => panic!("{needed}"),
+    let (Amount::Bound { until: Some(until), .. } | Amount::Any { until: Some(until), .. }) = &needed.amount
+    else {
+        panic!("{needed}")
     };
     for (squeeze, holds) in [(until.does, true), (until.does_not, false)] {
         assert_eq!(grasp.squeezed(squeeze)?.hold(load)?.holds(), Some(holds), "{needed}");
