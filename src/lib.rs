@@ -51,7 +51,7 @@
 //! | [`shake`] | loads that repeat: rest, alternating slip, slip that accumulates (walking), or loss |
 //! | [`identify`] | friction, loads of supports, squeeze and stiffness from observed slips, with their errors |
 //! | [`improve`] | finger places on given surfaces, and squeezes, with the latest first slip |
-//! | [`squeeze`] | the least squeeze for a set of loads, the weakest direction, and the least first slip within error bounds |
+//! | [`squeeze`] | the least squeeze for a set of loads, and the weakest direction |
 //! | [`statics`] | force closure and form closure: which loads contact forces could balance |
 //! | [`energy`] | the quadratic program of the paper (minimum energy), and its comparison with the complementarity problem |
 //! | [`sweep`] | the same question for many grasps or loads, in parallel (feature `parallel`, on by default); grasps with uncertain data |

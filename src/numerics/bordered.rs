@@ -1,13 +1,12 @@
 //! The balance of the object, bordered by one row and one column: that of the arclength of a path.
 //!
 //! ```text
-//! T y  + c₀ z₀ = …      balance
-//! gᵀy  + γ  z₀ = …      the complementary pair without a basic variable
+//! T y  + c z = …      balance
+//! gᵀy  + γ z = …      arclength
 //! ```
 //!
-//! T is the stiffness of the object's balance for motions y, and c₀ the column of Lemke's covering variable z₀. The border row (gᵀ, γ) belongs to the
-//! complementary pair that has no variable in the basis. Steps along load paths solve the same system, with the load factor as z₀. T alone may become
-//! singular along a path of pivots, but the bordered matrix of an exact basis is regular.
+//! T is the stiffness of the object's balance for motions y, and c the column of the load factor z. T alone becomes singular at a fold of the path, where
+//! the bordered matrix is regular.
 
 use super::coordinates::{Indices, Square, Vector};
 use crate::numerics::Each;

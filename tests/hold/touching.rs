@@ -1,7 +1,7 @@
 //! A contact without force that the load does not press is reported as touching, neither as sticking nor as sliding. So the verdict does not depend
 //! on rounding.
 
-use grasp_lcp::equilibrium::ContactState;
+use grasp_lcp::equilibrium::{ContactAnswer, ContactState};
 use grasp_lcp::hold::Holding;
 use grasp_lcp::spatial::{Contact, Grasp, Ramp, Wrench};
 use grasp_lcp::{Error, planar};
@@ -82,10 +82,10 @@ fn jaws_hold_beside_stops_that_just_touch() -> Result<(), Error> {
     let mut random = seeded(21);
     for _ in 0..samples(300) {
         let stiffness = |random: &mut Random| {
-            let mut of = |all: [f64; 3]| all[(3.0 * random.uniform()) as usize];
+            let mut of = |all: [f64; 3]| all[random.index(0, 2)];
             [of([1e3, 2e4, 1e5]), of([1e3, 8e3, 2e4])]
         };
-        let press = [3.0, 5.0, 10.0, 25.0][(4.0 * random.uniform()) as usize];
+        let press = [3.0, 5.0, 10.0, 25.0][random.index(0, 3)];
         let mut touching = |point: [f64; 2], normal: [f64; 2]| {
             let [k, kt] = stiffness(&mut random);
             planar::Contact::new(point, normal).series_stiffness(k, kt).friction(0.5)
@@ -96,7 +96,7 @@ fn jaws_hold_beside_stops_that_just_touch() -> Result<(), Error> {
         contacts.push(touching([0.0, -0.05], [0.0, 1.0]));
         let rest = planar::Grasp::new(contacts)?.solve(planar::Wrench::ZERO)?;
         let rest = rest.equilibrium().unwrap_or_else(|| panic!("{rest}"));
-        let forces: Vec<f64> = rest.contacts.iter().map(|contact| contact.normal_force()).collect();
+        let forces: Vec<f64> = rest.contacts.iter().map(ContactAnswer::normal_force).collect();
         for (force, exact) in forces.iter().zip([press, 0.0, press, 0.0]) {
             assert!((force - exact).abs() < 1e-12 * press, "{forces:?}");
         }

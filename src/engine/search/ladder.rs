@@ -217,9 +217,8 @@ fn separating_motion_of_few(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attemp
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
 }
 
-/// Lemke's method on the kinematic form. With many coordinates it pivots first on the contacts that leave the elastic trial, then on a dense matrix.
-/// The solver `structured`, which pivots on lists of contact states, then serves only if the matrix is too large. With few coordinates `structured`
-/// comes first, since its pivot costs a few operations per contact. Forms in which infinite friction has facets are tried last.
+/// Lemke's method on the kinematic form. With many coordinates it pivots first on the contacts that leave the elastic trial, then on the matrix of all
+/// contacts if that is affordable. The form with facets for infinite friction is tried last.
 fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     let of_the_leaving = |problem: &Problem, log: &mut Log| propose_of_the_leaving(scene, problem, log);
     let on_a_matrix = |problem: &Problem, log: &mut Log| {

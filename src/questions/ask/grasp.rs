@@ -36,7 +36,7 @@ use crate::prelude::*;
 /// | friction, squeeze, stiffness and loads of supports, from observed slips | [`identify`](Self::identify) |
 /// | the direction in which the least force makes a contact stop sticking | [`weakest_direction`](Self::weakest_direction) |
 /// | how an answer changes with the data | [`sensitivity`](crate::ask::Sensitivity::of) |
-/// | the load at first slip where data are uncertain | [`reserve`](Self::reserve), [`least_onset_within`](Self::least_onset_within) |
+/// | the load at first slip where data are uncertain | [`reserve`](Self::reserve) |
 /// | whether any contact forces could balance a load | [`statics`](Self::statics) |
 /// | all equilibria under a load, the error of one | [`equilibria`](Self::equilibria), [`accuracy`](Self::accuracy), [`distinct`](Self::distinct) |
 /// | many loads, each on a grasp of its own; many questions on all cores | [`hold_batch`](Self::hold_batch), [`need_batch`](Self::need_batch); [`sweep`](crate::sweep) |

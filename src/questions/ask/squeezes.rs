@@ -1,4 +1,4 @@
-//! The least factor of the commands that suffices, the least load factor at first slip within bounds of the data, and the weakest direction.
+//! The least factor of the commands that suffices, and the weakest direction.
 
 use super::grasp::Grasp;
 use crate::error::Error;

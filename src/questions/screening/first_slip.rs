@@ -1,4 +1,4 @@
-//! The first slip of one grasp: a load factor or an angle, or a code for the lack of one, and its verdict.
+//! The first slip of one grasp: a load factor, or a code for the lack of one, and its verdict.
 
 use core::fmt;
 
@@ -8,9 +8,9 @@ use crate::prelude::*;
 /// The first slip of one grasp, or the lack of one, as two numbers, so that kernels can select among answers without a branch.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct SlipCode {
-    /// The load factor or the angle (rad) of first slip, infinite if no contact leaves, or one of the codes below.
+    /// The load factor at first slip, infinite if no contact leaves, or one of the codes below.
     pub(super) code: f64,
-    /// Sum of 2^i over the contacts i that leave at this load factor or angle. A soft fingertip counts as one contact.
+    /// Sum of 2^i over the contacts i that leave at this load factor. A soft fingertip counts as one contact.
     pub(super) leaving: f64,
 }
 
@@ -21,7 +21,7 @@ pub(super) const GIVES_WAY: f64 = -2.0;
 /// The value of [`SlipCode::code`] for [`ScreeningVerdict::Unclear`]; NaN has the same meaning.
 pub(super) const UNCLEAR: f64 = -3.0;
 
-/// How the screening of one grasp under one growing or turning load ended.
+/// How the screening of one grasp under one growing load ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum ScreeningVerdict {
@@ -32,10 +32,9 @@ pub enum ScreeningVerdict {
     /// Not every contact sticks at load factor zero: one would slide or be open, or there may be no equilibrium.
     /// [`Grasp::onset`](crate::ask::Grasp::onset) decides which.
     NotSticking,
-    /// The base load or the growing load, or a term of a turning load, works on a motion that no contact resists.
+    /// The base load or the growing load works on a motion that no contact resists.
     GivesWay,
-    /// Screening cannot decide, because of rounding or missing friction. [`Grasp::onset`](crate::ask::Grasp::onset) or
-    /// [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn) can.
+    /// Screening cannot decide, because of rounding or missing friction. [`Grasp::onset`](crate::ask::Grasp::onset) can.
     ///
     /// * A contact is within rounding of the edge of its cone at load factor zero.
     /// * A margin closes so slowly that rounding would show in the load factor.

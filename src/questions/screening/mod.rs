@@ -7,7 +7,6 @@
 //! | question | type | answer | method for unclear cases |
 //! |---|---|---|---|
 //! | At which factor of a growing load does the first contact stop sticking? | [`Pull`] | [`Screened`] | [`Grasp::onset`] |
-//! | At which angle of a turning load does the first contact stop sticking? | [`TurningPull`] | [`ScreenedTurn`] | [`Grasp::onset_of_turn`] |
 //! | Which least squeeze makes all contacts stick under each load of a list? | [`LoadCases`] | [`ScreenedSqueeze`] | [`Grasp::least_squeeze`] |
 //!
 //! ```text
@@ -21,13 +20,12 @@
 //! In a control loop [`Fingers::watch`] takes measured contact forces. It returns their margins, the first slip under a load to come, and the extra
 //! squeeze that this load needs.
 //!
-//! [`Grasp::onset`] and the other two methods of the table agree with screening wherever every contact sticks at the start and the numbers are not
+//! [`Grasp::onset`] and the other method of the table agree with screening wherever every contact sticks at the start and the numbers are not
 //! extreme. Elsewhere the verdict of screening says why there is no number ([`ScreeningVerdict`], [`SqueezeVerdict`]). Screening does not follow the
 //! grasp beyond the first slip.
 //!
 //! One grasp at a time: [`Fingers`]. Many grasps under common loads: [`Batch`]; with soft fingertips or more than five contacts: [`PointBatch`]. On
-//! all cores: [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch), [`sweep::turn_onsets_of_batch`](crate::sweep::turn_onsets_of_batch) and
-//! [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch).
+//! all cores: [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch) and [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch).
 //!
 //! In the code a *scene* is one grasp, a *lane* its place in a vector register, and a *block* as many scenes as there are lanes.
 //!

@@ -1,4 +1,4 @@
-//! The answers of screening for one grasp under a load that grows or turns.
+//! The answer of screening for one grasp under a load that grows.
 
 use core::fmt;
 

@@ -1,5 +1,4 @@
-//! The least sufficient squeeze, the weakest direction, and the least load factor at first slip within bounds of the data, all computed without
-//! sampling.
+//! The least sufficient squeeze and the weakest direction, both computed without sampling.
 //!
 //! While all contacts stick, forces are linear in the load and in the commands. The condition of a contact is `a·F >= 0` for each facet of its cone.
 //! The round cone has a facet `a = (μ, -cos φ, -sin φ)` at every angle φ. So the force of size r through a point that lowers `a·F` most is known for
@@ -19,8 +18,7 @@
 //! | `parts` | the condition `a·F >= 0` that is broken most under these loads at a given squeeze factor |
 //! | `least_squeeze` | the least factor of the commands with which all contacts stick |
 //! | `weakest_direction` | the least force, over all directions, at which a contact stops sticking |
-//! | `bounds` | bounds of the errors of commands and loads |
-//! | `least_onset` | the least load factor at which a contact stops sticking, within these bounds |
+//! | `farthest_direction` | the least force, over all directions, that moves the object beyond small motions while all contacts stick |
 
 mod face;
 mod farthest_direction;
