@@ -65,7 +65,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need tool.json squeeze --base 0,-5.886 --at=-0.05,0 --force 35,0 --repeats
-//! NEEDS 40.4707 N at palm, 13.4902 N at index, 13.4902 N at middle and 13.4902 N at little (0.674512 times the squeeze given) so that it comes to rest however often the load is put on, 1.14799 times as much if friction is 10 % less and the squeeze is 5 % less. With less: SLIDES TO AND FRO: index slides by up to 4.70665e-8 mm in every cycle, which takes 1.66189e-10 J; the object stays. Good for slow shaking: inertia acts only as far as the loads contain it. CAUTION: palm slips by more than 2.5 mm: results for small motions no longer apply. Tried were 10 amounts from 0.2 to 10 times the squeeze given
+//! NEEDS 41.0639 N at palm, 13.688 N at index, 13.688 N at middle and 13.688 N at little (0.684398 times the squeeze given) so that it comes to rest however often the load is put on, 1.16794 times as much if friction is 10 % less and the squeeze is 5 % less. With less: GOES TOO FAR in a cycle: palm slips by more than 2.5 mm: results for small motions no longer apply. Tried were 10 amounts from 0.2 to 10 times the squeeze given
 //! ```
 //!
 //! # Could it come to rest at all?

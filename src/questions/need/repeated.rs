@@ -23,7 +23,10 @@ impl Loading {
         let shaken = self.grasp.shake(base, &legs)?;
         let does = if demand == Demand::Rests { shaken.rests() } else { shaken.stays() };
         // Beyond small motions nothing is known to rest or to stay.
-        let does = if shaken.too_far.is_some() { does.map(|_| false) } else { does };
+        if let Some(far) = shaken.too_far.as_ref().filter(|_| does == Some(true)) {
+            let says = format!("GOES TOO FAR in a cycle: {}", far.caution(self.words));
+            return Ok(Trial::does_not(says, carried(&shaken, legs.len())));
+        }
         Ok(match does {
             Some(true) => Trial::always(),
             Some(false) => Trial::does_not(self.said(&shaken), carried(&shaken, legs.len())),
