@@ -49,7 +49,7 @@ macro_rules! float_functions {
 }
 
 float_functions! {
-    sqrt = sqrt, sin = sin, cos = cos, tan = tan, asin = asin, acos = acos, atan = atan, exp = exp, exp2 = exp2, exp_m1 = expm1,
+    sqrt = sqrt, sin = sin, cos = cos, tan = tan, asin = asin, atan = atan, exp = exp, exp2 = exp2, exp_m1 = expm1,
     ln = log, ln_1p = log1p, log2 = log2, log10 = log10, floor = floor, ceil = ceil, round = round;
     hypot = hypot, atan2 = atan2, powf = pow
 }
@@ -82,7 +82,7 @@ mod tests {
     #[test]
     fn functions_agree_with_those_of_std() {
         agree!(sqrt from 0.0 to 1e9, sin from -7.0 to 7.0, cos from -7.0 to 7.0, tan from -1.5 to 1.5, asin from -1.0 to 1.0);
-        agree!(acos from -1.0 to 1.0, atan from -9.0 to 9.0, exp from -30.0 to 30.0, exp2 from -40.0 to 40.0, exp_m1 from -1.0 to 1.0);
+        agree!(atan from -9.0 to 9.0, exp from -30.0 to 30.0, exp2 from -40.0 to 40.0, exp_m1 from -1.0 to 1.0);
         agree!(ln from 0.001 to 90.0, ln_1p from -0.9 to 9.0, log2 from 0.001 to 90.0, log10 from 0.001 to 90.0);
         agree!(floor from -9.0 to 9.0, ceil from -9.0 to 9.0, round from -9.0 to 9.0);
         for x in numbers(-9.0, 9.0) {
