@@ -47,6 +47,8 @@ mod loading;
 mod needed;
 mod posed;
 mod press;
+mod pressed_at_rest;
+mod proved;
 mod question;
 mod range;
 mod repeated;

@@ -3,7 +3,9 @@
 use super::answer::{Amount, FarEnd, Needed, Quantity};
 use super::around::{Around, between_states};
 use super::posed::{Posed, Safety, Sought};
-use super::press::{Press, force_set, pressure_of_cup};
+use super::press::Press;
+use super::pressed_at_rest::presses;
+use super::proved::{at_proved_end, by_proof};
 use super::question::{Demand, Need};
 use super::range::Range;
 use super::search::{SearchPlan, Searched, Tries, search};
@@ -12,11 +14,9 @@ use super::tolerances::FAR_FROM_START;
 use super::trial::Trial;
 use super::tried::{Look, Tried};
 use crate::ask::Grasp;
-use crate::equilibrium::DriveState;
 use crate::error::Error;
-use crate::grasp::{ContactPoints, Wrench, inside};
-use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Space, largest, mapped};
+use crate::grasp::inside;
+use crate::numerics::{Space, largest};
 use crate::prelude::*;
 use crate::squeeze::Loads;
 
@@ -270,55 +270,6 @@ impl Found<'_, '_> {
     }
 }
 
-/// The answer if proofs exclude all amounts, or all but one that suffices; `None` otherwise.
-fn by_proof(plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Amount>, Error> {
-    let only = only_amount(plan, tries)?;
-    if only.is_some() || !plan.range.is_empty {
-        return Ok(only);
-    }
-    let trial = tries.at(plan.start)?;
-    Ok(Some(nothing_does(vec![(plan.start, trial)], plan.limits, Some(&plan.range))))
-}
-
-/// The answer if proofs exclude all amounts but one, and this one suffices; `None` otherwise. The multiple 1, the amount
-/// given, is tried where this is the one up to rounding.
-fn only_amount(plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Amount>, Error> {
-    let Some(only) = plan.range.point() else { return Ok(None) };
-    let does = if (only - 1.0).abs() <= NEGLIGIBLE { 1.0 } else { only };
-    if !tries.at(does)?.does() {
-        return Ok(None);
-    }
-    let otherwise = "no forces of the contacts balance the load".to_owned();
-    let end = |way: f64| does * (1.0 + way * NEGLIGIBLE);
-    let beyond =
-        FarEnd { does, does_not: end(1.0), otherwise, presses: Vec::new(), at_their_limit: Vec::new() };
-    Ok(Some(Amount::Bound {
-        does,
-        does_not: end(-1.0),
-        otherwise: beyond.otherwise.clone(),
-        is_too_far: false,
-        unknown: None,
-        changes: 2,
-        until: Some(beyond),
-        elsewhere: Vec::new(),
-        presses: Vec::new(),
-        at_their_limit: Vec::new(),
-        tried: None,
-    }))
-}
-
-/// The bracket at the proved end of the range, where `to` is the last amount tried and all tried amounts suffice. Beyond the proved end no contact
-/// forces balance the loads.
-fn at_proved_end(to: f64, plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Threshold>, Error> {
-    let (end, outwards) = if plan.is_least { (plan.range.low, -1.0) } else { (plan.range.high, 1.0) };
-    // If `to` is this near to the proved end, the two agree up to rounding.
-    let Some(end) = end.filter(|end| (end - to).abs() <= NEGLIGIBLE * to) else { return Ok(None) };
-    let beyond = end * (1.0 + outwards * NEGLIGIBLE);
-    let trial = tries.at(beyond)?;
-    let refuted = matches!(trial, Trial::DoesNot { .. });
-    Ok(refuted.then_some(Threshold { does: to, does_not: (beyond, trial), unknown: None }))
-}
-
 /// Among the amounts tried beyond the bound `does`, where amounts are easier: the last one that suffices, and the first one that does not.
 fn beyond_which_none_does(does: f64, is_least: bool, known: &[(f64, Trial)]) -> Option<[f64; 2]> {
     let ample = |at: f64| if is_least { at / does } else { does / at };
@@ -349,7 +300,7 @@ fn far_end_near(far: [f64; 2], does: f64, tries: Tries<'_>) -> Result<Option<Thr
 
 /// The answer if no amount suffices. Without a proof, one undecided verdict makes the answer undecided. Otherwise `best` is the first of the amounts
 /// that carry most of the load.
-fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], proof: Option<&Range>) -> Amount {
+pub(super) fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], proof: Option<&Range>) -> Amount {
     let (is_proved, at_rest) = (proof.is_some(), proof.is_some_and(|range| range.is_empty_at_rest));
     let amounts = || vain.iter().map(|(amount, _)| *amount);
     let [from, to] = if is_proved {
@@ -372,60 +323,4 @@ fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], proof: Option<&Range>
         }
     }
     none
-}
-
-/// The normal force of each contact at rest with the squeeze multiplied by `squeeze`, N. Also the names of the joints and tendons whose drives are at
-/// their limit.
-///
-/// If without a load the contacts that are pressed by commands carry no force beyond rounding, their forces under the load at rest are returned. A
-/// contact held by a given force presses with it even if no equilibrium is known.
-fn presses(grasp: &Grasp<3>, squeeze: f64, need: &Posed) -> Result<(Vec<Press>, Vec<String>), Error> {
-    let (is_by_overlap, base) = (need.sought == Sought::Overlaps, need.base);
-    let squeezed = if is_by_overlap { grasp.with_overlaps(squeeze)? } else { grasp.squeezed(squeeze)? };
-    let nothing = NEGLIGIBLE * need.largest_force();
-    let list = |force: &dyn Fn(usize) -> f64| {
-        let press = |contact: &ContactPoints| {
-            let points = contact.range.clone();
-            let force = points.clone().fold(0.0, |sum, point| sum + force(point));
-            let set = &squeezed.contacts()[points.clone()];
-            let overlap = set.iter().map(|point| -point.clearance).fold(0.0, f64::max);
-            Press {
-                part: contact.with(points.len()),
-                force: if force.abs() <= nothing { 0.0 } else { force },
-                pressure: pressure_of_cup(set),
-                pressed_with: force_set(set).filter(|_| !is_by_overlap),
-                overlap: Some(overlap).filter(|overlap| is_by_overlap && *overlap > 0.0),
-                is_set: points.into_iter().any(|point| grasp.is_set_by_itself(point))
-                    || is_by_overlap && overlap > 0.0,
-            }
-        };
-        mapped(grasp.engine.wholes(), &press)
-    };
-    let loads = [Wrench::ZERO, base];
-    for load in &loads[usize::from(base == Wrench::ZERO)..] {
-        // Contacts that slide at rest may have kinetic friction, which a path takes into account.
-        let Some(state) = squeezed.follow(*load, &[])?.state() else { continue };
-        let presses = list(&|i| state.contacts[i].force[0]);
-        let mut set = presses.iter().filter(|press| press.is_set).peekable();
-        if *load != base && set.peek().is_some() && set.all(|press| press.force <= 0.0) {
-            continue;
-        }
-        // The drive of a contact that is held by a given force is always at its limit, so this contact is not listed.
-        let mut at_their_limit = Vec::new();
-        for joint in &state.joints {
-            if joint.state == DriveState::Yields {
-                at_their_limit.push(joint.joint.text());
-            }
-        }
-        for tendon in &state.tendons {
-            if tendon.state == DriveState::Yields {
-                at_their_limit.push(tendon.tendon.text());
-            }
-        }
-        return Ok((presses, at_their_limit));
-    }
-    let held = |i: usize| squeezed.contacts()[i].force.unwrap_or(0.0);
-    let mut set = (0..grasp.contacts().len()).filter(|i| grasp.is_set_by_itself(*i)).peekable();
-    let all_held = set.peek().is_some() && set.all(|i| held(i) != 0.0);
-    Ok((if all_held { list(&held) } else { Vec::new() }, Vec::new()))
 }

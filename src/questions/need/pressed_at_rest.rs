@@ -1,0 +1,71 @@
+//! The normal forces with which the contacts press at rest, for a given multiple of the squeeze.
+
+use super::posed::{Posed, Sought};
+use super::press::{Press, force_set, pressure_of_cup};
+use crate::ask::Grasp;
+use crate::equilibrium::DriveState;
+use crate::error::Error;
+use crate::grasp::{ContactPoints, Wrench};
+use crate::numerics::mapped;
+use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::prelude::*;
+
+/// The normal force of each contact at rest with the squeeze multiplied by `squeeze`, N. Also the names of the joints and tendons whose drives are at
+/// their limit.
+///
+/// If without a load the contacts that are pressed by commands carry no force beyond rounding, their forces under the load at rest are returned. A
+/// contact held by a given force presses with it even if no equilibrium is known.
+pub(super) fn presses(
+    grasp: &Grasp<3>,
+    squeeze: f64,
+    need: &Posed,
+) -> Result<(Vec<Press>, Vec<String>), Error> {
+    let (is_by_overlap, base) = (need.sought == Sought::Overlaps, need.base);
+    let squeezed = if is_by_overlap { grasp.with_overlaps(squeeze)? } else { grasp.squeezed(squeeze)? };
+    let nothing = NEGLIGIBLE * need.largest_force();
+    let list = |force: &dyn Fn(usize) -> f64| {
+        let press = |contact: &ContactPoints| {
+            let points = contact.range.clone();
+            let force = points.clone().fold(0.0, |sum, point| sum + force(point));
+            let set = &squeezed.contacts()[points.clone()];
+            let overlap = set.iter().map(|point| -point.clearance).fold(0.0, f64::max);
+            Press {
+                part: contact.with(points.len()),
+                force: if force.abs() <= nothing { 0.0 } else { force },
+                pressure: pressure_of_cup(set),
+                pressed_with: force_set(set).filter(|_| !is_by_overlap),
+                overlap: Some(overlap).filter(|overlap| is_by_overlap && *overlap > 0.0),
+                is_set: points.into_iter().any(|point| grasp.is_set_by_itself(point))
+                    || is_by_overlap && overlap > 0.0,
+            }
+        };
+        mapped(grasp.engine.wholes(), &press)
+    };
+    let loads = [Wrench::ZERO, base];
+    for load in &loads[usize::from(base == Wrench::ZERO)..] {
+        // Contacts that slide at rest may have kinetic friction, which a path takes into account.
+        let Some(state) = squeezed.follow(*load, &[])?.state() else { continue };
+        let presses = list(&|i| state.contacts[i].force[0]);
+        let mut set = presses.iter().filter(|press| press.is_set).peekable();
+        if *load != base && set.peek().is_some() && set.all(|press| press.force <= 0.0) {
+            continue;
+        }
+        // The drive of a contact that is held by a given force is always at its limit, so this contact is not listed.
+        let mut at_their_limit = Vec::new();
+        for joint in &state.joints {
+            if joint.state == DriveState::Yields {
+                at_their_limit.push(joint.joint.text());
+            }
+        }
+        for tendon in &state.tendons {
+            if tendon.state == DriveState::Yields {
+                at_their_limit.push(tendon.tendon.text());
+            }
+        }
+        return Ok((presses, at_their_limit));
+    }
+    let held = |i: usize| squeezed.contacts()[i].force.unwrap_or(0.0);
+    let mut set = (0..grasp.contacts().len()).filter(|i| grasp.is_set_by_itself(*i)).peekable();
+    let all_held = set.peek().is_some() && set.all(|i| held(i) != 0.0);
+    Ok((if all_held { list(&held) } else { Vec::new() }, Vec::new()))
+}

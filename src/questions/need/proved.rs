@@ -1,0 +1,63 @@
+//! Answers of a [`Need`](super::Need) that follow from proofs: all amounts are excluded, all but one, or all beyond the last sufficient one.
+
+use super::answer::{Amount, FarEnd};
+use super::needed::nothing_does;
+use super::search::{SearchPlan, Tries};
+use super::threshold::Threshold;
+use super::trial::Trial;
+use crate::error::Error;
+use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::prelude::*;
+
+/// The answer if proofs exclude all amounts, or all but one that suffices; `None` otherwise.
+pub(super) fn by_proof(plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Amount>, Error> {
+    let only = only_amount(plan, tries)?;
+    if only.is_some() || !plan.range.is_empty {
+        return Ok(only);
+    }
+    let trial = tries.at(plan.start)?;
+    Ok(Some(nothing_does(vec![(plan.start, trial)], plan.limits, Some(&plan.range))))
+}
+
+/// The answer if proofs exclude all amounts but one, and this one suffices; `None` otherwise. The multiple 1, the amount
+/// given, is tried where this is the one up to rounding.
+fn only_amount(plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Amount>, Error> {
+    let Some(only) = plan.range.point() else { return Ok(None) };
+    let does = if (only - 1.0).abs() <= NEGLIGIBLE { 1.0 } else { only };
+    if !tries.at(does)?.does() {
+        return Ok(None);
+    }
+    let otherwise = "no forces of the contacts balance the load".to_owned();
+    let end = |way: f64| does * (1.0 + way * NEGLIGIBLE);
+    let beyond =
+        FarEnd { does, does_not: end(1.0), otherwise, presses: Vec::new(), at_their_limit: Vec::new() };
+    Ok(Some(Amount::Bound {
+        does,
+        does_not: end(-1.0),
+        otherwise: beyond.otherwise.clone(),
+        is_too_far: false,
+        unknown: None,
+        changes: 2,
+        until: Some(beyond),
+        elsewhere: Vec::new(),
+        presses: Vec::new(),
+        at_their_limit: Vec::new(),
+        tried: None,
+    }))
+}
+
+/// The bracket at the proved end of the range, where `to` is the last amount tried and all tried amounts suffice. Beyond the proved end no contact
+/// forces balance the loads.
+pub(super) fn at_proved_end(
+    to: f64,
+    plan: &SearchPlan,
+    tries: Tries<'_>,
+) -> Result<Option<Threshold>, Error> {
+    let (end, outwards) = if plan.is_least { (plan.range.low, -1.0) } else { (plan.range.high, 1.0) };
+    // If `to` is this near to the proved end, the two agree up to rounding.
+    let Some(end) = end.filter(|end| (end - to).abs() <= NEGLIGIBLE * to) else { return Ok(None) };
+    let beyond = end * (1.0 + outwards * NEGLIGIBLE);
+    let trial = tries.at(beyond)?;
+    let refuted = matches!(trial, Trial::DoesNot { .. });
+    Ok(refuted.then_some(Threshold { does: to, does_not: (beyond, trial), unknown: None }))
+}
