@@ -1,5 +1,6 @@
 //! Bodies with masses can be tilted and accelerated under the scene's gravity, and no weight is counted twice.
 
+use grasp_lcp::Settings;
 use grasp_lcp::scene::Scene;
 
 /// A box of 1 kg on a tray of 0.2 m, μ = 0.4, its centre of mass 0.05 m up.
@@ -112,4 +113,16 @@ fn nothing_turns_where_no_body_has_a_weight() {
 fn a_base_beside_the_gravity_that_turns_is_refused() {
     let told = refused(r#"{"need": {"quantity": "angle", "turn": {}, "base": {"force": [1, 0]}}}"#);
     assert!(told.contains("need: base given") && told.contains("gravity turns"), "{told}");
+}
+
+/// Gravity that turns makes the grasp anew, with the settings of the grasp that was given.
+#[test]
+fn settings_are_kept_where_gravity_turns() {
+    let scene = Scene::from_json(IN_SPACE.as_bytes()).expect("a scene");
+    let setup = scene.spatial().expect("a scene in space");
+    let mut settings = Settings::default();
+    settings.small_motions.rotation = 1e-9;
+    let grasp = setup.grasp().expect("well posed").with(&settings);
+    let tilted = setup.grasp_of(&grasp, &setup.questions[0]).expect("a weight that turns");
+    assert_eq!(tilted.settings().small_motions, settings.small_motions);
 }

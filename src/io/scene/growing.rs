@@ -34,7 +34,7 @@ impl Setup<3> {
     pub fn grasp_of(&self, grasp: &Grasp<3>, question: &Question<3>) -> Result<Grasp<3>, Error> {
         self.check_growing(question)?;
         if let Some(tilted) = self.tilted_grasp(question)? {
-            return Ok(tilted);
+            return Ok(tilted.with(grasp.settings()));
         }
         match growing(question) {
             Some((name, base, load, others)) if !matches!(question, Question::Need(_)) => {
