@@ -12,7 +12,7 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::equilibrium::{ContactState, Equilibrium};
 use crate::grasp::{Engine, Hold, Site, size_of};
-use crate::numerics::{PositiveBand, Square, dot, summed};
+use crate::numerics::{PositiveBand, Square, dot};
 use crate::object::{tangent_stiffness, uses_band};
 
 impl Engine {
@@ -34,16 +34,9 @@ impl Engine {
         let moved = twist.iter().zip(rest.twist.components()).map(|(to, from)| to - from);
         let moved: alloc::vec::Vec<f64> = moved.collect();
         let kept: f64 = dot(&moved, load.components());
-        let rotation = &moved[3..];
-        let square: f64 = summed(rotation, &|x| x * x);
-        let mut left_out = 0.0;
-        for (contact, answer) in self.contacts().iter().zip(&rest.contacts) {
-            let (force, arm) = (answer.force_world, contact.point - self.origin());
-            left_out += force.dot(&arm) * square;
-            let along =
-                |v: &nalgebra::SVector<f64, 3>| v.iter().zip(rotation).map(|(a, b)| a * b).sum::<f64>();
-            left_out -= along(&force) * along(&arm);
-        }
+        // In the plane the only angle is the last one, about the axis out of the plane.
+        let rotation: SVector<f64, 3> = SVector::from_column_slice(&moved[3..]);
+        let left_out = rotation.dot(&(self.stiffness_of_arms(0, &self.origin(), rest) * rotation));
         // Fractions up to a tenth are not returned. A smaller threshold would add a caution to ordinary verdicts; a larger one would hide a loss of
         // stability until it is near.
         (kept > 0.0).then(|| left_out / kept).filter(|part| part.abs() > 0.1)
@@ -99,21 +92,32 @@ impl Engine {
                 (None, _) | (_, 0) => self.length(),
                 (Some(linkage), _) => linkage.lengths[first + axes + k],
             };
-            let mut of_body: SMatrix<f64, 3, 3> = SMatrix::zeros();
-            for (i, (contact, answer)) in self.contacts().iter().zip(&there.contacts).enumerate() {
-                let sign = bodies.map_or(1.0, |bodies| bodies.sign(i, body));
-                let (force, arm): (_, SVector<f64, 3>) = (answer.force_world * sign, contact.point - centre);
-                of_body += SMatrix::<f64, 3, 3>::identity() * force.dot(&arm);
-                // In the plane the rotation is perpendicular to forces and arms.
-                if axes == 3 {
-                    of_body -= (force * arm.transpose() + arm * force.transpose()) * 0.5;
-                }
-            }
+            let of_body = self.stiffness_of_arms(body, centre, there);
+            let axis = |k: usize| if axes == 3 { k } else { 2 };
             for (k, l) in (0..object - axes).flat_map(|k| (0..object - axes).map(move |l| (k, l))) {
-                stiffness[(first + axes + k, first + axes + l)] = of_body[(k, l)] / (length(k) * length(l));
+                stiffness[(first + axes + k, first + axes + l)] =
+                    of_body[(axis(k), axis(l))] / (length(k) * length(l));
             }
         }
         stiffness
+    }
+
+    /// The symmetric matrix M of a body's rotation θ with `θ·Mθ = Σ [(F·r) |θ|² - (F·θ)(r·θ)]`, N m. F are the contact forces on the body, and r the arms
+    /// of its contacts about `centre`. In the plane θ is along the third axis, which forces and arms have no component along.
+    fn stiffness_of_arms(
+        &self,
+        body: usize,
+        centre: &SVector<f64, 3>,
+        there: &Equilibrium<3>,
+    ) -> SMatrix<f64, 3, 3> {
+        let mut sum: SMatrix<f64, 3, 3> = SMatrix::zeros();
+        for (i, (contact, answer)) in self.contacts().iter().zip(&there.contacts).enumerate() {
+            let sign = self.bodies().map_or(1.0, |bodies| bodies.sign(i, body));
+            let (force, arm): (_, SVector<f64, 3>) = (answer.force_world * sign, contact.point - centre);
+            sum += SMatrix::<f64, 3, 3>::identity() * force.dot(&arm);
+            sum -= (force * arm.transpose() + arm * force.transpose()) * 0.5;
+        }
+        sum
     }
 }
 
