@@ -15,7 +15,7 @@ use crate::error::{Error, is_moderate};
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SmallMotions {
-    /// No body turns by more than this angle, rad (default 0.1).
+    /// No body turns by more than this angle, rad (default 0.1), nor does a revolute joint behind a closed contact.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub rotation: f64,
     /// No contact slips or opens farther than this fraction of the grasp's size (default 0.1): the root mean square distance of contact points

@@ -136,7 +136,7 @@ impl<const C: usize> Shaken<C> {
         by.first().map(|first| Motion { object: first.twist, joints: Vec::new(), bodies })
     }
 
-    /// Whether the grasp comes to rest, at once or in the limit; `None` if it is not known.
+    /// Whether the grasp comes to rest, at once or in the limit; `None` if it is not known. Motions on the way may be [too large](Self::too_far).
     #[must_use]
     pub fn rests(&self) -> Option<bool> {
         match self.repeats {
@@ -149,7 +149,8 @@ impl<const C: usize> Shaken<C> {
         }
     }
 
-    /// Whether the object stays: the grasp rests, or contacts slide to and fro under it for ever; `None` if it is not known.
+    /// Whether the object stays: the grasp rests, or contacts slide to and fro under it for ever; `None` if it is not known. Motions on the way may be
+    /// [too large](Self::too_far).
     #[must_use]
     pub fn stays(&self) -> Option<bool> {
         match self.repeats {
