@@ -1,7 +1,7 @@
 //! Grasps in the plane: 3 degrees of freedom, 2 axes per contact. Lengths in m, forces in N, moments from x to y in N m.
 //!
-//! The contact frame is (n, t) with n into the object and `t = (n_y, -n_x)`. The planar friction cone has two edges and is exact: nothing is
-//! approximated by a polygon.
+//! The contact frame is (n, t) with n into the object and `t = (n_y, -n_x)`. The planar friction cone has two edges, and is not approximated by a
+//! polygon.
 
 pub use crate::grasp::Pressure;
 

@@ -53,7 +53,7 @@
 //!
 //! * everything sticks;
 //! * everything that touches sticks;
-//! * in space, with fewer than 32 contacts, the state to which the stuck grasp relaxes by viscous slip, where there is one;
+//! * in space, with fewer than 32 contacts, the state to which the stuck grasp relaxes by viscous slip, if such a state is found;
 //! * in space and from 32 contacts on, the state that Newton's method reaches from the elastic trial state;
 //! * the end of a path of Lemke's method;
 //! * the first of all combinations of contact states.
@@ -64,8 +64,8 @@
 //!
 //! # Which one is real
 //!
-//! * Among few contacts [`Grasp::equilibria`](crate::ask::Grasp::equilibria) lists all of them. If there is only one, it is the real one. (On the
-//!   round cone the list has those to which a polygon leads.)
+//! * For few contacts [`Grasp::equilibria`](crate::ask::Grasp::equilibria) lists all equilibria. If there is only one, it is the real one. (On the
+//!   round cone the list has those equilibria that are found from the states of a polygonal cone.)
 //! * [`Grasp::follow`](crate::ask::Grasp::follow) computes the equilibrium that occurs: it starts where the history is known and follows the load.
 //!   [`Event::other_continuations`](crate::load_path::Event::other_continuations) says where even the path leaves a choice.
-//! * A grasp that must hold after any history must hold in each of them.
+//! * A grasp that must hold after any history must hold in each of these equilibria.

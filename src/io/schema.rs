@@ -26,7 +26,7 @@ use crate::stream::Reply;
 pub enum Schema {
     /// The schema of a [`Scene`].
     Scene,
-    /// The schema of the [`Answers`] to a scene, a list.
+    /// The schema of the [`Answers`] to a scene, which form a list.
     Answers,
     /// The schema of one line of output of the [stream](crate::stream).
     Reply,
