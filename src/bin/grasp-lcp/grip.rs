@@ -162,7 +162,8 @@ impl Grip {
     }
 }
 
-/// The middle of a jaw before it closes towards `at`, m: half of the opening away, or outside of the bounding box of the part.
+/// The middle of a jaw before it closes towards `at`, m: half of `opening` away from `at`; without `opening`, outside of the bounding box of the
+/// part.
 fn start(part: &Part, at: [f64; 3], closing: [f64; 3], opening: Option<f64>) -> [f64; 3] {
     let length = closing.iter().map(|x| x * x).sum::<f64>().sqrt();
     let way = closing.map(|x| x / length);

@@ -98,8 +98,8 @@ impl FromStr for Sum {
 }
 
 impl Meaning {
-    /// The question `identify` with the table of observed slips; `None` without a table, so that the scene's own questions are asked. An error for
-    /// options that need the table.
+    /// The question `identify` with the table of observed slips; `None` without a table: the caller then asks the scene's own questions. Without a
+    /// table, options that need one are an error.
     pub(crate) fn identify(
         self,
         given: &Identifies,
