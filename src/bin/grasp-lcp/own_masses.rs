@@ -54,8 +54,8 @@ pub(crate) fn refuse_mass(setup: &Setup<3>, mass: Option<f64>) -> Result<(), Fai
     }
 }
 
-/// For `--acceleration` without `--mass`, the load with the scene's bodies as one accelerated mass without weight. For `--mass` without `--at`, the load
-/// with the mass at the centre of the part, if the scene has a mesh. Other loads are returned unchanged.
+/// For `--acceleration` without `--mass`, the load gets the scene's bodies as one accelerated mass without weight. For `--mass` without `--at`, the
+/// load gets the centre of mass of the part as its point, if the scene has a mesh. Other loads are returned unchanged.
 pub(crate) fn of_own_masses<'l>(
     load: &'l LoadArguments,
     beside: bool,

@@ -5,14 +5,14 @@ use grasp_lcp::load_path::{Beyond, Leg, LossKind, PathEnd};
 use grasp_lcp::words::Words;
 use grasp_lcp::{ask::Grasp, grasp::Wrench};
 
-/// The end of a load path.
+/// How a load path ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum LimitEnd {
-    /// No equilibrium exists beyond: a limit load.
+    /// No equilibrium exists beyond the end of the path, which is a limit load.
     Limit,
-    /// The path has no equilibrium beyond, but others exist elsewhere: the grasp snaps to one of them.
+    /// The path does not continue beyond its end, but other equilibria exist there: the grasp may snap to one of them.
     Snap,
-    /// The path has no equilibrium beyond; whether others exist is not known.
+    /// The path does not continue beyond its end; whether other equilibria exist there is not known.
     Ends,
     /// A suction cup is open all around, or a contact with infinite friction loses its normal force.
     LetsGo,
@@ -52,7 +52,7 @@ impl LimitEnd {
     }
 }
 
-/// The end of a load path.
+/// The end of a load path: the force, and how the path ends.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Last {
     /// The force at the end, N; infinite if the whole path is held, NaN if the end is not known.
