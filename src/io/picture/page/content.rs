@@ -19,8 +19,8 @@ use crate::picture::actuators::Actuators;
 ///   forces do not pass through the object. A load that would be too short to be visible is drawn longer, and its label says so;
 /// * for all points of a [soft fingertip](crate::spatial::SoftFingertip) one force and one cone, at their centre of pressure, and dots in the colours
 ///   of the states of the points;
-/// * the moment of the load about that line (the whole moment of a load without force), with two heads. If the line is far from the grasp, the force
-///   is drawn in the middle of the grasp, with the moment about that point;
+/// * the moment of the load about its line of action (the whole moment of a load without force), with two heads. If the line is far from the grasp,
+///   the force is drawn in the middle of the grasp, with the moment about this point;
 /// * displacements u_c of the object with one magnification for all answers, which is written beside the picture;
 /// * axes of the motions that no contact resists, and the object displaced along the motion by which it is lost;
 /// * links of a [hand](crate::grasp::Hand) at their initial places, and its joints that yield at their limit.
