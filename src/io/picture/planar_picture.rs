@@ -13,7 +13,7 @@ use crate::grasp::{Face, Motion, Wrench, inside};
 use crate::numerics::mapped;
 use crate::planar;
 
-/// The outline of the object: corners (x, y) in order, m; the last is joined to the first. Outlines affect nothing but the drawing.
+/// The outline of the object: corners (x, y) in order, m; the last corner is joined to the first. Outlines affect nothing but the drawing.
 pub type Outline<'a> = &'a [[f64; 2]];
 
 /// A picture of a planar grasp: add an answer to it, then call [`Self::to_svg`]. Without an equilibrium it shows the grasp alone, and the load if

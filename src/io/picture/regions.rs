@@ -34,7 +34,7 @@ pub(super) fn outlines(triangles: &[[Corner; 3]], level: f64) -> Vec<Vec<Pixel>>
         }
     }
     onward.sort_unstable();
-    // At every corner as many edges end as begin, so that following edges always leads back to the start.
+    // At every corner as many edges end as begin. Following edges therefore always leads back to the start.
     let (mut loops, mut used, mut first) = (Vec::new(), vec![false; onward.len()], 0);
     while first < onward.len() {
         if used[first] {

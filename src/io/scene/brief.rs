@@ -315,7 +315,7 @@ fn drive(change: DriveChange) -> &'static str {
     }
 }
 
-/// The name of a search's end in the format.
+/// The name in the format of the way in which an identification ended.
 fn ended(ending: &Ending) -> &'static str {
     match ending {
         Ending::Converged => "converged",
