@@ -104,7 +104,7 @@ fn each_at(value: &Value, look: &mut dyn FnMut(&[Value])) {
     }
 }
 
-/// The unit of lengths, and the kinds of joints. The command of a prismatic joint is a length, that of a revolute joint an angle.
+/// The unit of lengths, and the kinds of joints. The command of a prismatic joint is a length, the command of a revolute joint an angle.
 struct Lengths {
     unit: Unit,
     /// For each joint of all fingers, whether it is prismatic.
