@@ -269,7 +269,7 @@ impl<const C: usize> Hinge<C> {
 }
 
 impl Setup<3> {
-    /// The point contacts by which all links are modelled. In the grasp they come after all other contacts.
+    /// The point contacts by which all links are modelled. In the grasp these contacts come after all others.
     pub(super) fn points_of_links(&self) -> Result<Vec<Contact<3>>, Error> {
         let mut points = Vec::new();
         for (number, LinkSetup { link, .. }) in self.links.iter().enumerate() {

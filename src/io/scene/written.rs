@@ -28,7 +28,7 @@ pub struct Scene {
     /// The unit of lengths in the text that [`Scene::from_json`] has read. All lengths in this value are in m, and so are those that are written.
     pub unit: Unit,
     /// Contacts, questions and settings. Vectors have three components, in the plane too, where the third is zero. [`Scene::planar`] returns the
-    /// setup with two.
+    /// setup with vectors of two components.
     pub setup: Setup<3>,
 }
 
