@@ -115,7 +115,7 @@ pub enum Error {
         /// The allowed values.
         allowed: &'static str,
     },
-    /// A mesh file is missing or cannot be read, or the mesh encloses no volume where it has to.
+    /// A mesh file is missing or cannot be read, or the mesh encloses no volume although a volume is needed.
     #[cfg(feature = "mesh")]
     #[error("mesh: {fault}")]
     Mesh {
@@ -181,8 +181,8 @@ pub enum Error {
         /// The largest difference of this quantity, in its own unit.
         off: f64,
     },
-    /// The method limits contact forces by a budget of normal forces. This contact may pull, is bonded or has infinite friction, so a budget does not
-    /// limit its force.
+    /// The method limits contact forces by a budget of normal forces. This contact may pull, is bonded or has infinite friction; a budget therefore
+    /// does not limit its force.
     #[error("{question} bounds normal forces: contact {contact} pulls, is bonded or has infinite friction")]
     Unlimited {
         /// Name of the method that gave the error.

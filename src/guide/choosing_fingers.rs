@@ -54,7 +54,8 @@
 //! returns the best answer. Each first event and each active bound has a multiplier ([`InTheWay`](crate::improve::InTheWay)): the gain in first slip
 //! or reserve for one more newton of force, or one more metre of edge.
 //!
-//! In space two point contacts balance a load only if both lie on one line with it, so that they cannot move: the answer says so. Three or four fingers can
-//! move. From an edge of a polyline, or a triangle of a mesh, fingers cross to the next where that gains. Normals jump between them. The proof
-//! therefore holds only for the edges or triangles on which the fingers end. Turning loads, hands with joints, several bodies, vacuums and movable
-//! soft fingertips are refused with an error that names them.
+//! In space two point contacts balance no moment about the line that joins them. They hold a load only if it has no such moment, which a move of one
+//! contact would change: they cannot move, and the answer says so. Three or four fingers can move. From an edge of a polyline, or a triangle of a
+//! mesh, fingers cross to the next one if that is a gain. Normals jump between them. The proof therefore holds only for the edges or triangles on
+//! which the fingers end. Turning loads, hands with joints, several bodies, vacuums and movable soft fingertips are refused with an error that names
+//! them.

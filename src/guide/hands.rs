@@ -61,7 +61,7 @@
 //!
 //! # Limitations
 //!
-//! Displacements are small: J is that of the posture in which contacts were given. Under load the joint stiffness has a geometric part, `∂Jᵀ/∂φ F`,
-//! which matters where torque times angle approaches the elastic energy. Add it with [`Finger::coupled`](crate::grasp::Finger::coupled) if it is
-//! known and the sum is positive semidefinite. [Screening](crate::screening) and [`Grasp::follow_in_steps`](crate::ask::Grasp::follow_in_steps) do not
-//! support joints.
+//! Displacements are small: J is the Jacobian of the posture in which contacts were given. Under load the joint stiffness has a geometric part,
+//! `∂Jᵀ/∂φ F`, which matters if torque times angle approaches the elastic energy. Add it with [`Finger::coupled`](crate::grasp::Finger::coupled) if
+//! it is known and the sum is positive semidefinite. [Screening](crate::screening) and [`Grasp::follow_in_steps`](crate::ask::Grasp::follow_in_steps)
+//! do not support joints.

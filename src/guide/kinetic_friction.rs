@@ -28,8 +28,8 @@
 //! limit in this process begins to slide, too. In the end either all forces balance again, or nothing holds.
 //! [`Event::jump`](crate::load_path::Event::jump) has the state after the jump, the slips of the contacts and the lost energy.
 //! [`Loss::jumped`](crate::load_path::Loss::jumped) has the contacts that slipped before the object was lost. A contact that continues to slide as
-//! the load grows keeps its kinetic friction. A contact that comes to rest regains its static friction: where it sticks, where the load reverses, and
-//! in a pause, a leg along which nothing changes.
+//! the load grows keeps its kinetic friction. A contact that comes to rest regains its static friction: when it sticks, when the load reverses, and
+//! during a pause, i.e. a leg along which nothing changes.
 //!
 //! Under a load that repeats ([`shake`](crate::ask::Grasp::shake)) contacts may jump again and again. It may take several cycles until everything
 //! repeats, *in every 4 cycles*. Slips and motions are then given for all of these cycles together. For 255 random grasps

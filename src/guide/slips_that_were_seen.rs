@@ -23,7 +23,7 @@
 //! # Slips that share errors
 //!
 //! Fifty pushes are not fifty independent measurements if all pushes in one direction slid over the same patch of the surface. A column `group` marks
-//! slips that may share an error: a direction, a specimen, a day. The same pushes, with those within 30° of direction as a group:
+//! slips that may share an error: a direction, a specimen, a day. The same pushes, with pushes whose directions lie within 30° as one group:
 //!
 //! ```text
 //! $ grasp-lcp identify block.json block_by_direction.csv --unknown friction --unknown carried=a --unknown carried=b --unknown carried=c --known 1+2+3=14.876,0.1

@@ -18,8 +18,8 @@
 //! * [`residuals`](crate::equilibrium::Equilibrium::residuals): violations of equilibrium, springs, cones and gaps, recomputed from contacts,
 //!   commands and load; about 1e-16. They show that the answer solves the question, not that the question is known accurately.
 //! * [`accuracy`](crate::ask::Grasp::accuracy): the estimated distance to the exact solution for these states, N and m. In comparisons with exact
-//!   arithmetic the true distance is at most ten times the estimate. The condition is the relative change of the forces divided by that of the
-//!   data. If a sensor is known to 1 % and the condition is 50, no digit of a force is reliable, however small the residual.
+//!   arithmetic the true distance is at most ten times the estimate. The condition is the relative change of the forces divided by the relative
+//!   change of the data. If a sensor is known to 1 % and the condition is 50, no digit of a force is reliable, however small the residual.
 //! * [`distinct`](crate::ask::Grasp::distinct): whether the state of a contact is distinct from the neighbouring states. Exactly at the onset of
 //!   sliding, sticking and sliding have the same forces. The state then depends on rounding, and the flag says so.
 //! * [`margin`](crate::equilibrium::ContactAnswer::margin): friction in reserve, N. If friction is known to 10 %, a contact with a margin below 10 %

@@ -9,7 +9,7 @@ use crate::scene::{Answers, Scene};
 use crate::stream::Reply;
 
 /// A kind of text that has a JSON Schema (draft 2020-12). The schema contains fields, lengths of rows and ranges of numbers. It cannot check the
-/// length of a list against another list, such as commands against contacts; that is checked where a [`Scene`] is read.
+/// length of a list against another list, such as commands against contacts; this length is checked when a [`Scene`] is read.
 ///
 /// An editor completes and checks a scene that names the file of its schema: `"$schema": "scene.schema.json"`.
 ///

@@ -127,7 +127,7 @@ impl Words {
         if x.abs() <= rounding * largest { 0.0 } else { x }
     }
 
-    /// A length in the unit of lengths; in metres, those below 0.1 m are written in mm.
+    /// A length in the unit of lengths; if this unit is the metre, lengths below 0.1 m are written in mm.
     #[must_use]
     pub fn length(self, metres: f64) -> String {
         let in_mm = self.unit == Unit::Metre && metres.abs() < 0.1;

@@ -108,8 +108,8 @@ impl<'a> PlanarPicture<'a> {
     /// Draws the picture, 860 pixels wide.
     ///
     /// # Errors
-    /// [`PictureError`] if the number of contacts of the equilibrium differs from that of the grasp, or if a corner of an outline is not finite. Also
-    /// if a length or force is too large or too small to be drawn.
+    /// [`PictureError`] if equilibrium and grasp have different numbers of contacts, or if a corner of an outline is not finite. Also if a length or
+    /// force is too large or too small to be drawn.
     pub fn to_svg(&self) -> Result<String, PictureError> {
         self.check()?;
         Picture::new(self).draw()

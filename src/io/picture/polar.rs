@@ -15,7 +15,7 @@ use super::words::lines;
 
 /// A polar chart: radius against direction, with angles from x towards y. Add curves to it, then call [`Polar::to_svg`].
 ///
-/// Radii that are infinite or beyond the rim appear as an arc along the rim. Where a radius is NaN the curve has a gap.
+/// Radii that are infinite or beyond the rim appear as an arc along the rim. At a radius that is NaN the curve has a gap.
 ///
 /// ```
 /// use grasp_lcp::picture::{Polar, Stroke};

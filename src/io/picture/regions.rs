@@ -1,11 +1,11 @@
-//! The region of a triangle mesh where a function is at least some level, as one area.
+//! The region of a triangle mesh in which a function is at least some level, as one area.
 //!
 //! The function is linear on each triangle, so that its part above the level is a polygon. Edges that two of these polygons share cancel. The other
 //! edges surround the whole region, which is drawn as one area and has no visible seams.
 
 use super::sheet::{Pixel, Place, pixel};
 
-/// A corner of a triangle: its place, and the value of the function there.
+/// A corner of a triangle: its place, and the value of the function at this place.
 pub(super) type Corner = (Place, f64);
 
 /// The closed lines around the region in which the function is at least `level`.

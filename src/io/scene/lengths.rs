@@ -154,7 +154,7 @@ impl Lengths {
                     }
                 }
                 ("joints_by" | "joints_to" | "joint_change", Value::Array(all)) => {
-                    // Entries after those for the joints belong to tendons, whose commands are lengths.
+                    // Entries after the entries of the joints belong to tendons, whose commands are lengths.
                     self.each(all, |joint| self.is_prismatic.get(joint).is_none_or(|is| *is));
                 }
                 ("arms", Value::Array(all)) => {

@@ -280,8 +280,8 @@ impl Setup<3> {
 }
 
 impl Scene {
-    /// This scene with the mesh of its part and with the fingers of its robot (feature `urdf`), both read from files. Relative paths count from the
-    /// folder, which is usually that of the scene's file.
+    /// This scene with the mesh of its part and with the fingers of its robot (feature `urdf`), both read from files. Relative paths count from
+    /// `folder`, which is usually the folder of the scene's file.
     ///
     /// # Errors
     /// [`Error::Mesh`] if the mesh cannot be read or has no volume for its density, [`Error::Argument`] for a mass or density out of range, and the

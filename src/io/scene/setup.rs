@@ -194,7 +194,8 @@ impl<const C: usize> Setup<C> {
         self
     }
 
-    /// All contacts: first [`Self::contacts`], then those of fingers. The index of an entry is the index of the contact in questions and answers.
+    /// All contacts: first [`Self::contacts`], then the contacts of fingers. The index of an entry is the index of the contact in questions and
+    /// answers.
     pub fn entries(&self) -> impl Iterator<Item = &Fingertip<C>> {
         let mut all: Vec<&Fingertip<C>> = self.contacts.iter().list();
         for finger in &self.fingers {

@@ -10,9 +10,9 @@ use crate::picture::actuators::Actuators;
 /// A grasp and one or more of its answers as a single self-contained HTML file without network or installation ([`Self::to_html`]). Buttons select an
 /// answer, and a slider if there are more than two. [`Self::to_svg`] draws one of the answers as an SVG, for paper.
 ///
-/// In the plane each picture is that of a [`PlanarPicture`](crate::picture::PlanarPicture), and all pictures have one scale, so that growing forces are
-/// visible. In space the picture is turned by dragging, enlarged by the wheel or two fingers and reset by a double click. It then
-/// shows, in the coordinates of the grasp (z upwards at first):
+/// In the plane each picture is a [`PlanarPicture`](crate::picture::PlanarPicture), and all pictures have one scale, so that growing forces are
+/// visible. In space the picture is turned by dragging, enlarged by the wheel or two fingers and reset by a double click. It then shows, in the
+/// coordinates of the grasp (z upwards at first):
 ///
 /// * contacts, coloured by their states, with friction cones as long as the normal forces in them;
 /// * the force F on the object at each contact and the force of the load on its line of action. All answers have one scale, short enough that contact
@@ -115,7 +115,7 @@ impl Page {
         self.with(Frame::new(label.into(), Ok(state.to_inside())))
     }
 
-    /// Adds an equilibrium of the same grasp with other coefficients of friction or other commands, such as those with the [needed
+    /// Adds an equilibrium of the same grasp with other coefficients of friction or other commands, such as the grasp with the [needed
     /// amount](crate::ask::Grasp::with_amount).
     pub fn frame_of<const C: usize>(
         self,
