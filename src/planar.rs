@@ -49,7 +49,7 @@ macro_rules! names {
         pub type ContactState = crate::equilibrium::ContactState<$axes>;
         /// Equilibrating and interaction forces; see [`crate::equilibrium::Decomposition`].
         pub type Decomposition = crate::equilibrium::Decomposition<$axes>;
-        /// A load and commands that change in proportion; see [`crate::load_path::Ramp`].
+        /// A load and commands that change in proportion to a load factor; see [`crate::load_path::Ramp`].
         pub type Ramp = crate::load_path::Ramp<$axes>;
         /// Whether contact forces could balance any load; see [`crate::statics::Closure`].
         pub type Closure = crate::statics::Closure<$axes>;

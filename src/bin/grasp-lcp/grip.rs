@@ -50,7 +50,7 @@ pub(crate) struct Grip {
     ask: bool,
 }
 
-/// Lengths with a unit, m if there is none: 20x30mm, 3,25,15mm.
+/// Lengths with a unit, such as 20x30mm or 3,25,15mm; in m if no unit is given.
 #[derive(Debug, Clone)]
 struct Lengths(Vec<f64>);
 
@@ -76,7 +76,7 @@ impl Lengths {
     }
 }
 
-/// Density of steel, kg/m³; few parts are denser.
+/// Density of steel, kg/m³, which is assumed by default: few parts are denser.
 const STEEL: f64 = 7850.0;
 /// Distance, m, from the bounding box of the part at which a jaw starts, if `--opening` is left out.
 const AWAY: f64 = 0.005;

@@ -1,4 +1,4 @@
-//! The command `need`: the amount of a quantity that the grasp needs.
+//! The command `need`: how much of a quantity (squeeze, friction, load, arm, angle or force) the grasp needs or allows.
 
 use std::collections::BTreeMap;
 

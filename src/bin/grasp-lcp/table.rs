@@ -80,7 +80,7 @@ fn heads(axes: usize, pads: bool) -> Vec<String> {
 #[derive(Clone, Copy)]
 struct Cleaned {
     words: Words,
-    /// The largest force, N; forces that are rounding errors of it become zero.
+    /// The largest force, N; forces that are rounding errors relative to this force become zero.
     largest: f64,
 }
 

@@ -57,7 +57,7 @@ impl<const C: usize> Drawn<'_, C> {
         Ok(marks.into_iter().fold(chart, |chart, (x, label)| chart.mark(x, label)))
     }
 
-    /// The end of the path: the index of its last leg, and the fraction of that leg up to which it was followed.
+    /// The end of the path: the index of its last leg, and the fraction up to which this leg was followed.
     pub(super) fn reach(&self, path: &LoadPath<C>) -> (usize, f64) {
         let last = path.end().and_then(|end| Some((end.leg()?, end.fraction()?)));
         last.unwrap_or((self.legs.len().saturating_sub(1), 1.0))

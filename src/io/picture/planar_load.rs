@@ -1,4 +1,4 @@
-//! The arrows of a planar load: a force on its line of action, or a force at the centre of the object with its moment about it.
+//! The arrows of a planar load: a force on its line of action, or a force at the centre of the object with its moment about the centre.
 
 use super::axes::EqualScales;
 use super::labels::Labels;

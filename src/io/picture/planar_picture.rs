@@ -25,7 +25,7 @@ pub type Outline<'a> = &'a [[f64; 2]];
 /// force of the load that would be too short to be visible is drawn longer, and its label says so. All points of a [soft
 /// fingertip](crate::planar::SoftFingertip) have one force and one cone, at their centre of pressure; dots in the colours of their states are the
 /// points. Links of a [hand](crate::grasp::Hand) are drawn at their initial places; joints and tendons that yield at their limit are marked. No name
-/// covers another one.
+/// covers another name.
 ///
 /// ```
 /// use grasp_lcp::picture::PlanarPicture;

@@ -43,8 +43,8 @@ impl Polar {
         Self { title: title.into(), unit: unit.into(), ..Self::default() }
     }
 
-    /// Adds a curve of points (angle in rad, radius) in order of their angles; the last is joined to the first. [`Stroke::Bars`] draws spokes from
-    /// the middle.
+    /// Adds a curve of points (angle in rad, radius) in order of their angles; the last point is joined to the first. [`Stroke::Bars`] draws spokes
+    /// from the middle.
     pub fn curve(mut self, name: impl Into<String>, points: Vec<(f64, f64)>, stroke: Stroke) -> Self {
         self.curves.push(ChartSeries { name: name.into(), points, stroke });
         self

@@ -24,7 +24,7 @@ pub(super) fn outlines(triangles: &[[Corner; 3]], level: f64) -> Vec<Vec<Pixel>>
         }
     }
     edges.sort_unstable();
-    // The traversals that remain, each in its direction.
+    // Each edge that is traversed more often in one direction than in the other, in this direction.
     let mut onward: Vec<(Pixel, Pixel, i32)> = Vec::new();
     for same in edges.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
         let (a, b, _) = same[0];

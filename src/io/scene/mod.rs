@@ -134,7 +134,8 @@
 //! after the contacts of the list `contacts`. Every contact with a `force` has a slide: a prismatic joint, numbered after all joints of fingers.
 //!
 //! A joint is `"revolute"` – `{"point": [x, y]}` in the plane, `{"point": …, "axis": …}` in space –, `"prismatic"` (a direction), or neither,
-//! and then known by the Jacobians of its contacts alone. A tendon has `arms`, one for each joint of all fingers, m/rad or none:
+//! and then known by the Jacobians of its contacts alone. A tendon has `arms`, one for each joint of all fingers, in m/rad, or without a unit at a
+//! prismatic joint:
 //!
 //! | field | value | unit | if left out |
 //! |---|---|---|---|

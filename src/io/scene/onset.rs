@@ -59,7 +59,7 @@ pub struct Angle {
     pub angle: f64,
 }
 
-/// The first contact stops sticking; see [`path::OnsetEvent`].
+/// The event at which the first contact stops sticking; see [`path::OnsetEvent`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]

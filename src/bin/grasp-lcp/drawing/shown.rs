@@ -149,8 +149,8 @@ fn needed(grasp: &Grasp<3>, need: &Need<3>, needed: &Needed) -> Result<Shown, Fa
     })
 }
 
-/// The improved grasp and the original one. Each is shown under the load at first slip or, if the friction reserve is the goal, under the full load;
-/// without such a load it is shown at rest.
+/// The improved grasp and the original grasp. Each is shown under the load at first slip or, if the friction reserve is the goal, under the full
+/// load; without such a load it is shown at rest.
 fn improved(grasp: &Grasp<3>, asked: &Improve<3>, improved: &Improved<3>) -> Result<Vec<Shown>, Failure> {
     let base = asked.base();
     let (times, when): (fn(f64) -> f64, _) = match improved.goal {

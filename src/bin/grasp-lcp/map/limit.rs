@@ -1,4 +1,4 @@
-//! The end of the load path in one direction.
+//! The end of the load path in one direction of a map.
 
 use grasp_lcp::Error;
 use grasp_lcp::load_path::{Beyond, Leg, LossKind, PathEnd};
@@ -110,7 +110,7 @@ impl Last {
     }
 }
 
-/// For each kind of end that occurs, its name and the number of paths that end so, as text.
+/// For each kind of end that occurs, its name and the number of paths that end in this way, as text.
 pub(crate) fn count(lasts: &[Last]) -> String {
     let parts = LimitEnd::ALL.into_iter().filter_map(|end| {
         let count = lasts.iter().filter(|last| last.end == end).count();

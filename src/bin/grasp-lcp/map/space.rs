@@ -104,7 +104,7 @@ fn load_paths(
         return Ok(None);
     }
     let quick = ask::quick(grasp);
-    // Enumerating contact states takes most of the time. It is used only in directions whose end is unknown without it.
+    // Enumerating contact states takes most of the time. The enumeration is used only in directions whose end is unknown without it.
     Ok(watch.sweep("load paths", ways, MOST_PATH_TIME, |d| {
         let last = limit::last(&quick, base, pull(*d), most)?;
         let known = last.end != LimitEnd::Unknown;

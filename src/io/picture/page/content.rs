@@ -8,7 +8,7 @@ use crate::numerics::{Each, IntoList, mapped};
 use crate::picture::actuators::Actuators;
 
 /// A grasp and one or more of its answers as a single self-contained HTML file without network or installation ([`Self::to_html`]). Buttons select an
-/// answer, and a slider if there are more than two. [`Self::to_svg`] draws one of the answers as an SVG, for paper.
+/// answer, and so does a slider if there are more than two answers. [`Self::to_svg`] draws one of the answers as an SVG, for paper.
 ///
 /// In the plane each picture is a [`PlanarPicture`](crate::picture::PlanarPicture), and all pictures have one scale, so that growing forces are
 /// visible. In space the picture is turned by dragging, enlarged by the wheel or two fingers and reset by a double click. It then shows, in the
@@ -25,8 +25,8 @@ use crate::picture::actuators::Actuators;
 /// * axes of the motions that no contact resists, and the object displaced along the motion by which it is lost;
 /// * links of a [hand](crate::grasp::Hand) at their initial places, and its joints that yield at their limit.
 ///
-/// A table on the page has the numbers of the answer shown, in N, m and rad; for a soft fingertip sums, and its points on request. On narrow screens
-/// picture, legend and table are below each other.
+/// A table on the page has the numbers of the answer shown, in N, m and rad; for a soft fingertip it has sums, and the points on request. On narrow
+/// screens picture, legend and table are below each other.
 ///
 /// ```
 /// use grasp_lcp::picture::Page;

@@ -68,7 +68,7 @@ pub(super) enum MarkShape {
         radii: [Vector3<f64>; 2],
         ink: Rgb,
     },
-    /// The arrow of a load. It is lengthened, and so not to scale, if it would be too short to be visible.
+    /// The arrow of a load. If it would be too short to be visible, it is lengthened, and then not to scale.
     Load {
         from: Vector3<f64>,
         along: Vector3<f64>,
