@@ -57,7 +57,7 @@ pub enum PathOutcome<const C: usize> {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         state: Option<Box<Equilibrium<C>>>,
     },
-    /// No equilibrium exists at the start of the path.
+    /// At the start of the path no equilibrium exists, or none was found.
     NoStart {
         /// The outcome at the start: no equilibrium, or undecided.
         start: Box<Outcome<C>>,
