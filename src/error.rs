@@ -12,7 +12,7 @@ pub(crate) const LARGEST: f64 = 1e50;
 /// The wording of the range of [`is_moderate`] in error messages.
 pub(crate) const MODERATE: &str = "finite and at most 1e50 in size";
 
-/// The parts that are allowed, as the end of a sentence.
+/// The end of the message of [`Error::Part`]: the `allowed` parts, or that no part has a load, command or force of its own.
 fn one_of(allowed: &str) -> String {
     match allowed {
         "" => "and no other part has: what presses by overlap is the squeeze".to_owned(),
@@ -115,7 +115,7 @@ pub enum Error {
         /// The allowed values.
         allowed: &'static str,
     },
-    /// A mesh file is missing or cannot be read, or the mesh encloses no volume where it has to.
+    /// A mesh file is missing or cannot be read, or the mesh encloses no volume although a volume is needed.
     #[cfg(feature = "mesh")]
     #[error("mesh: {fault}")]
     Mesh {
@@ -170,7 +170,7 @@ pub enum Error {
     /// have closed forms.
     #[error("commands or torques of a leg: change while the load turns, must stay")]
     CommandsWhileTurning,
-    /// The first slip along a ramp is sought whose load and commands do not change, or loads are to grow in proportion to a load of zero.
+    /// The load and commands of the ramp do not change, although its first slip is sought; or the load that is to grow in proportion is zero.
     #[error("onset: direction, command_change and joint_change are zero, one of them must change something")]
     NothingChanges,
     /// The legs of a load cycle do not return to the load or the commands at its beginning.
@@ -181,8 +181,8 @@ pub enum Error {
         /// The largest difference of this quantity, in its own unit.
         off: f64,
     },
-    /// The method limits contact forces by a budget of normal forces. This contact may pull, is bonded or has infinite friction, so a budget does not
-    /// limit its force.
+    /// The method limits contact forces by a budget of normal forces. This contact may pull, is bonded or has infinite friction; a budget therefore
+    /// does not limit its force.
     #[error("{question} bounds normal forces: contact {contact} pulls, is bonded or has infinite friction")]
     Unlimited {
         /// Name of the method that gave the error.
@@ -190,8 +190,8 @@ pub enum Error {
         /// The contact whose force a budget does not limit.
         contact: ContactLabel,
     },
-    /// The method decides whether contacts can balance loads of any size. Without the vacuum of suction cups they cannot, and with it they may
-    /// balance limited loads.
+    /// The method decides whether contacts can balance loads of any size. The vacuum of suction cups helps to balance limited loads only, about which
+    /// this method says nothing.
     #[error(
         "{question} asks for loads of any size: the vacuum of contact {contact} is limited, ask load_limit or ferrari_canny"
     )]

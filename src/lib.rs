@@ -107,14 +107,14 @@
 //! "No equilibrium exists" is an answer ([`equilibrium::Outcome::NoEquilibrium`]) with its proof; it is not an error, and no numbers are returned.
 //! Malformed input is an [`Error`] with the contact, the field, its value and the allowed values. Every equilibrium carries
 //! [residuals](equilibrium::Residuals) recomputed from the question. With friction several equilibria are common: [`equilibrium::FoundBy`] is the
-//! rule by which the returned one was found. [`ask::Grasp::equilibria`] lists all of them; on the round cone it lists those found from the states of
-//! a polygonal cone.
+//! rule by which the returned equilibrium was found. [`ask::Grasp::equilibria`] lists all equilibria; on the round cone it lists the equilibria found
+//! from the states of a polygonal cone.
 //!
 //! A point contact carries no moment. A two-finger pinch in space therefore turns freely about the line between the contacts. The answer contains
 //! this motion in [`free_motions`](equilibrium::Equilibrium::free_motions). [`grasp::SoftFingertip`] spreads a contact over a patch that resists
 //! moments.
 //!
-//! The model is that of the paper "Position Control for Multifingered Robot Hand". The paper solves the sticking case as a quadratic program.
+//! The model is taken from the paper "Position Control for Multifingered Robot Hand". The paper solves the sticking case as a quadratic program.
 //! [`energy`] implements this program, and shows where its minimum stops being an equilibrium. `paper-notes.md` in the repository lists what this
 //! crate takes from the paper, its misprints, and the extensions.
 //!
@@ -126,7 +126,7 @@
 //! | needs std | feature |
 //! |---|---|
 //! | several cores; without them sweeps and long sums run one after the other | `parallel` |
-//! | vector instructions, chosen by the processor at run time | `simd` |
+//! | vector instructions of the processor (SIMD), detected at run time | `simd` |
 //! | pictures and pages | `plot` |
 //! | scenes, files, streams, schemas | `serde`, `json`, `schema` |
 //! | the program | `cli`, `cli-full` |

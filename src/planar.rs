@@ -1,7 +1,7 @@
 //! Grasps in the plane: 3 degrees of freedom, 2 axes per contact. Lengths in m, forces in N, moments from x to y in N m.
 //!
-//! The contact frame is (n, t) with n into the object and `t = (n_y, -n_x)`. The planar friction cone has two edges and is exact: nothing is
-//! approximated by a polygon.
+//! The contact frame is (n, t) with n into the object and `t = (n_y, -n_x)`. The planar friction cone has two edges, and is not approximated by a
+//! polygon.
 
 pub use crate::grasp::Pressure;
 
@@ -49,7 +49,7 @@ macro_rules! names {
         pub type ContactState = crate::equilibrium::ContactState<$axes>;
         /// Equilibrating and interaction forces; see [`crate::equilibrium::Decomposition`].
         pub type Decomposition = crate::equilibrium::Decomposition<$axes>;
-        /// A load and commands that change in proportion; see [`crate::load_path::Ramp`].
+        /// A load and commands that change in proportion to a load factor; see [`crate::load_path::Ramp`].
         pub type Ramp = crate::load_path::Ramp<$axes>;
         /// Whether contact forces could balance any load; see [`crate::statics::Closure`].
         pub type Closure = crate::statics::Closure<$axes>;

@@ -1,6 +1,6 @@
-//! Names of std's prelude that core's lacks. A file that uses one of them imports all, so that it also compiles without std.
+//! Names of std's prelude that core's prelude lacks. A file that uses one of these names imports all of them; it then also compiles without std.
 //!
-//! Lists, texts and boxes come from `alloc`, with std and without it. Floating-point functions are std's own where std exists. A file that uses only
+//! Lists, texts and boxes come from `alloc`, with std and without it. Floating-point functions are std's own if std exists. A file that uses only
 //! floating-point functions imports this module only without std.
 
 pub(crate) use alloc::borrow::ToOwned;

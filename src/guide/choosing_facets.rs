@@ -1,6 +1,6 @@
 //! Choosing between round cone and polygon, and the number of facets.
 //!
-//! In the plane a friction cone has two edges and nothing is approximated: this page is for space.
+//! In the plane a friction cone has two edges and needs no approximation: this page is for space.
 //!
 //! # Usually none
 //!
@@ -25,8 +25,8 @@
 //! | 16 | 1.9 % | | |
 //! | 64 | 0.12 % | | |
 //!
-//! An inscribed polygon is safe for an onset from rest: a contact that sticks on it sticks on the round cone. A circumscribed one is safe for a proof
-//! that nothing holds. Once a contact slides neither is a bound.
+//! An inscribed polygon is safe for an onset from rest: a contact that sticks on it sticks on the round cone. A circumscribed polygon is safe for a
+//! proof that nothing holds. Once a contact slides, neither polygon gives a bound.
 //!
 //! ```
 //! use grasp_lcp::load_path::Ramp;

@@ -1,8 +1,8 @@
 //! Choosing fingers: places and squeezes for which the first slip comes as late as possible, or most friction is left.
 //!
 //! The scenes are in `examples/scenes/improve`, and the commands are run there. A contact that may move has a `surface`, on which it lies; its normal
-//! follows. `at_most` (or `--at-most`) is the largest force in newtons that fingers may press with; without it they keep their commands. Loads grow
-//! in proportion, one at a time, or a force of any direction grows.
+//! follows. `at_most` (or `--at-most`) is the largest force in newtons that fingers may press with; without it fingers keep their commands. The loads
+//! of a question grow from zero, each alone; or a force of given size grows, whose direction may be any.
 //!
 //! # Two jaws hold a box whose weight hangs aside. Where should they be?
 //!
@@ -12,8 +12,8 @@
 //! ```
 //!
 //! If the jaws were level, the jaw nearer to the weight would slide first. With the weight e = 10 mm aside and one jaw higher by `2 μ e`, the couple
-//! of the normal forces balances it. Both jaws then carry half of the weight, up to `2 μ N`, all that their friction can do.
-//! `grasp-lcp draw pinch.json` draws the grasp before and after.
+//! of the normal forces balances it. Each jaw then carries half of the weight, up to a weight of `2 μ N`, at which the friction of both jaws is used
+//! up. `grasp-lcp draw pinch.json` draws the grasp before and after.
 //!
 //! # Three fingers hold a disc. Where should they be against a force of any direction?
 //!
@@ -22,8 +22,8 @@
 //! FIRST SLIP at 13.4164 N instead of 10.8291 N: index moves 5.99153 mm along its circle and middle 5.99153 mm along its circle; all press with 10 N. Nothing nearby is better to first order, as thumb, index and middle leave first, within the greatest force of thumb, the greatest force of index and the greatest force of middle
 //! ```
 //!
-//! The optimum has the fingers at thirds of the circle, wherever the first of them is. The least force that slides is `3 N sin α`, with the friction
-//! angle α.
+//! The optimum has the fingers at thirds of the circle, wherever the first finger is. The least force under which a finger slides is `3 N sin α`,
+//! with the friction angle α.
 //!
 //! # A can is lifted and jerked aside
 //!
@@ -43,18 +43,19 @@
 //! RESERVE of 3 N instead of 1.33333 N: left moves 2 mm along its edge and right 2 mm along its edge; both press with 9.94109 N. Nothing nearby is better to first order, as left and right have least, within the greatest command of left and the greatest command of right
 //! ```
 //!
-//! Both jaws again carry half, and keep `μ N - W / 2`. Here one jaw is higher by `W e / N`, 4 mm, where the couple balances the weight of 4 N. With
-//! the 10 mm of the first question this weight would turn the box, and the jaws would carry unequal parts of it.
+//! Each jaw again carries half of the weight, and keeps a reserve of `μ N - W / 2`. Here one jaw is higher by `W e / N`, 4 mm, so that the couple
+//! balances the weight of 4 N. With the 10 mm of the first question this weight would turn the box, and the jaws would carry unequal parts of it.
 //!
 //! # Guarantees of the answer
 //!
-//! "Nothing nearby is better to first order" is proved by multipliers: gradients of the first events and of active bounds cancel up to a millionth.
-//! [`Improved::residual`](crate::improve::Improved::residual) is their remainder. So no small step gains in proportion to its length. Distant places
-//! may still be better. The search therefore starts from several places (`starts`) on the surfaces and returns the best answer. Each first event and
-//! each active bound has a multiplier ([`InTheWay`](crate::improve::InTheWay)): the gain in first slip or reserve for one more newton of force, or
-//! one more metre of edge.
+//! "Nothing nearby is better to first order" is proved by multipliers: weighted with them, the gradients of the first events and of active bounds
+//! cancel up to a millionth. [`Improved::residual`](crate::improve::Improved::residual) is the remainder of this sum. No small step therefore gains
+//! in proportion to its length. Distant places may still be better. The search therefore starts from several places (`starts`) on the surfaces and
+//! returns the best answer. Each first event and each active bound has a multiplier ([`InTheWay`](crate::improve::InTheWay)): the gain in first slip
+//! or reserve for one more newton of force, or one more metre of edge.
 //!
-//! In space two point contacts balance a load only if both lie on one line with it, so that they cannot move: the answer says so. Three or four fingers can
-//! move. From an edge of a polyline, or a triangle of a mesh, fingers cross to the next where that gains. Normals jump there, so that the proof is
-//! for the parts on which they end. Turning loads, hands with joints, several bodies, vacuums and movable soft fingertips are refused with an error
-//! that names them.
+//! In space two point contacts balance no moment about the line that joins them. They hold a load only if it has no such moment, which a move of one
+//! contact would change: they cannot move, and the answer says so. Three or four fingers can move. From an edge of a polyline, or a triangle of a
+//! mesh, fingers cross to the next one if that is a gain. Normals jump between them. The proof therefore holds only for the edges or triangles on
+//! which the fingers end. Turning loads, hands with joints, several bodies, vacuums and movable soft fingertips are refused with an error that names
+//! them.

@@ -38,7 +38,7 @@
 //! if (wrong == NULL) squeeze += fmin(seen.extra_squeeze, FASTEST);
 //! ```
 //!
-//! An error is returned as a text, and NULL without one. An unknown squeeze is NAN, in which case `fmin` returns its other argument.
+//! Each function returns an error as a text, or NULL if there is none. An unknown squeeze is NAN, in which case `fmin` returns its other argument.
 //! `examples/in_c/tests/watch.c` is a complete program.
 //!
 //! # On a controller without an operating system
@@ -47,14 +47,14 @@
 //! grasp-lcp = { version = "0.1", default-features = false, features = ["libm"] }
 //! ```
 //!
-//! The whole library is then `no_std`: equilibria, paths, verdicts and complementarity problems as well, on one core. These need an allocator;
+//! The whole library is then `no_std`: equilibria, paths, verdicts and complementarity problems as well, on one core. All of these need an allocator;
 //! `onset` and `watch` of `Fingers` allocate nothing. The [root](crate#without-the-standard-library) lists the parts that need std.
 //!
 //! A program that uses `Fingers` alone contains only their kernels, of the plane or of space. A program that uses a [`Grasp`](crate::ask::Grasp)
 //! contains all questions.
 //!
-//! A Cortex-M4 has no hardware for double precision, so that software emulates it and decides the time of a tick. A Cortex-M7 may have it. Times must
-//! be measured on the controller; this guide promises none.
+//! A Cortex-M4 has no hardware for double precision: software emulates it, and determines the time of a tick. A Cortex-M7 may have such hardware.
+//! Times must be measured on the controller; this guide promises none.
 //!
 //! `tests/without_std` in the repository is such a program. It is compiled for `thumbv7em-none-eabihf`, and run on a desktop, where its answers agree
 //! with those of std to ten digits.

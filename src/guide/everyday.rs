@@ -10,7 +10,7 @@
 //! HOLDS, everything sticks: 24 N (3.24105 times this load) until it is lost, as left jaw and right jaw slide
 //! ```
 //!
-//! Two jaws, 20 N, friction 0.6: 24 N, and the box pulls with 0.5 · (9.81 + 5) = 7.4 N.
+//! Friction of the two jaws holds up to 2 · 0.6 · 20 N = 24 N. The box pulls with 0.5 · (9.81 + 5) = 7.4 N.
 //!
 //! An arm that swings also throws the box outwards: `--angular-velocity 0,0,90`, in degrees per second, `--about` a point of the axis, with
 //! `--angular-acceleration` and the `--inertia` of the box; see [`Payload`](crate::grasp::Payload).
@@ -22,7 +22,8 @@
 //! TIPS OVER at 6.53333 N of 8 N beside the load at rest: the object tips over about right edge, left edge opens
 //! ```
 //!
-//! The weight of 19.6 N has an arm of 50 mm about the right edge, the push an arm of 150 mm. Sliding would take 0.4 · 19.6 = 7.84 N.
+//! The *load at rest* is the weight of 19.6 N (`base` in the scene), which stays constant while the push grows. About the right edge the weight has
+//! an arm of 50 mm and the push an arm of 150 mm: the box tips at 19.6 · 50 / 150 = 6.53 N. Sliding would take 0.4 · 19.6 = 7.84 N.
 //!
 //! # Which friction does a wedge of 15 degrees need to stay in its gap?
 //!
@@ -31,7 +32,8 @@
 //! NEEDS a coefficient of friction of 0.131653 so that it holds and nothing slides, 0.146281 if friction is 10 % less. With less: GOES TOO FAR at rest already: it turns by more than 5.7°; beyond this, results for small motions no longer apply. Tried were 13 amounts from 0.04 to 0.5
 //! ```
 //!
-//! The value is tan 7.5°, however hard the wedge is driven in.
+//! The value is the tangent of half the angle of the wedge, tan 7.5°, however hard the wedge is driven in. Here and below, 5.7° is 0.1 rad: at larger
+//! turns the model, which assumes small motions, no longer applies ([`SmallMotions`](crate::SmallMotions)).
 //!
 //! # Does a suction cup of 40 mm hold a plate of 2 kg that is pulled sideways with 10 N?
 //!
@@ -40,7 +42,7 @@
 //! HOLDS, everything sticks: 37.2115 N (1.68979 times this load) until the first slip (cup), 41.6218 N (1.89006 times) until cup slips by more than 2 mm
 //! ```
 //!
-//! 60 kPa on 1257 mm² pull with 75.4 N. The first slip is at the point of the lip where pull, shear and peel add up; see
+//! A vacuum of 60 kPa on 1257 mm² pulls with 75.4 N. The first slip is at the point of the lip where pull, shear and peel add up; see
 //! [`suction_cups`](super::suction_cups).
 //!
 //! # How far may I climb on a ladder?
@@ -50,7 +52,9 @@
 //! TAKES an arm of 1.98101 m and holds, and something slides with every amount that was tried. With more: TURNS OUT at once, under any part of 950 N: the object turns about (0, 4.532) m
 //! ```
 //!
-//! The arm is the horizontal distance from the foot, 4.69 m along the 5 m of the ladder. There friction of foot and wall is used up at the same time.
+//! The arm is the horizontal distance of the climber from the foot of the ladder: 4.69 m along the ladder of 5 m. With the climber at this height
+//! both friction at the foot and friction at the wall are used up. With smaller arms one of the two contacts slides a little, and the other holds the
+//! ladder.
 //!
 //! # How hard do the clamps of my fixture have to press, whichever way the cutter pushes?
 //!
@@ -80,7 +84,8 @@
 //! TAKES 7 times the load, 7 N, and holds, and nothing slides. With more: SLIPS OUT at 7 N of 7 N: the object moves along −y, left front, left back, right front and right back slide (gross slip)
 //! ```
 //!
-//! The book is held at four places with 5 N each and friction 0.35; the load of the scene is 1 N.
+//! The program asks the opposite: it gives the greatest pull that the book withstands, and any greater pull gets it out. Its neighbours press at four
+//! places, with 5 N each and friction 0.35. Friction holds up to 4 · 0.35 · 5 N = 7 N, which is 7 times the pull of 1 N in the scene.
 //!
 //! # Do my soft jaws carry a plate by its rim?
 //!
@@ -106,4 +111,6 @@
 //! TAKES 23.1986° anticlockwise and holds, 12.9946° and nothing slides. It takes 23.1986° if friction is 10 % less. With more: it is lost at 23.1986°
 //! ```
 //!
-//! The glass tips: half its foot of 30 mm over the 70 mm of its centre of mass is tan 23.2°. It would slide at tan⁻¹ 0.5 = 26.6°.
+//! The glass tips at tan⁻¹ (30 mm / 70 mm) = 23.2°, from half the width of its foot and the height of its centre of mass. As a whole it would slide
+//! only at tan⁻¹ 0.5 = 26.6°. The first slip at 12.9946° is local: tilting takes pressure from the upper edge of the foot, which then slides, while
+//! the lower edge still sticks and holds the glass.

@@ -3,7 +3,7 @@
 //! Consider a finger with joint displacements φ, Jacobian `J` of its contact (m/rad) and joint stiffness `K_θ` (N m/rad: gears, tendons, the gain of
 //! the position controller). At the contact it gives way by its **compliance** `C = J K_θ⁻¹ Jᵀ` (m/N). The off-diagonal part c_nt couples
 //! displacements that springs along the axes of the contact would separate: pushing a tilted finger also shifts its tip sideways. A load along the
-//! object then squeezes one side harder and releases the other, which decides when a contact slides.
+//! object then squeezes one side harder and releases the other. This changes the load at which a contact slides.
 //!
 //! ```
 //! use grasp_lcp::planar::Contact;
@@ -42,7 +42,7 @@
 //! [`Hand::grasp`](crate::grasp::Hand::grasp) makes a [`Grasp`](crate::ask::Grasp), with any number of joints. Questions are the same as for any
 //! other grasp. Loads act on the object; [torques on joints](crate::ask::Grasp::with_joint_torques) from outside are zero unless given. Answers
 //! contain [joints](crate::equilibrium::Equilibrium::joints) and [tendons](crate::equilibrium::Equilibrium::tendons) beside contacts; events and
-//! onsets contain their [drives](crate::load_path::Event::drives).
+//! onsets contain the [drives](crate::load_path::Event::drives) that yield or slacken.
 //!
 //! # Guarantees of theory, and their limits
 //!
@@ -52,7 +52,7 @@
 //!   paper, with joints).
 //! * **One contact on a body at rest** has one answer for every command if μ |c_nt| < c_nn, and up to three otherwise: the condition of Klarbring,
 //!   *Examples of non-uniqueness and non-existence of solutions to quasistatic contact problems with friction*, Ingenieur-Archiv 60 (1990).
-//! * **On a body that is free to move this does not suffice**: two fingers that each satisfy it can still have several equilibria together.
+//! * **On a body that is free to move this condition does not suffice**: two fingers that each satisfy it can still have several equilibria together.
 //! * **The force form stays copositive** for every positive semidefinite compliance, `zᵀMz = FᵀCF + Σ μ λ F_n >= 0`. Guarantees of Lemke's method
 //!   without joints therefore hold with joints: Cottle, Pang and Stone, *The Linear Complementarity Problem*, theorem 4.4.12.
 //! * **A symmetric pinch** with N on both sides slides at `2 μ N / (1 ∓ μ |c_nt|/c_nn)`. From μ |c_nt| >= c_nn on, the side that tightens itself
@@ -61,7 +61,7 @@
 //!
 //! # Limitations
 //!
-//! Displacements are small: J is that of the posture in which contacts were given. Under load the joint stiffness has a geometric part, `∂Jᵀ/∂φ F`,
-//! which matters where torque times angle approaches the elastic energy. Add it with [`Finger::coupled`](crate::grasp::Finger::coupled) if it is
-//! known and the sum is positive semidefinite. [Screening](crate::screening) and [`Grasp::follow_in_steps`](crate::ask::Grasp::follow_in_steps) do not
-//! support joints.
+//! Displacements are small: J is the Jacobian of the posture in which contacts were given. Under load the joint stiffness has a geometric part,
+//! `∂Jᵀ/∂φ F`, which matters if torque times angle approaches the elastic energy. Add it with [`Finger::coupled`](crate::grasp::Finger::coupled) if
+//! it is known and the sum is positive semidefinite. [Screening](crate::screening) and [`Grasp::follow_in_steps`](crate::ask::Grasp::follow_in_steps)
+//! do not support joints.

@@ -28,8 +28,8 @@
 //! limit in this process begins to slide, too. In the end either all forces balance again, or nothing holds.
 //! [`Event::jump`](crate::load_path::Event::jump) has the state after the jump, the slips of the contacts and the lost energy.
 //! [`Loss::jumped`](crate::load_path::Loss::jumped) has the contacts that slipped before the object was lost. A contact that continues to slide as
-//! the load grows keeps its kinetic friction. A contact that comes to rest regains its static friction: where it sticks, where the load reverses, and
-//! in a pause, a leg along which nothing changes.
+//! the load grows keeps its kinetic friction. A contact that comes to rest regains its static friction: when it sticks, when the load reverses, and
+//! during a pause, i.e. a leg along which nothing changes.
 //!
 //! Under a load that repeats ([`shake`](crate::ask::Grasp::shake)) contacts may jump again and again. It may take several cycles until everything
 //! repeats, *in every 4 cycles*. Slips and motions are then given for all of these cycles together. For 255 random grasps
@@ -43,14 +43,14 @@
 //!
 //! * **No overshoot.** The object comes to rest where forces balance, as if it moved in oil. A slider on a spring falls from `μ_s N` to `μ_k N` and then slides
 //!   steadily. Without damping it falls twice as far, to `(2 μ_k - μ_s) N`, sticks, and repeats this: stick-slip. In such a jump the change of force
-//!   at other contacts is up to about twice the computed one, and some that would catch the object do not. `2 μ_k - μ_s` in place of `μ_k` shows this
-//!   effect; for one spring it is exact.
+//!   at other contacts is up to about twice the computed change. Contacts that catch the object in the computation may then fail to do so.
+//!   `2 μ_k - μ_s` in place of `μ_k` shows this effect; for one spring it is exact.
 //! * **The path of a jump.** If several contacts join in, or one sticks again on the way, the damping may decide. The tests move 400 random planar
 //!   grasps through a viscous medium: all were caught or lost as computed, and 14 came to rest elsewhere.
 //! * **Another equilibrium.** If a jump is not caught, [`LoadPath::beyond`](crate::load_path::Path::beyond) says whether an equilibrium exists with
-//!   the remaining friction. It is not known whether the object arrives there, so that it counts as lost.
-//! * **Alternating stick and slip.** Contacts that slide together may push each other back: each jump of one lets another one stick. The less
-//!   friction falls, the smaller and more numerous these jumps are, up to [`Settings::most_steps`](crate::Settings::most_steps) per leg.
+//!   the remaining friction. It is not known whether the object arrives at this equilibrium; the object therefore counts as lost.
+//! * **Alternating stick and slip.** Contacts that slide together may push each other back: each jump of one contact lets another contact stick. The
+//!   less friction falls, the smaller and more numerous these jumps are, up to [`Settings::most_steps`](crate::Settings::most_steps) per leg.
 //! * **Soft fingertips** slide point after point, and each point hands its lost force to the others. The load at which they are lost converges with
 //!   the number of points: with r = μ_k/μ_s = 0.7, ten points in a row hold 5 % more than the limit of many points, forty hold 1.2 % more.
 //! * **Speed and age.** Both coefficients are constants. Friction that grows with the time at rest, or falls with the speed, is not included.

@@ -71,8 +71,8 @@
 //! # Could it come to rest at all?
 //!
 //! [`Statics::shakedown`](crate::ask::Statics::shakedown) gives an upper bound without following cycles: with loads beyond its factor the grasp never
-//! comes to rest, in whichever order they come. Below it, the grasp does come to rest where slips do not change the normal forces; elsewhere the
-//! order decides. In a scene the question is `shakedown`.
+//! comes to rest, in whichever order they come. With smaller loads the grasp comes to rest if slips do not change the normal forces; otherwise the
+//! order of the loads decides whether it does. In a scene the question is `shakedown`.
 //!
 //! ```text
 //! $ grasp-lcp shake ../box.json --mass 0.2 --acceleration 19.6 --any-order

@@ -2,8 +2,8 @@
 //!
 //! # Which answers depend on it
 //!
-//! Where fingers press with given forces (`pressed_with`, `force`, suction), only **ratios** of stiffnesses decide how contacts share a load. If all springs
-//! become ten times as stiff, forces, first slip and loss stay the same, and displacements are a tenth.
+//! If fingers press with given forces (`pressed_with`, `force`, suction), only **ratios** of stiffnesses decide how contacts share a load. If all
+//! springs become ten times as stiff, forces, first slip and loss stay the same, and displacements are a tenth.
 //!
 //! | answer | depends on |
 //! |---|---|
@@ -46,8 +46,8 @@
 //! | what holds | enter | how it presses |
 //! |---|---|---|
 //! | rubber pad, area A, thickness t | normal E A/t, tangential a third; 400 mm² of 5 mm: 1.4e5 to 7.5e5 N/m. Of a mesh: `layer` with modulus and thickness | `pressed_with` |
-//! | steel jaw, locator, vice | 1e7 to 1e8 N/m, tangential 0.7 to 0.9 of it | a screw that is tightened once: `pressed_with`; one that follows: `force` |
-//! | gripper with a servo that holds its position | finger (3 E I/L³) and pad in series, with the drive's stiffness where that is known | `pressed_with` |
+//! | steel jaw, locator, vice | 1e7 to 1e8 N/m, tangential 0.7 to 0.9 of it | a screw that is tightened once: `pressed_with`; a clamp that follows the part: `force` |
+//! | gripper with a servo that holds its position | finger (3 E I/L³) and pad in series, with the drive's stiffness if it is known | `pressed_with` |
 //! | gripper with an air cylinder or a motor that stalls | pad and finger | `force`, or a joint with a `limit` |
 //! | bolt or tie rod, section A, length L | a `spring` or `cable` link with E A/L; M10 of 50 mm: 2.4e8 N/m | `tension`, the tension after installation |
 //! | strap, rope | a `cable` link; force over elongation of its data sheet, times its length | `tension` |
@@ -60,8 +60,8 @@
 //!
 //! # Where a pad's sides lie
 //!
-//! `"rectangle": {"sides": [a, b]}` has a along the first tangent t₁ and b along t₂ = n × t₁. Without `tangent`, t₁ is the coordinate axis farthest from the normal, the
-//! first of equals:
+//! `"rectangle": {"sides": [a, b]}` has a along the first tangent t₁ and b along t₂ = n × t₁. Without `tangent`, t₁ is the coordinate axis farthest
+//! from the normal, and the first such axis if there are several:
 //!
 //! | normal along | a along | b along |
 //! |---|---|---|

@@ -44,8 +44,8 @@
 //! | `FreeMotion` | nothing resists it in any state | a degree of freedom without springs | another contact, [`SoftFingertip`](crate::grasp::SoftFingertip)s |
 //! | `SeparatingMotion` | the load drives it, no admissible force works against it | the load is too large for the friction cones, or has the wrong direction, for any stiffness and squeeze | more friction, other contact points |
 //! | `EveryStateTried` | – | forces in the cones could balance the load, but springs and commands do not produce them | more squeeze |
-//! | `EveryCaseContradicted` | – | the same on the round cone, where directions of friction are divided into cases | more squeeze |
-//! | `Undecided`: `RayWithoutProof` | – | none of these, and too many contacts to try all states | [`most_states`](crate::Settings::most_states), or the load path, which does not need the ray |
+//! | `EveryCaseContradicted` | – | as `EveryStateTried`, on the round cone: directions of friction are divided into cases, and each case is contradicted | more squeeze |
+//! | `Undecided`: `RayWithoutProof` | – | no proof was found, and there are too many contacts to try all states | [`most_states`](crate::Settings::most_states), or the load path, which does not need the ray |
 //!
 //! ```
 //! use grasp_lcp::equilibrium::{Outcome, Proof};

@@ -2,9 +2,10 @@
 //!
 //! A scene has a list of `bodies`. Each contact names the body that its normal points into, `on`, and the body on the other side, `against`; without
 //! `against` it is the ground or a finger. Everything else is as with one object: the law of a contact, commands, hands, and all questions. A load of
-//! a question acts on the first body, or on the body marked as `loaded`; with `shared_by_mass` it acts on all of them, without `at` at their common centre of mass. A permanent load, such as a
-//! weight, is the `load` of a body. A list of `links` joins bodies: a hinge, a slide, a rigid joint, a spring, or a cable that only pulls. A link is
-//! `between` two bodies, or `on` one body and attached to the ground. The scenes are in `examples/scenes/bodies`, and the commands are run there.
+//! a question acts on the first body, or on the body marked as `loaded`; with `shared_by_mass` it acts on all bodies, and at their common centre of
+//! mass unless `at` is given. A permanent load, such as a weight, is the `load` of a body. A list of `links` joins bodies: a hinge, a slide, a rigid
+//! joint, a spring, or a cable that only pulls. A link is `between` two bodies, or `on` one body and attached to the ground. The scenes are in
+//! `examples/scenes/bodies`, and the commands are run there.
 //!
 //! # What does it take to drive a wedge under a machine?
 //!
@@ -23,7 +24,7 @@
 //! ```
 //!
 //! The part is lost at 300 N, twice 0.3 · 500 N. The moving jaw is a body of its own. The screw pushes it along its guide, and it turns a little
-//! under the pull. So the jaws share the pull unequally, and the fixed jaw slips first. The table below the answer has the force and moment of
+//! under the pull. The jaws therefore share the pull unequally, and the fixed jaw slips first. The table below the answer has the force and moment of
 //! the guide, a link: 119 N and 2.1 N m.
 //!
 //! # What do tongs carry?
@@ -54,7 +55,8 @@
 //! HOLDS, everything sticks: 27.7895 N (4.72128 times this load) until the first slip (joint a–b and joint b–c), 40 N (6.79579 times) until it is lost
 //! ```
 //!
-//! Only the part in the middle hangs on the joints: 2 · 0.2 · 40 N is 8.2 times its weight. The parts turn earlier, which lowers the limit.
+//! Only the part in the middle hangs on the joints: 2 · 0.2 · 40 N is 8.2 times its weight. The parts turn before friction of the joints is used up,
+//! which lowers the limit to 6.8 times.
 //!
 //! # How far may a tray be tilted with a stack on it?
 //!
@@ -95,11 +97,11 @@
 //! # Ok::<(), grasp_lcp::Error>(())
 //! ```
 //!
-//! # Could forces hold all of it?
+//! # Could contact forces hold all bodies?
 //!
 //! [`Statics::force_closure`](crate::ask::Statics::force_closure) says whether contact forces could balance any loads on all bodies at once, if every
 //! contact pressed as needed. If not, it returns a motion of the bodies that nothing opposes: a body on a table may go up. Springs and weights do not
-//! matter for it.
+//! matter for this question.
 //!
 //! # Loads on several bodies
 //!
@@ -148,5 +150,5 @@
 //! The measure of Ferrari and Canny, limit analysis, the least squeeze over loads and screening accept a single object only. Links are exact to first
 //! order, like all displacements: the tension of a cable keeps its direction as its line turns. Many bodies are solved in an order in which bodies
 //! that touch are close to each other. A wall of 1 000 bricks settles in about a second, and `hold` follows a push until it is lost in some seconds:
-//! the reports `several_bodies` and `scaling` have the times. These are for the plane. In space half a brick rests on four points; a wall of 36
+//! the reports `several_bodies` and `scaling` have the times. These times are for the plane. In space half a brick rests on four points; a wall of 36
 //! bricks takes a tenth of a second, one of 100 bricks some seconds. For a structure that cannot stand, the proof takes no longer.

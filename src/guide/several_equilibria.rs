@@ -1,6 +1,6 @@
 //! Several equilibria under one load, and which of them is real.
 //!
-//! Coulomb's law is not the condition of a minimum. Where friction is large enough to hold a body against its springs, the same load may have an
+//! Coulomb's law is not the condition of a minimum. If friction is large enough to hold a body against its springs, the same load may have an
 //! equilibrium with a sticking contact, one with a sliding contact and one with an open contact (A. Klarbring, "Examples of non-uniqueness and
 //! non-existence of solutions to quasistatic contact problems with friction", *Ingenieur-Archiv* 60, 1990). In his example, with numbers, springs
 //! hold a body above a floor. Pulled along the floor the body is lifted by its springs, since their stiffness
@@ -53,7 +53,7 @@
 //!
 //! * everything sticks;
 //! * everything that touches sticks;
-//! * in space, with fewer than 32 contacts, the state to which the stuck grasp relaxes by viscous slip, where there is one;
+//! * in space, with fewer than 32 contacts, the state to which the stuck grasp relaxes by viscous slip, if such a state is found;
 //! * in space and from 32 contacts on, the state that Newton's method reaches from the elastic trial state;
 //! * the end of a path of Lemke's method;
 //! * the first of all combinations of contact states.
@@ -64,8 +64,9 @@
 //!
 //! # Which one is real
 //!
-//! * Among few contacts [`Grasp::equilibria`](crate::ask::Grasp::equilibria) lists all of them. If there is only one, it is the real one. (On the
-//!   round cone the list has those to which a polygon leads.)
+//! * For few contacts [`Grasp::equilibria`](crate::ask::Grasp::equilibria) lists all equilibria. If there is only one, it is the real one. (On the
+//!   round cone the list has those equilibria that are found from the states of a polygonal cone.)
 //! * [`Grasp::follow`](crate::ask::Grasp::follow) computes the equilibrium that occurs: it starts where the history is known and follows the load.
-//!   [`Event::other_continuations`](crate::load_path::Event::other_continuations) says where even the path leaves a choice.
-//! * A grasp that must hold after any history must hold in each of them.
+//!   [`Event::other_continuations`](crate::load_path::Event::other_continuations) lists the other continuations at an event at which even the path
+//!   leaves a choice.
+//! * A grasp that must hold after any history must hold in each of these equilibria.

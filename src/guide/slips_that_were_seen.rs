@@ -1,7 +1,7 @@
 //! Observed slips: estimates of friction, loads of supports, squeeze and stiffness.
 //!
 //! Every question needs friction, and it is rarely known. It can be observed: pull until the object slides, note the load, and repeat. The estimate
-//! has its error, and both can be used in other questions. The scenes are in `examples/scenes/slips`, and the commands are run there.
+//! comes with a standard error, and both can be used in other questions. The scenes are in `examples/scenes/slips`, and the commands are run there.
 //!
 //! # A block is pushed about on three points. What is its friction, and what does each point carry?
 //!
@@ -22,8 +22,8 @@
 //!
 //! # Slips that share errors
 //!
-//! Fifty pushes are not fifty measurements if all pushes in one direction found the same patch of the surface. A column `group` marks slips that may
-//! share an error: a direction, a specimen, a day. The same pushes, with those within 30° of direction as a group:
+//! Fifty pushes are not fifty independent measurements if all pushes in one direction slid over the same patch of the surface. A column `group` marks
+//! slips that may share an error: a direction, a specimen, a day. The same pushes, with pushes whose directions lie within 30° as one group:
 //!
 //! ```text
 //! $ grasp-lcp identify block.json block_by_direction.csv --unknown friction --unknown carried=a --unknown carried=b --unknown carried=c --known 1+2+3=14.876,0.1
@@ -38,7 +38,7 @@
 //! | unknown | meaning | prerequisite |
 //! |---|---|---|
 //! | `friction` | a coefficient, of all contacts or of some | the normal forces: the squeeze, or a weight |
-//! | `carried` | load of a support at rest, N | friction, or the sum by a scale |
+//! | `carried` | load of a support at rest, N | friction, or the sum of the loads from a scale |
 //! | `squeeze` | factor of the given squeeze | friction |
 //! | `stiffness` | factor of the given tangential stiffness | friction; only first slips determine it |
 //!

@@ -1,13 +1,13 @@
 //! Suction cups: the loads that a vacuum holds, and when it lets go.
 //!
 //! The vacuum pulls object and cup together with the force `V = p A`, pressure difference times the area inside the lip, for any load. The lip
-//! touches the object: a ring of points that presses with V less the pull on the object. A [`SuctionCup`](crate::grasp::SuctionCup) is both. In
-//! scenes it is `"suction": {"radius": 0.015, "pressure": 60000}` on a contact, whose normal points into the object.
+//! touches the object: a ring of points that presses with V less the pull on the object. A [`SuctionCup`](crate::grasp::SuctionCup) consists of this
+//! force and this ring. In scenes it is `"suction": {"radius": 0.015, "pressure": 60000}` on a contact, whose normal points into the object.
 //!
 //! The vacuum is not a load of the question: the load in an answer is the weight and whatever else was asked. Unlike the force of a finger, the
 //! vacuum needs no support on the other side of the object, because it pulls on cup and object alike.
 //!
-//! | load | load at which the first point of the lip leaves | how |
+//! | load | load at which the first point of the lip slides or opens | how |
 //! |---|---|---|
 //! | hang: a force away from the cup | V | all of the lip opens |
 //! | shear: a force along the lip, in its plane | μ V | all of it slides |

@@ -8,7 +8,7 @@
 //! |---|---|---|
 //! | `Equilibrium` | forces, motion and states that satisfy every condition, checked against the question | use it, after checking the fields below |
 //! | `NoEquilibrium` | a [proof](crate::equilibrium::Proof) that quasi-static equilibrium is impossible | the grasp gives way; the motion in the proof shows how |
-//! | `Undecided` | neither was found, with the [reason](crate::equilibrium::Doubt) | neither "holds" nor "fails": raise [`most_states`](crate::Settings::most_states), or treat it as a failure |
+//! | `Undecided` | neither an equilibrium nor a proof was found, for the [reason](crate::equilibrium::Doubt) in the answer | neither "holds" nor "fails": raise [`most_states`](crate::Settings::most_states), or treat it as a failure |
 //!
 //! `Undecided` has three causes. Many contacts are at the limit of friction. The load is, to the last digit, on the boundary of the loads that the
 //! grasp can hold. The numbers of a scene differ so much in size that forces cannot be represented.
@@ -18,14 +18,14 @@
 //! * [`residuals`](crate::equilibrium::Equilibrium::residuals): violations of equilibrium, springs, cones and gaps, recomputed from contacts,
 //!   commands and load; about 1e-16. They show that the answer solves the question, not that the question is known accurately.
 //! * [`accuracy`](crate::ask::Grasp::accuracy): the estimated distance to the exact solution for these states, N and m. In comparisons with exact
-//!   arithmetic the true distance is at most ten times the estimate. The condition is the relative change of the forces divided by that of the
-//!   data. If a sensor is known to 1 % and the condition is 50, no digit of a force is reliable, however small the residual.
-//! * [`distinct`](crate::ask::Grasp::distinct): whether the state of a contact is distinct from its neighbour. Exactly at the onset of sliding,
-//!   sticking and sliding have the same forces. The state then depends on rounding, and the flag says so.
+//!   arithmetic the true distance is at most ten times the estimate. The condition is the relative change of the forces divided by the relative
+//!   change of the data. If a sensor is known to 1 % and the condition is 50, no digit of a force is reliable, however small the residual.
+//! * [`distinct`](crate::ask::Grasp::distinct): whether the state of a contact is distinct from the neighbouring states. Exactly at the onset of
+//!   sliding, sticking and sliding have the same forces. The state then depends on rounding, and the flag says so.
 //! * [`margin`](crate::equilibrium::ContactAnswer::margin): friction in reserve, N. If friction is known to 10 %, a contact with a margin below 10 %
 //!   of `μ F_n` may slide; [`Grasp::onset_of_samples`](crate::ask::Grasp::onset_of_samples) answers for samples of friction, stiffness and squeeze.
-//! * [`free_motions`](crate::equilibrium::Equilibrium::free_motions): motions that nothing resists. The forces are determined, the twist is
-//!   one of many.
+//! * [`free_motions`](crate::equilibrium::Equilibrium::free_motions): motions that nothing resists. The forces are determined; the twist is one of
+//!   many possible twists.
 //! * [`rule`](crate::equilibrium::Equilibrium::rule): the method that found the equilibrium. With any other rule than
 //!   [`EverythingSticks`](crate::equilibrium::FoundBy::EverythingSticks) it may be one of several: see
 //!   [`several_equilibria`](super::several_equilibria).
@@ -38,9 +38,9 @@
 //! | Does it hold at all? | [`Grasp::solve`](crate::ask::Grasp::solve), or [`follow`](crate::ask::Grasp::follow) to the limit load | the onset is often not the limit: other contacts take over |
 //! | Where does the object end up after loading and unloading? | [`Grasp::follow`](crate::ask::Grasp::follow) | `solve` knows no history: all slip starts from zero |
 //! | Which of a million grasps? | [`screening`](crate::screening) | the same onset, angle of onset or least squeeze, without the rest of the answer |
-//! | How do the onsets of a million grasps change with all their data? | [`onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch) | exact derivatives of the onset, and whether they are one-sided |
+//! | How do the onsets of a million grasps change with all their data? | [`onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch) | exact derivatives of the onset, and whether they hold on one side only |
 //! | Which margin do the measured forces have, in a control loop? | [`Fingers::watch`](crate::screening::Fingers::watch) | margin, first slip and extra squeeze, without an allocation |
-//! | Can the minimum of energy be used? | [`agreement_with_minimum_energy`](crate::ask::Energy::agreement) | beyond its factor the program returns numbers that are not in balance |
+//! | Can the minimum of energy be used? | [`agreement_with_minimum_energy`](crate::ask::Energy::agreement) | beyond the load factor of this answer, the quadratic program returns forces that do not balance the load |
 //!
 //! ```
 //! use grasp_lcp::load_path::{Leg, PathEnd};

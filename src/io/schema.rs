@@ -9,7 +9,7 @@ use crate::scene::{Answers, Scene};
 use crate::stream::Reply;
 
 /// A kind of text that has a JSON Schema (draft 2020-12). The schema contains fields, lengths of rows and ranges of numbers. It cannot check the
-/// length of a list against another list, such as commands against contacts; that is checked where a [`Scene`] is read.
+/// length of a list against another list, such as commands against contacts; this length is checked when a [`Scene`] is read.
 ///
 /// An editor completes and checks a scene that names the file of its schema: `"$schema": "scene.schema.json"`.
 ///
@@ -26,7 +26,7 @@ use crate::stream::Reply;
 pub enum Schema {
     /// The schema of a [`Scene`].
     Scene,
-    /// The schema of the [`Answers`] to a scene, a list.
+    /// The schema of the [`Answers`] to a scene, which form a list.
     Answers,
     /// The schema of one line of output of the [stream](crate::stream).
     Reply,

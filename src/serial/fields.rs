@@ -11,7 +11,7 @@ use super::numbers::{Computed, Given, Kind, Number};
 use super::rows::AxisRow;
 use crate::numerics::{mapped, moved};
 
-/// A value that consists of numbers of kind `K`: a number, a list of one number per axis, or a list or option of these.
+/// A value that consists of numbers of kind `K`: a number, a row with one number per axis, or a list or option of such values.
 pub(crate) trait Numeric<K>: Sized {
     type Written: Serialize + DeserializeOwned;
     fn write(&self) -> Self::Written;

@@ -1,4 +1,4 @@
-//! Text forms of numbers: words for those that are not finite, rows with one number per axis, and fields made of them (feature `serde`).
+//! Text forms of numbers: words for numbers that are not finite, rows with one number per axis, and fields made of numbers (feature `serde`).
 //!
 //! Answers derive their text form with serde; `#[serde(with = "AsComputed::<T>")]` marks a field that consists of numbers.
 

@@ -47,8 +47,8 @@ impl<'de, K: Kind, const MOST: usize> Deserialize<'de> for Few<K, MOST> {
 }
 
 impl<K: Kind, const MOST: usize> Few<K, MOST> {
-    /// Reads a list and converts it to a `T`. An error of the conversion is returned before the deserializer has left the list, so that the format
-    /// adds the position of the list's end.
+    /// Reads a list and converts it to a `T`. An error of the conversion is returned before the deserializer has left the list; the format then adds
+    /// the position of the list's end.
     pub(crate) fn read<'de, D: Deserializer<'de>, T>(
         deserializer: D,
         make: fn(&[f64]) -> Result<T, String>,

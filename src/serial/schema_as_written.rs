@@ -1,4 +1,4 @@
-//! The JSON Schema of types that are read through another one (feature `schema`).
+//! The JSON Schema of types that are read through another type (feature `schema`).
 
 /// Gives a type the schema of the type `$written`, through which serde reads it.
 macro_rules! schema_as_written {

@@ -1,7 +1,7 @@
 //! Whether the text that is read or written belongs to a planar or a spatial scene.
 //!
-//! Text forms are compiled only for vectors of three components. In the text of a planar scene a row nevertheless has two numbers, and a moment is one
-//! number: a thread-local variable says which space the text belongs to.
+//! Text forms are compiled only for vectors of three components. In the text of a planar scene a row nevertheless has two numbers, and a moment is
+//! one number. A thread-local variable therefore says which space the text belongs to.
 
 use std::cell::Cell;
 
@@ -11,8 +11,8 @@ thread_local! {
     static SPACE: Cell<Option<Space>> = const { Cell::new(None) };
 }
 
-/// The space to which rows and wrenches with `C` axes belong, in the text that this thread reads or writes. Three axes may belong to either space;
-/// the text that is set for this thread decides.
+/// The space to which rows and wrenches with `C` axes belong, in the text that this thread reads or writes. Three axes may belong to either space; it
+/// is then the space that [`in_text_of`] has set for this thread.
 pub(crate) fn space_of_text<const C: usize>() -> Space {
     let own = Space::of::<C>();
     if own == Space::Spatial { SPACE.get().unwrap_or(own) } else { own }

@@ -16,10 +16,10 @@ const DEFAULT_DIGITS: usize = 6;
 /// Added to a formatter's precision to mark an answer as planar, although its vectors have three components. It exceeds every number of digits.
 const IN_THE_PLANE: usize = 1 << 14;
 
-/// Multiplies the number of the unit of lengths ([`UNITS`]) in a formatter's precision.
+/// Factor of the unit of lengths, i.e. of its index in [`UNITS`], in a formatter's precision.
 const PER_UNIT: usize = 1 << 12;
 
-/// The units of lengths by their number in a formatter's precision.
+/// The units of lengths, in the order of their index in a formatter's precision.
 const UNITS: [Unit; 4] = [Unit::Metre, Unit::Centimetre, Unit::Millimetre, Unit::Inch];
 
 /// Format of numbers: significant digits, without trailing zeros, and without a minus sign before zero; and the unit of lengths.
@@ -127,7 +127,7 @@ impl Words {
         if x.abs() <= rounding * largest { 0.0 } else { x }
     }
 
-    /// A length in the unit of lengths; in metres, those below 0.1 m are written in mm.
+    /// A length in the unit of lengths; if this unit is the metre, lengths below 0.1 m are written in mm.
     #[must_use]
     pub fn length(self, metres: f64) -> String {
         let in_mm = self.unit == Unit::Metre && metres.abs() < 0.1;

@@ -1,9 +1,10 @@
-//! Limits of sentences: relative difference of equal numbers, and length of lists.
+//! Limits of sentences: the relative difference up to which numbers count as equal, and the length of lists.
 
 /// Relative difference up to which a sentence treats two forces, amounts or lengths as equal. Six digits do not show it.
 ///
-/// If smaller, a sentence repeats a number. If larger, it hides a difference that its digits would show.
+/// If this limit is smaller, a sentence prints two numbers with the same digits. If it is larger, a sentence hides a difference that its digits would
+/// show.
 pub(crate) const ALIKE_IN_WORDS: f64 = 1e-6;
 
-/// Longest list of names that is written in full. A longer one would bury the number that the sentence reports.
+/// Longest list of names that is written in full. A longer list would bury the number that the sentence reports.
 pub(crate) const MOST_NAMES: usize = 8;

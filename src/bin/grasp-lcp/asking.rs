@@ -1,4 +1,4 @@
-//! Asks the questions of a scene, or the question of the command line in their place.
+//! Answers the questions of a scene, or in their place the question of the command line.
 
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -69,7 +69,7 @@ fn words(ask: &Ask, unit: Unit) -> Words {
 fn one_by_one(setup: &Setup<3>, ask: &Ask, unit: Unit) -> Result<bool, Failure> {
     let refused = |error| files::refused(&ask.scene, &error);
     let style = Style { words: setup.words(words(ask, unit)), axes: setup.axes(), points: ask.points };
-    // A malformed question is an error before any answer.
+    // All questions are checked before the first answer is printed.
     setup.questions.iter().try_for_each(|question| setup.check(question)).map_err(refused)?;
     let grasp = setup.grasp().map_err(refused)?;
     let mut is_decided = true;

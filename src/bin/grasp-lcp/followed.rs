@@ -63,13 +63,13 @@ impl Report<'_> {
         ))
     }
 
-    /// The load at a place of the path in words, with additional loads on bodies.
+    /// The load at a point of the path in words, with additional loads on bodies.
     fn load_of(&self, load: &Wrench<3>, state: Option<&Equilibrium<3>>) -> String {
         let loads = state.into_iter().flat_map(|state| &state.body_loads);
         self.load(load) + &self.and_on_bodies(loads.map(|load| (&*load.body, &load.load)))
     }
 
-    /// Prints the equilibrium at the end of a path and, where the path loses its equilibrium, what lies beyond.
+    /// Prints the equilibrium at the end of a path and, if equilibrium is lost at this end, whether an equilibrium exists beyond it.
     fn end_of_path(&mut self, end: &PathOutcome<3>) -> io::Result<()> {
         match end {
             PathOutcome::Completed { state } => self.state(state.as_deref()),
@@ -89,8 +89,8 @@ impl Report<'_> {
         }
     }
 
-    /// Prints the soft fingertips that slide or open completely where an equilibrium is lost: the last of their points that still stick or press
-    /// reach the edge of the friction cone at that load.
+    /// Prints the soft fingertips that slide or open completely at the load at which equilibrium is lost. At this load all of their closed points
+    /// slide or have reached the edge of the friction cone.
     fn on_their_edge(&mut self, loss: &Loss<3>, state: &Equilibrium<3>) -> io::Result<()> {
         let is_closed = |contact: &&ContactAnswer<3>| contact.state != ContactState::Separated;
         let slides = |contact: &ContactAnswer<3>| {
@@ -102,7 +102,7 @@ impl Report<'_> {
             closed.peek().is_some() && closed.all(slides)
         });
         let size = |force: &[f64]| force.iter().fold(0.0, |h: f64, x| h.hypot(*x));
-        // A patch that carries less than this force opens instead of sliding.
+        // A patch that carries less than this force (N) opens instead of sliding.
         let weightless = 1e-9 * state.largest_force();
         let does = |pad: &PadAnswer<3>| {
             let presses = size(&pad.wrench.components()[..3]) > weightless;

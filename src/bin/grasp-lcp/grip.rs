@@ -50,7 +50,7 @@ pub(crate) struct Grip {
     ask: bool,
 }
 
-/// Lengths with a unit, m if there is none: 20x30mm, 3,25,15mm.
+/// Lengths with a unit, such as 20x30mm or 3,25,15mm; in m if no unit is given.
 #[derive(Debug, Clone)]
 struct Lengths(Vec<f64>);
 
@@ -76,7 +76,7 @@ impl Lengths {
     }
 }
 
-/// Density of steel, kg/m³; few parts are denser.
+/// Density of steel, kg/m³, which is assumed by default: few parts are denser.
 const STEEL: f64 = 7850.0;
 /// Distance, m, from the bounding box of the part at which a jaw starts, if `--opening` is left out.
 const AWAY: f64 = 0.005;
@@ -162,7 +162,8 @@ impl Grip {
     }
 }
 
-/// The middle of a jaw before it closes towards `at`, m: half of the opening away, or outside of the bounding box of the part.
+/// The middle of a jaw before it closes towards `at`, m: half of `opening` away from `at`; without `opening`, outside of the bounding box of the
+/// part.
 fn start(part: &Part, at: [f64; 3], closing: [f64; 3], opening: Option<f64>) -> [f64; 3] {
     let length = closing.iter().map(|x| x * x).sum::<f64>().sqrt();
     let way = closing.map(|x| x / length);

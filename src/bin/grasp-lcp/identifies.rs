@@ -41,7 +41,7 @@ pub(crate) struct Identifies {
     pub(crate) unit: Unit,
 }
 
-/// One unknown.
+/// One unknown: its kind, and the names of the contacts for which it is sought; all contacts if the list is empty.
 #[derive(Debug, Clone)]
 pub(crate) struct UnknownGiven {
     kind: UnknownKind,
@@ -69,7 +69,7 @@ impl FromStr for UnknownGiven {
     }
 }
 
-/// A known sum of unknowns.
+/// A known sum of unknowns: their numbers, the value of the sum, and its standard deviation in percent.
 #[derive(Debug, Clone)]
 pub(crate) struct Sum {
     unknowns: Vec<usize>,
@@ -98,8 +98,8 @@ impl FromStr for Sum {
 }
 
 impl Meaning {
-    /// The question `identify` with the table of observed slips; `None` without a table, so that the scene's own questions are asked. An error for
-    /// options that need the table.
+    /// The question `identify` with the table of observed slips; `None` without a table: the caller then asks the scene's own questions. Without a
+    /// table, options that need one are an error.
     pub(crate) fn identify(
         self,
         given: &Identifies,
@@ -250,7 +250,7 @@ impl Meaning {
     }
 }
 
-/// The error of a row of the table.
+/// The error of a row of the table: a faulty cell, or a faulty option of the command line.
 enum Fault {
     Cell(String),
     Usage(Failure),

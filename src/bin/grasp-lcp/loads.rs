@@ -52,7 +52,8 @@ impl Meaning {
             about_axes(load.angular_acceleration.as_ref(), "angular-acceleration")?.map(f64::to_radians);
         let about = self.vector(load.about.as_ref(), "about")?;
         let mut body = Payload::new(load.mass.unwrap_or(0.0), self.point(load.at.as_ref())?);
-        // A steady rotation about a principal axis needs no moment, whatever the inertia. Principal axes are assumed along the coordinate axes.
+        // A steady rotation about a principal axis needs no moment, whatever the inertia, which may then be left out. Principal axes are assumed
+        // along the coordinate axes.
         let is_steady = faster == [0.0; 3] && velocity.iter().filter(|rate| **rate != 0.0).count() < 2;
         if load.inertia.is_some() || is_steady {
             body = body.inertia(about_axes(load.inertia.as_ref(), "inertia")?);
@@ -82,7 +83,7 @@ impl Meaning {
         }
     }
 
-    /// The force of a load, N: `--force` plus the pull of `--mass`. An error without both, or with an option about a turning arm.
+    /// The force of a load, N: `--force` plus the pull of `--mass`. It is an error if neither is given, or if an option about a turning arm is given.
     pub(crate) fn total_force(self, load: &LoadArguments) -> Result<[f64; 3], Failure> {
         let moves = [
             ("angular-velocity", &load.angular_velocity),

@@ -71,7 +71,7 @@ fn asked() -> Result<ExitCode, Failure> {
 fn as_typed() -> Result<Arguments, clap::Error> {
     let mut words: Vec<_> = std::env::args_os().collect();
     let parsed = Arguments::try_parse_from(&words);
-    // For `identify`, a table in the place of the scene parses without error. So the scene is searched for even if parsing succeeds.
+    // For `identify`, a table in the place of the scene parses without error. The scene is therefore searched for even if parsing succeeds.
     if parsed.as_ref().is_ok_and(|arguments| !matches!(arguments.command, Command::Identify { .. })) {
         return parsed;
     }

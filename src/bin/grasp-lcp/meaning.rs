@@ -1,4 +1,4 @@
-//! The questions of the command line, with its numbers as loads in the plane or in space.
+//! The questions of the command line, whose numbers become loads in the plane or in space.
 
 use crate::arguments::{Command, LoadArguments, Numbers};
 use crate::failure::Failure;
@@ -34,7 +34,7 @@ pub(crate) fn put(setup: &mut Setup<3>, asked: &Command) -> Result<(), Failure> 
     if setup.questions.is_empty() { Err(Failure::Usage(missing(asked))) } else { Ok(()) }
 }
 
-/// The question of the command line; `None` if it has no load or amount.
+/// The question of the command line; `None` if it gives nothing to ask, i.e. no load, no quantity for `need` and no table for `identify`.
 fn question_of(asked: &Command, setup: &mut Setup<3>) -> Result<Option<Question<3>>, Failure> {
     let words = Meaning { axes: setup.axes() };
     Ok(match asked {
@@ -114,7 +114,7 @@ fn missing(asked: &Command) -> String {
     format!("the scene has no such question: say {say}")
 }
 
-/// The questions whether the object holds the loads of the scene's question `need`.
+/// For the command `hold`: whether the grasp holds the loads of the scene's question `need`, one question for each load. Otherwise an empty list.
 fn of_the_scene(setup: &Setup<3>, asked: &Command) -> Vec<Question<3>> {
     let is_needed =
         |question: &Question<3>| matches!(question, Question::Need(_)) && question.loads().is_some();
@@ -197,7 +197,7 @@ impl Meaning {
         Ok(all)
     }
 
-    /// The question whether the grasp holds a load multiplied by `safety`; if there is only a base load, whether it holds this.
+    /// The question whether the grasp holds a load multiplied by `safety`; if there is only a base load, whether the grasp holds the base load.
     fn hold(
         self,
         load: &LoadArguments,
@@ -219,7 +219,8 @@ impl Meaning {
         Ok(wrench.map(|load| Question::Hold { base, load: load * times, together_with }))
     }
 
-    /// The question `improve`; `None` without any load, so that the scene's own questions are asked. An error for options that need a load.
+    /// The question `improve`; `None` without any load: the caller then asks the scene's own questions. Without a load, options that need one are an
+    /// error.
     fn improve(
         self,
         load: &LoadArguments,
@@ -250,7 +251,7 @@ impl Meaning {
         Ok(Some(Question::Improve(Box::new(question))))
     }
 
-    /// A force that acts at a point.
+    /// The wrench of a force that acts at a point; `option` is the option that an error names.
     pub(crate) fn push(self, force: &Numbers, option: &str, at: Option<&Numbers>) -> Result<Wrench, Failure> {
         Ok(Wrench::force_at(force.along_axes(self.axes, option)?, self.point(at)?))
     }

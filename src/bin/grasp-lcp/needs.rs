@@ -1,4 +1,4 @@
-//! The command `need`: the amount of a quantity that the grasp needs.
+//! The command `need`: how much of a quantity (squeeze, friction, load, arm, angle or force) the grasp needs or allows.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,8 @@ use crate::own_masses::{accelerated, of_own_masses, tilted};
 use grasp_lcp::scene::{Question, Setup};
 
 impl Meaning {
-    /// The question for the quantity that the command line names, with its loads or else those of the scene; `None` if it names none.
+    /// The question for the quantity that the command line names, with the loads of the command line or else of the scene. `None` if it names no
+    /// quantity.
     pub(crate) fn need(self, wanted: &Wanted, setup: &mut Setup<3>) -> Result<Option<Need>, Failure> {
         let Some(sought) = wanted.quantity else { return Ok(None) };
         refuse_others(wanted, sought)?;
@@ -49,8 +50,8 @@ impl Meaning {
         }))
     }
 
-    /// The sought quantity with its loads, and a constant load beside these: the weight beside accelerations to and fro, or the base load of the
-    /// scene. `None` for other loads.
+    /// The question for the sought quantity with its loads, and a constant load beside these loads: for accelerations to and fro the weight of the
+    /// mass, for loads of the scene its base load. `None` if there is no such constant load.
     fn sought(
         self,
         wanted: &Wanted,
@@ -106,7 +107,7 @@ impl Meaning {
                     together_with = of_scene.together_with;
                     (of_scene.loads, Some(of_scene.base))
                 }
-                // Without a load on the command line, the question is about the constant loads, if there are any.
+                // If neither the command line nor the scene's questions have a load, the question is about the constant loads, if there are any.
                 None => (Vec::new().into(), None),
             },
             (SoughtQuantity::Load, None) if load.is_none() && wanted.any_force.is_none() => {
@@ -133,8 +134,8 @@ impl Meaning {
     }
 }
 
-/// The size of accelerations to and fro along every axis, if `--acceleration` is one number. `None` without it, and for a vector, the constant
-/// acceleration of the arm.
+/// The size of accelerations to and fro along every axis, if `--acceleration` is one number. `None` without this option, and for a vector, which is a
+/// constant acceleration of the arm.
 fn to_and_fro(wanted: &Wanted) -> Option<&Numbers> {
     wanted.load.acceleration.as_ref().filter(|acceleration| acceleration.0.len() == 1)
 }

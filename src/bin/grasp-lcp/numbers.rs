@@ -1,4 +1,4 @@
-//! Parsers of the command line's numbers. The error of each states the unit and the allowed range.
+//! Parsers of the command line's numbers. The error of each parser states the unit and the allowed range.
 
 use std::ops::RangeInclusive;
 
@@ -66,7 +66,7 @@ impl std::str::FromStr for BodyPush {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        // The name of a body may contain an equals sign, a force may not: the last one separates them.
+        // The name of a body may contain an equals sign, a force may not: the last equals sign separates name and force.
         let Some((body, push)) = text.rsplit_once('=') else {
             return Err(format!("`{text}` names no body; write it with its force, such as upper=-5,0@0,0.2"));
         };
@@ -90,7 +90,7 @@ pub(crate) fn percent(text: &str) -> Result<f64, String> {
     within(text, 0.0..=100.0_f64.next_down(), "a number of percent, from 0 to less than 100, such as 10")
 }
 
-/// Parses a factor on a load, the safety factor.
+/// Parses a safety factor, by which a load is multiplied.
 pub(crate) fn times(text: &str) -> Result<f64, String> {
     within(text, f64::MIN_POSITIVE..=1e6, "how many times, above 0, at most 1e6, such as 2")
 }

@@ -1,4 +1,4 @@
-//! Loads of the scene's questions, for a question of the command line that has none.
+//! Loads of the scene's questions, for a question of the command line that has no load.
 
 use std::collections::BTreeMap;
 
@@ -17,8 +17,9 @@ pub(crate) struct SceneLoads {
 }
 
 impl SceneLoads {
-    /// The loads of the scene's first question `need`. Without such a question: the loads of all its questions `hold` that have the same constant
-    /// load, or else of its first question `solve`. A warning names the question. `None` without any of these questions.
+    /// The loads of the scene's first question `need`. Without such a question: the loads of all its questions `hold` that have the constant load of
+    /// the first one. Without these, too: the load of its first question `solve`. A warning names the question. `None` without any of these
+    /// questions.
     pub(crate) fn of(setup: &Setup<3>) -> Option<Self> {
         let kinds: [fn(&Question<3>) -> bool; 3] = [
             |question| matches!(question, Question::Need(_)),

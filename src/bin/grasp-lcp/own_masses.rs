@@ -43,7 +43,7 @@ pub(crate) fn shared_centre(setup: &Setup<3>) -> Option<Vec<f64>> {
     setup.own_mass().map(|(_, centre)| centre[..setup.axes()].to_vec())
 }
 
-/// Refuses `--mass` for a body that has a mass in the scene.
+/// Refuses `--mass` if the scene's gravity already acts on a mass of the body on which the load acts.
 pub(crate) fn refuse_mass(setup: &Setup<3>, mass: Option<f64>) -> Result<(), Failure> {
     match mass.and_then(|_| setup.weighty_body(None)) {
         None => Ok(()),
@@ -54,8 +54,8 @@ pub(crate) fn refuse_mass(setup: &Setup<3>, mass: Option<f64>) -> Result<(), Fai
     }
 }
 
-/// For `--acceleration` without `--mass`, the load with the scene's bodies as one accelerated mass without weight. For `--mass` without `--at`, the load
-/// with the mass at the centre of the part, if the scene has a mesh. Other loads are returned unchanged.
+/// For `--acceleration` without `--mass`, the load gets the scene's bodies as one accelerated mass without weight. For `--mass` without `--at`, the
+/// load gets the centre of mass of the part as its point, if the scene has a mesh. Other loads are returned unchanged.
 pub(crate) fn of_own_masses<'l>(
     load: &'l LoadArguments,
     beside: bool,

@@ -1,4 +1,4 @@
-//! Output of the program. It ends silently if its output is closed, and with a one-line message if the disk is full; it never panics.
+//! Output of the program. The program ends silently if standard output is closed, and with a one-line message if the disk is full; it never panics.
 //!
 //! The macros shadow those of the standard library, which panic on such errors.
 

@@ -51,7 +51,7 @@ impl Report<'_> {
         self.style.words.load(load)
     }
 
-    /// Loads on other bodies in words, to follow the words of a load.
+    /// Loads on other bodies in words, to be appended to the words of a load.
     pub(crate) fn and_on_bodies<'l>(
         &self,
         loads: impl IntoIterator<Item = (&'l str, &'l Wrench<3>)>,
@@ -133,7 +133,7 @@ impl Report<'_> {
         }
     }
 
-    /// Prints how far around the place of a loss it is proved that no other equilibrium exists.
+    /// Prints the distance from the lost equilibrium within which it is proved that no other equilibrium exists.
     fn proved(&mut self, verdict: &Verdict<3>) -> io::Result<()> {
         let near = verdict.lost.as_ref().and_then(|lost| lost.nothing_near);
         let digits = self.style.precision();
@@ -149,7 +149,7 @@ impl Report<'_> {
         state.map_or(Ok(()), |state| self.table(state))
     }
 
-    /// Prints the place of an onset, the contacts that stop sticking, and the equilibrium there.
+    /// Prints the load factor or angle of an onset, the contacts that stop sticking, and the equilibrium at the onset.
     fn onset<At>(
         &mut self,
         onset: &OnsetAnswer<3, At>,
@@ -210,7 +210,8 @@ impl Report<'_> {
         Ok(())
     }
 
-    /// Prints which contacts slide just beyond the load at which the first contact stops sticking, if the grasp has an equilibrium there.
+    /// Prints which contacts slide just beyond the load at which the first contact stops sticking, if the grasp has an equilibrium just beyond this
+    /// load.
     fn sliding_beyond(&mut self, next: &Beyond<3>, state: &Equilibrium<3>) -> io::Result<()> {
         let Beyond::Continues(next) = next else { return Ok(()) };
         let slides = |i: &usize| matches!(next.states.get(*i), Some(ContactState::Sliding { .. }));

@@ -33,8 +33,8 @@ pub(crate) struct Shakes {
 }
 
 impl Meaning {
-    /// The question whether the grasp survives the repeated loads; `None` without such a load, so that the scene's own questions are asked. An error
-    /// for options that need one.
+    /// The question whether the grasp survives the repeated loads; `None` without such a load: the caller then asks the scene's own questions.
+    /// Without such a load, options that need one are an error.
     pub(crate) fn shake(self, shakes: &Shakes, setup: &mut Setup<3>) -> Result<Option<Question<3>>, Failure> {
         refuse_mass(setup, shakes.mass)?;
         let at = shakes.at.as_ref();

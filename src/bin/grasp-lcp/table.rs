@@ -1,5 +1,5 @@
-//! An equilibrium as a table: one row a contact. Points of a soft fingertip share a row, unless `--points` asks for each. A caution that the
-//! first line of the answer contains is not repeated.
+//! An equilibrium as a table: one row for each contact. Points of a soft fingertip share a row, unless `--points` asks for a row for each point. A
+//! caution that the first line of the answer contains is not repeated.
 
 use std::io::{self, Write};
 
@@ -80,7 +80,7 @@ fn heads(axes: usize, pads: bool) -> Vec<String> {
 #[derive(Clone, Copy)]
 struct Cleaned {
     words: Words,
-    /// The largest force, N; forces that are rounding errors of it become zero.
+    /// The largest force, N; forces that are rounding errors relative to this force become zero.
     largest: f64,
 }
 

@@ -1,11 +1,11 @@
-//! The question that is being answered, on standard error while its answer takes long.
+//! Shows on standard error which question is being answered, while its answer takes long.
 
 use std::io::{self, IsTerminal, Write};
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-/// Time between two lines; a shorter answer shows none.
+/// Time between two lines. An answer that takes less time shows no line.
 const INTERVAL: Duration = Duration::from_secs(1);
 
 /// Prints a line of progress each second until this value is dropped. A terminal shows one line, which is cleared at the end.

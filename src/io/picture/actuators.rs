@@ -1,4 +1,4 @@
-//! Joints and tendons of a hand in pictures, which mark those that yield at their limit.
+//! Joints and tendons of a hand in pictures. Joints and tendons that yield at their limit are marked.
 
 use nalgebra::SVector;
 

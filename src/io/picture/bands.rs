@@ -7,7 +7,7 @@ use crate::numerics::IntoList;
 /// Levels of a map, with one colour between each two. Levels are evenly spaced round numbers. If the largest value is more than four times the
 /// smallest, they are preferred numbers, spaced in roughly equal ratios.
 pub(super) struct Bands {
-    /// Lower ends of the bands, and the upper end of the last.
+    /// Lower ends of the bands, and the upper end of the last band.
     pub(super) levels: Vec<f64>,
     /// Spacing of the levels, which determines their digits; `None` if they are spaced in ratios.
     step: Option<f64>,

@@ -44,7 +44,7 @@ impl Canvas {
     }
 }
 
-/// Round numbers from one end of an axis to the other, with their words.
+/// Round numbers from one end of an axis to the other end, each with its label.
 fn numbers(start: f64, end: f64, logarithmic: bool) -> Vec<(f64, String)> {
     // About ten numbers fit along an axis.
     let step = (end - start) / 10.0;

@@ -102,7 +102,7 @@ impl Chart {
     /// Draws several charts on one sheet, row by row, in `columns` columns or as many as there are charts, whichever is less.
     ///
     /// # Errors
-    /// [`PictureError`] if there is no chart or no column, or if [`Chart::to_svg`] fails for one of them.
+    /// [`PictureError`] if there is no chart or no column, or if [`Chart::to_svg`] fails for one of the charts.
     pub fn sheet(charts: &[Self], columns: usize) -> Result<String, PictureError> {
         if charts.is_empty() || columns == 0 {
             return Err(PictureError("no chart".into()));
@@ -111,7 +111,7 @@ impl Chart {
         let rows = charts.len().div_ceil(columns);
         let (wide, high) = CHART.size;
         let size = (wide * columns as f64, high * rows as f64);
-        // A [`Sheet`] clamps coordinates to this size, pixels, so that charts farther out would be misplaced.
+        // A [`Sheet`] clamps coordinates to this size (pixels); charts farther out would be misplaced.
         if size.0.max(size.1) > 1e7 {
             return Err(PictureError(format!("{} are too many to be drawn", charts.len())));
         }
@@ -140,7 +140,8 @@ impl Chart {
             return Err(PictureError("no finite point".into()));
         }
         let apart = chart.series.iter().any(|series| !matches!(series.stroke, Stroke::Line | Stroke::Dashed));
-        // Marks have a size in pixels and need margins around their points. Logarithmic axes need none: they end at whole decades.
+        // Margins along x and y, as fractions of the range; along x only if points are drawn as dots, circles or bars, which have a width.
+        // Logarithmic axes need no margins: they end at whole decades.
         let room = if self.logarithmic { (0.0, 0.0) } else { (if apart { 0.02 } else { 0.0 }, 0.06) };
         let (x0, x1) = range(finite.iter().map(|p| p.0).chain(chart.marks.iter().map(|m| m.0)), room.0);
         let (y0, y1) = range(finite.iter().map(|p| p.1), room.1);
@@ -211,7 +212,7 @@ impl Chart {
         let (Some((from, label)), [x0, x1, y0, y1]) = (&self.shaded, canvas.window) else { return };
         let corners = rectangle(canvas.place((from.clamp(x0, x1), y0)), canvas.place((x1, y1)));
         paper.area(&corners, GREY.mix(0.15));
-        // Where there is little room, the label ends at the right edge.
+        // If there is little room to the right of x, the label ends at the right edge.
         let little = *from > x0 + 0.75 * (x1 - x0);
         let (x, y) = canvas.place((if little { x1 } else { *from }, y0 + 0.04 * (y1 - y0)));
         let aside = 0.01 * canvas.wide;

@@ -53,7 +53,7 @@ fn draw_piece(paper: &mut Sheet, places: &[Place], stroke: Stroke, color: Rgb) {
 fn draw_arrow(paper: &mut Sheet, a: Place, b: Place, color: Rgb) {
     let (x, y) = (b.0 - a.0, b.1 - a.1);
     let size = x.hypot(y);
-    // A shorter segment has no room for an arrow, pixels.
+    // A segment shorter than this (pixels) has no room for an arrow.
     if size < 14.0 {
         return;
     }
@@ -90,12 +90,13 @@ pub(super) fn draw_names(
     }
 }
 
-/// The corners of the rectangle between two opposite ones.
+/// The four corners of a rectangle with these two opposite corners.
 pub(super) fn rectangle(a: Place, b: Place) -> [Place; 4] {
     [a, (b.0, a.1), b, (a.0, b.1)]
 }
 
-/// Draws a light background for a text between two opposite corners, with a line around it. The last argument has the opacities of both.
+/// Draws a light background for a text between two opposite corners, with a line around it. The last argument has the opacities of background and
+/// line.
 pub(super) fn draw_ground(paper: &mut Sheet, a: Place, b: Place, [ground, around]: [f64; 2]) {
     let corners = rectangle(a, b);
     paper.area(&corners, WHITE.mix(ground));

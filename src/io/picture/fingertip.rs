@@ -19,7 +19,7 @@ pub(super) struct Resultant {
     pub(super) displacement: SVector<f64, 3>,
     /// The direction in which the finger slides over the object; `None` unless the whole fingertip slides.
     pub(super) slides: Option<SVector<f64, 3>>,
-    /// The state in a word: the first of "sticking", "about to slide", "sliding", "frictionless" and "separated" in which some point is.
+    /// The state in a word: the first of "sticking", "about to slide", "sliding", "frictionless" and "separated" that is the state of some point.
     pub(super) word: &'static str,
 }
 
@@ -34,7 +34,7 @@ impl ContactPoints {
         self.range.len() > 1
     }
 
-    /// Whether a point with this state gets a dot. Of a contact with more than sixteen points only those that do not stick get one.
+    /// Whether a point with this state gets a dot. If a contact has more than sixteen points, only points that do not stick get a dot.
     pub(super) fn shows(&self, word: &str) -> bool {
         self.range.len() <= 16 || word != "sticking"
     }
@@ -45,8 +45,8 @@ impl ContactPoints {
         points.sum::<SVector<f64, 3>>() / self.range.len() as f64
     }
 
-    /// The ends of a link: those of a spring or cable, or else its first two points. A link with a single point has the same end twice. `None` for a
-    /// contact that is no link.
+    /// The ends of a link: the ends of the spring or cable, or else the first two points of the link. A link with a single point has the same end
+    /// twice. `None` for a contact that is no link.
     pub(super) fn ends_of_link(&self, contacts: &[Contact<3>]) -> Option<[SVector<f64, 3>; 2]> {
         let own = &contacts[self.range.clone()];
         let (first, second) = (own.first()?, own.get(1).or(own.first())?);

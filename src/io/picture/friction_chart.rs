@@ -57,7 +57,7 @@ impl<const C: usize> Drawn<'_, C> {
         Ok(marks.into_iter().fold(chart, |chart, (x, label)| chart.mark(x, label)))
     }
 
-    /// The end of the path: the index of its last leg, and the fraction of that leg up to which it was followed.
+    /// The end of the path: the index of its last leg, and the fraction up to which this leg was followed.
     pub(super) fn reach(&self, path: &LoadPath<C>) -> (usize, f64) {
         let last = path.end().and_then(|end| Some((end.leg()?, end.fraction()?)));
         last.unwrap_or((self.legs.len().saturating_sub(1), 1.0))
@@ -77,7 +77,7 @@ impl<const C: usize> Drawn<'_, C> {
             fractions.into_iter().map(move |fraction| (leg, fraction))
         };
         let on_the_way = (0..=last).flat_map(on_leg);
-        // A jump at an event adds the state after it at the same position.
+        // A jump at an event adds the state after the jump at the same position.
         let after = |leg: usize, part: f64| {
             let here = events.iter().find(|event| (event.leg, event.fraction) == (leg, part))?;
             Some(here.jump.as_ref()?.state.clone())
@@ -124,7 +124,7 @@ impl<const C: usize> Drawn<'_, C> {
 }
 
 /// The fraction of its friction that a fingertip uses: the friction forces of its points over the sum of their limits μ F_n. It is 1 if all points
-/// slide, and NaN if undefined.
+/// slide, and NaN if no point sticks or slides with finite friction, or if the forces are rounding errors.
 fn part_used<const C: usize>(tip: &ContactPoints, contacts: &[Contact<C>], state: &Equilibrium<C>) -> f64 {
     let (answers, contacts) = (&state.contacts[tip.range.clone()], &contacts[tip.range.clone()]);
     // The ratio is meaningless if the forces are rounding errors.
@@ -150,13 +150,14 @@ fn part_used<const C: usize>(tip: &ContactPoints, contacts: &[Contact<C>], state
     if all > 0.0 { used / all } else { f64::NAN }
 }
 
-/// The curves that a chart draws, and texts that name the contacts without a curve, each with the reason.
+/// The curves that a chart draws, and texts for its note, each of which names contacts without a curve and the reason why they have none.
 struct Shared {
     drawn: Vec<ChartSeries>,
     left_out: Vec<String>,
 }
 
-/// Selects the curves to draw: those with a finite value or, if there are more than [`MOST_CURVES`], the highest of these.
+/// Divides the curves of the contacts into curves that the chart draws and curves that its note names. Curves with a finite value are drawn; if there
+/// are more than [`MOST_CURVES`] such curves, those with the largest values are drawn.
 fn shared<const C: usize>(curves: Vec<(&ContactPoints, ChartSeries)>, contacts: &[Contact<C>]) -> Shared {
     let most = |series: &ChartSeries| series.points.iter().map(|(_, y)| *y).fold(f64::NEG_INFINITY, f64::max);
     let mut left_out = Vec::new();

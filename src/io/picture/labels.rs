@@ -9,10 +9,11 @@ use crate::numerics::{largest, mapped, summed};
 /// The rectangle of a name: its middle, and its width and height, pixels.
 type Plate = (Place, (f64, f64));
 
-/// Distance of a name from its point, pixels, beyond which a line joins them; a name farther away could be that of another point.
+/// Distance of a name from its point, pixels, beyond which a line joins them; without this line a name could seem to belong to another point.
 const NEAR: f64 = 16.0;
 
-/// If a name beside its point covers strokes whose cost is above this, places farther away are tried. An arrow or the edges of a cone cost so much.
+/// If a name beside its point covers strokes whose total cost exceeds this, places farther away are tried. Covering an arrow or the edges of a cone
+/// costs more than this.
 const COVERS_MUCH: f64 = 60.0;
 
 pub(super) struct Labels {
@@ -59,8 +60,8 @@ impl Labels {
         self.left_out += 1;
     }
 
-    /// The best place of a name: beside its point or, where that covers too many strokes, anywhere on the paper. A line joins a name to a point that
-    /// is not near. `None` if the paper is full.
+    /// The best place of a name: beside its point or, if the name would cover too many strokes there, anywhere on the paper. A line joins a name to a
+    /// point that is not near. `None` if the paper is full.
     fn place(&mut self, paper: &mut Sheet, point: Place, size: (f64, f64)) -> Option<Place> {
         let beside = self.best(point, self.plates_beside(point, size));
         let is_clear = |plate: &Plate| self.cost(point, plate) <= COVERS_MUCH;
@@ -81,7 +82,7 @@ impl Labels {
         Some(plate.0)
     }
 
-    /// The rectangle with the least cost among those that overlap no other name; `None` if all of them do.
+    /// The rectangle with the least cost among those that overlap no other name; `None` if each rectangle overlaps a name.
     fn best(&self, point: Place, plates: Vec<Plate>) -> Option<Plate> {
         let free = plates.into_iter().filter(|plate| !self.overlaps(plate));
         let best = free.map(|plate| (self.cost(point, &plate), plate)).min_by(|a, b| a.0.total_cmp(&b.0));
@@ -89,7 +90,7 @@ impl Labels {
     }
 
     fn plates_beside(&self, point: Place, (wide, high): (f64, f64)) -> Vec<Plate> {
-        // Directions from a point to its name, to the right and downwards, in order of preference.
+        // Directions from a point to its name in order of preference, each with its components to the right and downwards.
         let sides = [
             (1.0, -1.0),
             (-1.0, -1.0),

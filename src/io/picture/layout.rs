@@ -1,6 +1,6 @@
 //! Sizes and places of the parts of pictures, one list for each kind of picture.
 //!
-//! Lengths are in pixels unless they are said to be fractions of the span of a grasp, its largest extent along an axis.
+//! Lengths are in pixels unless they are said to be fractions of the span of a grasp, which is its largest extent along an axis.
 
 use super::palette::Rgb;
 use super::sheet::Place;
@@ -9,7 +9,7 @@ use super::sheet::Place;
 pub(super) struct MarkLayout {
     /// Length of a friction cone, as a multiple of the arrow of the normal force in it.
     pub(super) cone: f64,
-    /// Least length of an arrow of the load; a shorter one would hardly be visible.
+    /// Least length of an arrow of the load; a shorter arrow would hardly be visible.
     pub(super) shortest_load: f64,
     /// Radius of the arc of a moment in the plane.
     pub(super) moment_arc: f64,

@@ -62,7 +62,7 @@ impl Painting {
         self.strokes.push((depth, Shape::Area { corners, ink }));
     }
 
-    /// A dot in front of the lines that end there; an open circle is a contact that carries nothing.
+    /// A dot in front of the lines that end at it; if `open`, a circle, which marks a contact without force.
     pub(super) fn dot(&mut self, at: EyePoint, radius: f64, ink: Rgb, open: bool) {
         self.strokes.push((at.z + IN_FRONT, Shape::Dot { at: place(&at), radius, ink, open }));
     }
@@ -70,7 +70,7 @@ impl Painting {
     pub(super) fn arrow(&mut self, [from, tip]: [EyePoint; 2], ink: Rgb, width: f64, heads: usize) {
         let along = (tip - from).xy();
         let size = along.norm();
-        // The direction of a shorter arrow on paper would be a rounding error.
+        // An arrow shorter than this on paper would have a direction made of rounding errors.
         if size < 1e-6 {
             // The arrow points to the eye or has no length.
             return;

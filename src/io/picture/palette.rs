@@ -56,9 +56,11 @@ pub(super) const PINK: Rgb = PALETTE[3];
 pub(super) const SKY: Rgb = Rgb(58, 143, 200);
 /// Colour of slips.
 pub(super) const BROWN: Rgb = Rgb(122, 54, 0);
-/// Colours of lines at rest, of the faces of a solid object, and of its contour.
+/// Colour of fixtures, i.e. of lines at rest.
 pub(super) const FIXTURE: Rgb = Rgb(204, 204, 204);
+/// Colour of the faces of a solid object.
 pub(super) const FACE: Rgb = Rgb(238, 239, 241);
+/// Colour of the contour of a solid object.
 pub(super) const CONTOUR: Rgb = Rgb(150, 150, 150);
 pub(super) const FONT: &str = "sans-serif";
 

@@ -1,4 +1,4 @@
-//! The arrows of a planar load: a force on its line of action, or a force at the centre of the object with its moment about it.
+//! The arrows of a planar load: a force on its line of action, or a force at the centre of the object with its moment about the centre.
 
 use super::axes::EqualScales;
 use super::labels::Labels;
@@ -21,8 +21,8 @@ pub(super) struct PlanarLoad {
 }
 
 impl PlanarLoad {
-    /// The load on an object of the size `size` (m) with this centre. The force acts at the point of its line that is nearest to the centre. If that
-    /// is farther away than half the size, it acts at the centre.
+    /// The load on an object of the size `size` (m) with this centre. The force acts at the point of its line that is nearest to the centre. If this
+    /// point is farther away than half the size, the force acts at the centre.
     pub(super) fn new(load: &Wrench<3>, middle: Vector2<f64>, size: f64) -> Self {
         let (force, about_origin) = (load.force_part().xy(), load.moment()[2]);
         let moment = about_origin - middle.perp(&force);
@@ -50,7 +50,7 @@ pub(super) struct LoadOnPaper<'l> {
     load: &'l PlanarLoad,
     from: Place,
     tip: Place,
-    /// Whether the arrow has the scale of other forces; a very short one is lengthened.
+    /// Whether the arrow has the scale of other forces; a very short arrow is lengthened.
     is_to_scale: bool,
 }
 

@@ -13,7 +13,7 @@ use crate::grasp::{Face, Motion, Wrench, inside};
 use crate::numerics::mapped;
 use crate::planar;
 
-/// The outline of the object: corners (x, y) in order, m; the last is joined to the first. Outlines affect nothing but the drawing.
+/// The outline of the object: corners (x, y) in order, m; the last corner is joined to the first. Outlines affect nothing but the drawing.
 pub type Outline<'a> = &'a [[f64; 2]];
 
 /// A picture of a planar grasp: add an answer to it, then call [`Self::to_svg`]. Without an equilibrium it shows the grasp alone, and the load if
@@ -25,7 +25,7 @@ pub type Outline<'a> = &'a [[f64; 2]];
 /// force of the load that would be too short to be visible is drawn longer, and its label says so. All points of a [soft
 /// fingertip](crate::planar::SoftFingertip) have one force and one cone, at their centre of pressure; dots in the colours of their states are the
 /// points. Links of a [hand](crate::grasp::Hand) are drawn at their initial places; joints and tendons that yield at their limit are marked. No name
-/// covers another one.
+/// covers another name.
 ///
 /// ```
 /// use grasp_lcp::picture::PlanarPicture;
@@ -108,8 +108,8 @@ impl<'a> PlanarPicture<'a> {
     /// Draws the picture, 860 pixels wide.
     ///
     /// # Errors
-    /// [`PictureError`] if the number of contacts of the equilibrium differs from that of the grasp, or if a corner of an outline is not finite. Also
-    /// if a length or force is too large or too small to be drawn.
+    /// [`PictureError`] if equilibrium and grasp have different numbers of contacts, or if a corner of an outline is not finite. Also if a length or
+    /// force is too large or too small to be drawn.
     pub fn to_svg(&self) -> Result<String, PictureError> {
         self.check()?;
         Picture::new(self).draw()

@@ -15,7 +15,7 @@ use super::words::lines;
 
 /// A polar chart: radius against direction, with angles from x towards y. Add curves to it, then call [`Polar::to_svg`].
 ///
-/// Radii that are infinite or beyond the rim appear as an arc along the rim. Where a radius is NaN the curve has a gap.
+/// Radii that are infinite or beyond the rim appear as an arc along the rim. At a radius that is NaN the curve has a gap.
 ///
 /// ```
 /// use grasp_lcp::picture::{Polar, Stroke};
@@ -43,8 +43,8 @@ impl Polar {
         Self { title: title.into(), unit: unit.into(), ..Self::default() }
     }
 
-    /// Adds a curve of points (angle in rad, radius) in order of their angles; the last is joined to the first. [`Stroke::Bars`] draws spokes from
-    /// the middle.
+    /// Adds a curve of points (angle in rad, radius) in order of their angles; the last point is joined to the first. [`Stroke::Bars`] draws spokes
+    /// from the middle.
     pub fn curve(mut self, name: impl Into<String>, points: Vec<(f64, f64)>, stroke: Stroke) -> Self {
         self.curves.push(ChartSeries { name: name.into(), points, stroke });
         self
@@ -69,7 +69,8 @@ impl Polar {
         self
     }
 
-    /// Sets the largest radius that must lie inside the rim; otherwise all finite radii do. The rim is the first ring of round radius at or beyond it.
+    /// Sets the largest radius that must lie inside the rim; without it all finite radii lie inside. The rim is the first ring of round radius at or
+    /// beyond this radius.
     pub fn rim(mut self, radius: f64) -> Self {
         self.rim = Some(radius);
         self
@@ -136,15 +137,15 @@ impl Polar {
         }
     }
 
-    /// Draws the named directions as small arrows outside the arcs. If a name is long or two are too close, all have letters that the legend
-    /// explains.
+    /// Draws the named directions as small arrows outside the arcs. If a name is long, or two directions are close together, letters that the legend
+    /// explains replace all names.
     fn draw_rays(&self, paper: &mut Sheet) {
         let lettered = self.rays_have_letters();
         for (k, (angle, label)) in self.rays.iter().enumerate() {
             let (tip, side) = (at(*angle, POLAR.radius + 26.0), 0.022);
             let tail = [at(angle - side, POLAR.radius + 13.0), at(angle + side, POLAR.radius + 13.0)];
             paper.area(&[tip, tail[0], tail[1]], BLACK);
-            // Letters of directions that are too close are written one outside the other.
+            // Letters of directions that are close together are written one outside the other.
             let before = self.rays[..k].iter().filter(|(other, _)| meet(*other, *angle)).count();
             let words = if lettered { letter(k) } else { label.clone() };
             outside(paper, *angle, POLAR.radius + 36.0 + 16.0 * before as f64, &words, 14.0);

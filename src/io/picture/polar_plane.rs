@@ -10,7 +10,7 @@ pub(super) fn at(angle: f64, radius: f64) -> Place {
     (POLAR.middle.0 + radius * angle.cos(), POLAR.middle.1 - radius * angle.sin())
 }
 
-/// The turn from one direction to another, rad, from -π to π.
+/// The angle from one direction to another, rad, from -π to π.
 pub(super) fn turn(from: f64, to: f64) -> f64 {
     (to - from + PI).rem_euclid(TAU) - PI
 }

@@ -1,11 +1,11 @@
-//! The region of a triangle mesh where a function is at least some level, as one area.
+//! The region of a triangle mesh in which a function is at least some level, as one area.
 //!
 //! The function is linear on each triangle, so that its part above the level is a polygon. Edges that two of these polygons share cancel. The other
 //! edges surround the whole region, which is drawn as one area and has no visible seams.
 
 use super::sheet::{Pixel, Place, pixel};
 
-/// A corner of a triangle: its place, and the value of the function there.
+/// A corner of a triangle: its place, and the value of the function at this place.
 pub(super) type Corner = (Place, f64);
 
 /// The closed lines around the region in which the function is at least `level`.
@@ -24,7 +24,7 @@ pub(super) fn outlines(triangles: &[[Corner; 3]], level: f64) -> Vec<Vec<Pixel>>
         }
     }
     edges.sort_unstable();
-    // The traversals that remain, each in its direction.
+    // Each edge that is traversed more often in one direction than in the other, in this direction.
     let mut onward: Vec<(Pixel, Pixel, i32)> = Vec::new();
     for same in edges.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
         let (a, b, _) = same[0];
@@ -34,7 +34,7 @@ pub(super) fn outlines(triangles: &[[Corner; 3]], level: f64) -> Vec<Vec<Pixel>>
         }
     }
     onward.sort_unstable();
-    // At every corner as many edges end as begin, so that following edges always leads back to the start.
+    // At every corner as many edges end as begin. Following edges therefore always leads back to the start.
     let (mut loops, mut used, mut first) = (Vec::new(), vec![false; onward.len()], 0);
     while first < onward.len() {
         if used[first] {

@@ -2,12 +2,12 @@
 
 use crate::numerics::tolerances::NEGLIGIBLE;
 
-/// The largest whole number not above x, where a number just below a whole number counts as whole.
+/// The largest whole number not above x; if x is just below a whole number, that whole number.
 pub(super) fn whole_below(x: f64) -> f64 {
     (x + NEGLIGIBLE).floor()
 }
 
-/// The least whole number not below x, where a number just above a whole number counts as whole.
+/// The least whole number not below x; if x is just above a whole number, that whole number.
 pub(super) fn whole_above(x: f64) -> f64 {
     (x - NEGLIGIBLE).ceil()
 }
@@ -30,7 +30,7 @@ pub(super) fn round_down(x: f64) -> f64 {
     steps.into_iter().map(|step| step * power).find(|rounded| *rounded <= x * (1.0 + NEGLIGIBLE)).unwrap_or(x)
 }
 
-/// A number that is a multiple of `step`, with no more digits than the step needs.
+/// A multiple of `step` as text, with no more digits than the step needs.
 pub(super) fn in_steps(x: f64, step: f64) -> String {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
     let digits = (-step.log10() - NEGLIGIBLE).ceil().clamp(0.0, 12.0) as usize;

@@ -10,7 +10,7 @@ pub struct ChartSeries {
     pub name: String,
     /// The points (x, y).
     pub points: Vec<(f64, f64)>,
-    /// How the points are drawn: by a line, a dashed line, or circles.
+    /// How the points are drawn.
     pub stroke: Stroke,
 }
 
@@ -36,7 +36,7 @@ pub enum Stroke {
     Line,
     /// A line with a dot at each point.
     Marked,
-    /// A line with an arrow in the middle of each piece, in the order of the points.
+    /// A line with an arrow in the middle of each segment, in the order of the points.
     Directed,
     /// A dashed line.
     Dashed,

@@ -12,7 +12,7 @@ const PARTS_OF_A_PIXEL: f64 = 100.0;
 /// A place on the paper, pixels to the right and downwards.
 pub(super) type Place = (f64, f64);
 
-/// A length in whole hundredths of a pixel, so that there is no −0, and a place that two shapes share is the same in both.
+/// A length in whole hundredths of a pixel. There is no −0, and a place that two shapes share is written with the same numbers for both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Fine(i32);
 

@@ -41,11 +41,11 @@ pub struct SphereMap {
 
 impl SphereMap {
     /// A map with one value for each of the grid's [directions](SphereGrid::directions), in their order. `quantity` is written at the colour scale
-    /// (include the unit). An infinite value means that there is no bound in this direction, NaN that no bound is known. Each of these has its own
-    /// colour.
+    /// (include the unit). An infinite value means that there is no bound in this direction, NaN that no bound is known. Infinite values and NaN have
+    /// colours of their own.
     ///
     /// # Errors
-    /// [`PictureError`] if the number of values differs from that of directions, or if no value is finite.
+    /// [`PictureError`] if the number of values differs from the number of directions, or if no value is finite.
     pub fn new(
         title: impl Into<String>,
         quantity: impl Into<String>,

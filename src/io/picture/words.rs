@@ -37,7 +37,7 @@ pub(super) fn short(x: f64) -> String {
         format!("{digits}e{}", power.replace('-', "−"))
     } else {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to 7")]
-        // Number of digits after the point, so that five digits are significant; 1e4 is the least number with five before it.
+        // Number of digits after the point, so that five digits are significant; 1e4 is the least number with five digits before the point.
         let digits = (1e4 / size).log10().ceil().clamp(0.0, 7.0) as usize;
         let all = format!("{size:.digits$}");
         if digits > 0 { all.trim_end_matches('0').trim_end_matches('.').to_owned() } else { all }

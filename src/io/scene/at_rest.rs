@@ -15,9 +15,9 @@ use crate::need::Quantity;
 use crate::numerics::summed;
 
 impl Setup<3> {
-    /// Whether the scene has a question under which nothing presses on a contact: no command, no load at rest, and no applied load. An applied load
-    /// presses as a weight does, or by jamming. A `solve` with a load, a `need` of an arm and an `identify` of forces at rest are skipped. Without a
-    /// question the commands alone decide; without contacts the result is false.
+    /// Whether the scene has a question in which nothing presses on any contact: no command, no load at rest, and no applied load. An applied load
+    /// presses if it pushes the object onto a contact, as a weight does, or if it jams the object. A `solve` with a load, a `need` of an arm and an
+    /// `identify` of forces at rest are skipped. Without questions the result depends on the commands alone; without contacts it is false.
     pub(super) fn nothing_presses(&self, grasp: &Grasp<3>) -> Result<bool, Error> {
         // A grasp that has links but no contacts needs no squeeze.
         if grasp.presses() || self.entries().next().is_none() {
@@ -27,7 +27,7 @@ impl Setup<3> {
             let is_solved = matches!(question, Question::Solve { load, .. } if *load != Wrench::ZERO);
             let is_sought = matches!(question, Question::Identify(asked) if asked.seeks_carried());
             // With `need` of an arm, the load acts at several arms. A load that presses on no contact at its given arm may jam the object at a longer
-            // one.
+            // arm.
             let is_arm = matches!(question, Question::Need(asked) if asked.quantity == Quantity::Arm);
             if is_solved || is_sought || is_arm || at_rest(question) != Wrench::ZERO {
                 continue;
@@ -63,8 +63,8 @@ impl Setup<3> {
         self.entries().any(|entry| presses(entry.contact.normal.as_slice())) || self.links.iter().any(hangs)
     }
 
-    /// Warnings about contacts and links whose force at rest differs from the one that the scene states. At rest means without load, or under the
-    /// base load of a question: of these equilibria the one with the fewest warnings counts.
+    /// Warnings about contacts and links whose force at rest differs from the force that the scene states. At rest means without load, or under the
+    /// base load of a question: of these equilibria, the equilibrium with the fewest warnings is taken.
     pub(super) fn otherwise_at_rest(&self, grasp: &Grasp<3>) -> Result<Vec<Warning>, Error> {
         let is_pretensioned =
             |entry: &LinkSetup<3>| entry.link.tension.is_none() && entry.link.pretension != 0.0;
@@ -138,7 +138,7 @@ fn jams(grasp: &Grasp<3>, load: Wrench<3>) -> Result<bool, Error> {
     Ok(verdict.lost.map_or(verdict.held_to > 0.0, |lost| lost.factor > 0.0))
 }
 
-/// The load at rest of a question, on which its loads are then added; zero for `solve`.
+/// The load at rest of a question, to which its other loads are then added; zero for `solve`.
 fn at_rest(question: &Question<3>) -> Wrench<3> {
     match question {
         Question::Hold { base, .. }

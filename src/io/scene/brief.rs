@@ -40,11 +40,12 @@ pub struct Brief {
     pub question: &'static str,
     /// The name of the outcome in the format.
     pub outcome: &'static str,
-    /// The load factor at first slip; for `hold` the load factor at which equilibrium is lost. For `need` the amount, for `identify` the value of the
-    /// first unknown.
+    /// The load factor at first slip; for `hold` the load factor at which equilibrium is lost. For `need` the amount of the sought quantity, for
+    /// `improve` the reserve if that is its goal, for `compare` and `shakedown` the multiple of the loads up to which the answer holds, for
+    /// `identify` the value of the first unknown.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub factor: Option<f64>,
-    /// The angle at first slip under a turning load, rad.
+    /// The angle at first slip under a turning load, or the angle that `need` seeks, rad.
     #[serde(rename = "angle_rad", skip_serializing_if = "Option::is_none")]
     pub angle: Option<f64>,
     /// The leg of the load program on which the load path ends, counted from 0.
@@ -315,7 +316,7 @@ fn drive(change: DriveChange) -> &'static str {
     }
 }
 
-/// The name of a search's end in the format.
+/// The name in the format of the way in which an identification ended.
 fn ended(ending: &Ending) -> &'static str {
     match ending {
         Ending::Converged => "converged",

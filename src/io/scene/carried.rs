@@ -51,7 +51,7 @@ impl WrittenMass<'_> {
             };
         };
         let along = |given: Option<&Few<Given, 3>>, name: &str| part(given, space.axes(), name);
-        // In the plane the rotation is about z, the last axis of space, so its number comes last.
+        // In the plane the rotation is about z, the last axis of space; its number therefore comes last.
         let planes = space.planes().len();
         let about_axes = |given: Option<&Few<Given, 3>>, name: &str| {
             let listed = part(given, planes, name)?;

@@ -18,8 +18,9 @@ use crate::words::Words;
 pub struct CompareAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// Multiple of the load up to which the minimum of energy is the equilibrium, infinite if it always is; see
-    /// [`Energy::agreement`](crate::ask::Energy::agreement). Left out if both differ already under the base load, or if the multiple is not known.
+    /// Multiple of the load up to which the minimum of energy is the equilibrium, infinite if there is no such limit; see
+    /// [`Energy::agreement`](crate::ask::Energy::agreement). Left out if minimum and equilibrium differ already under the base load, or if the
+    /// multiple is not known.
     #[serde(default, with = "AsComputed::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     pub agrees_up_to: Option<f64>,
     /// The comparison under the base load plus the whole load.

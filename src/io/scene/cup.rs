@@ -9,8 +9,8 @@ use serde::ser::{Serialize, Serializer};
 use crate::error::Error;
 use crate::grasp::{Space, SuctionCup};
 
-/// A suction cup of a scene, `"suction": {"radius": 0.02, "pressure": 60000}`; see [`SuctionCup`]. Only a contact in space has one, in place of a
-/// soft fingertip.
+/// A suction cup of a scene, `"suction": {"radius": 0.02, "pressure": 60000}`; see [`SuctionCup`]. Only a contact in space may have a cup, in place
+/// of a soft fingertip.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -22,7 +22,7 @@ pub struct Cup {
     /// Number of contact points on the lip; 12 if left out.
     #[serde(default = "twelve")]
     pub points: usize,
-    /// Pressure in the cup below that of the surrounding air, Pa.
+    /// Pressure of the surrounding air minus the pressure in the cup, Pa.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pressure: Option<f64>,
     /// The force of the vacuum, N, instead of the pressure.
@@ -35,7 +35,7 @@ const fn twelve() -> usize {
 }
 
 impl Cup {
-    /// A cup with a lip of this radius, m, in which the pressure is this much below that of the surrounding air, Pa.
+    /// A cup with a lip of this radius, m, in which the pressure is lower than the pressure of the surrounding air by `pressure`, Pa.
     pub fn of_pressure(radius: f64, pressure: f64) -> Self {
         Self { radius, points: twelve(), pressure: Some(pressure), force: None }
     }

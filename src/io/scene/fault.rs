@@ -79,7 +79,7 @@ struct Outside {
     id: Option<Id>,
 }
 
-/// The message of the reader without the place in the text.
+/// The message of the reader without the position in the text.
 pub(super) fn message_of(error: &serde_json::Error) -> String {
     let message = error.to_string();
     let place = format!(" at line {} column {}", error.line(), error.column());
@@ -165,7 +165,7 @@ impl Scene {
             Err(fault) => fault.message.contains(ALONE),
         };
         if let Some(completed) = acts_on_all.then(|| with_centre_of_mass(text)).flatten() {
-            // Positions in the completed text do not apply to the text of the user, so the fault gets none.
+            // Positions in the completed text do not apply to the text of the user; the fault is therefore given without a position.
             scene = read(&completed).map_err(|fault| Fault { at: None, ..fault });
         }
         let scene = scene?;

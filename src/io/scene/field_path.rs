@@ -21,10 +21,10 @@ pub(super) fn faulty_field(
 ) -> Option<String> {
     let (before, last) = text.split_at(read.saturating_sub(1));
     // At a syntax error the last byte read is the first that is not JSON. If the text ends too early or a value is wrong, all bytes read are JSON.
-    // A name without its fields, a unit variant, is reported at the byte after it.
+    // A unit variant, i.e. a name without the fields that it needs, is reported at the byte after the name.
     let alone = message.starts_with("invalid type: unit variant");
     let json = if error.is_syntax() || alone { before } else { &text[..read] };
-    // serde_json gives the position of a list where none is allowed either as its opening bracket or as the byte before.
+    // If a list is not allowed, serde_json gives as its position either its opening bracket or the byte before.
     let behind = last.starts_with(b"[") && !last[1..].starts_with(b"[");
     let around = (behind && message.starts_with("invalid type: sequence"))
         || OF_A_LIST_OR_OBJECT.iter().any(|of| message.starts_with(of));
@@ -45,8 +45,8 @@ struct Open {
     element: Option<usize>,
 }
 
-/// The path of the value at the end of `read`, or of the list or object `around` it; empty for the whole text. All of `read` must be the
-/// beginning of a JSON text.
+/// The path of the value at the end of `read` or, if `around` is true, of the list or object that contains this value; empty for the whole text. All
+/// of `read` must be the beginning of a JSON text.
 fn field_path(read: &[u8], around: bool) -> String {
     let mut path = String::new();
     let mut open: Vec<Open> = Vec::new();

@@ -98,7 +98,7 @@ impl<const C: usize> Fingertip<C> {
 }
 
 impl Fingertip<3> {
-    /// The point contacts of the patch, or the contact itself. `index` is that of the contact in the scene, for messages.
+    /// The point contacts of the patch, or the contact itself. `index` is the index of the contact in the scene, for messages.
     ///
     /// # Errors
     /// [`Error::Contact`] with `index`, or [`Error::Fingertip`].

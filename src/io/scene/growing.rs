@@ -12,7 +12,7 @@ use crate::grasp::Wrench;
 /// Name of a question, its base load, its growing load, and the loads on other bodies that grow in proportion to the growing load.
 type Growing<'q> = (&'static str, Wrench<3>, Option<Wrench<3>>, &'q BTreeMap<String, Wrench<3>>);
 
-/// The loads of a question that grow in proportion to each other; `None` for a kind of question that has none.
+/// The loads of a question that grow in proportion to each other; `None` for a kind of question that has no such loads.
 fn growing(asked: &Question<3>) -> Option<Growing<'_>> {
     match asked {
         Question::Hold { base, load, together_with } => Some(("hold", *base, Some(*load), together_with)),
@@ -26,8 +26,8 @@ fn growing(asked: &Question<3>) -> Option<Growing<'_>> {
 }
 
 impl Setup<3> {
-    /// The grasp for a question. It includes the loads on other bodies that grow in proportion to the question's load, except for `need`, whose
-    /// question holds them. If gravity turns, the grasp has no gravity, since the turning load is the weight.
+    /// The grasp for a question. It includes the loads on other bodies that grow in proportion to the question's load; for `need` it does not,
+    /// because the question itself contains these loads. If gravity turns, the grasp has no gravity, since the turning load is the weight.
     ///
     /// # Errors
     /// [`Error::Question`] if the loads on other bodies cannot grow in proportion to the load, and as for [`Grasp::growing_together`].

@@ -24,7 +24,7 @@ struct WrittenJoint<const C: usize> {
     /// The direction of a prismatic joint.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     prismatic: Option<AxisRow<Given, C>>,
-    /// Stiffness of the drive, N m/rad or N/m; without one only `torque` acts.
+    /// Stiffness of the drive, N m/rad or N/m; without a stiffness only `torque` acts.
     #[serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")]
     stiffness: f64,
     /// Commanded position of the drive, rad or m; 0 if left out.

@@ -28,7 +28,8 @@ impl SceneNames<'_> {
         state.written()
     }
 
-    /// An outcome of `solve` in the form of a scene's answers, with the labels of the scene. The solver's work in a doubt is set to zero.
+    /// An outcome of `solve` in the form of a scene's answers, with the labels of the scene. In an undecided outcome the counts of the solver's work
+    /// are set to zero.
     pub(super) fn outcome(&self, mut outcome: Outcome<3>) -> Outcome<3> {
         match &mut outcome {
             Outcome::Equilibrium(state) => **state = self.equilibrium(state.as_ref().clone()),
@@ -38,8 +39,8 @@ impl SceneNames<'_> {
         outcome
     }
 
-    /// An outcome in the form of the answer to `solve`. An equilibrium also gets its accuracy. For each contact it says whether working precision
-    /// suffices to distinguish the contact state from its neighbours.
+    /// An outcome in the form of the answer to `solve`. An equilibrium also gets its accuracy and, for each contact, whether working precision
+    /// suffices to distinguish the contact state from the neighbouring states.
     pub(super) fn solved(&self, mut outcome: Outcome<3>) -> Outcome<3> {
         if let Outcome::Equilibrium(state) = &mut outcome {
             state.accuracy = self.0.accuracy(state);

@@ -21,7 +21,7 @@ pub(super) const DEFAULT_STIFFNESS: f64 = 1e4;
 impl Setup<3> {
     /// Warnings about contacts and links without a stiffness, if an answer depends on this stiffness. Each question is answered several times, with
     /// trial stiffnesses between a tenth and ten times the default, different for each contact, link and direction. Motions always depend on the
-    /// stiffness of contacts, so every `solve` is listed.
+    /// stiffness of contacts; every `solve` is therefore listed.
     ///
     /// # Errors
     /// As for [`Self::answers`].
@@ -29,7 +29,7 @@ impl Setup<3> {
         Ok(self.springs_left_out()?.into_iter().chain(self.stiffness_of_links_left_out()?).collect())
     }
 
-    /// A warning about contacts without a stiffness if an answer depends on it.
+    /// A warning about contacts without a stiffness, if an answer depends on the stiffness of these contacts.
     fn springs_left_out(&self) -> Result<Option<Warning>, Error> {
         let (mut contacts, mut names) = (Vec::new(), Vec::new());
         for (i, entry) in self.entries().enumerate() {
@@ -73,9 +73,10 @@ impl Setup<3> {
         Ok(depends.then_some(Warning::StiffnessLeftOut { contacts, names, stiffness, questions }))
     }
 
-    /// Indices of the questions whose answers depend on the stiffness. A relative change of more than `same_within` in one of two trials shows it;
-    /// questions for which `is_known` holds are listed without a trial. The grasps `compared` answer, and if the given grasp answers otherwise, the
-    /// limits that they lack depend on stiffness.
+    /// Indices of the questions whose answers depend on the stiffness, i.e. change relatively by more than `same_within` in one of two trials.
+    /// Questions for which `is_known` is true are listed in any case. Answers are compared between the grasps that `compared` makes, for example
+    /// without limits of small motions. A question is also listed if the given grasp answers otherwise than the grasp without these limits, since the
+    /// limits then matter and motions depend on stiffness.
     pub(super) fn questions_that_depend(
         &self,
         trial: &dyn Fn(usize) -> Self,

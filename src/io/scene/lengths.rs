@@ -104,7 +104,7 @@ fn each_at(value: &Value, look: &mut dyn FnMut(&[Value])) {
     }
 }
 
-/// The unit of lengths, and the kinds of joints. The command of a prismatic joint is a length, that of a revolute joint an angle.
+/// The unit of lengths, and the kinds of joints. The command of a prismatic joint is a length, the command of a revolute joint an angle.
 struct Lengths {
     unit: Unit,
     /// For each joint of all fingers, whether it is prismatic.
@@ -154,7 +154,7 @@ impl Lengths {
                     }
                 }
                 ("joints_by" | "joints_to" | "joint_change", Value::Array(all)) => {
-                    // Entries after those for the joints belong to tendons, whose commands are lengths.
+                    // Entries after the entries of the joints belong to tendons, whose commands are lengths.
                     self.each(all, |joint| self.is_prismatic.get(joint).is_none_or(|is| *is));
                 }
                 ("arms", Value::Array(all)) => {

@@ -67,7 +67,7 @@ struct Written<const C: usize> {
     /// A cable that pulls along a line.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     cable: Option<Line<C>>,
-    /// The two bodies that the link joins: a line begins on the first and ends on the second.
+    /// The two bodies that the link joins: a line begins on the first body and ends on the second.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     between: Option<[Arc<str>; 2]>,
     /// The body that the link joins to the ground, instead of `between`.
@@ -269,7 +269,7 @@ impl<const C: usize> Hinge<C> {
 }
 
 impl Setup<3> {
-    /// The point contacts by which all links are modelled. In the grasp they come after all other contacts.
+    /// The point contacts by which all links are modelled. In the grasp these contacts come after all others.
     pub(super) fn points_of_links(&self) -> Result<Vec<Contact<3>>, Error> {
         let mut points = Vec::new();
         for (number, LinkSetup { link, .. }) in self.links.iter().enumerate() {

@@ -2,7 +2,7 @@
 //!
 //! A [`Scene`] is read and written by serde, from JSON or from any other self-describing format; its [answers](Scene::answers) are written the same
 //! way. Input that cannot be read unambiguously is refused: unknown fields, unknown versions, lists of the wrong length, numbers out of range. Units
-//! are those of the crate: SI, or any consistent ones.
+//! are those of the crate: SI, or any consistent units.
 //!
 //! # The format, version `grasp-lcp/1`
 //!
@@ -27,13 +27,13 @@
 //!
 //! | field | value | if left out |
 //! |---|---|---|
-//! | `contacts` | a list of contacts whose fingers have no joints | none; an error if no finger has one either |
+//! | `contacts` | a list of contacts whose fingers have no joints | none; an error if no finger has a contact either |
 //! | `fingers` | a list of fingers with joints, see below | none |
 //! | `tendons` | a list of tendons over their joints, see below | none |
 //! | `bodies` | a list of several bodies, see below | one object |
 //! | `links` | a list of hinges, slides, springs, cables between bodies or to the ground, see below | none |
 //! | `gravity` | acceleration on the masses of bodies, m/s², beside the loads of questions | none |
-//! | `loaded` | the name of the body that loads of questions act on | the first |
+//! | `loaded` | the name of the body that loads of questions act on | the first body |
 //! | `shared_by_mass` | `true`: loads of questions act on all bodies, on each with the share of its mass; see wrenches | `false` |
 //! | `outline` | corners of the object in order, m, a closed line that may go over itself; only drawn | none |
 //! | `part` | the grasped part as a mesh, in space, see below (feature `mesh`) | none |
@@ -41,23 +41,23 @@
 //! | `questions` | a list of questions | none |
 //! | `settings` | settings for all questions | [`Settings::default`](crate::Settings) |
 //!
-//! A contact (see [`Contact`](crate::grasp::Contact) for signs and frames). Numbers are finite and
-//! at most 1e50 in size; besides them friction may be `"infinite"` and a spring `"rigid"`:
+//! A contact (see [`Contact`](crate::grasp::Contact) for signs and frames). Numbers are finite and at most 1e50 in size; moreover friction may be
+//! `"infinite"` and a spring `"rigid"`:
 //!
 //! | field | value | unit | if left out |
 //! |---|---|---|---|
 //! | `name`, `comment` | texts | | none |
-//! | `on`, `against` | names of bodies: the normal points into `on`, and `against` is on the other side | | `on` is needed where there are bodies; `against` is the ground or a finger |
+//! | `on`, `against` | names of bodies: the normal points into `on`, and `against` is on the other side | | `on` is needed if there are bodies; `against` is the ground or a finger |
 //! | `point` | point of contact | m | an error without `touches` |
 //! | `normal` | direction into the object, of any length | | an error without `touches` |
 //! | `touches` | a pad that closes on the part, in place of point and normal, see below (feature `mesh`) | | none |
 //! | `tangent` | direction of the first tangent | | chosen from the normal |
-//! | `body_stiffness` | the object's springs: `[normal, tangential]`, in space also `[normal, first tangent, second tangent]`; `"rigid"` for one of them or for all | N/m | rigid, if the finger is not |
-//! | `finger_stiffness` | the finger's springs, in the same form | N/m | rigid, if the body is not |
+//! | `body_stiffness` | the object's springs: `[normal, tangential]`, in space also `[normal, first tangent, second tangent]`; `"rigid"` in place of one number or of all | N/m | rigid, if the finger's springs are given |
+//! | `finger_stiffness` | the finger's springs, in the same form | N/m | rigid, if the object's springs are given |
 //! | `series_stiffness` or `stiffness` | springs of body and finger in series, in place of both; also one number for all directions | N/m | 1e4 in all directions if no stiffness is given; [`Setup::stiffness_left_out`] says whether an answer depends on it |
 //! | `friction` | coefficient μ, or `"infinite"` | | 0 |
 //! | `kinetic_friction` | coefficient of friction while the contact slides, at most `friction`; see [`Contact::kinetic`](crate::grasp::Contact::kinetic) | | `friction` |
-//! | `command` | displacement of the finger's core in the contact frame, normal part first | m | 0 |
+//! | `command` | commanded displacement of the finger in the contact frame, normal part first | m | 0 |
 //! | `command_world` | the same displacement along the coordinate axes, in place of `command` | m | not used |
 //! | `pressed_with` | clamping force, in place of the normal command; see [`Contact::pressed_with`](crate::grasp::Contact::pressed_with) | N | |
 //! | `force` | constant normal force, whatever the object's motion, in place of a position of the finger; see [`Contact::force`](crate::grasp::Contact::force) | N | not used |
@@ -97,7 +97,8 @@
 //! | `load` | a constant wrench on the body | N, N m | none |
 //! | `outline` | corners in order; only drawn | m | none |
 //!
-//! A link (see [`Link`](crate::grasp::Link)) is one of these, with the bodies that it joins:
+//! A link (see [`Link`](crate::grasp::Link)) has exactly one of the fields `hinge`, `ball`, `slide`, `rigid`, `spring` and `cable`, and names the
+//! bodies that it joins:
 //!
 //! | field | value | unit | if left out |
 //! |---|---|---|---|
@@ -122,18 +123,19 @@
 //! |---|---|---|---|
 //! | `comment` | a text | | none |
 //! | `joints` | a list of joints from the palm on | | none |
-//! | `stiffness_matrix` | rows of a symmetric matrix among its joints, beside their own springs | N m/rad | none |
-//! | `compliance` | rows of a symmetric matrix over its contacts, contact by contact, axis by axis of their frames | m/N | none |
+//! | `stiffness_matrix` | rows of the symmetric stiffness matrix of its joints, added to their own springs | N m/rad | none |
+//! | `compliance` | rows of the symmetric compliance matrix of its contacts, ordered by contact and then by axis of its frame | m/N | none |
 //! | `presses_with` | the `force` of its only contact | N | not used |
-//! | `contacts` | a list of contacts, at least one; stiffness may be left out where there is a `compliance` | | an error |
+//! | `contacts` | a list of contacts, at least one; stiffness may be left out if there is a `compliance` | | an error |
 //!
 //! Its contacts may name the joints that move them: `"moved_by": {"link": 1}`, the number of the finger's joints counted from the palm, or
-//! `"moved_by": {"jacobian": [[…], …]}`, one row a coordinate axis and one column a joint; in space three more rows, angular velocities of the link, may
-//! follow, and must for a soft fingertip. Otherwise all joints of the finger move them. Contacts of
-//! fingers are numbered after those of the list `contacts`. Every contact with a `force` has a slide: a prismatic joint, numbered after all joints of fingers.
+//! `"moved_by": {"jacobian": [[…], …]}`, one row a coordinate axis and one column a joint; in space three more rows, angular velocities of the link,
+//! may follow, and must follow for a soft fingertip. Without `moved_by` all joints of the finger move the contact. Contacts of fingers are numbered
+//! after the contacts of the list `contacts`. Every contact with a `force` has a slide: a prismatic joint, numbered after all joints of fingers.
 //!
 //! A joint is `"revolute"` – `{"point": [x, y]}` in the plane, `{"point": …, "axis": …}` in space –, `"prismatic"` (a direction), or neither,
-//! and then known by the Jacobians of its contacts alone. A tendon has `arms`, one for each joint of all fingers, m/rad or none:
+//! and then known by the Jacobians of its contacts alone. A tendon has `arms`, one for each joint of all fingers, in m/rad, or without a unit at a
+//! prismatic joint:
 //!
 //! | field | value | unit | if left out |
 //! |---|---|---|---|
@@ -145,7 +147,8 @@
 //! | `pushes`, of a tendon alone | `true` for a rod or a differential, which also pushes | | pulls only |
 //!
 //! A robot (`RobotSetup` of the feature `urdf`) is `{"urdf": "hand.urdf", "joints": {"thumb_base": 20}, "stiffness": {"others": 3}, "contacts":
-//! {"thumb_tip": […]}}`, in space. Its contacts are numbered after all others: first those on links that no joint moves, then finger by finger.
+//! {"thumb_tip": […]}}`, in space. Contacts on its links that no joint moves are numbered after the contacts of the list `contacts`; its other
+//! contacts after those of all other fingers, finger by finger.
 //!
 //! A wrench is `{"force": [0, -1], "moment": 0.2}` in the plane and `{"force": [0, 0, -1],
 //! "moment": [0, 0.1, 0]}` in space, N and N m about the origin; a part that is left out is zero. `"at":
@@ -155,7 +158,7 @@
 //! |---|---|---|---|
 //! | `mass` | its mass, centred `at` | kg | no body |
 //! | `gravity` | acceleration of gravity along every axis | m/s² | 9.81 down the last axis |
-//! | `accelerated` | acceleration of the arm; of a turning arm, that of the point about which it turns | m/s² | none |
+//! | `accelerated` | acceleration of the arm; of a turning arm, the acceleration of the point about which it turns | m/s² | none |
 //! | `turning` | `about` a point (m) with `velocity_deg` and `acceleration_deg` or `…_rad`: a number in the plane, in space three along the axis | degrees or rad a second, and a second squared | none |
 //! | `inertia` | about its centre: a number in the plane, in space three about axes along the coordinates | kg m² | an error if the load depends on it |
 //!
@@ -170,24 +173,24 @@
 //! | `hold` | `base`, `load` (wrenches), `together_with` | whether the grasp holds the load as it grows from zero, at which load a contact first slips, and at which load equilibrium is lost |
 //! | `need` | `quantity`, loads, `together_with` | the amount that the grasp needs, see [`Need`](crate::need::Need) |
 //! | `improve` | `base`, loads, `at_most`; a `surface` of contacts | better places of the fingers, and their clamping forces, see [`Improve`](crate::improve::Improve) |
-//! | `solve` | `load` (a wrench), `together_with` | the equilibrium under it |
+//! | `solve` | `load` (a wrench), `together_with` | the equilibrium under the load |
 //! | `compare` | `base`, `load` (wrenches) | whether the minimum of energy, from the paper's quadratic program, is the equilibrium, and up to which fraction of the load, see [`energy`](crate::energy) |
 //! | `onset` | `base`, `direction` (wrenches), `command_change`, `joint_change`, `together_with` | the onset of sliding under `base + τ direction`, commands changing by τ times their change |
 //! | `onset_of_turn` | a turn | the onset of sliding while the load turns |
-//! | `follow` | `start` (a wrench), `legs`, `in_steps` | the load path of a program; with hundreds of contacts in steps, where `in_steps` is the error that a leg may add to forces |
+//! | `follow` | `start` (a wrench), `legs`, `in_steps` | the load path of a program; for hundreds of contacts in steps, if `in_steps` gives the error that each leg may add to forces |
 //! | `shake` | `base` (a wrench), `loads` or `legs` | whether the grasp survives loads that are repeatedly applied and removed, or a repeated cycle of legs |
-//! | `identify` | `unknowns`, `slips` (with a `group` where they share errors), `layouts`, `known` | friction, loads of supports, squeeze or stiffness from observed slips, see [`Identify`](crate::identify::Identify) |
-//! | `shakedown` | `base` (a wrench), `loads` | the multiple of the loads up to which the grasp could come to rest, in any order of them |
+//! | `identify` | `unknowns`, `slips` (with a `group` if they share errors), `layouts`, `known` | friction, loads of supports, squeeze or stiffness from observed slips, see [`Identify`](crate::identify::Identify) |
+//! | `shakedown` | `base` (a wrench), `loads` | the multiple of the loads up to which the grasp could come to rest, in any order of the loads |
 //!
-//! With several bodies `together_with` has loads on other bodies by name, `{"upper": {"force": [-5, 0]}}`, in proportion to the load. `base` is then left out.
+//! With several bodies `together_with` has loads on other bodies by name, `{"upper": {"force": [-5, 0]}}`, in proportion to the load. `base` must
+//! then be left out.
 //!
-//! Wrenches that are left out are zero. `command_change` and all other commands are one row for
-//! each contact of the scene (m, in its contact frame); all points of a soft fingertip follow it. A
-//! leg has `load_by` or `load_to` (a wrench), `commands_by` or `commands_to` (rows), `joints_by` or `joints_to`, `torques_by` or `torques_to`,
-//! or one of each, or a `turn` alone: the load then changes as the turn does, from its value at the start of the leg. All that a leg does not mention
-//! stays constant. With several bodies `body_loads_by` or `body_loads_to` have loads on bodies by name, which change independently of the load.
-//! `joint_change` and `joints_by` have one number for each joint and then each tendon. `torques_by` has one number for each joint: the change of its
-//! constant torque or force, N m or N. Slides of contacts with a `force` come last.
+//! Wrenches that are left out are zero. `command_change` and all other commands are one row for each contact of the scene (m, in its contact frame),
+//! which holds for all points of a soft fingertip. A leg has `load_by` or `load_to` (a wrench), `commands_by` or `commands_to` (rows), `joints_by` or
+//! `joints_to`, `torques_by` or `torques_to`, or one of each, or a `turn` alone: the load then changes as the turn does, from its value at the start
+//! of the leg. All that a leg does not mention stays constant. With several bodies `body_loads_by` or `body_loads_to` have loads on bodies by name,
+//! which change independently of the load. `joint_change` and `joints_by` have one number for each joint and then each tendon. `torques_by` has one
+//! number for each joint: the change of its constant torque or force, N m or N. Slides of contacts with a `force` come last.
 //!
 //! A turn (see [`Turn`](crate::load_path::Turn)) is a `weight` while the object is tilted with its grasp, or a `force` that turns, or three
 //! wrenches. In the plane it goes from x to y, in space about the axis by the right-hand rule:
@@ -196,12 +199,12 @@
 //! |---|---|---|---|
 //! | `weight` or `force` | a row of components | N | a turn of three wrenches |
 //! | `at` | the point where the load acts | m | the origin |
-//! | `axis` | the axis of the turn in space, of any length but zero | | an error; in the plane there is none |
+//! | `axis` | the axis of the turn in space, of any length but zero | | an error; it must be left out in the plane |
 //! | `beside` | a constant wrench | N, N m | none |
-//! | `constant`, `cosine`, `sine` | wrenches, in place of all these: `constant + cosine cos θ + sine sin θ` | N, N m | zero; one of the last two is needed |
+//! | `constant`, `cosine`, `sine` | wrenches, in place of all these: `constant + cosine cos θ + sine sin θ` | N, N m | zero; `cosine` or `sine` is needed |
 //! | none of these | the scene's own `gravity` turns, with the weights of all its bodies; only in `onset_of_turn` and `need` | | |
 //! | `angle_deg` or `angle_rad` | the angle of the turn, more than 0 and at most 1e6 rad | degrees or rad | a full turn |
-//! | `reversed` | `true` for the other way round | | `false` |
+//! | `reversed` | `true` for a turn in the opposite direction | | `false` |
 //!
 //! The settings (see [`Settings`](crate::Settings)):
 //!
@@ -209,11 +212,13 @@
 //! |---|---|---|
 //! | `cone` | in space `"round"`, or `"polygon"` for answers on the polygonal cone itself, onsets included | round |
 //! | `polygon` | `{"facets": …, "fit": "inscribed"}`, or `"circumscribed"` or `"balanced"` | 8, inscribed |
-//! | `max_pivots` | limit of pivots | by size |
+//! | `max_pivots` | largest number of pivots of Lemke's method | set by the size of the problem |
 //! | `most_states` | most combinations of contact states to try | 20 000 |
 //! | `step_error` | relative error of one step along a sliding arc, a piece of a path on which directions of sliding turn; between 0 and 1 | 1e-9 |
 //! | `most_steps` | most steps along sliding arcs and jumps within a leg | 20 000 |
-//! | `small_motions` | `rotation` (rad) and `slip` (part of the grasp's size) up to which motions are small: no load beyond them counts as held | 0.1 and 0.1 |
+//! | `most_load` | largest multiple of the load up to which `hold` searches for the loss of equilibrium | 100 |
+//! | `most_cycles` | most cycles of a repeated load that are computed | 1 000 |
+//! | `small_motions` | `rotation` (rad) and `slip` (part of the grasp's size) up to which motions are small: a load with larger motions does not count as held | 0.1 and 0.1 |
 //!
 //! Two fingers in the plane:
 //!
@@ -289,22 +294,22 @@
 //!
 //! | question | outcomes | type |
 //! |---|---|---|
-//! | `hold` | the sentence `says`, and as `holding` one of `sticks`, `slides`, `loose`, `lost`, `no_rest`, `undecided` | [`HoldAnswer`] |
+//! | `hold` | the sentence `says`, and as `holding` one of `sticks`, `slides`, `loose`, `lost`, `no_rest`, `lost_at_rest`, `undecided` | [`HoldAnswer`] |
 //! | `need` | the sentence `says`, and as `amount` one of `bound`, `any`, `none`, `undecided` | [`NeedAnswer`] |
 //! | `improve` | the sentence `says`, and as `search` one of `optimum`, `stalled`, `out_of_steps`, `unbalanced`, `nothing_slides`, `no_start` | [`ImproveAnswer`] |
 //! | `solve` | `equilibrium`, `no_equilibrium`, `undecided` ; if that does not decide whether the load is held, `from_rest` has the answer of `hold` | [`SolveAnswer`] |
 //! | `compare` | the sentence `says`, `agrees_up_to`, and as `verdict` one of `agree`, `two_equilibria`, `out_of_equilibrium`, `no_equilibrium`, `unknown`, `no_minimum`, `unsolved` | [`CompareAnswer`] |
 //! | `onset` | `at`, `never`, `already_sliding`, `no_base`, `gives_way`, `undecided` | [`OnsetAnswer`] |
-//! | `onset_of_turn` | as of `onset`, with `angle_rad` in place of the factor, and the contacts that touch their limit before first slip | [`TurnAnswer`] |
+//! | `onset_of_turn` | as for `onset`, with `angle_rad` in place of the factor, and the contacts that touch their limit before first slip | [`TurnAnswer`] |
 //! | `follow` | `completed`, `lost`, `no_start`, `undecided` | [`PathAnswer`] |
 //! | `shake` | the sentence `says`, and as `repeats` one of `rests`, `dies_out`, `alternates`, `walks`, `lost`, `no_rest`, `undecided` | [`ShakeAnswer`] |
 //! | `identify` | the sentence `says`, and as `ending` one of `converged`, `not_converged`, `not_predicted` | [`IdentifyAnswer`] |
 //! | `shakedown` | the sentence `says`, `rests` if the order does not matter, and `factor`, `slips`, `binding` if known | [`ShakedownAnswer`] |
 //!
-//! The names in the text are those of the fields and variants of these types, in lower case with underscores. The types contain the answers of a
+//! The names in the text are the names of the fields and variants of these types, in lower case with underscores. The types contain the answers of a
 //! [`Grasp`](crate::ask::Grasp), and results that it computes on request only. Contacts are named by their index in the scene and, for a soft
-//! fingertip, the point of its patch; joints and tendons by their number and name. Motions have the displacements of joints in `joints`. A number that
-//! is not finite is written in words: `"infinite"`, `"-infinite"`, `"not a number"`. Fields may be added to answers without a new version.
+//! fingertip, the point of its patch; joints and tendons by their number and name. Motions have the displacements of joints in `joints`. A number
+//! that is not finite is written in words: `"infinite"`, `"-infinite"`, `"not a number"`. Fields may be added to answers without a new version.
 //!
 //! Numbers that are written and read again keep every bit if the format does so; `serde_json` needs its feature
 //! `float_roundtrip`.

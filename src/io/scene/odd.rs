@@ -21,7 +21,7 @@ impl Setup<3> {
         let name = |i: usize| entries[i].contact.label_text(i);
         let names = |contacts: &[usize]| mapped(contacts, &|i| name(*i));
         let mu = |i: usize| entries[i].contact.friction_coefficient();
-        // The coefficient of soft rubber on dry concrete is about 1.2, that of the tyres of racing cars less than 2.
+        // The coefficient of soft rubber on dry concrete is about 1.2, the coefficient of tyres of racing cars is less than 2.
         let much = |i: &usize| mu(*i) > 2.0 && mu(*i).is_finite();
         let contacts: Vec<_> = chosen(entries.len(), &much);
         if let Some(first) = contacts.first() {
@@ -45,7 +45,7 @@ impl Setup<3> {
         let stiffness = |i: usize| largest(entries[i].contact.series_stiffness_of_axes().as_slice(), &|k| *k);
         let softest = (0..entries.len()).map(stiffness).fold(f64::INFINITY, f64::min);
         let force = |i: usize| entries[i].contact.press.or(entries[i].contact.force).unwrap_or(0.0);
-        // Contacts of steel have 1e8 to 1e9 N/m. Beside a contact ten million times as stiff the others carry no force.
+        // Contacts of steel have 1e8 to 1e9 N/m. Beside a contact ten million times as stiff the other contacts carry no force.
         let is_stiff = |i: &usize| stiffness(*i).is_finite() && stiffness(*i) >= 1e11_f64.min(1e7 * softest);
         // The largest hydraulic presses exert less than 1e9 N.
         let is_strong = |i: &usize| force(*i) >= 1e9;
@@ -101,14 +101,15 @@ impl Setup<3> {
         let (mut pressed, mut carried) = (0.0, 0.0);
         for entry in self.entries() {
             let force = entry.contact.press.or(entry.contact.force).unwrap_or(0.0);
-            // Even with little friction the normal forces of other contacts may carry the load, so a friction coefficient of at least 0.3 is assumed.
+            // Even with little friction the normal forces of other contacts may carry the load; a friction coefficient of at least 0.3 is therefore
+            // assumed.
             (pressed, carried) =
                 (pressed + force, carried + force * entry.contact.friction_coefficient().max(0.3));
         }
         let force = |load: &Wrench<3>| load.force_part();
         let mut heaviest = 0.0_f64;
         for question in &self.questions {
-            // The load of an onset is its direction times the load factor, so the size of the direction has no meaning.
+            // The load of an onset is its direction times the load factor; the size of the direction therefore has no meaning.
             if !matches!(question, Question::Onset { .. }) {
                 for load in applied_loads(question) {
                     heaviest = heaviest.max(force(&load).norm());
@@ -127,7 +128,7 @@ impl Setup<3> {
             let force = force(load);
             let about = *load - Wrench::force_through(&centre, &force);
             let moment = about.components()[3..].iter().fold(0.0, |h: f64, m| h.hypot(*m));
-            // A pure moment acts at no point, so its moment arm counts as zero.
+            // A pure moment acts at no point; its moment arm counts as zero.
             if force.norm() > 0.0 { moment / force.norm() } else { 0.0 }
         };
         let mut far = 0.0_f64;
@@ -148,8 +149,8 @@ impl Setup<3> {
         (centre, spread(&points))
     }
 
-    /// A warning if several contacts all press away from their common centre. With an outline or with bodies there is none, since these show whether
-    /// contacts are in a hole.
+    /// A warning if several contacts all press away from their common centre. With an outline or with bodies no warning is given, since outline and
+    /// bodies show whether contacts are in a hole.
     fn outwards(&self, entries: &[&Fingertip<3>]) -> Option<Warning> {
         let count = entries.len() as f64;
         let centre =
@@ -179,8 +180,8 @@ impl Setup<3> {
         self.links.is_empty() && self.bodies.is_empty() && entries.iter().all(is_bare)
     }
 
-    /// A warning if any two normals make less than 90°, so that no contact can press against another. `None` for a single contact, and with links or
-    /// bodies.
+    /// A warning if each pair of normals encloses less than 90°, so that no contact can press against another. `None` for a single contact, and with
+    /// links or bodies.
     pub(super) fn same_side(&self) -> Option<Warning> {
         let entries: Vec<_> = self.entries().list();
         if entries.len() < 2 || !self.links.is_empty() || !self.bodies.is_empty() {

@@ -59,7 +59,7 @@ pub struct Angle {
     pub angle: f64,
 }
 
-/// The first contact stops sticking; see [`path::OnsetEvent`].
+/// The event at which the first contact stops sticking; see [`path::OnsetEvent`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
@@ -142,7 +142,7 @@ impl SceneNames<'_> {
         let undecided = |doubt| OnsetAnswer::Undecided(Undecided { doubt, work: WorkDone::default() });
         match onset {
             path::Onset::At(event) => {
-                // The behaviour beyond and the equilibrium both exist, since the event belongs to this grasp.
+                // The behaviour beyond the onset and the equilibrium at the onset both exist, since the event belongs to this grasp.
                 let (Some(beyond), Some(state)) = (self.0.beyond(event), self.0.state_at_onset(event)) else {
                     return undecided(Doubt::Inaccurate);
                 };

@@ -239,8 +239,8 @@ impl Setup<3> {
         Ok((self.with_part_from(Path::new("")).map_err(|error| error.to_string())?, true))
     }
 
-    /// Refuses pads without a part, and a part in the plane. Returns whether the points of all contacts are known: those of pads are found once the
-    /// mesh is read.
+    /// Refuses pads without a part, and a part in the plane. Returns whether the points of all contacts are known: the points of pads are found once
+    /// the mesh is read.
     fn check_part(&self) -> Result<bool, String> {
         let touches = self.entries().position(|entry| entry.touches.is_some());
         match (&self.part, touches) {
@@ -280,8 +280,8 @@ impl Setup<3> {
 }
 
 impl Scene {
-    /// This scene with the mesh of its part and with the fingers of its robot (feature `urdf`), both read from files. Relative paths count from the
-    /// folder, which is usually that of the scene's file.
+    /// This scene with the mesh of its part and with the fingers of its robot (feature `urdf`), both read from files. Relative paths count from
+    /// `folder`, which is usually the folder of the scene's file.
     ///
     /// # Errors
     /// [`Error::Mesh`] if the mesh cannot be read or has no volume for its density, [`Error::Argument`] for a mass or density out of range, and the

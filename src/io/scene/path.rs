@@ -29,12 +29,12 @@ pub struct PathAnswer<const C: usize> {
     /// The energies of each leg that the path has reached; empty for a path in steps.
     pub energies: Vec<BalancedEnergy>,
     /// Sum of the estimated errors of the steps along sliding arcs, each relative in the sense of
-    /// [`Settings::step_error`](crate::Settings::step_error); 0 where every piece is straight. For a path in steps, see [`SteppedPath::step_error`].
+    /// [`Settings::step_error`](crate::Settings::step_error); 0 if slip directions never turn. For a path in steps, see [`SteppedPath::step_error`].
     #[serde(with = "AsComputed::<f64>")]
     pub step_error: f64,
 }
 
-/// The end of a load path, with the equilibrium there; see [`PathEnd`].
+/// The end of a load path, with the equilibrium at this end; see [`PathEnd`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "outcome", rename_all = "snake_case")]
@@ -57,7 +57,7 @@ pub enum PathOutcome<const C: usize> {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         state: Option<Box<Equilibrium<C>>>,
     },
-    /// No equilibrium exists at the start of the path.
+    /// At the start of the path no equilibrium exists, or none was found.
     NoStart {
         /// The outcome at the start: no equilibrium, or undecided.
         start: Box<Outcome<C>>,

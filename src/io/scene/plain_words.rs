@@ -57,7 +57,7 @@ pub(super) fn in_plain_words(message: &str, here: Option<u8>) -> String {
         {
             "JSON has no comments: scenes, contacts and bodies have a field `comment` for a text"
         }
-        // serde_json also gives the message "expected value" for a valid number or list where an enum is expected.
+        // serde_json also gives the message "expected value" for a valid number or list if an enum is expected.
         "expected value" | "expected ident" if here.is_some_and(|byte| b"0123456789-[".contains(&byte)) => {
             "this is none of the values that are allowed here, must be a name in double quotes, or an object"
         }

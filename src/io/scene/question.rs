@@ -99,7 +99,7 @@ pub enum Question<const C: usize> {
         /// The loads in addition to the base, each applied and removed, one after the other.
         #[serde(default, skip_serializing_if = "Vec::is_empty")]
         loads: Vec<Wrench<C>>,
-        /// The legs of a cycle, instead of loads; loads and commands at the end of the cycle must be those at its beginning.
+        /// The legs of a cycle, instead of loads; loads and commands at the end of the cycle must equal those at its beginning.
         #[serde(default, skip_serializing_if = "Vec::is_empty")]
         legs: Vec<Leg<C>>,
     },

@@ -32,7 +32,7 @@ pub struct RobotSetup<const C: usize> {
     /// Positions of the joints by name, degrees, or m for prismatic joints; 0 if left out.
     #[serde(default)]
     pub joints: BTreeMap<String, f64>,
-    /// Commanded positions of the joints by name, degrees or m; those in `joints` if left out.
+    /// Commanded positions of the joints by name, degrees or m; the positions in `joints` if left out.
     #[serde(default)]
     pub commanded: BTreeMap<String, f64>,
     /// Stiffness of the joints by name, N m/rad or N/m; `others` is the stiffness of all joints without an entry.
@@ -105,7 +105,7 @@ impl RobotSetup<3> {
     }
 }
 
-/// Transforms a contact, with the position and direction of its pad, from the frame of its link to that of the scene.
+/// Transforms a contact, with the position and direction of its pad, from the frame of its link to the frame of the scene.
 fn placed(robot: &Robot, link: usize, index: usize, mut entry: Fingertip<3>) -> Result<Fingertip<3>, Error> {
     if let Some(touches) = entry.touches.as_mut().filter(|touches| touches.collision_shapes) {
         let surface = robot.surface(&robot.links()[link])?;

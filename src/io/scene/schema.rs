@@ -119,7 +119,8 @@ where
         T::Written::json_schema(generator)
     }
 
-    // The code that schemars derives calls this function to decide whether a field is optional, where it cannot write the default of a generic field.
+    // The code that schemars derives calls this function to decide whether a generic field is optional, because it cannot write the default of such a
+    // field.
     fn _schemars_private_is_option() -> bool {
         T::Written::_schemars_private_is_option()
     }

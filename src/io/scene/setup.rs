@@ -194,7 +194,8 @@ impl<const C: usize> Setup<C> {
         self
     }
 
-    /// All contacts: first [`Self::contacts`], then those of fingers. The index of an entry is that of the contact in questions and answers.
+    /// All contacts: first [`Self::contacts`], then the contacts of fingers. The index of an entry is the index of the contact in questions and
+    /// answers.
     pub fn entries(&self) -> impl Iterator<Item = &Fingertip<C>> {
         let mut all: Vec<&Fingertip<C>> = self.contacts.iter().list();
         for finger in &self.fingers {
@@ -235,7 +236,7 @@ impl Setup<3> {
         self.space.axes()
     }
 
-    /// The same format of numbers, for vectors of three components; in the plane the third is not written.
+    /// The same format of numbers, for vectors of three components; in the plane the third component is not written.
     pub fn words(&self, words: Words) -> Words {
         words.in_space(self.space)
     }
@@ -245,7 +246,7 @@ impl Setup<3> {
         self.check_bodies()?;
         #[cfg(feature = "urdf")]
         if self.robot.is_some() {
-            // The robot's contacts are unknown until its file is read, so that questions are checked when they are answered.
+            // The robot's contacts are unknown until its file is read; questions are therefore checked when they are answered.
             return self.check_robot().map(|()| self);
         }
         if self.entries().next().is_none() && self.links.is_empty() {
@@ -342,7 +343,7 @@ impl Setup<3> {
         Ok(())
     }
 
-    /// Replaces the contact index in an error of the grasp by the index in the scene. There all points of a soft fingertip are one contact.
+    /// Replaces the contact index in an error of the grasp by the index in the scene, in which all points of a soft fingertip are one contact.
     fn in_the_scene(&self, error: Error) -> Error {
         let Error::Contact { contact: ContactLabel { index, name, link, .. }, field, value, allowed } = error
         else {

@@ -7,7 +7,7 @@ use serde::ser::{Serialize, Serializer};
 
 use crate::serial::{Few, SpringStiffness, space_of_text};
 
-/// Stiffness, N/m: one number for all directions, normal and tangential, or one for each axis.
+/// Stiffness, N/m: one number for all directions, two numbers (normal and tangential), or one number for each axis.
 pub(super) struct Springs<const C: usize>(pub(super) SVector<f64, C>);
 
 impl<const C: usize> Serialize for Springs<C> {

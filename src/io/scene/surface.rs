@@ -72,7 +72,7 @@ enum WrittenSurface<const C: usize> {
 }
 
 impl<const C: usize> WrittenSurface<C> {
-    /// The surface; an error for a curve of the plane in a spatial scene, or a surface of space in a planar one.
+    /// The surface; an error for a curve of the plane in a spatial scene, or a surface of space in a planar scene.
     fn surface(self) -> Result<Surface<C>, String> {
         let (name, axes) = match &self {
             Self::Segment(_) => ("segment", 2),

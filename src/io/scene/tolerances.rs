@@ -2,10 +2,10 @@
 
 /// Relative difference up to which the normal force without load counts as the given `pressed_with`.
 ///
-/// With a smaller value, a scene with rounded forces gets a warning. With a larger value, a wrong `pressed_with` gets none.
+/// With a smaller value, a scene with rounded forces gets a warning. With a larger value, a wrong `pressed_with` gets no warning.
 pub(super) const OTHERWISE_PRESSED: f64 = 0.02;
 
-/// Relative difference below which two answers are the same, so that a stiffness that was left out does not matter.
+/// Relative difference up to which two answers count as equal; a stiffness that was left out then does not matter.
 ///
 /// With a smaller value, the integration error of sliding arcs counts as a difference. With a larger value, answers that depend on the stiffness get
 /// no warning.

@@ -1,8 +1,8 @@
 //! Turning loads as written: the weight of a tilted object, a force that turns, or three wrenches.
 //!
 //! The weight is `{"weight": [0, -2], "at": [0, 0.1]}` in the plane; in space it has an `"axis"`. A force that turns has `"force"` instead, and three
-//! wrenches are `"constant"`, `"cosine"` and `"sine"`. If none of them is given, the gravity of the scene's bodies turns. A turn is written back as
-//! the three wrenches, or with its axis alone if the bodies' gravity turns.
+//! wrenches are `"constant"`, `"cosine"` and `"sine"`. If none of these loads is given, the gravity of the scene's bodies turns. A turn is written
+//! back as the three wrenches, or with its axis alone if the bodies' gravity turns.
 
 use crate::numerics::Each;
 use std::f64::consts::TAU;

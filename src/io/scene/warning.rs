@@ -135,7 +135,7 @@ pub enum Warning {
         /// The fraction of the pad's area that does not meet the grasped part.
         missing: f64,
     },
-    /// A pad presses where its surface and that of the grasped part meet at an angle larger than the friction angle.
+    /// A pad presses where its surface and the surface of the grasped part meet at an angle larger than the friction angle.
     #[cfg(feature = "mesh")]
     OverAnEdge {
         /// Index of the contact in the scene, from 0.
@@ -309,7 +309,7 @@ impl Scene {
         self.setup.warnings()
     }
 
-    /// Probable mistakes that are found before any question is answered: all but [`Self::stiffness_left_out`].
+    /// Probable mistakes that are found before any question is answered: all warnings except those of [`Self::stiffness_left_out`].
     ///
     /// # Errors
     /// As for [`Setup::warnings`].

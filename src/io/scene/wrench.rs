@@ -43,7 +43,7 @@ pub(super) fn part<K>(given: Option<&Few<K, 3>>, expected: usize, name: &str) ->
     Ok(part)
 }
 
-/// The linear and the angular part in one vector; `names` are those of the parts, for messages.
+/// The linear and the angular part in one vector; `names` are the names of the parts, for messages.
 fn join<K>(space: Space, parts: [Option<&Few<K, 3>>; 2], names: [&str; 2]) -> Result<Vector, String> {
     let (axes, turns) = (space.axes(), space.planes().len());
     let (linear, angular) = (part(parts[0], axes, names[0])?, part(parts[1], turns, names[1])?);

@@ -25,10 +25,10 @@ pub struct Scene {
     pub id: Option<Id>,
     /// A comment for the reader of the file.
     pub comment: Option<String>,
-    /// The unit of lengths in the text that [`Scene::from_json`] has read. All lengths in this value are in m, and so are those that are written.
+    /// The unit of lengths in the text that [`Scene::from_json`] has read. All lengths in this value are in m, and all lengths are written in m.
     pub unit: Unit,
     /// Contacts, questions and settings. Vectors have three components, in the plane too, where the third is zero. [`Scene::planar`] returns the
-    /// setup with two.
+    /// setup with vectors of two components.
     pub setup: Setup<3>,
 }
 

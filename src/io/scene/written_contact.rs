@@ -68,10 +68,10 @@ struct Written<const C: usize> {
     /// The coefficient of friction while the contact slides, at most `friction`, and equal to it if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     kinetic_friction: Option<Number<Friction>>,
-    /// Displacement of the finger's core in the contact frame, normal part first, m; 0 if left out.
+    /// The commanded displacement of the finger in the contact frame, normal part first, m; 0 if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     command: Option<AxisRow<Given, C>>,
-    /// The displacement along the coordinate axes, m, instead of `command`.
+    /// The commanded displacement along the coordinate axes, m, instead of `command`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     command_world: Option<AxisRow<Given, C>>,
     /// The clamping force, N, instead of the normal command.
@@ -188,7 +188,7 @@ impl<'de, const C: usize> Deserialize<'de> for Fingertip<C> {
     }
 }
 
-/// A contact of a finger: it may name the joints that move it, and the finger's compliance may replace its springs.
+/// A contact of a finger. It may name the joints that move it. If it gives no stiffness, the compliance of the finger may replace its springs.
 pub(super) struct LinkedContact<const C: usize>(pub(super) Fingertip<C>);
 
 impl<'de, const C: usize> Deserialize<'de> for LinkedContact<C> {
@@ -272,10 +272,10 @@ impl<const C: usize> Fingertip<C> {
         })
     }
 
-    /// Refuses data that no grasp accepts. Springs are checked only if `springs` is true, since the compliance of a finger may replace them.
+    /// Refuses data that no grasp accepts. The stiffness is checked only if `springs` is true, since the compliance of a finger may replace it.
     fn checked(self, springs: bool) -> Result<Self, String> {
         let contact = &self.contact;
-        // The index of the contact in its list is unknown here, so that the message has the name alone.
+        // The index of the contact in its list is unknown here; the message therefore has the name alone.
         let fault = |error| match error {
             Error::Contact { contact: ContactLabel { name, .. }, field, value, allowed } => {
                 format!("{}{field} {} {value}, must be {allowed}", named(name.as_deref()), field.is())

@@ -36,7 +36,7 @@ pub const fn most_ahead(threads: usize) -> usize {
     (queue(threads) + 2) * LINES_OF_A_BLOCK
 }
 
-/// Length of the queue. It holds blocks whose answers are being computed, and blocks that wait until those before them are written.
+/// Length of the queue. It holds blocks whose answers are being computed, and answered blocks that wait until earlier blocks are written.
 const fn queue(threads: usize) -> usize {
     4 * threads
 }
@@ -51,7 +51,8 @@ struct Answered {
     tally: Tally,
 }
 
-/// Answers every line of `input` by one line of `output`, in order. See [the stream](super) and [`StreamOptions`]. Returns the numbers of lines.
+/// Answers every line of `input` by one line of `output`, in order. See [the stream](super) and [`StreamOptions`]. Returns the numbers of lines read
+/// and answered.
 ///
 /// # Errors
 /// The error of reading or writing. A line that is no scene has an error in place of its answer.

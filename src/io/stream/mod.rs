@@ -8,11 +8,11 @@
 //! | `id` | the `id` of the scene, if it has one |
 //! | `hash` | if there is no id: 64 bits of FNV-1a over the bytes of the line, without white space at its ends, in 16 hexadecimal digits |
 //! | `answers` | one answer for each question, in order |
-//! | `brief` | short answers ([`Brief`](crate::scene::Brief)) in their place, if [`StreamOptions::brief`] is set |
+//! | `brief` | short answers ([`Brief`](crate::scene::Brief)) in place of `answers`, if [`StreamOptions::brief`] is set |
 //! | `warnings` | probable mistakes in the scene ([`Warning`](crate::scene::Warning)), if there are any |
 //! | `error` | in place of the answers: `kind`, `message`, `field`, `column`; see [`Fault`](crate::scene::Fault). Its kind is `internal` if this library failed; all other lines are answered nevertheless |
 //! | `begins` | the first characters of a line that is no scene and has no id |
-//! | `blank` | `true` for a line of white space, with nothing else |
+//! | `blank` | `true` for a line of white space; the object then has only this field and `line` |
 //!
 //! The `id` or `hash` identifies a line if its input was split between several processes, each of which counts lines from 1.
 //!

@@ -7,7 +7,7 @@ use grasp_lcp::scene::OnsetAnswer;
 use crate::failure::Failure;
 use grasp_lcp::scene::{Answer, Question, Setup};
 
-/// The end of a chart, as a multiple of the farthest load factor of interest: the load itself, first slip or loss.
+/// The end of a chart, as a multiple of the largest load factor of interest: 1 (the load itself), the factor at first slip, or the factor at loss.
 const CHART_END: f64 = 1.25;
 
 /// The chart of the friction that each contact uses along the load path of a question; `None` for a question without a load path.
@@ -47,7 +47,8 @@ pub(super) fn chart(
     })
 }
 
-/// Charts of a repeated load: slips cycle by cycle from rest, and the loops of friction against slip in the last cycle. None for any other question.
+/// Charts of a repeated load: slips cycle by cycle from rest, and the loops of friction against slip in the last cycle. No charts for any other
+/// question.
 pub(super) fn cycles(
     setup: &Setup<3>,
     grasp: &Grasp<3>,

@@ -19,7 +19,7 @@ use grasp_lcp::scene::{Answer, Question, Setup};
 pub(super) struct Shown {
     pub(super) label: String,
     pub(super) says: Vec<String>,
-    /// The grasp of the answer if it differs from that of the scene.
+    /// The grasp of the answer if it differs from the grasp of the scene.
     pub(super) grasp: Option<Grasp<3>>,
     pub(super) what: What,
 }
@@ -149,13 +149,13 @@ fn needed(grasp: &Grasp<3>, need: &Need<3>, needed: &Needed) -> Result<Shown, Fa
     })
 }
 
-/// The improved grasp and the original one. Each is shown under the load at first slip or, if the friction reserve is the goal, under the full load;
-/// without such a load it is shown at rest.
+/// The improved grasp and the original grasp. Each is shown under the load at first slip or, if the friction reserve is the goal, under the full
+/// load; without such a load it is shown at rest.
 fn improved(grasp: &Grasp<3>, asked: &Improve<3>, improved: &Improved<3>) -> Result<Vec<Shown>, Failure> {
     let base = asked.base();
     let (times, when): (fn(f64) -> f64, _) = match improved.goal {
         ImproveGoal::Reserve => (|_| 1.0, "under the load"),
-        // Exactly at first slip, rounding errors would decide whether a contact slides.
+        // The load just below first slip is shown: exactly at first slip, rounding errors would decide whether a contact slides.
         _ => (|factor| factor * (1.0 - 1e-9), "at first slip"),
     };
     let seen = |grasp: &Grasp<3>, label: &str, value: Option<f64>| {
@@ -174,7 +174,8 @@ fn improved(grasp: &Grasp<3>, asked: &Improve<3>, improved: &Improved<3>) -> Res
     Ok(vec![Shown { grasp: Some(other), ..after }, before])
 }
 
-/// The equilibrium under the load. Without one, the load is put on from rest: the equilibrium under the whole load, or the one where it is lost.
+/// The equilibrium under the load. If there is none, the load is put on from rest: the equilibrium under the whole load, or at the loss of the
+/// object.
 fn solved(
     grasp: &Grasp<3>,
     load: &Wrench<3>,
@@ -226,7 +227,7 @@ fn first_slip<At>(
         .map_or_else(|| nothing(&label, Some(*start)), |found| state(label.clone(), found, leaving)))
 }
 
-/// The equilibria at the events of a load program, then that at its end. Without an equilibrium at the end, the grasp alone.
+/// The equilibria at the events of a load program, then the equilibrium at its end. If the end has no equilibrium, the grasp alone.
 fn followed(path: PathAnswer<3>, start: &Wrench<3>, legs: usize, words: Words) -> Vec<Shown> {
     let mut states: Vec<_> = path.events.into_iter().map(|event| changed(event, words)).collect();
     let (found, leaving, (leg, fraction), how) = match path.end {
@@ -248,7 +249,7 @@ fn followed(path: PathAnswer<3>, start: &Wrench<3>, legs: usize, words: Words) -
     states
 }
 
-/// The equilibrium at an event, with the contacts that change their state there.
+/// The equilibrium at an event, with the contacts and drives that change their state at this event.
 fn changed(event: Event<3>, words: Words) -> Shown {
     let contacts = event.whole_changes();
     let contacts =

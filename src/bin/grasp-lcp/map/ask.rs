@@ -9,7 +9,7 @@ use grasp_lcp::{ask::Grasp, grasp::Wrench};
 
 use crate::failure::Failure;
 
-/// The constant load in addition to the force: the base load of the scene's first onset, or zero.
+/// The constant load in addition to the force: the base load of the scene's first question `onset`, or zero.
 pub(crate) fn base<const C: usize>(setup: &Setup<C>) -> Wrench<C> {
     let asked = setup.questions.iter().find_map(|question| match question {
         Question::Onset { base, .. } => Some(*base),

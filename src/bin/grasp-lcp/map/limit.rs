@@ -1,18 +1,18 @@
-//! The end of the load path in one direction.
+//! The end of the load path in one direction of a map.
 
 use grasp_lcp::Error;
 use grasp_lcp::load_path::{Beyond, Leg, LossKind, PathEnd};
 use grasp_lcp::words::Words;
 use grasp_lcp::{ask::Grasp, grasp::Wrench};
 
-/// The end of a load path.
+/// How a load path ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum LimitEnd {
-    /// No equilibrium exists beyond: a limit load.
+    /// No equilibrium exists beyond the end of the path, which is a limit load.
     Limit,
-    /// The path has no equilibrium beyond, but others exist elsewhere: the grasp snaps to one of them.
+    /// The path does not continue beyond its end, but other equilibria exist there: the grasp may snap to one of them.
     Snap,
-    /// The path has no equilibrium beyond; whether others exist is not known.
+    /// The path does not continue beyond its end; whether other equilibria exist there is not known.
     Ends,
     /// A suction cup is open all around, or a contact with infinite friction loses its normal force.
     LetsGo,
@@ -52,7 +52,7 @@ impl LimitEnd {
     }
 }
 
-/// The end of a load path.
+/// The end of a load path: the force, and how the path ends.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Last {
     /// The force at the end, N; infinite if the whole path is held, NaN if the end is not known.
@@ -110,7 +110,7 @@ impl Last {
     }
 }
 
-/// For each kind of end that occurs, its name and the number of paths that end so, as text.
+/// For each kind of end that occurs, its name and the number of paths that end in this way, as text.
 pub(crate) fn count(lasts: &[Last]) -> String {
     let parts = LimitEnd::ALL.into_iter().filter_map(|end| {
         let count = lasts.iter().filter(|last| last.end == end).count();

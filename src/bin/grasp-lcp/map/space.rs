@@ -35,8 +35,8 @@ pub(crate) fn map(
     ask::check_base(&grasp, &ramp([0.0, 0.0, -1.0]))?;
     let quick = ask::quick(&grasp);
 
-    // Load paths take a thousand times as long as onsets, so that their grid is coarser. Onsets of grasps with many
-    // contacts have this grid, too.
+    // Load paths take a thousand times as long as onsets; their grid is therefore coarser. Onsets of grasps with many contacts have this coarse grid,
+    // too.
     let (rings, around) = if grasp.len() > MOST_NAMED_POINTS { PATH_GRID } else { (45, 120) };
     let grid = SphereGrid::new(rings, around);
     let directions = grid.directions();
@@ -104,7 +104,7 @@ fn load_paths(
         return Ok(None);
     }
     let quick = ask::quick(grasp);
-    // Enumerating contact states takes most of the time. It is used only in directions whose end is unknown without it.
+    // Enumerating contact states takes most of the time. The enumeration is used only in directions whose end is unknown without it.
     Ok(watch.sweep("load paths", ways, MOST_PATH_TIME, |d| {
         let last = limit::last(&quick, base, pull(*d), most)?;
         let known = last.end != LimitEnd::Unknown;
@@ -185,7 +185,7 @@ impl Drawing<'_> {
     }
 }
 
-/// Largest number of contact points whose names are drawn. Names of more would cover the map, and load paths would take minutes.
+/// Largest number of contact points whose names are drawn. Names of more points would cover the map, and their load paths would take minutes.
 const MOST_NAMED_POINTS: usize = 8;
 
 fn print_table(
@@ -199,7 +199,7 @@ fn print_table(
     let back = |d: [f64; 3]| d.map(|x: f64| 0.0 - x);
     let names = ["+x", "−x", "+y", "−y", "+z", "−z", "weakest"];
     let ways = [x, back(x), y, back(y), z, back(z), weakest];
-    // With many contacts, the search for a proof that no equilibrium exists beyond takes seconds, and hardly ever succeeds.
+    // With many contacts, the search for a proof that no equilibrium exists beyond the end of a path takes seconds, and hardly ever succeeds.
     let quick = if grasp.len() > MOST_NAMED_POINTS { &ask::quick(grasp) } else { grasp };
     let lasts = watch
         .sweep("load paths of the table", &ways, MOST_PATH_TIME, |d| {

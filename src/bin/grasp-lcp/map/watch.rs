@@ -48,7 +48,7 @@ impl MapProgress {
             if start.elapsed() > most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });
         bar.finish_and_clear();
-        // An answer is missing if the time limit has stopped the sweep.
+        // If the time limit has stopped the sweep, an answer is missing, and the result is `None`.
         let answered: Option<Vec<_>> = answers.into_iter().collect();
         answered.map(|answers| answers.into_iter().collect()).transpose()
     }

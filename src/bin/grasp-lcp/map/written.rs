@@ -22,7 +22,7 @@ pub(super) struct WrittenMap<'a, const C: usize> {
 }
 
 impl<const C: usize> WrittenMap<'_, C> {
-    /// Prints the map as one JSON object. An infinite force is "never" or "further", an unknown one null.
+    /// Prints the map as one JSON object. An infinite force is written as "never" or "further", an unknown force as null.
     pub(super) fn print(&self) {
         let onset = |(direction, first): &([f64; C], &First)| {
             json!({

@@ -103,7 +103,7 @@ impl<'a> Picture<'a> {
         let points: Vec<_> = mapped(contacts, &|contact| contact.point.xy());
         let held = [&points[..], &outlines.concat()].concat();
         let (low, high) = bounds(held.iter().copied());
-        // A single contact has no extent, so that 1 m is used.
+        // A single contact has no extent; 1 m is used as its size.
         let size =
             |(low, high): (Vector2<f64>, Vector2<f64>)| if low == high { 1.0 } else { (high - low).amax() };
         let load = state.map(|state| state.load).or(of.load);

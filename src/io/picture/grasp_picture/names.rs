@@ -73,7 +73,7 @@ impl Picture<'_> {
         let at = axes.place(tip.middle.xy() - tip.normal() * behind);
         let name = tip.of.text();
         match &tip.does {
-            // If there are more fingertips than this, names are written without state and force.
+            // If there are more fingertips than `most_told`, names are written without state and force.
             Some(does) if self.tips.len() <= PLANAR.most_told && tip.link.is_some() => {
                 let force = format!("{} N", short(does.force.norm()));
                 labels.write(paper, at, &[&name, &force], PLANAR.letters);

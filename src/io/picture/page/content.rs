@@ -8,25 +8,25 @@ use crate::numerics::{Each, IntoList, mapped};
 use crate::picture::actuators::Actuators;
 
 /// A grasp and one or more of its answers as a single self-contained HTML file without network or installation ([`Self::to_html`]). Buttons select an
-/// answer, and a slider if there are more than two. [`Self::to_svg`] draws one of the answers as an SVG, for paper.
+/// answer, and so does a slider if there are more than two answers. [`Self::to_svg`] draws one of the answers as an SVG, for paper.
 ///
-/// In the plane each picture is that of a [`PlanarPicture`](crate::picture::PlanarPicture), and all pictures have one scale, so that growing forces are
-/// visible. In space the picture is turned by dragging, enlarged by the wheel or two fingers and reset by a double click. It then
-/// shows, in the coordinates of the grasp (z upwards at first):
+/// In the plane each picture is a [`PlanarPicture`](crate::picture::PlanarPicture), and all pictures have one scale, so that growing forces are
+/// visible. In space the picture is turned by dragging, enlarged by the wheel or two fingers and reset by a double click. It then shows, in the
+/// coordinates of the grasp (z upwards at first):
 ///
 /// * contacts, coloured by their states, with friction cones as long as the normal forces in them;
 /// * the force F on the object at each contact and the force of the load on its line of action. All answers have one scale, short enough that contact
 ///   forces do not pass through the object. A load that would be too short to be visible is drawn longer, and its label says so;
 /// * for all points of a [soft fingertip](crate::spatial::SoftFingertip) one force and one cone, at their centre of pressure, and dots in the colours
 ///   of the states of the points;
-/// * the moment of the load about that line (the whole moment of a load without force), with two heads. If the line is far from the grasp, the force
-///   is drawn in the middle of the grasp, with the moment about that point;
+/// * the moment of the load about its line of action (the whole moment of a load without force), with two heads. If the line is far from the grasp,
+///   the force is drawn in the middle of the grasp, with the moment about this point;
 /// * displacements u_c of the object with one magnification for all answers, which is written beside the picture;
 /// * axes of the motions that no contact resists, and the object displaced along the motion by which it is lost;
 /// * links of a [hand](crate::grasp::Hand) at their initial places, and its joints that yield at their limit.
 ///
-/// A table on the page has the numbers of the answer shown, in N, m and rad; for a soft fingertip sums, and its points on request. On narrow screens
-/// picture, legend and table are below each other.
+/// A table on the page has the numbers of the answer shown, in N, m and rad; for a soft fingertip it has sums, and the points on request. On narrow
+/// screens picture, legend and table are below each other.
 ///
 /// ```
 /// use grasp_lcp::picture::Page;
@@ -115,7 +115,7 @@ impl Page {
         self.with(Frame::new(label.into(), Ok(state.to_inside())))
     }
 
-    /// Adds an equilibrium of the same grasp with other coefficients of friction or other commands, such as those with the [needed
+    /// Adds an equilibrium of the same grasp with other coefficients of friction or other commands, such as the grasp with the [needed
     /// amount](crate::ask::Grasp::with_amount).
     pub fn frame_of<const C: usize>(
         self,

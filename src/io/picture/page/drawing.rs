@@ -19,7 +19,7 @@ use crate::spatial::{Contact, ContactState, Equilibrium, Twist, Wrench};
 pub(super) struct Drawing<'p> {
     pub(super) page: &'p Page,
     pub(super) tips: &'p [ContactPoints],
-    /// Corners of each convex body of which the object is drawn, m.
+    /// Corners of each convex part of the object that is drawn as a solid, m.
     pub(super) bodies: Vec<Vec<[f64; 3]>>,
     pub(super) centre: Vector3<f64>,
     /// Largest extent of contact points, outlines and fixtures along an axis, m; 1 m for a single point.
@@ -44,8 +44,8 @@ struct Largest {
     displacement: f64,
 }
 
-/// The arrows of a load: a force on its line of action, at the point nearest to the centre of the grasp, and the moment about that line. If the line
-/// is far away, the force is drawn at the centre, with the moment about the centre.
+/// The arrows of a load: a force on its line of action, at the point nearest to the centre of the grasp, and the moment about the line of action. If
+/// this line is far away, the force is drawn at the centre, with the moment about the centre.
 pub(super) struct LoadArrow {
     pub(super) at: Vector3<f64>,
     pub(super) force: Vector3<f64>,
@@ -54,7 +54,7 @@ pub(super) struct LoadArrow {
     pub(super) is_moved: bool,
 }
 
-/// Axis of a motion: that of its rotation, or the direction of a pure translation.
+/// Axis of a motion: the axis of its rotation, or the direction of a pure translation.
 pub(super) struct Axis {
     pub(super) at: Vector3<f64>,
     pub(super) along: Vector3<f64>,
@@ -91,7 +91,7 @@ impl<'p> Drawing<'p> {
             }
             (low, high) = (low.inf(&point), high.sup(&point));
         }
-        // A single contact has no extent, so that 1 m is used.
+        // A single contact has no extent; 1 m is used as its size.
         let span = if high == low { 1.0 } else { (high - low).amax() };
         let mut drawing = Self {
             page,
@@ -155,7 +155,7 @@ impl<'p> Drawing<'p> {
         most
     }
 
-    /// Scale of forces, m/N: the smallest of the scales that the answers need, so that all answers have the same one.
+    /// Scale of forces of all answers, m/N: the smallest of the scales that the answers would have alone.
     fn force_scale<'s>(&self, states: impl Iterator<Item = &'s Equilibrium>, largest: f64) -> f64 {
         let grasp = &self.page.grasp;
         let frames: Vec<_> = grasp.frames().list();

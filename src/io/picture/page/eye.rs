@@ -66,9 +66,11 @@ impl Default for View {
 
 /// A parallel projection.
 pub(super) struct Eye {
-    /// Unit vectors to the right and up on paper, and towards the eye.
+    /// Unit vector to the right on paper.
     right: Vector3<f64>,
+    /// Unit vector up on paper.
     up: Vector3<f64>,
+    /// Unit vector towards the eye.
     towards: Vector3<f64>,
     /// The point in the middle of the window.
     target: Vector3<f64>,

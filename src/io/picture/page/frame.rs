@@ -35,7 +35,7 @@ impl Frame {
         self.state().map(|state| &state.load).or(self.load.as_ref())
     }
 
-    /// The coefficient of friction of a contact in this answer; `given` is that in the page's grasp.
+    /// The coefficient of friction of a contact in this answer; `given` is its coefficient in the page's grasp.
     pub(super) fn friction(&self, contact: usize, given: f64) -> f64 {
         let own = self.grasp.as_ref().and_then(|grasp| grasp.contacts().get(contact));
         own.map_or(given, |contact| contact.friction)

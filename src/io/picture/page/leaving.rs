@@ -22,7 +22,7 @@ impl Drawing<'_> {
             mapped(&line.corners, &|corner| (Vector3::from(*corner), twist))
         };
         let lines: Vec<Vec<_>> = mapped(&self.page.outlines, &moving);
-        // With several bodies a page does not know the body of a contact, so that arrows at contacts are omitted.
+        // With several bodies a page does not know the body of a contact; arrows at contacts are therefore omitted.
         let of_object = motion.bodies.is_empty().then_some(motion.object);
         let contacts = self.page.grasp.contacts().iter().map(Contact::point);
         let contacts =

@@ -68,22 +68,22 @@ pub(super) enum MarkShape {
         radii: [Vector3<f64>; 2],
         ink: Rgb,
     },
-    /// The arrow of a load. It is lengthened, and so not to scale, if it would be too short to be visible.
+    /// The arrow of a load. If it would be too short to be visible, it is lengthened, and then not to scale.
     Load {
         from: Vector3<f64>,
         along: Vector3<f64>,
         width: f64,
         heads: usize,
-        /// The name and size of an arrow that is to scale; empty if another arrow has the name.
+        /// The label of the arrow if it is to scale: its name and size. An empty label is not written.
         name: String,
-        /// The name and size of an arrow that is not to scale.
+        /// The label of the arrow if it is not to scale, which says so.
         otherwise: String,
     },
     /// An edge of the object, darker where it is nearer to the eye.
     Edge {
         corners: Vec<Vector3<f64>>,
     },
-    /// A convex part of the object, behind everything else.
+    /// A convex part of the object, drawn behind everything else.
     Body {
         corners: Vec<Vector3<f64>>,
     },

@@ -1,4 +1,4 @@
-//! The marks of a spatial picture, in the coordinates of the grasp: those of the grasp alone, and those of each answer.
+//! The marks of a spatial picture, in the coordinates of the grasp: the marks of the grasp alone, and the marks of each answer.
 
 use nalgebra::{Matrix3, Vector3};
 

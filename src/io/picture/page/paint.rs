@@ -129,7 +129,7 @@ fn cone(painting: &mut Painting, apex: &EyePoint, rim: &[EyePoint], ink: Rgb) {
     }
 }
 
-/// Corners of the convex hull of these places (Andrew's monotone chain), the first one last again.
+/// Corners of the convex hull of these places (Andrew's monotone chain); the first corner is repeated at the end.
 pub(super) fn hull(mut places: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     // Sorts by the first coordinate, and places with the same first coordinate by the second; the sort is stable.
     for coordinate in [|place: &(f64, f64)| place.1, |place: &(f64, f64)| place.0] {

@@ -18,9 +18,10 @@ use crate::picture::words::{caution, lines};
 use nalgebra::Vector2;
 
 impl Page {
-    /// Draws one of the answers, in space from one side, as the page shows it, with a legend; in the plane as a
-    /// [`PlanarPicture`](crate::picture::PlanarPicture). `answer` is its index from 0 in the order of adding; `None` draws the grasp alone. In space all answers of a page seen from the same side have the same scales of forces, moments, displacements and lengths, so that
-    /// their pictures can be compared. The marks of all answers lie inside the picture.
+    /// Draws one of the answers: in space as the page shows it, seen from one side, with a legend; in the plane as a
+    /// [`PlanarPicture`](crate::picture::PlanarPicture). `answer` is the index of the answer, from 0 in the order in which answers were added; `None`
+    /// draws the grasp alone. In space all answers of a page seen from the same side have the same scales of forces, moments, displacements and
+    /// lengths, so that their pictures can be compared. The marks of all answers lie inside the picture.
     ///
     /// A cone that would fill the picture (μ far above 1) is drawn shorter than the normal force in it.
     ///

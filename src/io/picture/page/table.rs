@@ -144,8 +144,8 @@ fn write_rows(
     Ok(())
 }
 
-/// The numbers of a contact for its row of the table, in the order of the columns, lengths in mm. The gap or slip is the largest one among the points
-/// of the fingertip.
+/// The numbers of a contact for its row of the table, in the order of the columns, lengths in mm. The gap or slip is the largest among the points of
+/// the fingertip.
 fn numbers(
     space: Space,
     answer: WholeAnswer<'_, 3>,
