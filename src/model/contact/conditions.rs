@@ -1,4 +1,5 @@
-//! The inequalities that a state of a contact must satisfy, each with a size: the magnitude of its terms, which scales its rounding error.
+//! The inequalities that a state of a contact must satisfy. Each has a size: the magnitude of its terms, which scales its rounding error. Let u_c be
+//! the displacement of the contact point, n the normal, a the offset of the springs, i.e. their commanded displacement, and h the normal of a facet:
 //!
 //! ```text
 //! open      gap = n·u_c - a_n                 >= 0
@@ -15,7 +16,7 @@ use super::state::{Mode, State};
 use super::tangential::cross;
 use super::tolerances::SMALLEST;
 
-/// Stretch and force of a contact; or, for the rates of conditions, the rates of both.
+/// Stretch and force of a contact. To evaluate the rates of conditions, it holds the rates of stretch and force.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SpringState<'s> {
     /// Stretch of the contact's springs, `a - G_iᵀq`, with the contact's offset a and the object's motion q, m.

@@ -40,8 +40,8 @@ impl Coulomb {
         if self.mu.is_finite() {
             return self;
         }
-        // A contact with infinite friction needs facets only to open, which it does at the apex of the cone. The coefficient grows with √(k_n/k_t)
-        // where this root exceeds one.
+        // A contact with infinite friction needs facets only to open, which it does at the apex of the cone. The coefficient grows with √(k_n/k_t) if
+        // this root exceeds one.
         Self { mu: 1e8 * springs.ratio_to_the_last().sqrt().max(1.0) }
     }
 

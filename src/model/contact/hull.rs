@@ -11,8 +11,8 @@
 //! slides            e_n + μ p    e_n + μ p           K_t p   0
 //! ```
 //!
-//! A polygon circumscribed about the arc replaces the directions p. The hull thus contains all stretches and forces that the law allows, and slightly
-//! more. If no equilibrium exists with the hulls of all contacts, none exists with the law.
+//! A polygon circumscribed about the arc of allowed directions p replaces them. The hull thus contains all stretches and forces that the law allows,
+//! and slightly more. If no equilibrium exists with the hulls of all contacts, none exists with the law.
 
 use crate::numerics::{Each, IntoList, by_axis};
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI, TAU};
@@ -106,7 +106,7 @@ impl Sector {
         [Self { to: middle, ..*self }, Self { from: middle, ..*self }]
     }
 
-    /// Vertices of a polygon that encloses the arc: its ends, and the intersections of tangents between them.
+    /// Vertices of a polygon that encloses the arc of the sector: the ends of the arc, and intersections of tangents to the arc.
     fn around(&self) -> Vec<[f64; 2]> {
         // The enclosing polygon has one vertex for every piece of at most this angle.
         let pieces = self.pieces(FRAC_PI_8);
@@ -128,7 +128,7 @@ impl Sector {
         (0..=pieces).map(move |k| on_circle(from + step * f64::from(k)))
     }
 
-    /// The angle of a direction from the start of the sector; for a direction outside, the angle of the nearer end.
+    /// The angle from the start of the sector to a direction; for a direction outside the sector, the angle to the nearer end.
     fn inside(&self, angle: f64) -> f64 {
         let (along, width) = ((angle - self.from).rem_euclid(TAU), self.width());
         if along <= width {

@@ -25,7 +25,8 @@ pub(crate) enum Law {
         /// Whether the contact may also open.
         gap: bool,
     },
-    /// The force lies on an edge of the cone with F_n > 0. Only these facets `h·F_t <= μ F_n` are conditions, at most one per tangent.
+    /// The force lies on an edge of the cone with F_n > 0. Only the facets `h·F_t <= μ F_n` with these normals h are conditions. There are at most as
+    /// many facets as tangents.
     Edge(Vec<SVector<f64, 3>>),
 }
 
@@ -78,8 +79,8 @@ impl<'c> LocalLaw<'c> {
         self.has_a_whole_cone() && self.friction.has_edges()
     }
 
-    /// Whether conditions limit the force of the contact while it is closed. A bonded or absent contact has none, nor has a frictionless guide that
-    /// is kept closed.
+    /// Whether conditions limit the force of the contact while it is closed. A bonded or absent contact has no such conditions, nor has a
+    /// frictionless guide that is kept closed.
     pub(crate) fn has_edges(&self) -> bool {
         !self.is_bonded() && (self.may_open() || !self.facets().is_empty())
     }

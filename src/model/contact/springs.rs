@@ -1,5 +1,5 @@
-//! A contact in a known state is equivalent to a few springs. Each spring is stretched along the direction `right` and pushes along the direction
-//! `left`.
+//! A contact in a known state is equivalent to a few springs. Let v_i be the stretch of contact i, a_i its offset (commanded displacement), G_i its
+//! grasp map and q the motion of the object. Each spring is stretched along the direction `right` and pushes along the direction `left`.
 //!
 //! ```text
 //! F_i = Σ_r left_r (right_r · v_i),     v_i = a_i - G_iᵀq

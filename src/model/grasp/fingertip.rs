@@ -53,9 +53,8 @@ use crate::prelude::*;
 /// its innermost ring slides. In between, the error of the moment decreases with the square of the number of annuli. On the uniform disc it is
 /// at most 0.041, 0.0163 and 0.0056 μ N R for 1, 2 and 4 annuli.
 ///
-/// The pressure profile p holds for a pure normal displacement of any size, and changes as the tip tilts. The patch does not grow with the
-/// squeeze. To match a measured torsional stiffness k_θ, use a ring of radius √(k_θ/k_t); to match a measured torsional limit τ, one of radius
-/// τ/(μ N).
+/// The pressure profile p holds for a pure normal displacement of any size, and changes as the tip tilts. The patch does not grow with the squeeze.
+/// To match a measured torsional stiffness k_θ, use a ring of radius √(k_θ/k_t); to match a measured torsional limit τ, use a ring of radius τ/(μ N).
 ///
 /// ```
 /// use grasp_lcp::spatial::{Contact, Grasp, Pressure, SoftFingertip, Wrench};
@@ -279,7 +278,8 @@ impl<const C: usize> SoftFingertip<C> {
     /// The point contacts that replace `contact`.
     ///
     /// Each point has the normal, tangents, friction, command, clearance and [`Hold`](crate::grasp::Hold) of `contact`. Its stiffness (of body and
-    /// finger) and its forces are the share w_i of the contact's. Its name is that of `contact` with a number from 0, "thumb 3".
+    /// finger) and its forces are the fraction w_i of the stiffness and forces of `contact`. Its name is the name of `contact` with a number from 0,
+    /// as in "thumb 3".
     ///
     /// # Errors
     /// [`Error::Contact`] with index 0 if `contact` has a number that is out of range.
@@ -300,8 +300,8 @@ impl<const C: usize> SoftFingertip<C> {
         self.points.iter().map(|place| (place.offset, place.share))
     }
 
-    /// Tilting stiffness about a tangent, N m/rad: `k_n ⟨r²⟩/2` in space, `k_n ⟨x²⟩` in the plane. For a rectangle it is the smaller of the
-    /// [two](SoftFingertip::tilting_stiffnesses).
+    /// Tilting stiffness about a tangent, N m/rad: `k_n ⟨r²⟩/2` in space, `k_n ⟨x²⟩` in the plane. For a rectangle it is the smaller of the [two
+    /// tilting stiffnesses](SoftFingertip::tilting_stiffnesses).
     #[must_use]
     pub fn tilting_stiffness(&self, contact: &Contact<C>) -> f64 {
         let least = (1..C).map(|axis| self.square(axis)).fold(f64::INFINITY, f64::min);

@@ -72,7 +72,7 @@ impl Space {
         moved
     }
 
-    /// Converts a twist with the translation of the point at `p` to one with the translation of the origin.
+    /// Converts a twist with the translation of the point at `p` to a twist with the translation of the origin.
     pub(crate) fn moved_twist<const C: usize>(self, p: &SVector<f64, C>, q: &Vector) -> Vector {
         let translation = self.displacement_of::<C>(&-p, q);
         let mut moved = q.clone();
@@ -101,7 +101,7 @@ impl Space {
     }
 
     /// The grasp map about `origin` with arms in units of `length`, rounded; and its rounding error, the exact map for `point` and `frame` minus the
-    /// rounded one.
+    /// rounded map.
     pub(super) fn grasp_map_in_twice(
         self,
         size: Size,

@@ -9,8 +9,8 @@ use crate::numerics::Space;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 
 impl<const C: usize> Contact<C> {
-    /// The contact frame: orthonormal columns n, t in the plane or n, t₁, t₂ in space. An error if normal or tangent has no direction, or if both are
-    /// parallel.
+    /// The contact frame: orthonormal columns n, t in the plane or n, t₁, t₂ in space. Returns an error if normal or tangent has no direction, or if
+    /// both are parallel.
     pub(crate) fn frame(&self, index: usize) -> Result<SMatrix<f64, C, C>, Error> {
         let fault =
             |field, value, allowed| Error::Contact { contact: self.label(index), field, value, allowed };

@@ -106,7 +106,7 @@ impl<const C: usize> Bodies<C> {
         self
     }
 
-    /// Total weight of the bodies under this gravity, m/s²: a load for questions whose load is [shared by mass](Self::shared_by_mass).
+    /// Total weight of the bodies under this gravity (m/s²), as a load for questions whose load is [shared by mass](Self::shared_by_mass).
     #[must_use]
     pub fn weight(&self, gravity: impl Into<[f64; C]>) -> Wrench<C> {
         let gravity = SVector::from(gravity.into());

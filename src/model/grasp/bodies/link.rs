@@ -59,7 +59,8 @@ pub struct Link<const C: usize> {
 /// Place and free motion of a link.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum LinkPlace<const C: usize> {
-    /// A hinge; in space with its axis, of any length, and the distance between its two bearings, m.
+    /// A hinge. In space `bearings` holds its axis, a vector of any length, and the distance between its two bearings, m. In the plane `bearings` is
+    /// `None`.
     Hinge {
         point: SVector<f64, C>,
         bearings: Option<(SVector<f64, C>, f64)>,
@@ -139,7 +140,7 @@ impl<const C: usize> Link<C> {
         Self::at(LinkPlace::Slide { point, direction, length })
     }
 
-    /// A rigid joint, such as a weld or a bolted flange: diameter `size`, m, centred at this point.
+    /// A rigid joint of diameter `size`, m, centred at this point, such as a weld or a bolted flange.
     pub fn rigid(point: impl Into<[f64; C]>, size: f64) -> Self {
         Self::at(LinkPlace::Rigid { point: SVector::from(point.into()), size })
     }

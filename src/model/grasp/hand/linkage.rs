@@ -43,7 +43,7 @@ pub(crate) struct Linkage {
 pub(crate) struct Named {
     pub(crate) name: Option<Arc<str>>,
     pub(crate) limit: Option<Limit>,
-    /// Kind of motion; that of a tendon is not used.
+    /// Kind of the joint's motion; not used for a tendon.
     pub(crate) kind: JointKind,
     /// Constant torque or tension, N m or N.
     pub(crate) held_torque: f64,
