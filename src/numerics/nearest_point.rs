@@ -78,7 +78,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         }
     }
 
-    /// Adds a generator of length at most one, with coefficient zero. Returns whether it is linearly independent of the active ones.
+    /// Adds a generator of length at most one, with coefficient zero. Returns whether the generator is linearly independent of the active generators.
     pub(crate) fn add_generator(&mut self, tag: Tag, generator: &[f64], target: &[f64]) -> bool {
         let (m, k) = (self.size, self.tags.len());
         if k == m {

@@ -16,9 +16,9 @@ pub(crate) struct RayExit {
     pub(crate) vertices: Vec<Vertex>,
     /// Coefficients β of the vertices, whose weighted sum is the ray; none is negative.
     pub(crate) shares: Vector,
-    /// Normal v: all points x of the set satisfy `v·(x - middle) <= reach`.
+    /// Normal v: all points x of the set satisfy `v·(x - middle) <= reach`, with the middle of the simplex from which the ray starts.
     pub(crate) normal: Vector,
-    /// The bound in `v·(x - middle) <= reach`. It is at least one, and one up to rounding if the pivots have converged.
+    /// The upper bound in `v·(x - middle) <= reach`. It is at least one, and equals one up to rounding if the pivots have converged.
     pub(crate) reach: f64,
     /// The ratio s of the distance of the target to the distance at which the ray leaves the simplex.
     pub(crate) stretch: f64,

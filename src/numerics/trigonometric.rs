@@ -85,7 +85,7 @@ impl Trigonometric {
     /// The first angle in (0, `most`] at which the polynomial becomes negative, or touches zero; `most` is at most a full turn. `None` if there is no
     /// such angle.
     ///
-    /// A value is zero within `rounding`. The first `roots_here` roots at φ = 0 do not count: the polynomial is zero there and increases.
+    /// A value is zero within `rounding`. The first `roots_here` roots at φ = 0 do not count: the polynomial is zero at φ = 0 and increases.
     pub(crate) fn first_fall(&self, most: f64, rounding: f64, roots_here: usize) -> Option<FirstZero> {
         let most = most.min(TAU);
         let mut shifted = *self;
