@@ -61,8 +61,8 @@ pub(super) struct Anchored<'a, const C: usize> {
 }
 
 impl<'a, const C: usize> Anchored<'a, C> {
-    /// The equations with the anchor at these forces. Squared residuals are divided by ρ, as energy, or, if `by_contact`, by the squared size of the
-    /// contact's own force and velocity.
+    /// The equations with the anchor at these forces. Squared residuals are divided by ρ, which makes them energies. If `by_contact`, they are
+    /// divided by the squared size of the contact's own force and velocity instead.
     pub(super) fn with_anchor(
         problem: &'a FrictionProblem<C>,
         blocks: &'a Blocks<C>,

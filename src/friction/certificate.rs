@@ -60,7 +60,7 @@ impl<const C: usize> FrictionProblem<C> {
     /// the cones.
     pub(super) fn certificate(&self, settings: &lcp::Settings) -> Option<DVector<f64>> {
         let n = self.len();
-        // For many contacts each polygon has fewer facets: 512 of all together, but at least four each.
+        // For many contacts each polygon has fewer facets: at most 512 for all contacts together, but at least four for each contact.
         let count = if C == 2 { 2 } else { (512 / n.max(1)).clamp(4, 32) };
         let facets = Facets::<C>::regular(count, &vec![0.0; n]);
         // A polygon with this many corners contains the cone if its corners lie outside it by this factor.

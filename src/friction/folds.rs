@@ -149,7 +149,7 @@ impl<const C: usize> Path<'_, C> {
     }
 
     /// Newton correction of x back to the path, within the hyperplane through x normal to `ahead`. Returns the point and the number of corrections,
-    /// or `None` after more than [`MOST_FOLD_CORRECTIONS`] of them.
+    /// or `None` after more than [`MOST_FOLD_CORRECTIONS`] corrections.
     fn corrected(
         &self,
         mut x: DVector<f64>,

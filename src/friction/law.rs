@@ -105,7 +105,7 @@ impl<const C: usize> FrictionProblem<C> {
         self.worst_residuals(r).0
     }
 
-    /// The residuals of the forces r, each the largest over all contacts, and the contact with the largest of them.
+    /// The residuals of the forces r, each the largest over all contacts, and the contact with the largest residual.
     pub(super) fn worst_residuals(&self, r: &DVector<f64>) -> (Residuals, usize) {
         if r.len() != self.q.len() || r.iter().any(|r| !r.is_finite()) {
             return (INFINITE_RESIDUALS, 0);
@@ -119,7 +119,7 @@ impl<const C: usize> FrictionProblem<C> {
     }
 
     /// The residuals for forces, velocities and magnitudes of the velocities' terms, each the largest over all contacts, and the contact with the
-    /// largest of them.
+    /// largest residual.
     pub(super) fn residuals_from(
         &self,
         r: &DVector<f64>,

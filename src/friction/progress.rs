@@ -8,7 +8,7 @@ use nalgebra::DVector;
 pub struct SolveProgress<'a> {
     /// Indices, in the caller's problem, of the contacts that are being solved: an island, or all contacts.
     pub contacts: &'a [usize],
-    /// The forces of these contacts with the smallest residual so far: for each contact the normal component, then the tangential ones.
+    /// The forces of these contacts with the smallest residual so far: for each contact the normal component, then the tangential components.
     pub forces: &'a DVector<f64>,
     /// The largest of the [`Residuals`](super::Residuals) at these forces, over these contacts.
     pub residual: f64,

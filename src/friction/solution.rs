@@ -11,7 +11,7 @@ use nalgebra::DVector;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Solution {
-    /// Forces r (C n entries): for each contact the normal component, then the tangential ones.
+    /// Forces r (C n entries): for each contact the normal component, then the tangential components.
     #[cfg_attr(feature = "serde", serde(serialize_with = "crate::lcp::list"))]
     pub r: DVector<f64>,
     /// Velocities u = W r + q (C n entries): the matrix W times the forces r, plus the velocities q without contact forces.

@@ -138,7 +138,7 @@ impl<const C: usize> FrictionProblem<C> {
             polygon = Some(last);
         }
         match polygon {
-            // In the plane the polygon is the cone itself, so its outcome is that of the problem.
+            // In the plane the polygon is the cone itself, so the outcome with polygons is the outcome of the problem.
             Some(polygon) if C == 2 => self.proved(polygon),
             _ => {
                 let (residual, worst) = [polygons.least, (approach.best.residual, approach.best.worst)]

@@ -1,7 +1,7 @@
 //! Tolerances of the solvers of frictional contact problems.
 //!
-//! All are without units: forces are compared with forces, and velocities with the terms of W r + q that add up to them. ε = 2⁻⁵². Limits for
-//! problems that are dominated by rounding are those of `lcp::tolerances`.
+//! All tolerances are without units: forces are compared with forces, and velocities with the terms of W r + q that add up to them. ε = 2⁻⁵². Limits
+//! for problems that are dominated by rounding are in `lcp::tolerances`.
 
 /// Residual, relative to the norm of its terms, at which a round of anchored steps has converged.
 ///

@@ -16,9 +16,9 @@
 //!
 //! and the column of z₀ is (1) with d in place of M_·e.
 //!
-//! If k slacks are nonbasic, a pivot costs 2nk flops for (1) and 2nk for the update. On a path on which k grows from 0 to n that is no more than
-//! the 2n² per pivot of a full tableau; on a path that ends with half of the slacks nonbasic it is half of that. The next entering variable is
-//! known as soon as the leaving one is, so both are done in one pass over memory.
+//! If k slacks are nonbasic, a pivot costs 2nk flops for (1) and 2nk for the update. If k grows from 0 to n along a path, these costs are on average
+//! no more than the 2n² per pivot of a full tableau. If the path ends with half of the slacks nonbasic, they are half as large. The leaving variable
+//! determines the next entering variable, so the update and (1) share one pass over memory.
 
 use super::kernel::{self, Combine, Update, UpdateAndCombine};
 use super::memory::{make_room, refill};
@@ -62,10 +62,10 @@ pub(super) struct Dictionary {
     pub(super) x: Vec<f64>,
     /// The column of p, which breaks ties: the effect on the basic variables of adding the perturbation p to q.
     pub(super) p: Vec<f64>,
-    /// For each row, the size of the terms from which its value in `x` was computed: their sum after [`Self::sum_terms`]. Each later pivot raises it
-    /// to the term that the pivot adds, if that is larger.
+    /// For each row, the size of the terms from which its value in `x` was computed: their sum after [`Self::sum_terms`]. Each later pivot raises
+    /// this size to the term that the pivot adds, if the term is larger.
     pub(super) level: Vec<f64>,
-    /// The column of the entering variable: for each row, the change of the basic variable per unit of the entering one.
+    /// The column of the entering variable: for each row, the change of the basic variable per unit of the entering variable.
     pub(super) u: Vec<f64>,
     /// The balanced covering vector d.
     pub(super) d: Vec<f64>,
@@ -73,10 +73,11 @@ pub(super) struct Dictionary {
     entering: Vec<f64>,
     /// For each row, the index i of its basic slack w_i; n if its basic variable is no slack.
     slack: Vec<usize>,
+    /// The first term of (1) for the loaded column, as [`Self::spread`] leaves it.
     next: Vec<f64>,
-    /// For each stored column D_v, its factor in the update `D_v += g u`. The next field `c` holds its factor in the sum (1) for the next entering
-    /// column.
+    /// For each stored column D_v, its factor g in the update `D_v += g u`.
     g: Vec<f64>,
+    /// For each stored column, its factor in the sum (1) for the next entering column.
     c: Vec<f64>,
 }
 
@@ -330,7 +331,7 @@ impl Dictionary {
     }
 }
 
-/// max_i |v_i|; NaN entries are ignored. Eight independent maxima allow vector instructions.
+/// max_i |v_i|; NaN entries are ignored. Eight independent maxima allow SIMD instructions.
 pub(super) fn largest(v: &[f64]) -> f64 {
     let mut lanes = [0.0_f64; 8];
     let mut chunks = v.chunks_exact(8);

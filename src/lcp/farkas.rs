@@ -19,7 +19,7 @@ impl Lcp {
     ///
     /// All sums are exact, so the result is exact for the given M and q.
     ///
-    /// A y of a length other than n proves nothing, nor does one with an entry that is negative or not finite.
+    /// A y of a length other than n proves nothing, nor does a y with an entry that is negative or not finite.
     #[must_use]
     pub fn proves_infeasible(&self, y: &DVector<f64>) -> bool {
         self.contradicts(y, |_| false, |_| Domain::NotNegative)
@@ -88,8 +88,8 @@ impl Lcp {
         nearly.map(|y| Outcome::NearlyInfeasible(certificate(y)))
     }
 
-    /// Whether y ≥ 0 is a Farkas vector up to rounding: each (Mᵀy)_j is at most c times the magnitude of its terms, and qᵀy less than −c times that
-    /// of its terms. Here c = 8 (n + 2) ε, ε = 2⁻⁵².
+    /// Whether y ≥ 0 is a Farkas vector up to rounding: each (Mᵀy)_j is at most c times the magnitude of its terms, and qᵀy is less than −c times the
+    /// magnitude of its terms. Here c = 8 (n + 2) ε, ε = 2⁻⁵².
     fn nearly_proves(&self, y: &DVector<f64>) -> bool {
         let rounding = sum_rounding(self.len());
         let sums = |column: &[f64]| {

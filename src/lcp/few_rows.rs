@@ -83,8 +83,8 @@ impl Lcp {
         None
     }
 
-    /// A simpler Farkas vector: without entries that the proof does not need, the others with as few binary digits as suffice. With more than
-    /// [`MOST_PAIRED_ROWS`] rows y is returned unchanged.
+    /// A simpler Farkas vector. Entries that the proof does not need are zero, and the others have as few binary digits as the proof allows. With
+    /// more than [`MOST_PAIRED_ROWS`] rows y is returned unchanged.
     pub(super) fn plainer(&self, mut y: DVector<f64>) -> DVector<f64> {
         if self.len() > MOST_PAIRED_ROWS {
             return y;

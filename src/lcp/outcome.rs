@@ -7,8 +7,8 @@ use core::fmt;
 use nalgebra::DVector;
 use thiserror::Error;
 
-/// The end of a solve, and the conclusion that it allows. S is the type of a solution: of an [`Lcp`](super::Lcp), or one that
-/// borrows the memory of a solver ([`OutcomeView`]).
+/// The end of a solve, and the conclusion that it allows. S is the type of a solution, for example a [`Solution`] of an [`Lcp`](super::Lcp), or a
+/// view that borrows the memory of a solver ([`OutcomeView`]).
 ///
 /// The first four variants state a fact about the problem; the last three leave it undecided. `Display` writes one line.
 #[derive(Debug, Clone, PartialEq)]

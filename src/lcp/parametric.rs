@@ -169,7 +169,7 @@ impl<'a> Parametric<'a> {
         &self.start
     }
 
-    /// Direction of τ on the current piece, which follows the last breakpoint; forward before the first.
+    /// Direction of τ on the current piece, which follows the last breakpoint; forward before the first breakpoint.
     #[must_use]
     pub fn trend(&self) -> Trend {
         self.trend
