@@ -40,7 +40,7 @@ pub(super) struct Approach<'a, 'w, const C: usize> {
     pub(super) best: Best,
 }
 
-/// The best forces so far: those whose largest residual over all contacts is smallest, of all forces that the methods have produced.
+/// The best forces so far: of all forces that the methods have produced, the forces whose largest residual over all contacts is smallest.
 #[derive(Debug, Clone)]
 pub(super) struct Best {
     pub(super) r: DVector<f64>,

@@ -48,8 +48,8 @@ impl<const C: usize> FrictionProblem<C> {
             if *mu == 0.0 || slips.iter().all(|slip| slip.0 == 0.0) {
                 return normal.0 <= 0.0;
             }
-            // A tangential component relative to the normal one. Both are pairs of mantissa and exponent, since the exponent may be outside the range
-            // of doubles.
+            // A tangential component relative to the normal component. Both are pairs of mantissa and exponent, since the exponent may be outside the
+            // range of doubles.
             let beside = |slip: &(f64, i32)| times_power_of_two(slip.0 / normal.0, slip.1 - normal.1);
             let slip = slips.iter().map(beside).fold(0.0, f64::hypot);
             normal.0 < 0.0 && mu * slip * (1.0 + PROOF_ROUNDING) <= 1.0

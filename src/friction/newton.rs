@@ -113,7 +113,8 @@ impl<'a, const C: usize> Newton<'a, C> {
 fn least_squares(a: &DMatrix<f64>, mut b: DVector<f64>) -> DVector<f64> {
     let size = b.len();
     let mut columns: Vec<Vec<f64>> = numbered(size, &|j| a.as_slice()[size * j..][..size].to_vec());
-    // Column j of `products` has the dot products of column j of A with the orthonormal vectors found so far; `parts` has those of b.
+    // Column j of `products` has the dot products of column j of A with the orthonormal vectors found so far; `parts` has the products of b with
+    // these vectors.
     let (mut products, mut parts) = (DMatrix::zeros(size, size), Vec::new());
     let (mut open, mut order, mut largest): (Vec<usize>, Vec<usize>, f64) =
         (numbered(size, &|j| j), vec![], 0.0);

@@ -65,7 +65,7 @@ pub(super) fn answer<const C: usize>(
 
 /// The forces of a sliding contact with normal velocity zero, as functions of κ, the slip speed per unit of friction force.
 struct Slide<const C: usize> {
-    /// The matrix S of the slip u_T = S r_T + c in the tangential rows and columns; the normal row and column are those of the identity.
+    /// The matrix S of the slip u_T = S r_T + c in the tangential rows and columns; the normal row and column are taken from the identity.
     s: ContactBlock<C>,
     c: SVector<f64, C>,
     /// −b_N / A_NN, with A and b as at the top of the file. The normal force is `normal` minus `coupling` times the friction force.

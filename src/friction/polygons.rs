@@ -40,8 +40,8 @@ impl<'a, const C: usize> Polygons<'a, C> {
         }
     }
 
-    /// A solution or, if none is found, the outcome of the first try. After a failure the facets of each contact are rotated and 1.5 times as many
-    /// are used, up to `turns` times; in the plane there is only one try.
+    /// A solution or, if no try finds a solution, the outcome of the first try. After a failure the facets of each contact are rotated and 1.5 times
+    /// as many are used, up to `turns` times; in the plane there is only one try.
     pub(super) fn solve(&mut self, turns: usize) -> Outcome<Solution> {
         let mut count = self.settings.facets.clamp(3, MOST_CONE_FACETS);
         let mut first = None;

@@ -14,6 +14,6 @@ pub struct SolveProgress<'a> {
     pub residual: f64,
     /// Index, in the caller's problem, of the contact with this residual.
     pub worst: usize,
-    /// Number of Newton steps made for these contacts, without those of the method that starts from polygons.
+    /// Number of Newton steps made for these contacts, without the steps of the method that starts from polygons.
     pub steps: usize,
 }

@@ -36,7 +36,7 @@ impl<const C: usize> FrictionProblem<C> {
     }
 
     /// [`Self::solve_with`] with progress reports, for hundreds of contacts that take seconds. `watch` may stop the solve, for lack of time or
-    /// because the forces are good enough. The outcome is then a breakdown, [`Stopped`](BreakdownCause::Stopped), and the best forces are those
+    /// because the forces are good enough. The outcome is then a breakdown, [`Stopped`](BreakdownCause::Stopped), and the best forces are the forces
     /// last reported to `watch`.
     ///
     /// ```

@@ -92,8 +92,8 @@ impl Workspace {
     }
 
     /// Improves a solution whose w is more negative than rounding explains: its path has treated nearly equal ratios as ties, or small values as
-    /// noise. A second path from this solution does neither, and the point with the smaller largest residual is kept. Settings without retries skip
-    /// this step.
+    /// noise. A second path from this solution treats neither as such, and the point with the smaller largest residual is kept. Settings without
+    /// retries skip this step.
     fn sharpen(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) {
         let coarse = match self.residuals {
             Some(r) if r.negative_w > residual_rounding(lcp.len()) && settings.retries > 0 => r,

@@ -68,7 +68,8 @@ impl Workspace {
         self.conclude(lcp, residuals, settings)
     }
 
-    /// Replaces the workspace's point and `residuals` by those of its `spare` point if `accept` holds for the largest residual of the spare point.
+    /// Replaces the workspace's point by its `spare` point, and `residuals` by the residuals of the spare point, if `accept` holds for the largest of
+    /// them.
     fn take_spare(&mut self, lcp: &Lcp, residuals: &mut Residuals, accept: impl Fn(f64) -> bool) {
         let spare = self.spare.evaluate(lcp);
         if accept(spare.max()) {

@@ -150,8 +150,8 @@ fn times(column: &[f64], y: &DVector<f64>) -> ExactSum {
     ExactSum::of_products(column.iter().copied().zip(y.iter().copied()))
 }
 
-/// Candidates for a Farkas vector: y as computed; y without entries that are noise compared with the largest; and integer vectors with nearly the
-/// same ratios, for increasing errors of these ratios.
+/// Candidates for a Farkas vector: y as computed; y without entries that are noise compared with the largest entry; and integer vectors with nearly
+/// the same ratios, for increasing errors of these ratios.
 pub(super) fn cleaned(y: &DVector<f64>) -> impl Iterator<Item = DVector<f64>> {
     let noise = ZERO_VALUE * y.amax();
     let mut all = vec![y.clone(), y.map(|y| if y.abs() <= noise { 0.0 } else { y })];
@@ -162,8 +162,8 @@ pub(super) fn cleaned(y: &DVector<f64>) -> impl Iterator<Item = DVector<f64>> {
     all.into_iter()
 }
 
-/// The integer vector whose ratios are those of y up to `rounding`; `None` if its entries would exceed [`LARGEST_WHOLE`]. The common denominator is
-/// built entry by entry, each time multiplied by the smallest factor that makes the entry an integer.
+/// The integer vector whose entries have the ratios of the entries of y up to `rounding`; `None` if its entries would exceed [`LARGEST_WHOLE`]. The
+/// common denominator is built entry by entry, each time multiplied by the smallest factor that makes the entry an integer.
 fn whole_within(y: &DVector<f64>, rounding: f64) -> Option<DVector<f64>> {
     let largest = y.amax();
     let mut denominator = 1.0;

@@ -140,8 +140,8 @@ impl Loop for ShortestStep<'_> {
     }
 }
 
-/// The row with the smallest (x_i + ε p_i) / u_i among those with x_i < 0. Its variable leaves when z₀ enters an infeasible basis. `Ok(None)` if no
-/// x_i is negative.
+/// The row with the smallest (x_i + ε p_i) / u_i among the rows with x_i < 0. Its variable leaves when z₀ enters an infeasible basis. `Ok(None)` if
+/// no x_i is negative.
 ///
 /// `Err(row)` if x_i < 0 but u_i is not positive: then no z₀ makes that row feasible.
 pub(super) fn most_violated_row(

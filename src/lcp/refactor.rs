@@ -1,4 +1,4 @@
-//! Recomputation of dictionaries from the data: measurement of drift, refactorisation of the current basis, and factorisation of another one.
+//! Recomputation of dictionaries from the data: measurement of drift, refactorisation of the current basis, and factorisation of another basis.
 
 use super::dictionary::{LemkeVariable, largest};
 use super::memory::refill;

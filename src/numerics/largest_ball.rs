@@ -2,7 +2,7 @@
 //!
 //! A polytope of support points grows where it is closest to the origin. The distance of its closest face is a lower bound on the radius. The support
 //! point in the direction of that face's normal gives an upper bound: the extent of the set in this direction. The point is added to the polytope,
-//! and new faces replace those that are visible from it.
+//! and new faces replace the faces that are visible from it.
 //!
 //! In three dimensions: G. van den Bergen, *Proximity queries and penetration depth computation on 3D game objects*, 2001.
 //!

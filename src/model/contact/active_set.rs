@@ -20,7 +20,7 @@ use crate::prelude::*;
 /// apex.
 #[derive(Debug, Clone)]
 pub(crate) struct ActiveSet {
-    /// Normals of the active facets: those on which the contact slides, and those on which the margin of its force is zero.
+    /// Normals of the active facets: the facets on which the contact slides, and the facets at which the margin of its force is zero.
     pub(crate) facets: Vec<SVector<f64, 3>>,
     /// Whether the contact is closed without force, or open with a gap of zero.
     pub(crate) apex: bool,

@@ -10,8 +10,8 @@
 //! ```
 //!
 //! A sliding contact has the slip `s = v_t - K_t⁻¹F_t = λ F_t`, along the friction force. With equal tangential stiffnesses this is the radial return
-//! of plasticity. With two different ones F_t is the closest point of the disc in the metric K_t⁻¹. On a polygon F_t is the closest point of the
-//! polygon in the same metric.
+//! of plasticity. With two different tangential stiffnesses F_t is the point of the disc that is closest to T in the metric K_t⁻¹. On a polygon F_t
+//! is the point of the polygon that is closest to T in this metric.
 
 use crate::numerics::by_axis;
 use nalgebra::SVector;
@@ -71,8 +71,8 @@ impl LocalLaw<'_> {
         ContactResponse { state: Mode::Round(slide), force }
     }
 
-    /// Replaces the tangential part of a trial force by friction of the size r, and returns the slide. Its direction is that of the trial traction
-    /// after the slip per force λ has softened the springs.
+    /// Replaces the tangential part of a trial force by friction of the size r, and returns the slide. The friction has the direction of the trial
+    /// traction after the slip per force λ has softened the springs.
     fn slide_onto_the_cone(&self, force: &mut SVector<f64, 3>, r: f64, lambda: f64) -> Slide {
         let softened = by_axis(|a| if a == 0 { 0.0 } else { force[a] * self.springs.softening(a, lambda) });
         let slide = Slide::new(&softened, lambda);

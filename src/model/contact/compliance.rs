@@ -15,8 +15,7 @@ use crate::numerics::{DoubleDouble, by_axis};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// The springs of one contact along the axes of its frame, the normal first. Each stiffness is that of the object's and the finger's spring in
-/// series.
+/// The springs of one contact along the axes of its frame, the normal first. Each is the object's spring and the finger's spring in series.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Compliance {
     /// Stiffness, N/m; zero along an axis without a spring.
@@ -104,7 +103,7 @@ impl Compliance {
         self.k[one] / self.k[other]
     }
 
-    /// Whether the tangential springs are equal; always true in the plane, which has only one.
+    /// Whether the tangential springs are equal; always true in the plane, where a contact has only one tangential spring.
     pub(crate) fn is_isotropic(&self) -> bool {
         self.axes < 3 || self.k[1] == self.k[2]
     }

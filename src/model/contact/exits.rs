@@ -1,5 +1,5 @@
-//! The step along a straight line of contact forces at which a contact leaves its state. The line is that of a growing load while all contacts keep
-//! their states.
+//! The step along a straight line of contact forces at which a contact leaves its state. While a load grows and all contacts keep their states, the
+//! contact forces follow such a line.
 
 use crate::numerics::Each;
 use crate::numerics::IntoList;
@@ -185,8 +185,8 @@ impl LocalLaw<'_> {
             }
             // Newton's method has not converged if its last step moves the root by more than this fraction of the distance from the apex.
             if step.is_nan() || step <= 0.0 || step > apex.step || moved > 1e-8 * (apex.step - step) {
-                // Near the apex the two roots differ only by rounding of the discriminant. The margin is negative at the apex, so Newton's
-                // method descends from there to the root before it.
+                // Near the apex the two roots differ only by rounding of the discriminant. The margin is negative at the apex, so Newton's method
+                // descends from the apex to the root before it.
                 let root = newton_from_above(apex.step, |step| {
                     let at = t0 + t1 * step;
                     (n0 + n1 * step - at.norm(), n1 - leaves(&at).dot(&t1))

@@ -12,7 +12,7 @@
 //! ```
 //!
 //! A polygon circumscribed about the arc of allowed directions p replaces them. The hull thus contains all stretches and forces that the law allows,
-//! and slightly more. If no equilibrium exists with the hulls of all contacts, none exists with the law.
+//! and slightly more. If no equilibrium exists with the hulls of all contacts, no equilibrium exists with the law.
 
 use crate::numerics::{Each, IntoList, by_axis};
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI, TAU};
@@ -25,7 +25,7 @@ use super::tolerances::NARROWEST_ARC;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::prelude::*;
 
-/// A sector of friction directions, from one angle to a larger one, rad. The angles differ by at most a full turn.
+/// A sector of friction directions, from the angle `from` to the larger angle `to`, rad. The angles differ by at most a full turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Sector {
     pub(crate) from: f64,

@@ -1,8 +1,8 @@
 //! The law of one contact: springs, friction cone, and the conditions that apply.
 //!
-//! An equilibrium, and the rates with which it continues as the load grows, are the same kind of problem. In the equilibrium problem every contact
-//! has its whole cone. In the problem for the rates, a contact with its force inside the cone is bonded, and an open contact is absent. A contact
-//! with its force on an edge of the cone has only this edge as a condition. A contact at the apex has the whole cone again.
+//! The forces of an equilibrium, and their rates as the load grows, solve problems of the same kind. In the equilibrium problem every contact has its
+//! whole cone. In the problem for the rates, a contact with its force inside the cone is bonded, and an open contact is absent. A contact with its
+//! force on an edge of the cone has only this edge as a condition. A contact at the apex has the whole cone again.
 
 use nalgebra::SVector;
 
@@ -40,7 +40,7 @@ pub(crate) struct LocalLaw<'c> {
     pub(super) friction: Coulomb,
     /// In space: whether the round cone limits the contact. The polygon then only supplies the states that are tried first.
     pub(super) on_round_cone: bool,
-    /// Whether a contact with infinite friction has facets, those of a cone with a very large finite coefficient.
+    /// Whether a contact with infinite friction has facets: the facets of a cone with a very large finite coefficient.
     pub(super) infinite_friction_has_edges: bool,
 }
 

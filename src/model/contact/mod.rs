@@ -6,7 +6,7 @@
 //! |---|---|
 //! | `compliance` | springs along the axes of the contact frame |
 //! | `coulomb` | the cone `\|F_t\| <= μ F_n` and its facets |
-//! | `polygon` | the polygonal cone in place of the round one |
+//! | `polygon` | the polygonal cone in place of the round cone |
 //! | `state`, `slide` | the states of a contact; a slide on the round cone with its direction and slip |
 //! | `law` | the conditions that apply in an equilibrium and to the rates of force and stretch |
 //! | `answer` | stretch → state and force |

@@ -28,7 +28,7 @@ pub enum Fit {
     Balanced,
 }
 
-/// The polygonal cone that approximates the round one in space. Planar grasps need no such polygon.
+/// The polygonal cone that approximates the round friction cone in space. Planar grasps need no such polygon.
 ///
 /// `F_t` lies in `μ F_n` times a regular polygon around the origin, with m facets normal to h_j and m corners d_j:
 ///

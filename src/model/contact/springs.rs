@@ -51,7 +51,7 @@ impl Spring {
     fn dragging(k: f64, mu: f64, pull: &SVector<f64, 3>) -> Self {
         let root = k.sqrt();
         // The factors of the spring are scaled to `c right` and `left / c`. With a large μ the left factor would otherwise be far longer than the
-        // right one.
+        // right factor.
         let balance = (1.0 + mu * pull.norm()).sqrt();
         let (mut right, mut left) = (SVector::zeros(), SVector::zeros());
         (right[0], left[0]) = (root * balance, root / balance);

@@ -177,8 +177,8 @@ impl<const C: usize> Contact<C> {
     /// contact begins to slide, its friction drops to this value at constant load. Other contacts then carry the difference, or no equilibrium exists
     /// and the object is lost. A contact that has stopped sliding has static friction again.
     ///
-    /// Answers are **overdamped**: the object moves without overshoot to where forces balance again. An undamped object overshoots up to twice
-    /// as far, and may be lost where the overdamped one is held. See the [guide](crate::guide::kinetic_friction).
+    /// Answers are **overdamped**: the object moves without overshoot to where forces balance again. An undamped object overshoots up to twice as
+    /// far, and may be lost although the overdamped object is held. See the [guide](crate::guide::kinetic_friction).
     ///
     /// [`follow`](crate::ask::Grasp::follow), [`hold`](crate::ask::Grasp::hold), [`shake`](crate::ask::Grasp::shake) and needs to
     /// [hold](crate::need::Need::to_hold) or to [rest](crate::need::Need::to_rest) take kinetic friction into account. The first slip does not depend

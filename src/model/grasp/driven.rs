@@ -178,7 +178,7 @@ impl Engine {
         );
     }
 
-    /// Offsets of all contacts and drives under other commands than those of the grasp.
+    /// Offsets of all contacts and drives under the given commands, which may differ from the commands of the grasp.
     pub(crate) fn offsets_under(
         &self,
         commands: impl Iterator<Item = SVector<f64, 3>>,

@@ -51,7 +51,7 @@ impl<const C: usize> Contact<C> {
     /// This contact with its normal tilted towards its tangents by the angles `tilt`, rad; the frame rotates with it. The axis of rotation is
     /// orthogonal to the normal and to `tilt`, and the angle of rotation is the norm of `tilt`. The first component of `tilt` is ignored.
     pub(crate) fn tilted(mut self, tilt: &SVector<f64, C>) -> Self {
-        // Without a valid frame the contact stays unchanged here. `Grasp::new` then returns an error for this contact.
+        // Without a valid frame this function returns the contact unchanged. `Grasp::new` then returns an error for this contact.
         let Ok(frame) = self.frame(0) else { return self };
         let mut towards = *tilt;
         towards[0] = 0.0;
@@ -72,7 +72,7 @@ impl<const C: usize> Contact<C> {
 fn turned<R: AbstractRotation<f64, C>, const C: usize>(rotation: &R, v: &Vector) -> Vector {
     let part = |from: usize| rotation.transform_vector(&by_axis(|a| v[from + a]));
     let linear = part(0);
-    // A rotation about the only axis of the plane is the same in all frames, and so are joint displacements.
+    // In the plane the angle of a rotation is the same in all frames. So are the displacements of joints.
     let angular = (C == 3).then(|| part(C));
     let mut turned = v.clone();
     for a in 0..C {

@@ -84,7 +84,7 @@ impl Part {
                 Some("f") => {
                     let of_face = words.map(|word| {
                         let number = word.split('/').next().and_then(|first| first.parse::<isize>().ok());
-                        // Vertices are numbered from 1, or backwards from the latest one if negative.
+                        // Vertices are numbered from 1. A negative number counts backwards from the latest vertex.
                         let place = number.and_then(|n| match n {
                             0 => None,
                             n if n > 0 => Some(n.unsigned_abs() - 1),

@@ -90,7 +90,7 @@ impl Pad {
         Ok(Self::of_profile(&patch, Outline::Disc(radius), Profile::Flat))
     }
 
-    /// A round finger: part of a cylinder of this radius, m, with its axis along the second tangent. The sides are those of its rectangular
+    /// A round finger: part of a cylinder of this radius, m, with its axis along the second tangent. `sides` are the sides of its rectangular
     /// outline, as seen along the closing direction.
     ///
     /// # Errors

@@ -1,4 +1,4 @@
-//! Conversion of loads and motions of several bodies between the engine's coordinates and those of the user.
+//! Conversion of loads and motions of several bodies between the engine's coordinates and the user's coordinates.
 
 use alloc::sync::Arc;
 

@@ -143,7 +143,7 @@ impl PlacedBodies {
     }
 
     /// Displacement of a contact's finger relative to its body, per unit of each coordinate of the bodies other than the object. The coordinates are
-    /// counted from the first one after the object's coordinates.
+    /// counted from the first coordinate after the object's coordinates.
     pub(crate) fn columns(&self, contact: usize, point: &SVector<f64, 3>) -> Columns {
         let object = self.space.of_the_object();
         let mut columns = Columns::new();

@@ -94,7 +94,7 @@ impl Assembly {
             let object = self.object();
             self.lengths[object + k] = power_of_two(longest);
         }
-        // At this stage the only drives are those of compliance matrices: springs of 1 N/m along coordinates in m. They are rescaled to the reference
+        // At this stage the only drives are the springs of compliance matrices, of 1 N/m along coordinates in m. They are rescaled to the reference
         // lengths of these coordinates.
         for drive in &mut self.drives {
             let k = drive.along.iamax();

@@ -128,7 +128,8 @@ impl Drive {
         self.rest /= times;
     }
 
-    /// Ratio of the drive's stiffness to that of its joint or tendon: 2 for each half of a saturating drive, since both halves are in series.
+    /// Ratio of the drive's stiffness to the stiffness of its joint or tendon: 2 for each half of a saturating drive, since both halves are in
+    /// series.
     fn halves(&self) -> f64 {
         if matches!(self.role, Role::EndsAbove | Role::EndsBelow) { 2.0 } else { 1.0 }
     }
