@@ -1,7 +1,7 @@
 //! The point where a ray leaves a convex set, by a simplex method on support points of the set.
 //!
-//! Let points p_k of the set span a cone that contains the ray r, `r = Σ β_k p_k`. Their plane is `v·x = 1`, and r crosses it at `r / s` with `s = Σ
-//! β_k`. If no point of the set lies beyond that plane, the ray leaves the set at this crossing. Otherwise the point farthest beyond the plane
+//! Let points p_k of the set span a cone that contains the ray r, `r = Σ β_k p_k`. Their plane is `v·x = 1`, and r crosses it at `r / s` with
+//! `s = Σ β_k`. If no point of the set lies beyond that plane, the ray leaves the set at this crossing. Otherwise the point farthest beyond the plane
 //! replaces one of the p_k, and s decreases.
 
 use super::coordinates::{Size, Square, Vector};
