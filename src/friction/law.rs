@@ -118,8 +118,8 @@ impl<const C: usize> FrictionProblem<C> {
         self.residuals_from(r, &u, &terms)
     }
 
-    /// The residuals for forces, velocities and magnitudes of the velocities' terms, each the largest over all contacts, and the contact with the
-    /// largest residual.
+    /// The residuals of the given forces r and velocities u, each the largest over all contacts, and the contact with the largest residual. `terms`
+    /// has the magnitudes of the velocities' terms.
     pub(super) fn residuals_from(
         &self,
         r: &DVector<f64>,

@@ -16,7 +16,8 @@ pub(super) const WORTH_POLISHING: f64 = 1e-6;
 /// Least weight δ of the proximal term in the linear equations, in units of the contact's own compliance. It makes the equations of redundant
 /// contacts regular.
 ///
-/// It costs undetermined force components half their digits, determined ones none. If smaller, equations become singular.
+/// Undetermined force components lose half of their digits by this weight, determined components lose no digits. If smaller, equations become
+/// singular.
 pub(super) const LEAST_ANCHOR: f64 = 1e-12;
 
 /// Multiple of 1/ρ, the scale of a contact's diagonal block of W, that is added to the block along the central path. This regularises the equations

@@ -23,7 +23,7 @@ impl Lcp {
         if n > MOST_PAIRED_ROWS {
             return None;
         }
-        // At least one of the two rows has q < 0.
+        // In a contradiction at least one of the two rows has q < 0, here row i.
         for i in 0..n {
             for k in 0..n {
                 if self.q[i] < 0.0 && k != i {

@@ -104,7 +104,8 @@ impl Polytope {
         self.faces.push(Face { vertices, normal, is_alive: true });
     }
 
-    /// Adds a point. The faces that are visible from it, or contain it in their plane, are replaced by faces from their common rim to the point.
+    /// Adds a point. The faces that are visible from it, or contain it in their plane, are replaced by faces from the rim of the removed region to
+    /// the point.
     fn add_point(&mut self, point: Vector) {
         let number = self.points.len();
         let (d, from_middle) = (self.size.count(), &point - &self.middle);

@@ -37,7 +37,7 @@ pub(crate) fn two_sided(probability: f64, degrees: Option<f64>) -> f64 {
 fn within_an_angle(angle: f64, a: f64, whole: f64) -> f64 {
     let (sin, cos) = angle.sin_cos();
     let x = cos * cos;
-    // Of two continued fractions, the function evaluates the faster one.
+    // Chooses between two continued fractions; the chosen fraction converges faster.
     if x < (a + 1.0) / (a + 2.5) {
         1.0 - x.powf(a) * sin / (a * whole) * fraction(x, a, 0.5)
     } else {

@@ -56,7 +56,7 @@ impl ActiveSet {
                 self.facets.push(exit.facet);
             }
         }
-        // If the force is on as many facets as the frame has axes, it is at the apex, their only common point.
+        // If the force is on as many facets as the frame has axes, the force is at the apex, the only common point of the facets.
         self.apex |= self.facets.len() >= axes;
     }
 }
@@ -115,7 +115,7 @@ impl LocalLaw<'_> {
     }
 
     /// Removes from the active set the facets whose margin grows at these rates, and the apex if the normal force or the gap grows. Facets on which
-    /// the contact slides stay. A force that leaves the apex keeps the facets along which it then moves.
+    /// the contact slides stay in the set. If the force leaves the apex, the facets along which it then moves stay, too.
     pub(crate) fn drop_by_rates(&self, active: &mut ActiveSet, state: &State, line: &Line, gap: &GapLine) {
         let falls_short = |margin_rate: f64, weight: f64| margin_rate <= ZERO_SLACK * line.rate_size * weight;
         let stays_at_the_apex = || line.rate[0].abs() <= ZERO_SLACK * line.rate_size;
@@ -147,7 +147,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// Removes from the active set the facets, or the apex, that the force of `line` does not reach. Facets on which the contact slides stay.
+    /// Removes from the active set the facets, or the apex, that the force of `line` does not reach. Facets on which the contact slides stay in the
+    /// set.
     pub(crate) fn drop_by_force(&self, active: &mut ActiveSet, state: &State, line: &Line) {
         let reached = self.active_set(line);
         active.apex &= reached.apex;

@@ -82,7 +82,7 @@ impl LocalLaw<'_> {
         slide
     }
 
-    /// State and force at a stretch on the cone in use, round or polygonal.
+    /// State and force at a stretch on the cone in use, round or polygonal. `near` is the start of the iteration as in [`Self::answer`].
     #[inline]
     pub(crate) fn response(&self, stretch: &SVector<f64, 3>, near: f64) -> ContactResponse {
         if self.on_round_cone { self.answer(stretch, near) } else { self.answer_on_polygon(stretch) }

@@ -30,9 +30,9 @@ pub(crate) struct SpringState<'s> {
 }
 
 impl LocalLaw<'_> {
-    /// Size that scales the rounding error of the contact's force, N. It is the size of the force plus the lesser of two bounds. One is the largest
-    /// force of the grasp, for stiff contacts, whose stretches are differences of large displacements. The other, for soft contacts, is the stiffness
-    /// times the size of the displacements.
+    /// Size that scales the rounding error of the contact's force, N. It is the size of the force plus the lesser of two upper bounds. For stiff
+    /// contacts, whose stretches are differences of large displacements, the lesser bound is the largest force of the grasp. For soft contacts it is
+    /// the stiffness times the size of the displacements.
     #[inline(always)]
     pub(crate) fn force_size(&self, force: &SVector<f64, 3>, span: f64, largest: f64) -> f64 {
         SMALLEST + force.norm() + largest.min(self.springs.stiffest() * span)
@@ -69,8 +69,8 @@ impl LocalLaw<'_> {
     }
 
     /// Slip components that must not be negative in a sliding state, each with the scale of its rounding error for a unit slip. On the round cone or
-    /// on a facet there is one component, along the slip direction or the facet normal. At a corner there are two, along both normals. An open or
-    /// sticking state has none.
+    /// on a facet there is one component, along the slip direction or the facet normal. At a corner there are two components, along both normals. An
+    /// open or sticking state has no such components.
     pub(super) fn slips_along(&self, state: &State, slip: &SVector<f64, 3>) -> [Option<[f64; 2]>; 2] {
         let facets = self.facets();
         match state {

@@ -1,8 +1,8 @@
 //! Convex hull of all stretches and forces that the contact law allows if only part of the state is known: a convex cone with few generators.
 //!
-//! The law is positively homogeneous: with a stretch v and a force F it also allows every positive multiple of both. This remains true if a label
-//! restricts the states. A label fixes whether the contact is open or closed, whether it sticks or slides, and between which angles its friction
-//! points. In force units `ξ = K v`, with p on the unit circle, the hull is spanned by
+//! The law is positively homogeneous: with a stretch v and a force F the law also allows every positive multiple of both. This remains true if a
+//! label restricts the states. A label fixes whether the contact is open or closed, whether it sticks or slides, and between which angles its
+//! friction points. In force units `ξ = K v`, with p on the unit circle, the hull is spanned by
 //!
 //! ```text
 //!                   ξ            F
@@ -235,7 +235,7 @@ impl LocalLaw<'_> {
     }
 
     /// Two narrower labels that together allow the same states as `label`. `stretch` and `force` lie in the hull of `label`. The sector of friction
-    /// directions is cut where they violate the contact law. `None` if the label cannot be divided.
+    /// directions is cut where `stretch` and `force` violate the contact law. `None` if the label cannot be divided.
     pub(crate) fn divide(
         &self,
         label: &Label,

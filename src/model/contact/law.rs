@@ -199,7 +199,8 @@ impl<'c> LocalLaw<'c> {
         Some(second.map_or(first, |second| first + facets[second]))
     }
 
-    /// Friction margin of a contact under a force, N: on the round cone, or the least margin of all facets. Infinite for infinite friction.
+    /// Friction margin of a contact under a force, N: the margin on the round cone, or the least margin of all facets of a polygonal cone. Infinite
+    /// for infinite friction.
     pub(crate) fn margin(&self, force: &SVector<f64, 3>) -> f64 {
         if self.never_slides() {
             return f64::INFINITY;

@@ -159,7 +159,8 @@ impl LocalLaw<'_> {
             let (at, rate) = (wave.of.at(step), wave.of.rate_at(step));
             let slope = cone.facet_margin(&rate, &outward(&at));
             let better = step - cone.round_margin(&at) / slope;
-            // Largest correction of the angle, rad. It is well above the error of the angle, the square root of the rounding error of squares.
+            // Largest correction of the angle, rad. It is well above the error of the angle, which is the square root of the rounding error of
+            // squares.
             if slope < 0.0 && better > 0.0 && (better - angle).abs() <= 1e-3 {
                 step = better;
             }
@@ -206,8 +207,8 @@ impl Start {
     }
 }
 
-/// The exit at the first angle up to `most` at which `component`, a linear function of the vector, becomes negative or touches zero; `None` without
-/// such an angle.
+/// The exit at the first angle up to `most` at which `component`, a linear function of the wave's vector, becomes negative or touches zero. `None`
+/// without such an angle.
 fn linear_exit(
     wave: &Wave,
     component: impl Fn(&SVector<f64, 3>) -> f64,

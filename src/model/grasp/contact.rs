@@ -73,7 +73,7 @@ pub struct Contact<const C: usize> {
     pub(crate) command_axes: Axes,
     /// Pressing force that replaces the normal component of the command, N; converted to a command once the contact is part of a grasp.
     pub(crate) press: Option<f64>,
-    /// Given normal force in the equilibrium without the load of a question, after all springs have yielded, N. When the grasp is made, it computes
+    /// Given normal force in the equilibrium without the load of a question, after all springs have deflected, N. When the grasp is made, it computes
     /// the command that leads to this force.
     pub(crate) at_rest: Option<f64>,
     /// Constant normal force, independent of the object's motion, N.
@@ -120,15 +120,15 @@ impl<const C: usize> Contact<C> {
         }
     }
 
-    /// Names the body into which the normal of the contact points, one of [several](super::Bodies). Forces and displacements of the contact refer to
-    /// this body.
+    /// Names the body into which the normal of the contact points, one of [several bodies](super::Bodies). Forces and displacements of the contact
+    /// refer to this body.
     pub fn on(mut self, body: impl Into<String>) -> Self {
         self.on = Some(body.into().into());
         self
     }
 
-    /// Names the body on the other side of the contact, one of [several](super::Bodies), in place of the ground or a finger. The body stiffness of
-    /// the contact belongs to the body named by [`on`](Self::on), the finger stiffness to the body named here.
+    /// Names the body on the other side of the contact, one of [several bodies](super::Bodies), in place of the ground or a finger. The body
+    /// stiffness of the contact belongs to the body named by [`on`](Self::on), the finger stiffness to the body named here.
     pub fn against(mut self, body: impl Into<String>) -> Self {
         self.against = Some(body.into().into());
         self

@@ -50,7 +50,7 @@ pub struct Link<const C: usize> {
     pub(crate) against: Option<Arc<str>>,
     pub(crate) stiffness: Option<f64>,
     pub(crate) pretension: f64,
-    /// Pull of a cable or spring in the equilibrium without the load of a question, after all springs have yielded, N. It replaces the pretension;
+    /// Pull of a cable or spring in the equilibrium without the load of a question, after all springs have deflected, N. It replaces the pretension;
     /// `None` if a pretension is given.
     pub(crate) tension: Option<f64>,
     pub(crate) slack: f64,
@@ -193,15 +193,15 @@ impl<const C: usize> Link<C> {
         self
     }
 
-    /// Sets the pull of a cable or a spring before anything moves, N; a spring with a negative value pushes. Once all springs have yielded, the pull
-    /// is smaller; see [`Self::tension`].
+    /// Sets the pull of a cable or a spring before anything moves, N; a spring with a negative value pushes. Once all springs have deflected, the
+    /// pull is smaller; see [`Self::tension`].
     pub fn pretension(mut self, force: f64) -> Self {
         (self.pretension, self.tension) = (force, None);
         self
     }
 
     /// Sets the pull of an installed cable or spring, N, in place of a pretension. The tension is the pull under the constant loads on bodies alone,
-    /// after all other springs have yielded. The grasp computes the pretension that leads to this tension, or refuses the link if nothing resists
+    /// after all other springs have deflected. The grasp computes the pretension that leads to this tension, or refuses the link if nothing resists
     /// such a pull.
     ///
     /// ```

@@ -224,7 +224,7 @@ impl PlacedBodies {
         Self { loads: none, sharing, ..self.clone() }
     }
 
-    /// These bodies with further loads that grow in proportion to the load `one` of a question.
+    /// These bodies with the further loads `others`, which are scaled by the same factor if the question's load is a multiple of `one`.
     ///
     /// # Errors
     /// [`Error::Body`] for an unknown body, [`Error::NothingChanges`] if `one` is zero, [`Error::Wrench`] for a component out of range.

@@ -17,7 +17,7 @@ pub(crate) enum Owner {
     Joint(usize),
     /// The tendon with this index.
     Tendon(usize),
-    /// Neither: the drive is part of a stiffness matrix, or a compliance.
+    /// Neither: the drive belongs to a stiffness matrix of joints, or to a compliance matrix.
     Nobody,
 }
 

@@ -22,7 +22,7 @@ pub struct Tendon {
     /// The name of the tendon in answers.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(crate) name: Option<Arc<str>>,
-    /// Lever arms, one for each joint of all fingers: m/rad for revolute joints, no unit for prismatic ones.
+    /// Lever arms, one for each joint of all fingers: m/rad for revolute joints, no unit for prismatic joints.
     #[cfg_attr(feature = "serde", serde(with = "AsGiven::<Vec<f64>>"))]
     pub(crate) arms: Vec<f64>,
     /// Stiffness of the tendon's spring (tendon and motor in series), N/m; without it only `tension` acts.
@@ -80,7 +80,7 @@ impl Tendon {
         self
     }
 
-    /// Sets a constant tension, N, which acts in addition to the spring.
+    /// Sets a constant tension, N, which acts in addition to the tension of the spring.
     pub fn tension(mut self, tension: f64) -> Self {
         self.tension = tension;
         self
