@@ -120,7 +120,7 @@ fn spatial_three_finger_pinch_has_a_quadratic_onset() {
     let exact = mu * k * a / (w / 3.0).hypot(m / (3.0 * radius));
     assert_close!(event.factor, exact);
     assert_eq!(event.leaving.len(), 3);
-    // Inscribed polygons come from below with an error of at most 1 - cos(π/m), circumscribed ones from above.
+    // Inscribed polygons come from below with an error of at most 1 - cos(π/m), circumscribed polygons from above.
     for facets in [4, 8, 16, 64] {
         let half = (std::f64::consts::PI / f64::from(facets)).cos();
         for (fit, low, high) in

@@ -243,7 +243,7 @@ fn a_plate_jaw_on_one_spring() -> Tested {
     let total = 0.012 / (1.0 / 1e3 + 1.0 / 2e4 + 1.0 / 2e4);
     assert!((held.joints[0].torque - total).abs() < 1e-11);
     assert!((held.contacts[0].normal_force() + held.contacts[1].normal_force() - total).abs() < 1e-11);
-    // A rotation θ stretches the normal springs of all four pads by θ/2 and the tangential ones by θ: M = (4 · 1e4 / 4 + 4 · 8e3) θ.
+    // A rotation θ stretches the normal springs of all four pads by θ/2 and the tangential springs by θ: M = (4 · 1e4 / 4 + 4 · 8e3) θ.
     let turn = 1.0 / (1e4 + 3.2e4);
     assert!((held.twist.rotation() - turn).abs() < 1e-16);
     let difference = held.contacts[1].normal_force() - held.contacts[0].normal_force();

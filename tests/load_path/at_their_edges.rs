@@ -122,7 +122,7 @@ fn nothing_presses() -> Tested {
     Ok(())
 }
 
-/// Contacts that slide at the start may continue to slide, or one may stick. Both continuations exist, and the path reports the other one.
+/// Contacts that slide at the start may continue to slide, or one may stick. Both continuations exist, and the path reports the other continuation.
 #[test]
 fn the_other_way_to_begin_is_told() -> Tested {
     let (grasp, start, legs) = in_space(include_str!("scenes/two_ways_at_the_start.json"))?;

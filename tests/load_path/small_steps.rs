@@ -20,7 +20,7 @@ const HALVINGS: usize = 8;
 const FORCES: f64 = 5e-4;
 /// Length of a step beyond a loss.
 const AHEAD: f64 = 1e-6;
-/// A state that differs from the last one by more than this (relative forces and motion) is no continuation.
+/// A state that differs from the last state by more than this (relative forces and motion) is no continuation.
 const JUMP: f64 = 1e-3;
 
 fn follows(scene: &Scene<3, 2>, tally: &mut Tally) -> Result<(), TestCaseError> {
