@@ -97,7 +97,7 @@ impl<S> Outcome<S> {
 }
 
 impl Unsolved {
-    /// The same outcome with another type for solutions, of which it has none.
+    /// The same outcome with another type S of solutions; this outcome holds no solution.
     pub(super) fn into<S>(self) -> Outcome<S> {
         self.and_then(|never| match never {})
     }

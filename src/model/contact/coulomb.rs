@@ -35,7 +35,7 @@ impl Coulomb {
         self.mu > 0.0 && self.mu.is_finite()
     }
 
-    /// This cone, where infinite friction is replaced by a very large finite coefficient, so that the cone has facets.
+    /// This cone. If friction is infinite, it is replaced by a very large finite coefficient, so that the cone has facets.
     pub(crate) fn with_edges(self, springs: &Compliance) -> Self {
         if self.mu.is_finite() {
             return self;

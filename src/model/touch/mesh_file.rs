@@ -42,7 +42,7 @@ impl Part {
         let number = |at: usize| bytes.get(at..at + 4).and_then(|four| <[u8; 4]>::try_from(four).ok());
         let count = number(HEAD - 4).map_or(0, |four| u32::from_le_bytes(four) as usize);
         let mut corners = Vec::new();
-        // Some binary files start with `solid` like text files; the length of the file decides.
+        // Some binary files start with `solid` like text files, so the length of the file shows whether it is binary.
         if bytes.len() >= HEAD && bytes.len() - HEAD == count.saturating_mul(TRIANGLE) {
             for triangle in 0..count {
                 for corner in 0..3 {
