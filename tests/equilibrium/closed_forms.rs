@@ -221,8 +221,8 @@ fn six_frictionless_locators() {
     );
 }
 
-/// A bar has two locators at x = -1 and 1 and one at its end. They move by their commands without a load. All forces are zero,
-/// and the bar follows with u_y = (a₁ + a₂)/2, θ = (a₂ - a₁)/2, u_x = a₃, for all stiffnesses and orientations.
+/// A bar has two locators at x = -1 and 1 and one locator at its end. The locators move by their commands without a load. All forces are zero, and
+/// the bar follows with u_y = (a₁ + a₂)/2, θ = (a₂ - a₁)/2, u_x = a₃, for all stiffnesses and orientations.
 #[test]
 fn moved_locators_without_a_load_carry_nothing() {
     let a: [f64; 3] = [0.013, -0.007, 0.011];

@@ -12,7 +12,7 @@ type Tested = Result<(), Box<dyn std::error::Error>>;
 
 /// A pinch by two fingers with mirrored compliance matrices C = [[c_nn, ±c_nt], [±c_nt, c_tt]].
 fn pinch(c_nn: f64, c_nt: f64, c_tt: f64, mu: f64, force: f64) -> Result<Grasp, grasp_lcp::Error> {
-    // The default tangent t = (n_y, -n_x) points down on the left and up on the right. Here both point down.
+    // The default tangent t = (n_y, -n_x) points down on the left and up on the right. In this test both tangents point down.
     let finger = |x: f64| {
         let contact = Contact::new([x, 0.0], [-x, 0.0])
             .tangent([0.0, -1.0])

@@ -1,4 +1,4 @@
-//! A program followed from event to event and one followed in steps reach the same state, leg by leg or at once.
+//! A program followed from event to event and the same program followed in steps reach the same state, leg by leg or at once.
 
 use std::mem::discriminant;
 

@@ -1,8 +1,8 @@
 //! Screening for the least squeeze agrees with `Grasp::least_squeeze`, which finds it by cutting planes, and with closed forms.
 //!
 //! Scenes have two to five contacts of every kind, in the plane and in space, with and without clearances, under one to four loads. If screening
-//! gives a factor, it is the factor that the search finds. If it gives none, the search states why. Every lane of a batch gives the answer of the
-//! single grasp to the last bit.
+//! gives a factor, it is the factor that the search finds. If it gives no factor, the search states why. Every lane of a batch gives the answer of
+//! the single grasp to the last bit.
 
 use std::cell::RefCell;
 
