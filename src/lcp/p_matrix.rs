@@ -84,7 +84,7 @@ fn eliminate(a: &mut DMatrix<f64>, k: usize) {
 /// The first entry of a must be positive. Two smaller matrices must be P-matrices: a without its first row and column, and the Schur complement
 /// of the first entry.
 ///
-/// The diagonal of m, in the order of a, is the original diagonal, with which pivots are compared.
+/// `m` has the rows and columns of a before any elimination. Pivots are compared with its diagonal.
 fn minors_are_positive(mut a: DMatrix<f64>, m: &DMatrix<f64>) -> bool {
     let n = a.nrows();
     if n == 0 {

@@ -208,7 +208,7 @@ impl FewRows {
         &mut self.entries[a * self.rows.len() + place]
     }
 
-    /// Pairs of stored row and entry of a column.
+    /// For each stored row, its index and its entry in column `a`.
     #[inline]
     fn of_column(&self, a: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
         let count = self.rows.len();
