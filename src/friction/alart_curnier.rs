@@ -61,8 +61,8 @@ pub(super) struct Anchored<'a, const C: usize> {
 }
 
 impl<'a, const C: usize> Anchored<'a, C> {
-    /// The equations with the anchor at these forces. Squared residuals are divided by ρ, as energy, or, if `by_contact`, by the squared size of the
-    /// contact's own force and velocity.
+    /// The equations with the anchor at these forces. Squared residuals are divided by ρ, which makes them energies. If `by_contact`, they are
+    /// divided by the squared size of the contact's own force and velocity instead.
     pub(super) fn with_anchor(
         problem: &'a FrictionProblem<C>,
         blocks: &'a Blocks<C>,
@@ -77,7 +77,7 @@ impl<'a, const C: usize> Anchored<'a, C> {
                 |i: usize| part::<C>(anchor, i).norm().max(rho[i] * part::<C>(&terms, i).amax()).powi(2);
             let largest = (0..rho.len()).map(|i| size(i) / rho[i]).fold(0.0, f64::max);
             // With `by_contact`, squared residuals are divided by the squared size of the contact's force and velocity. This size is at least this
-            // fraction of the largest one.
+            // fraction of the largest size of all contacts.
             let faintest = 1e-6;
             let weight = |i: usize| 1.0 / size(i).max(faintest * faintest * largest * rho[i]);
             numbered(rho.len(), &weight)

@@ -40,7 +40,7 @@ pub(super) struct Approach<'a, 'w, const C: usize> {
     pub(super) best: Best,
 }
 
-/// The best forces so far: those whose largest residual over all contacts is smallest, of all forces that the methods have produced.
+/// The best forces so far: of all forces that the methods have produced, the forces whose largest residual over all contacts is smallest.
 #[derive(Debug, Clone)]
 pub(super) struct Best {
     pub(super) r: DVector<f64>,
@@ -111,8 +111,8 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         self.best.r
     }
 
-    /// Runs rounds of anchored Newton steps. After a round that converges, the anchor moves to its forces; after one that fails, to the old anchor
-    /// improved by sweeps. Returns whether the residual of the best forces is within the tolerance.
+    /// Runs rounds of anchored Newton steps. After a round that converges, the anchor moves to the forces of this round. After a round that fails,
+    /// the anchor becomes the old anchor improved by sweeps. Returns whether the residual of the best forces is within the tolerance.
     fn anchored_rounds(&mut self, mut r: DVector<f64>) -> bool {
         // Weight of the proximal term in the first round.
         let mut delta = 1e-3;
@@ -128,7 +128,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
             if missing <= WORTH_POLISHING && self.polish() || self.best.stopped {
                 break;
             }
-            // A round has converged if its residual is a small fraction of that at its start, or rounding of its terms.
+            // A round has converged if its residual is a small fraction of the residual at its start, or only rounding of its terms.
             if place.size <= (1e-3 * initial_size).max(ROUND_CONVERGED * place.terms) {
                 r = place.r;
                 // A converged round reduces the weight of the proximal term; a failed round increases it.

@@ -44,7 +44,7 @@ impl<const C: usize> Blocks<C> {
         &self.own[i]
     }
 
-    /// The nonzero blocks of a contact's block row of W except the diagonal one, each with the index of the contact whose force it multiplies.
+    /// The nonzero blocks of a contact's block row of W except the diagonal block, each with the index of the contact whose force it multiplies.
     pub(super) fn off_diagonal(&self, i: usize) -> &[(usize, ContactBlock<C>)] {
         &self.others[i]
     }

@@ -48,8 +48,8 @@ impl<const C: usize> FrictionProblem<C> {
             if *mu == 0.0 || slips.iter().all(|slip| slip.0 == 0.0) {
                 return normal.0 <= 0.0;
             }
-            // A tangential component relative to the normal one. Both are pairs of mantissa and exponent, since the exponent may be outside the range
-            // of doubles.
+            // A tangential component relative to the normal component. Both are pairs of mantissa and exponent, since the exponent may be outside the
+            // range of doubles.
             let beside = |slip: &(f64, i32)| times_power_of_two(slip.0 / normal.0, slip.1 - normal.1);
             let slip = slips.iter().map(beside).fold(0.0, f64::hypot);
             normal.0 < 0.0 && mu * slip * (1.0 + PROOF_ROUNDING) <= 1.0
@@ -60,7 +60,7 @@ impl<const C: usize> FrictionProblem<C> {
     /// the cones.
     pub(super) fn certificate(&self, settings: &lcp::Settings) -> Option<DVector<f64>> {
         let n = self.len();
-        // For many contacts each polygon has fewer facets: 512 of all together, but at least four each.
+        // For many contacts each polygon has fewer facets: at most 512 for all contacts together, but at least four for each contact.
         let count = if C == 2 { 2 } else { (512 / n.max(1)).clamp(4, 32) };
         let facets = Facets::<C>::regular(count, &vec![0.0; n]);
         // A polygon with this many corners contains the cone if its corners lie outside it by this factor.

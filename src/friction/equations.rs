@@ -20,9 +20,9 @@ pub(super) struct Linearisation<const C: usize> {
     pub(super) by_force: Vec<ContactBlock<C>>,
     /// Derivative of a contact's residual with respect to its velocity.
     pub(super) by_velocity: Vec<ContactBlock<C>>,
-    /// Norm of the residuals of all contacts, weighted. Each residual is a small difference of large terms, and `terms` is the norm of these terms (0
-    /// along the central path).
+    /// Weighted norm of the residuals of all contacts.
     pub(super) size: f64,
+    /// Weighted norm of the large terms whose small differences are the residuals; 0 along the central path.
     pub(super) terms: f64,
 }
 
@@ -68,12 +68,13 @@ pub(super) trait Equations<const C: usize> {
 pub(super) struct Patience {
     /// Largest number of Newton steps.
     pub(super) steps: usize,
-    /// Norms of the residuals at which the iteration has converged: absolute (`enough`), or relative to the norm of the terms (`rounding`).
+    /// Norm of the residuals at which the iteration has converged.
     pub(super) enough: f64,
+    /// Norm of the residuals, relative to the norm of their terms, at which the iteration has also converged.
     pub(super) rounding: f64,
     /// Shortest fraction of a Newton step that the line search tries.
     pub(super) shortest: f64,
-    /// Number of times that a full Newton step is taken although the line search has found no shorter one that reduces the residuals enough.
+    /// Number of times that a full Newton step is taken although the line search has found no shorter step that reduces the residuals enough.
     pub(super) leaps: usize,
 }
 

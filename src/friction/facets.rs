@@ -64,8 +64,8 @@ pub struct FacetedProblem<const C: usize> {
 }
 
 impl<const C: usize> FacetedProblem<C> {
-    /// From a vector with an entry for each unknown (or slack) of the complementarity problem, the entry of each contact's normal force (or normal
-    /// velocity).
+    /// Selects the entries of the contacts' normal forces from a vector with an entry for each unknown of the complementarity problem. From a vector
+    /// of slacks it selects the normal velocities.
     pub(super) fn normals(&self, z: &DVector<f64>) -> DVector<f64> {
         vector_of(self.facets.0.len(), &|i| z[self.facets.width() * i])
     }

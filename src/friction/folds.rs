@@ -75,7 +75,7 @@ struct Path<'a, const C: usize> {
 
 impl<const C: usize> Path<'_, C> {
     /// Forces, followed by the logarithm of the path's parameter τ, at the starting point of the path, far inside the cones. `None` if Newton's
-    /// method does not reach the path there.
+    /// method does not reach the path.
     fn starting_point(&self, energy: f64) -> Option<DVector<f64>> {
         let size = self.problem.q.len();
         // Initial τ, as a multiple of the mean energy of a contact.
@@ -128,8 +128,8 @@ impl<const C: usize> Path<'_, C> {
         vector_of(size + 1, &|k| if k == size { 1.0 } else { 1.0 / (self.rho[k / C] * energy) })
     }
 
-    /// The unit tangent of the path, oriented like the previous one, `before`. Its length is one in the metric `measure`. `None` if the equations are
-    /// singular.
+    /// The unit tangent of the path, oriented like the previous tangent `before`. Its length is one in the metric `measure`. `None` if the equations
+    /// are singular.
     fn tangent(
         &self,
         x: &DVector<f64>,
@@ -149,7 +149,7 @@ impl<const C: usize> Path<'_, C> {
     }
 
     /// Newton correction of x back to the path, within the hyperplane through x normal to `ahead`. Returns the point and the number of corrections,
-    /// or `None` after more than [`MOST_FOLD_CORRECTIONS`] of them.
+    /// or `None` after more than [`MOST_FOLD_CORRECTIONS`] corrections.
     fn corrected(
         &self,
         mut x: DVector<f64>,

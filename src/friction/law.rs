@@ -105,7 +105,7 @@ impl<const C: usize> FrictionProblem<C> {
         self.worst_residuals(r).0
     }
 
-    /// The residuals of the forces r, each the largest over all contacts, and the contact with the largest of them.
+    /// The residuals of the forces r, each the largest over all contacts, and the contact with the largest residual.
     pub(super) fn worst_residuals(&self, r: &DVector<f64>) -> (Residuals, usize) {
         if r.len() != self.q.len() || r.iter().any(|r| !r.is_finite()) {
             return (INFINITE_RESIDUALS, 0);
@@ -118,8 +118,8 @@ impl<const C: usize> FrictionProblem<C> {
         self.residuals_from(r, &u, &terms)
     }
 
-    /// The residuals for forces, velocities and magnitudes of the velocities' terms, each the largest over all contacts, and the contact with the
-    /// largest of them.
+    /// The residuals of the given forces r and velocities u, each the largest over all contacts, and the contact with the largest residual. `terms`
+    /// has the magnitudes of the velocities' terms.
     pub(super) fn residuals_from(
         &self,
         r: &DVector<f64>,

@@ -15,10 +15,10 @@
 //!
 //! | symbol | meaning | size |
 //! |---|---|---|
-//! | W | Delassus matrix: change of velocities by forces; any real matrix | C n × C n |
+//! | W | Delassus matrix: change of the velocities per unit contact force; any real matrix | C n × C n |
 //! | q | velocities without contact forces | C n |
 //! | μ | friction of each contact, finite, not negative | n |
-//! | r, u | forces and relative velocities: for each contact the normal component first, then the tangential ones | C n |
+//! | r, u | forces and relative velocities: for each contact the normal component first, then the tangential components | C n |
 //!
 //! The normal points so that u_N > 0 separates and r_N > 0 presses. All consistent units are allowed, also displacements in place of velocities
 //! or impulses in place of forces.
@@ -51,17 +51,17 @@
 //!
 //! An island is a set of contacts that are coupled by W, directly or through others. Each island is solved as a separate problem.
 //!
-//! **A few contacts.** With a polygon of facets in place of each cone the problem is a linear complementarity problem, which Lemke's method
-//! solves ([`FrictionProblem::facets`]; D. E. Stewart and J. C. Trinkle, Int. J. Numer. Methods Eng. 39, 1996). In the plane two facets are the
-//! cone itself, and the answer is exact. In space Newton's method starts from the forces on the polygon and solves the round cone (P. Alart and
-//! A. Curnier, Comput. Methods Appl. Mech. Eng. 92, 1991). If it does not converge, the facets are rotated towards the slip directions, and it
-//! starts again.
+//! **A few contacts.** With a polygon of facets in place of each cone the problem is a linear complementarity problem, which Lemke's method solves
+//! ([`FrictionProblem::facets`]; D. E. Stewart and J. C. Trinkle, Int. J. Numer. Methods Eng. 39, 1996). In the plane two facets are the cone itself,
+//! and the answer is exact. In space Newton's method starts from the forces on the polygon and solves the round cone (P. Alart and A. Curnier,
+//! Comput. Methods Appl. Mech. Eng. 92, 1991). If Newton's method does not converge, the facets are rotated towards the slip directions, and the
+//! method starts again.
 //!
-//! **Many contacts, or a few for which facets fail.** Gauss–Seidel sweeps with the exact force of one contact at a time (M. Jean, Comput.
-//! Methods Appl. Mech. Eng. 177, 1999) find the magnitude of the forces. From there the solver follows the central path û ∘ r = τ through the
-//! interior of the cones as τ decreases to zero. On this path no contact has to choose its state early (M. Fukushima, Z.-Q. Luo and P. Tseng,
-//! SIAM J. Optim. 12, 2001). For a few contacts the solver also follows the path around the folds that friction causes. Newton's method makes
-//! the last steps. A proximal term holds them near an anchor, because the forces of redundant contacts are not determined.
+//! **Many contacts, or a few for which facets fail.** Gauss–Seidel sweeps with the exact force of one contact at a time (M. Jean, Comput. Methods
+//! Appl. Mech. Eng. 177, 1999) find the magnitude of the forces. From these forces the solver follows the central path û ∘ r = τ through the interior
+//! of the cones as τ decreases to zero. On this path no contact has to choose its state early (M. Fukushima, Z.-Q. Luo and P. Tseng, SIAM J. Optim.
+//! 12, 2001). For a few contacts the solver also follows the path around the folds that friction causes. Newton's method makes the last steps. A
+//! proximal term holds them near an anchor, because the forces of redundant contacts are not determined.
 //!
 //! W is stored in blocks, so zero blocks cost nothing. [`FrictionProblem::solve_watched`] reports progress and can be stopped.
 //!

@@ -17,8 +17,9 @@ struct Iterate<const C: usize> {
     residual: DVector<f64>,
     /// Derivative of each contact's return map Π with respect to its trial value ζ.
     changes: Vec<SMatrix<f64, C, C>>,
-    /// Norm of the residual; `terms` is the norm of the forces r and the scaled velocities ρ u together. Both norms are √(Σ ‖·‖² / ρ).
+    /// Norm √(Σ ‖·‖² / ρ) of the residual, summed over all contacts.
     size: f64,
+    /// The same norm of the forces r and the scaled velocities ρ u together.
     terms: f64,
 }
 
@@ -112,7 +113,8 @@ impl<'a, const C: usize> Newton<'a, C> {
 fn least_squares(a: &DMatrix<f64>, mut b: DVector<f64>) -> DVector<f64> {
     let size = b.len();
     let mut columns: Vec<Vec<f64>> = numbered(size, &|j| a.as_slice()[size * j..][..size].to_vec());
-    // Column j has the products with the unit vectors that are orthogonal to it; `parts` has those of b.
+    // Column j of `products` has the dot products of column j of A with the orthonormal vectors found so far; `parts` has the products of b with
+    // these vectors.
     let (mut products, mut parts) = (DMatrix::zeros(size, size), Vec::new());
     let (mut open, mut order, mut largest): (Vec<usize>, Vec<usize>, f64) =
         (numbered(size, &|j| j), vec![], 0.0);

@@ -1,7 +1,8 @@
 //! The exact force of one contact by Coulomb's law, with the forces of all others fixed.
 //!
-//! Its force r gives the contact the velocity u = A r + b. A is its diagonal block of the matrix W, and b its velocity due to all other forces. N and
-//! T mark normal and tangential parts. It is open if b_N ≥ 0. Otherwise u_N = 0 gives r_N = −(b_N + A_NTᵀ r_T) / A_NN and u_T = S r_T + c, with
+//! The force r of the contact gives it the velocity u = A r + b. A is the contact's diagonal block of the matrix W, and b its velocity without its
+//! own force. N and T mark normal and tangential parts. The contact is open if b_N ≥ 0. Otherwise u_N = 0 gives r_N = −(b_N + A_NTᵀ r_T) / A_NN and
+//! u_T = S r_T + c, with
 //!
 //! ```text
 //! S = A_TT − A_TN A_NTᵀ / A_NN,     c = b_T − A_TN b_N / A_NN.
@@ -64,12 +65,12 @@ pub(super) fn answer<const C: usize>(
 
 /// The forces of a sliding contact with normal velocity zero, as functions of κ, the slip speed per unit of friction force.
 struct Slide<const C: usize> {
-    /// The matrix S of the slip u_T = S r_T + c in the tangential rows and columns; the normal row and column are those of the identity.
+    /// The matrix S of the slip u_T = S r_T + c in the tangential rows and columns; the normal row and column are taken from the identity.
     s: ContactBlock<C>,
     c: SVector<f64, C>,
-    /// `normal` is −b_N / A_NN, `coupling` is A_NT / A_NN, with A and b as at the top of the file. The normal force is `normal` minus `coupling`
-    /// times the friction force.
+    /// −b_N / A_NN, with A and b as at the top of the file. The normal force is `normal` minus `coupling` times the friction force.
     normal: f64,
+    /// A_NT / A_NN.
     coupling: SVector<f64, C>,
     /// The largest entry of the matrix S, or A_NN if S is zero.
     size: f64,

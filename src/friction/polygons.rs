@@ -1,4 +1,4 @@
-//! A few contacts: from the forces on a polygon to those on the round cone.
+//! A few contacts: from the forces on a polygon to the forces on the round cone.
 //!
 //! Lemke's method solves the problem with polygons, and Newton's method continues from its forces. If that does not converge, the facets are
 //! rotated towards the slip directions, and their number increases.
@@ -22,8 +22,8 @@ pub(super) struct Polygons<'a, const C: usize> {
     angles: Vec<f64>,
     pub(super) pivots: usize,
     pub(super) steps: usize,
-    /// At the end of each run of Newton's method, the largest residual over all contacts is computed. This is the smallest one so far, with its
-    /// contact; infinite before the first run.
+    /// The largest residual over all contacts, and its contact, at the end of the run of Newton's method for which this residual was smallest;
+    /// infinite before the first run.
     pub(super) least: (f64, usize),
 }
 
@@ -40,8 +40,8 @@ impl<'a, const C: usize> Polygons<'a, C> {
         }
     }
 
-    /// A solution or, if none is found, the outcome of the first try. After a failure the facets of each contact are rotated and 1.5 times as many
-    /// are used, up to `turns` times; in the plane there is only one try.
+    /// A solution or, if no try finds a solution, the outcome of the first try. After a failure the facets of each contact are rotated and 1.5 times
+    /// as many are used, up to `turns` times; in the plane there is only one try.
     pub(super) fn solve(&mut self, turns: usize) -> Outcome<Solution> {
         let mut count = self.settings.facets.clamp(3, MOST_CONE_FACETS);
         let mut first = None;
@@ -118,8 +118,8 @@ impl<'a, const C: usize> Polygons<'a, C> {
     }
 }
 
-/// Converts a certificate of the problem with polygons, which has a weight for each row, to one with a weight for each contact: that of its normal
-/// row. Other outcomes are returned unchanged.
+/// Converts a certificate of the problem with polygons, which has a weight for each row, to a certificate with a weight for each contact: the weight
+/// of its normal row. Other outcomes are returned unchanged.
 fn weighed<const C: usize>(outcome: Outcome<Solution>, polygon: &FacetedProblem<C>) -> Outcome<Solution> {
     let weigh =
         |certificate: Certificate| Certificate::new(polygon.normals(&certificate.y), certificate.pivots);

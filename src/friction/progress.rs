@@ -8,12 +8,12 @@ use nalgebra::DVector;
 pub struct SolveProgress<'a> {
     /// Indices, in the caller's problem, of the contacts that are being solved: an island, or all contacts.
     pub contacts: &'a [usize],
-    /// The forces of these contacts with the smallest residual so far: for each contact the normal component, then the tangential ones.
+    /// The forces of these contacts with the smallest residual so far: for each contact the normal component, then the tangential components.
     pub forces: &'a DVector<f64>,
     /// The largest of the [`Residuals`](super::Residuals) at these forces, over these contacts.
     pub residual: f64,
     /// Index, in the caller's problem, of the contact with this residual.
     pub worst: usize,
-    /// Number of Newton steps made for these contacts, without those of the method that starts from polygons.
+    /// Number of Newton steps made for these contacts, without the steps of the method that starts from polygons.
     pub steps: usize,
 }

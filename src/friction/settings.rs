@@ -2,7 +2,7 @@
 
 use crate::lcp::{self, BreakdownCause};
 
-/// Largest number of facets. More would change forces by less than 1e-3, and give complementarity problems of thousands of rows.
+/// Largest number of facets. More facets would change forces by less than 1e-3, and give complementarity problems of thousands of rows.
 pub(super) const MOST_CONE_FACETS: usize = 128;
 
 /// Limits and tolerances of a solve. [`Settings::default`] suits almost every problem.
@@ -13,19 +13,20 @@ pub struct Settings {
     /// Number of facets of the polygon from which Newton's method starts in space (default 8; at least 3, at most 128). More facets start closer
     /// to the round cone, but make the complementarity problem larger.
     pub facets: usize,
-    /// Largest number of restarts from another polygon after Newton's method did not converge, in space (default 4). Each uses 1.5 times as many
-    /// facets, rotated towards the slip directions.
+    /// Largest number of restarts from another polygon after Newton's method did not converge, in space (default 4). Each restart uses 1.5 times as
+    /// many facets, rotated towards the slip directions.
     pub turns: usize,
     /// Largest number of Newton steps from the forces of each polygon, and in each round of anchored steps (default 30).
     pub steps: usize,
-    /// Largest number of starts for many contacts, or if facets have failed (default and maximum 4). Each makes Gauss–Seidel sweeps, follows the
-    /// central path and makes anchored steps.
+    /// Largest number of starts for many contacts, or if facets have failed (default and maximum 4). Each start makes Gauss–Seidel sweeps, follows
+    /// the central path and makes anchored steps.
     pub starts: usize,
-    /// Largest number of rounds of anchored Newton steps in each of these starts (default 30). They take most of the time if no solution is found.
+    /// Largest number of rounds of anchored Newton steps in each of the `starts` (default 30). Rounds take most of the time if no solution is found.
     pub rounds: usize,
     /// Largest [`Residuals`](super::Residuals) with which forces are accepted as a solution (default 1e-12).
     pub tolerance: f64,
-    /// Settings of the complementarity problem. If it has up to twelve rows (three contacts in the plane), the last resort is to try all bases.
+    /// Settings of the complementarity problem. If the complementarity problem has up to twelve rows (three contacts in the plane), the last resort
+    /// is to try all bases.
     pub lcp: lcp::Settings,
 }
 

@@ -11,13 +11,13 @@ use nalgebra::DVector;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Solution {
-    /// Forces r (C n entries): for each contact the normal component, then the tangential ones.
+    /// Forces r (C n entries): for each contact the normal component, then the tangential components.
     #[cfg_attr(feature = "serde", serde(serialize_with = "crate::lcp::list"))]
     pub r: DVector<f64>,
     /// Velocities u = W r + q (C n entries): the matrix W times the forces r, plus the velocities q without contact forces.
     #[cfg_attr(feature = "serde", serde(serialize_with = "crate::lcp::list"))]
     pub u: DVector<f64>,
-    /// State of each contact (n entries). On the border of two states, rounding decides.
+    /// State of each contact (n entries). On the border of two states, rounding decides which of them is reported.
     pub states: Vec<ContactMode>,
     /// Residuals of Coulomb's law for these forces, recomputed from the given W, q and μ.
     pub residuals: Residuals,

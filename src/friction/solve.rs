@@ -36,7 +36,7 @@ impl<const C: usize> FrictionProblem<C> {
     }
 
     /// [`Self::solve_with`] with progress reports, for hundreds of contacts that take seconds. `watch` may stop the solve, for lack of time or
-    /// because the forces are good enough. The outcome is then a breakdown, [`Stopped`](BreakdownCause::Stopped), and the best forces are those
+    /// because the forces are good enough. The outcome is then a breakdown, [`Stopped`](BreakdownCause::Stopped), and the best forces are the forces
     /// last reported to `watch`.
     ///
     /// ```
@@ -138,7 +138,7 @@ impl<const C: usize> FrictionProblem<C> {
             polygon = Some(last);
         }
         match polygon {
-            // In the plane the polygon is the cone itself, so its outcome is that of the problem.
+            // In the plane the polygon is the cone itself, so the outcome with polygons is the outcome of the problem.
             Some(polygon) if C == 2 => self.proved(polygon),
             _ => {
                 let (residual, worst) = [polygons.least, (approach.best.residual, approach.best.worst)]

@@ -1,7 +1,7 @@
 //! Tolerances of the solvers of frictional contact problems.
 //!
-//! All are without units: forces are compared with forces, and velocities with the terms of W r + q that add up to them. ε = 2⁻⁵². Limits for
-//! problems that are dominated by rounding are those of `lcp::tolerances`.
+//! All tolerances are without units: forces are compared with forces, and velocities with the terms of W r + q that add up to them. ε = 2⁻⁵². Limits
+//! for problems that are dominated by rounding are in `lcp::tolerances`.
 
 /// Residual, relative to the norm of its terms, at which a round of anchored steps has converged.
 ///
@@ -16,7 +16,8 @@ pub(super) const WORTH_POLISHING: f64 = 1e-6;
 /// Least weight δ of the proximal term in the linear equations, in units of the contact's own compliance. It makes the equations of redundant
 /// contacts regular.
 ///
-/// It costs undetermined force components half their digits, determined ones none. If smaller, equations become singular.
+/// Undetermined force components lose half of their digits by this weight, determined components lose no digits. If smaller, equations become
+/// singular.
 pub(super) const LEAST_ANCHOR: f64 = 1e-12;
 
 /// Multiple of 1/ρ, the scale of a contact's diagonal block of W, that is added to the block along the central path. This regularises the equations

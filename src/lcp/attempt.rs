@@ -37,8 +37,8 @@ impl Workspace {
         settings.check(&lcp.q).err().map(|cause| Outcome::Breakdown { pivots: 0, cause })
     }
 
-    /// Stores the covering vector d in the path: that of the settings, multiplied by the factors that balance the rows, or one balanced unit for each
-    /// row.
+    /// Stores the covering vector d in the path. It is the covering vector of the settings, multiplied by the factors that balance the rows. By
+    /// default it has one balanced unit for each row.
     fn cover(&mut self, settings: &Settings) {
         let path = &mut self.path;
         match &settings.covering {
@@ -92,22 +92,22 @@ impl Workspace {
     }
 
     /// Improves a solution whose w is more negative than rounding explains: its path has treated nearly equal ratios as ties, or small values as
-    /// noise. A second path from this solution does neither, and the point with the smaller largest residual is kept. Settings without retries skip
-    /// this step.
+    /// noise. A second path from this solution treats neither as such, and the point with the smaller largest residual is kept. Settings without
+    /// retries skip this step.
     fn sharpen(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) {
         let coarse = match self.residuals {
             Some(r) if r.negative_w > residual_rounding(lcp.len()) && settings.retries > 0 => r,
             _ => return,
         };
         let m = lcp.m.as_slice();
-        // Recomputed from q, since slightly negative values may have been set to zero earlier on the path.
+        // The values are recomputed from q, since slightly negative values may have been set to zero earlier on the path.
         self.path.recompute_values();
         if !self.path.cover_violations(m, ROUNDED_SUM) {
             return;
         }
         let kept = (self.point.clone(), self.basis.clone(), self.degenerate);
         let sharp = Settings { tie_tolerance: settings.tie_tolerance.min(ROUNDED_SUM), ..settings.clone() };
-        // If near-ties can be separated, few pivots suffice. Without this limit large degenerate problems would run for long.
+        // If near-ties can be separated, few pivots are needed. Without this limit large degenerate problems would run for long.
         let limit = limit.min(self.path.pivots + 16);
         let goes_on = self.path.cover_and_run(m, &sharp, limit) == LemkeEnd::Complementary
             && self.finish_as_it_is(lcp, &sharp).is_none();

@@ -40,7 +40,7 @@ impl Basis {
         self.basic_z[i] = true;
     }
 
-    /// Exchanges w_i and z_i: makes z_i basic if w_i is, otherwise w_i.
+    /// Exchanges w_i and z_i: makes z_i basic if w_i was basic, and w_i basic otherwise.
     pub(super) fn toggle(&mut self, i: usize) {
         self.basic_z[i] = !self.basic_z[i];
     }

@@ -68,7 +68,8 @@ impl Workspace {
         self.conclude(lcp, residuals, settings)
     }
 
-    /// Replaces the workspace's point and `residuals` by those of its `spare` point if `accept` holds for the largest residual of the spare point.
+    /// Replaces the workspace's point by its `spare` point, and `residuals` by the residuals of the spare point, if `accept` holds for the largest of
+    /// them.
     fn take_spare(&mut self, lcp: &Lcp, residuals: &mut Residuals, accept: impl Fn(f64) -> bool) {
         let spare = self.spare.evaluate(lcp);
         if accept(spare.max()) {
@@ -122,11 +123,11 @@ impl Workspace {
         }
     }
 
-    /// At most three steps of iterative refinement of the point, until its residuals are rounding or a step does not halve the largest. Keeps the
-    /// point with the smallest largest residual and returns its residuals.
+    /// At most three steps of iterative refinement of the point, until its residuals are rounding or a step does not halve the largest residual.
+    /// Keeps the point with the smallest largest residual and returns its residuals.
     fn refine(&mut self, lcp: &Lcp, mut residuals: Residuals) -> Residuals {
         let n = lcp.len();
-        // Each step costs O(n²); a third step rarely gains anything.
+        // Each step costs O(n²); already the third step rarely gains anything.
         for _ in 0..3 {
             if residuals.within(residual_rounding(n)) || residuals == Residuals::UNUSABLE {
                 break;
@@ -161,8 +162,8 @@ impl Workspace {
         }
     }
 
-    /// Sets to zero, and removes from the basis, each basic z_i whose w_i exceeds the residual tolerance relative to its terms. If the residuals are
-    /// small, such a z_i contributes less than rounding to every row. Returns whether any z_i was set.
+    /// Sets to zero, and removes from the basis, each basic z_i whose w_i exceeds the residual tolerance relative to the terms of w_i. If the
+    /// residuals are small, such a z_i contributes less than rounding to every row. Returns whether any z_i was set.
     fn settle_pairs(&mut self, settings: &Settings) -> bool {
         let mut changed = false;
         for i in 0..self.point.z.len() {
@@ -176,7 +177,7 @@ impl Workspace {
     }
 
     /// Factorises the block of the basis anew, first without its vanishing variables, then with them. Replaces the point if the largest residual of
-    /// the new one is smaller.
+    /// the new point is smaller.
     fn finish_by_factorisation(&mut self, lcp: &Lcp, best: &mut Residuals) {
         let alpha: Vec<usize> = self.basis.iter().list();
         let support: Vec<usize> = alpha.iter().copied().filter(|i| !self.vanishing[*i]).list();

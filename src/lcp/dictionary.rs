@@ -16,9 +16,9 @@
 //!
 //! and the column of z₀ is (1) with d in place of M_·e.
 //!
-//! If k slacks are nonbasic, a pivot costs 2nk flops for (1) and 2nk for the update. On a path on which k grows from 0 to n that is no more than
-//! the 2n² per pivot of a full tableau; on a path that ends with half of the slacks nonbasic it is half of that. The next entering variable is
-//! known as soon as the leaving one is, so both are done in one pass over memory.
+//! If k slacks are nonbasic, a pivot costs 2nk flops for (1) and 2nk for the update. If k grows from 0 to n along a path, these costs are on average
+//! no more than the 2n² per pivot of a full tableau. If the path ends with half of the slacks nonbasic, they are half as large. The leaving variable
+//! determines the next entering variable, so the update and (1) share one pass over memory.
 
 use super::kernel::{self, Combine, Update, UpdateAndCombine};
 use super::memory::{make_room, refill};
@@ -62,21 +62,23 @@ pub(super) struct Dictionary {
     pub(super) x: Vec<f64>,
     /// The column of p, which breaks ties: the effect on the basic variables of adding the perturbation p to q.
     pub(super) p: Vec<f64>,
-    /// For each row, the size of the terms from which its value in `x` was computed: their sum after [`Self::sum_terms`]. Each later pivot raises it
-    /// to the term that the pivot adds, if that is larger.
+    /// For each row, the size of the terms from which its value in `x` was computed: their sum after [`Self::sum_terms`]. Each later pivot raises
+    /// this size to the term that the pivot adds, if the term is larger.
     pub(super) level: Vec<f64>,
-    /// The column of the entering variable: for each row, the change of the basic variable per unit of the entering one.
+    /// The column of the entering variable: for each row, the change of the basic variable per unit of the entering variable.
     pub(super) u: Vec<f64>,
     /// The balanced covering vector d.
     pub(super) d: Vec<f64>,
-    /// The column of M, or d, from which (1) computes the entering column. A zero follows it, for rows whose basic variable is no slack.
+    /// The column of M, or d, from which equation (1) of the file header computes the entering column. A zero follows it, for rows whose basic
+    /// variable is no slack.
     entering: Vec<f64>,
     /// For each row, the index i of its basic slack w_i; n if its basic variable is no slack.
     slack: Vec<usize>,
+    /// The first term of equation (1) for the loaded column, as [`Self::spread`] leaves it.
     next: Vec<f64>,
-    /// For each stored column D_v, its factor in the update `D_v += g u`. The next field `c` holds its factor in the sum (1) for the next entering
-    /// column.
+    /// For each stored column D_v, its factor g in the update `D_v += g u`.
     g: Vec<f64>,
+    /// For each stored column, its factor in the sum of equation (1) for the next entering column.
     c: Vec<f64>,
 }
 
@@ -131,7 +133,7 @@ impl Dictionary {
         }
     }
 
-    /// The magnitude of the largest entry of the loaded column of M or d, from which (1) computes the entering column.
+    /// The magnitude of the largest entry of the loaded column of M or d, from which equation (1) computes the entering column.
     pub(super) fn entering_size(&self) -> f64 {
         largest(&self.entering)
     }
@@ -143,14 +145,14 @@ impl Dictionary {
         self.eliminate(effect);
     }
 
-    /// Evaluates (1) into y, from `next` and `c` as [`Self::spread`] leaves them.
+    /// Evaluates equation (1) of the file header into y, from `next` and `c` as [`Self::spread`] leaves them.
     fn eliminate(&self, y: &mut [f64]) {
         y.copy_from_slice(&self.next);
         wide(Combine::<false> { columns: &self.columns, n: self.n, c: &self.c, y });
     }
 
-    /// Recomputes `level` for values that (1) computes from the right-hand side q: for each row, the sum of the magnitudes of the terms of (1). These
-    /// are q_i if the slack w_i is basic in the row, and the entry of each stored column D_{w_j} times q_j.
+    /// Recomputes `level` for values that equation (1) computes from the right-hand side q: for each row, the sum of the magnitudes of the terms of
+    /// (1). These terms are q_i if the slack w_i is basic in the row, and the entry of each stored column D_{w_j} times q_j.
     pub(super) fn sum_terms(&mut self, q: &[f64]) {
         self.c.clear();
         self.c.extend(self.kept.iter().map(|i| q[*i]));
@@ -162,8 +164,8 @@ impl Dictionary {
 
     /// Sets entries of the entering column to zero that are only noise.
     ///
-    /// In a column that is summed by (1), an entry is noise below `tolerance` times the magnitude of its terms. In the stored column of a slack, an
-    /// entry is noise below [`STORED_ROUNDING`] times the largest entry.
+    /// In a column that is summed by equation (1), an entry is noise below `tolerance` times the magnitude of its terms. In the stored column of a
+    /// slack, an entry is noise below [`STORED_ROUNDING`] times the largest entry.
     pub(super) fn clear_noise(&mut self, entering: LemkeVariable, tolerance: f64) {
         if let LemkeVariable::W(_) = entering {
             let rounding = STORED_ROUNDING * largest(&self.u);
@@ -184,7 +186,7 @@ impl Dictionary {
         }
     }
 
-    /// Loads column e of the balanced M, or d, and prepares (1) for it with [`Self::spread`].
+    /// Loads column e of the balanced M, or d, and prepares equation (1) for it with [`Self::spread`].
     fn load(&mut self, variable: LemkeVariable, m: &[f64], scaling: &Scaling) {
         if let LemkeVariable::Z(e) = variable {
             let column = &m[e * self.n..(e + 1) * self.n];
@@ -198,7 +200,8 @@ impl Dictionary {
         self.spread();
     }
 
-    /// Prepares (1) for the loaded column: its first term in `next`, the factors M_ie of its second term in `c`.
+    /// Prepares equation (1) of the file header for the loaded column: the first term of the equation in `next`, the factors M_ie of its second term
+    /// in `c`.
     fn spread(&mut self) {
         for (to, i) in self.next.iter_mut().zip(&self.slack) {
             *to = self.entering[*i];
@@ -277,7 +280,7 @@ impl Dictionary {
         }
         let own = self.slot_of(entering);
         if let Some(own) = own {
-            // The stored column of the entering slack becomes that of the leaving variable, u / pivot.
+            // The stored column of the entering slack becomes the column of the leaving variable, u / pivot.
             self.g[own] = inverse;
             self.columns[own * n..(own + 1) * n].fill(0.0);
         }
@@ -330,7 +333,7 @@ impl Dictionary {
     }
 }
 
-/// max_i |v_i|; NaN entries are ignored. Eight independent maxima allow vector instructions.
+/// max_i |v_i|; NaN entries are ignored. Eight independent maxima allow SIMD instructions.
 pub(super) fn largest(v: &[f64]) -> f64 {
     let mut lanes = [0.0_f64; 8];
     let mut chunks = v.chunks_exact(8);

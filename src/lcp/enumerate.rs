@@ -24,8 +24,8 @@ pub struct AllSolutions {
     ///
     /// A point that belongs to several bases is listed once, with [`Solution::degenerate`] set. [`Solution::pivots`] is 0.
     pub solutions: Vec<Solution>,
-    /// The singular bases with a solution, as a point of the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }. Such a piece may be a whole face of
-    /// solutions; only this point is among `solutions`.
+    /// The singular bases with a solution in their piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }. Such a piece may be a whole face of
+    /// solutions; only one point of the piece is among `solutions`.
     pub singular: Vec<Basis>,
 }
 
@@ -126,7 +126,7 @@ impl Search<'_> {
         Some(basis)
     }
 
-    /// The values `basic` of z_α, in which those below rounding are replaced by zero.
+    /// The values `basic` of z_α, in which values below rounding are replaced by zero.
     ///
     /// Otherwise the sign of noise would decide the sign of w in rows whose other terms are all zero. If a replaced value was not noise, the
     /// residuals become large.
@@ -165,7 +165,7 @@ impl Search<'_> {
     }
 
     /// A point of the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }, by linear programming on balanced data. Returns its z_α. `None` if the
-    /// linear program has no solution; it also returns a point if the piece is empty. The caller must check its residuals.
+    /// linear program has no solution. If the piece is empty, a point may also be returned, so the caller must check the residuals of the point.
     ///
     /// Here the scaling is not rounded to powers of two, so that the point chosen on a face does not depend on units.
     fn point_of_singular_piece(&self, alpha: &[usize]) -> Option<DVector<f64>> {

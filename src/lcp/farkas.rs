@@ -19,7 +19,7 @@ impl Lcp {
     ///
     /// All sums are exact, so the result is exact for the given M and q.
     ///
-    /// A y of a length other than n proves nothing, nor does one with an entry that is negative or not finite.
+    /// A y of a length other than n proves nothing, nor does a y with an entry that is negative or not finite.
     #[must_use]
     pub fn proves_infeasible(&self, y: &DVector<f64>) -> bool {
         self.contradicts(y, |_| false, |_| Domain::NotNegative)
@@ -88,8 +88,8 @@ impl Lcp {
         nearly.map(|y| Outcome::NearlyInfeasible(certificate(y)))
     }
 
-    /// Whether y ≥ 0 is a Farkas vector up to rounding: each (Mᵀy)_j is at most c times the magnitude of its terms, and qᵀy less than −c times that
-    /// of its terms. Here c = 8 (n + 2) ε, ε = 2⁻⁵².
+    /// Whether y ≥ 0 is a Farkas vector up to rounding: each (Mᵀy)_j is at most c times the magnitude of its terms, and qᵀy is less than −c times the
+    /// magnitude of its terms. Here c = 8 (n + 2) ε, ε = 2⁻⁵².
     fn nearly_proves(&self, y: &DVector<f64>) -> bool {
         let rounding = sum_rounding(self.len());
         let sums = |column: &[f64]| {
@@ -150,8 +150,8 @@ fn times(column: &[f64], y: &DVector<f64>) -> ExactSum {
     ExactSum::of_products(column.iter().copied().zip(y.iter().copied()))
 }
 
-/// Candidates for a Farkas vector: y as computed; y without entries that are noise compared with the largest; and integer vectors with nearly the
-/// same ratios, for increasing errors of these ratios.
+/// Candidates for a Farkas vector: y as computed; y without entries that are noise compared with the largest entry; and integer vectors with nearly
+/// the same ratios, for increasing errors of these ratios.
 pub(super) fn cleaned(y: &DVector<f64>) -> impl Iterator<Item = DVector<f64>> {
     let noise = ZERO_VALUE * y.amax();
     let mut all = vec![y.clone(), y.map(|y| if y.abs() <= noise { 0.0 } else { y })];
@@ -162,8 +162,8 @@ pub(super) fn cleaned(y: &DVector<f64>) -> impl Iterator<Item = DVector<f64>> {
     all.into_iter()
 }
 
-/// The integer vector whose ratios are those of y up to `rounding`; `None` if its entries would exceed [`LARGEST_WHOLE`]. The common denominator is
-/// built entry by entry, each time multiplied by the smallest factor that makes the entry an integer.
+/// The integer vector whose entries have the ratios of the entries of y up to `rounding`; `None` if its entries would exceed [`LARGEST_WHOLE`]. The
+/// common denominator is built entry by entry, each time multiplied by the smallest factor that makes the entry an integer.
 fn whole_within(y: &DVector<f64>, rounding: f64) -> Option<DVector<f64>> {
     let largest = y.amax();
     let mut denominator = 1.0;

@@ -23,7 +23,7 @@ impl Lcp {
         if n > MOST_PAIRED_ROWS {
             return None;
         }
-        // At least one of the two rows has q < 0.
+        // In a contradiction at least one of the two rows has q < 0, here row i.
         for i in 0..n {
             for k in 0..n {
                 if self.q[i] < 0.0 && k != i {
@@ -83,8 +83,8 @@ impl Lcp {
         None
     }
 
-    /// A simpler Farkas vector: without entries that the proof does not need, the others with as few binary digits as suffice. With more than
-    /// [`MOST_PAIRED_ROWS`] rows y is returned unchanged.
+    /// A simpler Farkas vector. Entries that the proof does not need are zero, and the others have as few binary digits as the proof allows. With
+    /// more than [`MOST_PAIRED_ROWS`] rows y is returned unchanged.
     pub(super) fn plainer(&self, mut y: DVector<f64>) -> DVector<f64> {
         if self.len() > MOST_PAIRED_ROWS {
             return y;

@@ -43,7 +43,7 @@ impl LemkePath {
 
     /// Follows a path from the complementary basis in which z_i is basic if `active(i)`.
     ///
-    /// Returns whether the path ended in another complementary basis. Without a path, from a singular or feasible start, the result is false.
+    /// Returns whether the path ended in another complementary basis. From a singular or feasible start no path is followed, and the result is false.
     pub(super) fn run_from(
         &mut self,
         m: &[f64],
@@ -85,8 +85,8 @@ impl LemkePath {
 
     /// The row whose basic variable first reaches zero as `entering` increases; `None` if no basic variable reaches zero.
     ///
-    /// The dictionary is first recomputed if it has drifted from the data, if the column of `entering` has overflowed, or if it offers no pivot. It
-    /// is also recomputed if it offers only a doubtful pivot, unless one step of refinement changes the column by at most [`DRIFTED`].
+    /// The dictionary is first recomputed if it has drifted from the data, if the column of `entering` has overflowed, or if no row offers a pivot.
+    /// It is also recomputed if the pivot is doubtful, unless one step of refinement changes the column by at most the fraction [`DRIFTED`].
     pub(super) fn blocking_row(
         &mut self,
         entering: LemkeVariable,
@@ -94,7 +94,8 @@ impl LemkePath {
         m: &[f64],
         settings: &Settings,
     ) -> Result<Option<usize>, BreakdownCause> {
-        // The comparison of dictionary and data costs as much as one or two pivots. If it were made more rarely, drift would be found late.
+        // The comparison of dictionary and data costs as much as one or two pivots. If the comparison were made more rarely, drift would be found
+        // late.
         if self.age > 0 && self.pivots.is_multiple_of(32) {
             if self.drift(m) > DRIFTED {
                 self.refactor(entering, m)?;

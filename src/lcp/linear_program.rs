@@ -13,7 +13,7 @@ use crate::numerics::{IntoList, matrix_of, vector_of};
 use nalgebra::{DMatrix, DVector};
 
 /// A proof that M z + q ≥ 0 and z ≥ 0 contradict each other, exactly or up to rounding: from a single row, or from the dual solution of the linear
-/// program. `None` if none is found.
+/// program. `None` if no proof is found.
 pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option<Unsolved> {
     let n = lcp.len();
     if let Some(row) = (0..n).find(|row| lcp.is_hopeless(*row, 1.0, 0..n)) {
@@ -75,7 +75,7 @@ pub(super) fn of_piece(
     settings: &Settings,
 ) -> Option<LinearProgram> {
     let (n, k) = (q.len(), alpha.len());
-    // Each row α, which must be zero, appears a second time with the opposite sign.
+    // Each row in α, which must be zero, appears a second time with the opposite sign.
     let row = |i: usize| if i < n { (i, 1.0) } else { (alpha[i - n], -1.0) };
     let a = matrix_of(n + k, k, &|i, j| row(i).1 * m[(row(i).0, alpha[j])]);
     let load = q.amax();

@@ -14,7 +14,7 @@ const MULTIPLIED: usize = 512;
 pub(super) struct Logarithms {
     pub(super) sum: Vec<f64>,
     pub(super) count: Vec<f64>,
-    /// Sum of exponents in the lower 32 bits, number of entries in the upper ones.
+    /// Sum of exponents in the lower 32 bits, number of entries in the upper 32 bits.
     exponents: Vec<u64>,
     mantissas: Vec<f64>,
 }
@@ -82,8 +82,8 @@ impl Logarithms {
     }
 }
 
-/// Adds the exponents of a column's entries to those of their rows, and multiplies the mantissas likewise. Returns the sum and the product over
-/// the column.
+/// Adds the exponents of a column's entries to the sums of their rows, and multiplies the products of their rows by the mantissas. Returns the sum
+/// and the product over the column.
 fn accumulate(column: &[f64], exponents: &mut [u64], mantissas: &mut [f64]) -> (u64, f64) {
     let mut sum = [0_u64; 4];
     let mut product = [1.0_f64; 4];

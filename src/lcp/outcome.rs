@@ -7,8 +7,8 @@ use core::fmt;
 use nalgebra::DVector;
 use thiserror::Error;
 
-/// The end of a solve, and the conclusion that it allows. S is the type of a solution: of an [`Lcp`](super::Lcp), or one that
-/// borrows the memory of a solver ([`OutcomeView`]).
+/// The end of a solve, and the conclusion that it allows. S is the type of a solution, for example a [`Solution`] of an [`Lcp`](super::Lcp), or a
+/// view that borrows the memory of a solver ([`OutcomeView`]).
 ///
 /// The first four variants state a fact about the problem; the last three leave it undecided. `Display` writes one line.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,10 +19,10 @@ pub enum Outcome<S = Solution> {
     Solved(S),
     /// No z ≥ 0 satisfies M z + q ≥ 0 for the given data: the [`Certificate`] proves it without rounding.
     Infeasible(Certificate),
-    /// Data that differ from the given ones by rounding are infeasible, as the [`Certificate`] shows.
+    /// Data that differ from the given data by rounding are infeasible, as the [`Certificate`] shows.
     ///
-    /// The given data may have a z ≥ 0 with M z + q ≥ 0, but only a large one: [`Lcp::least_feasible`](super::Lcp::least_feasible) gives a lower
-    /// bound on Σ z_j. For computed data, stronger conclusions are rarely possible.
+    /// The given data may have a z ≥ 0 with M z + q ≥ 0, but only a large z: [`Lcp::least_feasible`](super::Lcp::least_feasible) gives a lower bound
+    /// on Σ z_j. For computed data, stronger conclusions are rarely possible.
     NearlyInfeasible(Certificate),
     /// The problem has no solution. For the given M and q no solution belongs to any of the 2ⁿ complementary bases: each basis is excluded by a
     /// vector that was checked without rounding. No Farkas certificate was found, so some z ≥ 0 with M z + q ≥ 0 probably exists.
@@ -97,7 +97,7 @@ impl<S> Outcome<S> {
 }
 
 impl Unsolved {
-    /// The same outcome with another type for solutions, of which it has none.
+    /// The same outcome with another type S of solutions; this outcome holds no solution.
     pub(super) fn into<S>(self) -> Outcome<S> {
         self.and_then(|never| match never {})
     }
@@ -169,7 +169,7 @@ impl fmt::Display for Certificate {
 /// problem has solutions for arbitrarily large steps along this direction, none of which solves the original problem (Cottle, Pang & Stone,
 /// section 4.4).
 ///
-/// The covering vector d is that of the settings; by default it is the vector of ones on the balanced problem.
+/// The covering vector d is given by the settings; by default it is the vector of ones on the balanced problem.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
@@ -223,7 +223,7 @@ pub enum BreakdownCause {
     /// The methods for a [`FrictionProblem`](crate::friction::FrictionProblem) ended without a solution.
     #[error("Newton's method came no closer than {residual:.1e}, at contact {contact}")]
     NoConvergence {
-        /// The largest residual over all contacts, at the best forces found; the best forces are those for which it is smallest.
+        /// The largest residual over all contacts, at the best forces found, i.e. the forces for which this residual is smallest.
         residual: f64,
         /// The contact with this residual at the best forces, counted from 0.
         contact: usize,

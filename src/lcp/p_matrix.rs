@@ -11,7 +11,7 @@ impl Lcp {
     /// Whether M is a P-matrix: all its principal minors are positive. Then there is exactly one solution for every q (Cottle, Pang & Stone, *The
     /// Linear Complementarity Problem*, 1992, theorem 3.3.7), and Lemke's method finds it. `None` if undecided (then n > 12).
     ///
-    /// Definiteness, diagonal dominance or signs usually decide. If they do not, and n ≤ 12, up to 2ⁿ Schur complements are computed (M. J.
+    /// Definiteness, diagonal dominance or signs usually decide this. If they do not, and n ≤ 12, up to 2ⁿ Schur complements are computed (M. J.
     /// Tsatsomeros and L. Li, *A recursive test for P-matrices*, BIT 40, 2000). A matrix closer to the boundary of the class than 32 n ε (ε = 2⁻⁵²)
     /// or 1e-14 of its diagonal may be put on either side.
     ///
@@ -84,7 +84,7 @@ fn eliminate(a: &mut DMatrix<f64>, k: usize) {
 /// The first entry of a must be positive. Two smaller matrices must be P-matrices: a without its first row and column, and the Schur complement
 /// of the first entry.
 ///
-/// The diagonal of m, in the order of a, is the original diagonal, with which pivots are compared.
+/// `m` has the rows and columns of a before any elimination. Pivots are compared with its diagonal.
 fn minors_are_positive(mut a: DMatrix<f64>, m: &DMatrix<f64>) -> bool {
     let n = a.nrows();
     if n == 0 {

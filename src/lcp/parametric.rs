@@ -113,7 +113,8 @@ impl<'a> Parametric<'a> {
         Self::from_basis(lcp, &Basis::slack(lcp.len()), dq, settings)
     }
 
-    /// [`Parametric::new`] from the solution that [`Lcp::solve_from`] finds. If there are several solutions, the basis selects the one to follow.
+    /// [`Parametric::new`] from the solution that [`Lcp::solve_from`] finds. If there are several solutions, the basis selects the solution at which
+    /// the path starts.
     ///
     /// # Errors
     ///
@@ -149,7 +150,8 @@ impl<'a> Parametric<'a> {
         Ok(path)
     }
 
-    /// Prepares the dictionary of the solution at τ = 0, with τ as the entering variable. The error is the reason why no path starts there.
+    /// Prepares the dictionary of the solution at τ = 0, with τ as the entering variable. The error is the reason why no path starts at this
+    /// solution.
     fn begin(&mut self, dq: &DVector<f64>) -> Result<(), PathEnd> {
         self.basis = self.start.solution().ok_or(PathEnd::NoStart)?.basis.clone();
         self.remembered.clone_from(&self.basis);
@@ -169,7 +171,7 @@ impl<'a> Parametric<'a> {
         &self.start
     }
 
-    /// Direction of τ on the current piece, which follows the last breakpoint; forward before the first.
+    /// Direction of τ on the current piece, which follows the last breakpoint; forward before the first breakpoint.
     #[must_use]
     pub fn trend(&self) -> Trend {
         self.trend

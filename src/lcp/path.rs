@@ -11,19 +11,24 @@ use crate::prelude::*;
 pub(super) struct LemkePath {
     pub(super) scaling: Scaling,
     pub(super) dictionary: Dictionary,
-    /// Balanced right-hand side q; `p` and `d` are the balanced perturbation and covering vector.
+    /// Balanced right-hand side q.
     pub(super) q: Vec<f64>,
+    /// Balanced perturbation p, which breaks ties.
     pub(super) p: Vec<f64>,
+    /// Balanced covering vector d.
     pub(super) d: Vec<f64>,
     pub(super) pivots: usize,
     /// Number of pivots since the dictionary was last computed from M, q and d by elimination.
     pub(super) age: usize,
-    /// The perturbation p of each variable that is basic, by variable; kept while the dictionary is recomputed.
+    /// The entry of the perturbation p for each basic variable, ordered by variable; kept while the dictionary is recomputed.
     pub(super) saved: Vec<f64>,
+    /// Variables that become basic as the dictionary is recomputed from the slack basis.
     pub(super) members: Vec<LemkeVariable>,
     /// Rows whose slacks become nonbasic as the dictionary is recomputed from the slack basis.
     pub(super) leaving: Vec<usize>,
+    /// For each row, the defect q + M z + d z₀ − w of the current values.
     pub(super) defect: Vec<f64>,
+    /// For each row, the magnitude of the terms of `defect`.
     pub(super) terms: Vec<f64>,
 }
 

@@ -2,7 +2,7 @@
 
 use crate::prelude::*;
 
-/// The nonzero entries of [M, q], column by column: a list of their rows, or the columns, whose entries are tested one by one.
+/// The nonzero entries of [M, q], column by column: a list of their rows, or the whole columns, whose entries are tested one by one.
 pub(super) enum Pattern<'a> {
     Listed(&'a [u32]),
     InPlace { n: usize, m: &'a [f64], q: &'a [f64] },

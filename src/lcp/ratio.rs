@@ -20,11 +20,11 @@ pub(super) enum Covering {
     Parameter,
 }
 
-/// The row whose basic variable reaches zero first as the entering variable increases; `None` if none ever does. If z₀ is `Artificial` and reaches
-/// zero together with others, its row is returned; if it is a `Parameter`, its row never blocks.
+/// The row whose basic variable reaches zero first as the entering variable increases; `None` if no basic variable ever reaches zero. If z₀ is
+/// `Artificial` and reaches zero together with others, the row of z₀ is returned. If z₀ is a `Parameter`, its row never blocks.
 ///
-/// u is the entering column. Only rows with u_i < −`noise` are considered. Among tied rows, those with u_i < −`certain` come first, then the smallest
-/// p_i / −u_i decides.
+/// u is the entering column. Only rows with u_i < −`noise` are considered. Among tied rows, rows with u_i < −`certain` are preferred, and among these
+/// the row with the smallest p_i / −u_i is chosen.
 pub(super) fn blocking_row(
     dictionary: &Dictionary,
     noise: f64,
@@ -88,8 +88,8 @@ pub(super) fn blocking_row(
 
 /// Whether the step that the row `firm` allows violates a doubtful row. A row is doubtful if −`certain` ≤ u_i < 0, so that u_i may be noise.
 ///
-/// A row is violated if its value becomes negative by more than its own rounding error, or that of the largest value. If no row is violated, it does
-/// not matter whether a doubtful row blocks first.
+/// A row is violated if its value becomes negative by more than rounding: its own rounding error, or the rounding error of the largest value. If no
+/// row is violated, it does not matter whether a doubtful row blocks first.
 pub(super) fn doubtful_row_breaks(
     dictionary: &Dictionary,
     certain: f64,
@@ -140,8 +140,8 @@ impl Loop for ShortestStep<'_> {
     }
 }
 
-/// The row with the smallest (x_i + ε p_i) / u_i among those with x_i < 0. Its variable leaves when z₀ enters an infeasible basis. `Ok(None)` if no
-/// x_i is negative.
+/// The row with the smallest (x_i + ε p_i) / u_i among the rows with x_i < 0. Its variable leaves when z₀ enters an infeasible basis. `Ok(None)` if
+/// no x_i is negative.
 ///
 /// `Err(row)` if x_i < 0 but u_i is not positive: then no z₀ makes that row feasible.
 pub(super) fn most_violated_row(

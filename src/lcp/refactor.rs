@@ -1,4 +1,4 @@
-//! Recomputation of dictionaries from the data: measurement of drift, refactorisation of the current basis, and factorisation of another one.
+//! Recomputation of dictionaries from the data: measurement of drift, refactorisation of the current basis, and factorisation of another basis.
 
 use super::dictionary::{LemkeVariable, largest};
 use super::memory::refill;
@@ -29,8 +29,8 @@ impl LemkePath {
         add_basic_columns(defect, terms, (&dictionary.basic, &dictionary.x), d, scaling, m);
     }
 
-    /// One step of refinement of the entering column u, by its defect A_e + Σ A_v u_v over the basic variables v. A_v is the column of v in q +
-    /// M z + d z₀ − w.
+    /// One step of refinement of the entering column u, computed from its defect A_e + Σ A_v u_v over the basic variables v. A_v is the column of v
+    /// in q + M z + d z₀ − w.
     ///
     /// Returns the larger of two relative corrections: |Δu_r| / |u_r| in the given row, and max |Δu| / max |u|.
     pub(super) fn refine_column(&mut self, entering: LemkeVariable, row: usize, m: &[f64]) -> f64 {
@@ -161,7 +161,8 @@ impl LemkePath {
         self.dictionary.enter(LemkeVariable::Covering, m, &self.scaling);
     }
 
-    /// Computes the dictionary of the complementary basis in which z_i is basic if `active(i)`, otherwise w_i. The error is a singular basis.
+    /// Computes the dictionary of the complementary basis in which z_i is basic if `active(i)`, otherwise w_i. An error means that the basis is
+    /// singular.
     pub(super) fn install_basis(
         &mut self,
         m: &[f64],
@@ -198,7 +199,7 @@ fn add_basic_columns(
     }
 }
 
-/// Adds to `sum` the column of one variable, times a number, and to `terms` its magnitudes.
+/// Adds the column of one variable, times a number, to `sum`, and the magnitudes of these products to `terms`.
 fn add_column(
     sum: &mut [f64],
     terms: &mut [f64],

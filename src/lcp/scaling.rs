@@ -1,8 +1,8 @@
 //! Balancing of the rows and columns of M.
 //!
 //! The factors solve the least-squares problem min Σ (log₂|M_ij| + ρ_i + γ_j)² over the nonzero entries (A. R. Curtis and J. K. Reid, *On the
-//! automatic scaling of matrices for Gaussian elimination*, 1972). The scaled matrix 2^ρ_i M_ij 2^γ_j does not change when rows or columns of M
-//! are multiplied by positive numbers. The path of a solver that works on it is therefore independent of units.
+//! automatic scaling of matrices for Gaussian elimination*, 1972). The scaled matrix 2^ρ_i M_ij 2^γ_j does not change when rows or columns of M are
+//! multiplied by positive numbers. The path of a solver that works on the scaled matrix is therefore independent of units.
 //!
 //! Scaling by the largest entries has no such property: its result depends on the initial scaling. If M has zeros, q is included as one more
 //! column. Otherwise uncoupled blocks of M would each keep an undetermined factor.

@@ -40,9 +40,9 @@ pub struct Settings {
     /// The limit guards against problems on which Lemke's method takes about 2ⁿ pivots (Murty, Fathi); the tie rule excludes cycling. A given limit
     /// bounds the sum over all paths of a solve.
     ///
-    /// `None` allows 10000 + 100 n pivots for the first path, and 100 + 10 n for each retry. Ordinary problems need n to 3 n pivots, and those with
-    /// about 2ⁿ pivots are solved up to n = 13. A smaller limit stops solvable problems. A larger one only lengthens the solves that need about 2ⁿ
-    /// pivots.
+    /// `None` allows 10000 + 100 n pivots for the first path, and 100 + 10 n for each retry. Ordinary problems need n to 3 n pivots, and problems
+    /// that need about 2ⁿ pivots are solved up to n = 13. A smaller limit stops solvable problems. A larger limit only lengthens the solves that need
+    /// about 2ⁿ pivots.
     pub max_pivots: Option<usize>,
     /// Relative size from which a coefficient of the entering column can block the entering variable; smaller coefficients are noise (default 1e-11).
     /// The coefficient must exceed this fraction of the terms of its own row, or of the largest entry of the column. That entry counts as at least 1
@@ -64,14 +64,14 @@ pub struct Settings {
     /// The tolerance guards against false solutions. Computed solutions have residuals below 1e-14 unless the basis is nearly singular. Below 1e-15
     /// correctly rounded solutions are rejected; above 1e-6 points are accepted that solve a visibly different problem.
     pub residual_tolerance: f64,
-    /// Whether linear programming searches for a proof that no z ≥ 0 satisfies M z + q ≥ 0, if a ray contains none (default `true`).
+    /// Whether linear programming searches for a proof that no z ≥ 0 satisfies M z + q ≥ 0, if a ray contains no proof (default `true`).
     ///
-    /// The proof decides problems that otherwise end in a ray. Up to 64 rows the search solves up to four linear programs, for more rows one. Each is
-    /// a path of a problem of 2 n + 1 rows. Without this search most infeasible problems end in [`Outcome::Ray`](super::Outcome::Ray), after all
-    /// retries.
+    /// The proof decides problems that otherwise end in a ray. Up to 64 rows the search solves up to four linear programs, for more rows one. Each
+    /// program costs one path of a problem of 2 n + 1 rows. Without this search most infeasible problems end in
+    /// [`Outcome::Ray`](super::Outcome::Ray), after all retries.
     pub prove_infeasible: bool,
-    /// Number of retries (default 8). Each follows a path with another covering vector and, if that fails, a path from another starting basis. They
-    /// come after a ray that proves nothing, a breakdown, or a first path that reached its default limit.
+    /// Number of retries (default 8). Each retry follows a path with another covering vector and, if that fails, a path from another starting basis.
+    /// Retries come after a ray that proves nothing, a breakdown, or a first path that reached its default limit.
     ///
     /// With at least one retry, a solution whose slacks are negative by more than rounding is improved as well: its path is continued with ties
     /// resolved more finely.

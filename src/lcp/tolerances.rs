@@ -32,7 +32,7 @@ pub(crate) const DOUBTFUL_PIVOT: f64 = 1e-7;
 /// A dictionary is recomputed if its values violate w = q + M z + d z₀ by more than this fraction of the terms.
 ///
 /// Up to this violation, values larger than 1e-10 of their terms have the correct sign. With a smaller limit, long paths are refactorised again and
-/// again. With a larger limit, the path may leave that of exact arithmetic.
+/// again. With a larger limit, the path may leave the path of exact arithmetic.
 pub(super) const DRIFTED: f64 = 1e-10;
 
 /// This fraction of the largest q_i is added to the terms of every row when the drift of the dictionary from the data is measured.
@@ -102,7 +102,7 @@ pub(super) fn elimination_rounding(n: usize) -> f64 {
 /// With a larger limit, a call takes minutes. With a smaller limit, some problems remain undecided.
 pub(super) const MOST_ENUMERATED: usize = 20;
 
-/// The largest number of rows for which the vertices of a problem, then a few thousand, are tried.
+/// The largest number of rows for which the vertices of a problem are tried: at most a few thousand.
 ///
 /// With a larger limit, the vertices cost more than the linear programs that they replace.
 pub(super) const MOST_ROWS_WITH_VERTICES: usize = 6;

@@ -87,7 +87,7 @@ fn subsets(count: usize) -> Subsets {
     Subsets { count, size: 0, bits: 0 }
 }
 
-/// Iterator over subsets as bits: all subsets of one size, then those of the next size.
+/// Iterator over subsets as bits: all subsets of one size, then the subsets of the next size.
 struct Subsets {
     count: usize,
     size: usize,

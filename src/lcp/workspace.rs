@@ -31,15 +31,16 @@ use crate::prelude::*;
 #[derive(Debug, Clone, Default)]
 pub struct Workspace {
     pub(super) path: LemkePath,
-    /// The point at the end of the last path; `spare` is another candidate, which replaces it if its residuals are smaller.
+    /// The point at the end of the last path.
     pub(super) point: LcpPoint,
+    /// Another candidate for `point`, which replaces it if its residuals are smaller.
     pub(super) spare: LcpPoint,
     /// For each z, whether it is basic but zero up to rounding, at the end of the last path.
     pub(super) vanishing: Vec<bool>,
     pub(super) correction: Vec<f64>,
     pub(super) defect: Vec<f64>,
     pub(super) basis: Basis,
-    /// The residuals of `point`; `None` until it has been accepted as a solution.
+    /// The residuals of `point`; `None` until `point` has been accepted as a solution.
     pub(super) residuals: Option<Residuals>,
     pub(super) degenerate: bool,
 }

@@ -1,12 +1,12 @@
-//! The balance of the object, bordered by one row and one column: that of the arclength of a path.
+//! The linear equations of the object's balance, bordered by one column for the load factor and one row for the arclength of a load path.
 //!
 //! ```text
 //! T y  + c z = …      balance
 //! gᵀy  + γ z = …      arclength
 //! ```
 //!
-//! T is the stiffness of the object's balance for motions y, and c the column of the load factor z. T alone becomes singular at a fold of the path, where
-//! the bordered matrix is regular.
+//! T is the stiffness of the object's balance for motions y, and c the column of the load factor z. The row gᵀ and the corner γ are the coefficients
+//! of the arclength. T alone becomes singular at a fold of the path, where the bordered matrix is regular.
 
 use super::coordinates::{Indices, Square, Vector};
 use crate::numerics::Each;
@@ -27,7 +27,7 @@ pub(crate) struct Bordered {
 }
 
 impl Bordered {
-    /// The LU factors; `None` if the matrix is singular.
+    /// The LU factors of the matrix with T in `stiffness`, c in `cover`, g in `gradient` and γ in `corner`; `None` if the matrix is singular.
     pub(crate) fn new(stiffness: &Square, cover: &Vector, gradient: &Vector, corner: f64) -> Option<Self> {
         let size = stiffness.size();
         let (d, entries) = (size.count(), stiffness.as_slice());
@@ -131,9 +131,9 @@ impl Bordered {
     }
 }
 
-/// Solves a bordered system of `N` rows once, without storing factors; the result equals that of [`Bordered::solve`] bit for bit. `stiffness` has the
-/// balance matrix T column by column; `column`, `border` and `corner` complete the bordered matrix. The right-hand side is zero except for `last` in
-/// the border row. Also returns the smallest absolute pivot divided by the largest. `None` if the matrix is singular.
+/// Solves a bordered system of `N` rows once, without storing factors; the result equals the result of [`Bordered::solve`] bit for bit. `stiffness`
+/// has the balance matrix T column by column; `column`, `border` and `corner` complete the bordered matrix. The right-hand side is zero except for
+/// `last` in the border row. Also returns the smallest absolute pivot divided by the largest. `None` if the matrix is singular.
 pub(crate) fn solved_once<const N: usize>(
     stiffness: &[f64],
     [column, border]: [&Vector; 2],

@@ -13,7 +13,7 @@ use super::band::{Band, BandFactors};
 use crate::numerics::dot;
 use crate::prelude::*;
 
-/// Factors of a bordered matrix [T c; gᵀ γ], based on those of its band T.
+/// Factors of a bordered matrix [T c; gᵀ γ], based on the factors of its band T.
 #[derive(Debug, Clone)]
 pub(crate) struct BorderedBand {
     band: Band,

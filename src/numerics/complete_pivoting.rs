@@ -28,7 +28,7 @@ impl CompletePivoting {
             for j in k..cols {
                 for (i, entry) in a.column_slice(j)[..rows].iter().enumerate().skip(k) {
                     let size = entry.abs();
-                    // The pivot is the first of equal entries, row by row, independently of the order of comparison.
+                    // Among entries of equal size the pivot is the first, row by row, whatever the order of comparison.
                     if size > most || size == most && (i, j) < (pi, pj) {
                         (pi, pj, most) = (i, j, size);
                     }
@@ -87,8 +87,8 @@ impl CompletePivoting {
 
     /// A basis of the left kernel {z : Aᵀ z = 0} of the factored matrix A.
     pub(crate) fn left_kernel(&self) -> Vec<Vector> {
-        // With P A Q = L U, `Aᵀ z = 0` requires that the first `rank` components of `(P z)ᵀ L` vanish. They are solved from the last row of L
-        // upwards.
+        // With P A Q = L U, `Aᵀ z = 0` requires that the first `rank` components of `(P z)ᵀ L` vanish. These equations are solved from the last row
+        // of L upwards.
         (self.rank..self.rows)
             .map(|free| {
                 let mut y = Vector::zeros();

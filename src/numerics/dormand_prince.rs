@@ -113,7 +113,7 @@ pub(crate) struct Stepped {
     pub(crate) error: f64,
 }
 
-/// One step of this length. The variables are changes since the start of the step, where they are zero and their rate is `first`. `rate` computes
+/// One step of length `length`. The variables are changes since the start of the step, where they are zero and their rate is `first`. `rate` computes
 /// f(y), or returns `None` where f is not defined; `size` measures an error of the variables. `None` if f is not defined at a stage, or the error is
 /// not finite.
 pub(crate) fn explicit_step(

@@ -1,4 +1,5 @@
-//! Gram–Schmidt orthogonalisation with column pivoting, each column twice, on a matrix stored row by row.
+//! Gram–Schmidt orthogonalisation with column pivoting, on a matrix stored row by row. Every column is orthogonalised twice against the finished
+//! columns, which keeps Q orthonormal to working precision.
 //!
 //! All functions are inlined with the number of columns d, so that the compiler knows the length of the loops where d is 3 or 6.
 
@@ -10,8 +11,8 @@ use super::tolerances::{FEW_ROUNDINGS, LINEARLY_DEPENDENT};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Factorises the rows in `q`, which are overwritten with those of Q. Writes R, the reciprocals of its diagonal and the order of columns; returns the
-/// rank.
+/// Factorises the matrix whose rows are in `q`, which are overwritten with the rows of Q. Writes R, the reciprocals of its diagonal and the order of
+/// columns; returns the rank.
 #[inline(always)]
 pub(super) fn factorise(
     d: usize,
@@ -23,7 +24,8 @@ pub(super) fn factorise(
     let size = r.size();
     r.fill(0.0);
     order.iter_mut().enumerate().for_each(|(j, order)| *order = j);
-    // For each column its length, the length of its rounding errors, the length of its remainder, and its coefficients.
+    // For each column: its length, the length of its rounding errors, the length of its remainder after the projections so far, and its coefficients
+    // along the newest column of Q.
     let [mut full, mut noise, mut left, mut parts] = [(); 4].each(|()| Vector::all_zero(size));
     let [full, noise, left, parts] =
         [&mut full, &mut noise, &mut left, &mut parts].each(|list| &mut list.as_mut_slice()[..d]);
@@ -32,7 +34,7 @@ pub(super) fn factorise(
     let mut rank = 0;
     while rank < d {
         let k = rank;
-        // The pivot is the largest remaining column among those that exceed their rounding errors.
+        // The pivot column is the column with the longest remainder, among the columns whose remainder exceeds their rounding errors.
         let mut best = None;
         for j in k..d {
             if left[j] > (LINEARLY_DEPENDENT * full[j]).max(noise[j])
@@ -55,7 +57,7 @@ pub(super) fn factorise(
         let square = reorthogonalise(d, q, (parts, r.column_slice_mut(k)), k);
         let norm = square.sqrt();
         if norm <= (LINEARLY_DEPENDENT * full[k]).max(noise[k]) {
-            // The remainder was rounding: this column is never tried again.
+            // The remainder is only rounding, so this column is never chosen again.
             full[k] = f64::INFINITY;
             continue;
         }
@@ -102,8 +104,8 @@ fn lengths_and_noise(d: usize, q: &[f64], full: &mut [f64], noise: &mut [f64]) {
     }
 }
 
-/// Orthogonalises column k a second time against the finished columns; the first time was their own elimination step. Adds the coefficients to
-/// column k of R, and returns the squared length of the remainder.
+/// Orthogonalises column k a second time against the finished columns. The first time, each finished column was subtracted by
+/// [`subtract_from_later`]. Adds the coefficients to column k of R, and returns the squared length of the remainder.
 #[inline(always)]
 fn reorthogonalise(d: usize, q: &mut [f64], (parts, r): (&mut [f64], &mut [f64]), k: usize) -> f64 {
     let over = looped(d, 0..k);
@@ -125,8 +127,8 @@ fn reorthogonalise(d: usize, q: &mut [f64], (parts, r): (&mut [f64], &mut [f64])
     square
 }
 
-/// Subtracts from the later columns their projection on column k, a unit vector. Stores the coefficients in `parts`, and the squared lengths of
-/// the remaining columns in `left`.
+/// Subtracts from the later columns their projection on column k, a unit vector. Stores the coefficients in `parts`, and the squared lengths of the
+/// remainders in `left`.
 #[inline(always)]
 fn subtract_from_later(d: usize, q: &mut [f64], k: usize, (parts, left): (&mut [f64], &mut [f64])) {
     let over = looped(d, k + 1..d);

@@ -1,8 +1,8 @@
 //! The largest ball about the origin in a convex set, with lower and upper bounds.
 //!
-//! A polytope of support points grows where it is closest to the origin. The distance of its closest face is a lower bound on the radius. The
-//! support point in the direction of that face's normal gives an upper bound, its extent in this direction. The point is added to the polytope,
-//! and new faces replace those that are visible from it.
+//! A polytope of support points grows where it is closest to the origin. The distance of its closest face is a lower bound on the radius. The support
+//! point in the direction of that face's normal gives an upper bound: the extent of the set in this direction. The point is added to the polytope,
+//! and new faces replace the faces that are visible from it.
 //!
 //! In three dimensions: G. van den Bergen, *Proximity queries and penetration depth computation on 3D game objects*, 2001.
 //!
@@ -104,7 +104,8 @@ impl Polytope {
         self.faces.push(Face { vertices, normal, is_alive: true });
     }
 
-    /// Adds a point. The faces that are visible from it, or contain it in their plane, are replaced by faces from their common rim to the point.
+    /// Adds a point. The faces that are visible from it, or contain it in their plane, are replaced by faces from the rim of the removed region to
+    /// the point.
     fn add_point(&mut self, point: Vector) {
         let number = self.points.len();
         let (d, from_middle) = (self.size.count(), &point - &self.middle);
@@ -146,8 +147,8 @@ impl Polytope {
     }
 }
 
-/// Bounds of the largest ball about the origin. They differ by at most `closeness` times the size of the set, unless `most_points` points do not
-/// suffice. `None` if the polytope has no face.
+/// Bounds of the largest ball about the origin. They differ by at most `closeness` times the size of the set, unless the search ends early, after
+/// `most_points` points. `None` if the polytope has no face.
 pub(crate) fn largest_ball(
     support: &SupportFunction<'_>,
     simplex: &[Vertex],
@@ -172,7 +173,7 @@ pub(crate) fn largest_ball(
         now.at_least = distance.min(now.at_most);
         let (at_most, close) = (now.at_most, closeness * next.norm());
         bounds = Some(now);
-        // If the set ends at the origin in some direction it contains no ball, and more points would not help.
+        // If the set does not extend beyond the origin in some direction, it contains no ball, and more points would not help.
         if at_most - distance <= close || at_most <= close {
             break;
         }

@@ -1,7 +1,8 @@
-//! The shortest vector that satisfies linear inequalities:
+//! The shortest vector τ that satisfies linear inequalities. It follows from the point closest to (0, 1) in the cone that the vectors (a_i, -b_i)
+//! span:
 //!
 //! ```text
-//! min |τ|,    b_i + a_i·τ >= 0      by the nearest point of the cone of (a_i, -b_i) to (0, 1)
+//! min |τ|,    b_i + a_i·τ >= 0
 //! ```
 //!
 //! Source: least-distance programming, Lawson and Hanson, Solving Least Squares Problems (1974), chapter 23, section 4.

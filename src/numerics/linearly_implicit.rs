@@ -14,10 +14,10 @@ use super::dormand_prince::Stepped;
 use crate::numerics::IntoList;
 use crate::prelude::*;
 
-/// One step of this length with an error below the tolerance. The variables are changes since the start of the step, where they are zero and their
-/// rate is `first`. For a length h, `damped` returns a function that solves `(1 - hJ) Δ = x` in place, with the Jacobian J of the rate. It returns
-/// `None` if this matrix is singular. The step is `None` for a singular matrix, for a rate that is not defined, or if the error does not fall below
-/// the tolerance.
+/// One step of length `length` with an error below `tolerance`; `size` measures an error of the variables. The variables are changes since the start
+/// of the step, where they are zero and their rate is `first`. For a length h, `damped` returns a function that solves `(1 - hJ) Δ = x` in place,
+/// with the Jacobian J of the rate. It returns `None` if this matrix is singular. The step is `None` for a singular matrix, for a rate that is not
+/// defined, or if the error does not fall below the tolerance.
 pub(crate) fn implicit_step<F: Fn(&mut [f64])>(
     length: f64,
     first: &[f64],
@@ -60,7 +60,7 @@ pub(crate) fn implicit_step<F: Fn(&mut [f64])>(
             if error <= tolerance {
                 return row.pop().map(|change| Stepped { change, error });
             }
-            // A step fails if the estimated error grows from one row of the scheme to the next, after the fourth.
+            // After the fourth row of the scheme, a step fails if the estimated error grows from one row to the next.
             if !error.is_finite() || j > 4 && error > last_error {
                 return None;
             }

@@ -22,7 +22,7 @@ pub(crate) fn numbered<U>(count: usize, f: &dyn Fn(usize) -> U) -> Vec<U> {
     all
 }
 
-/// `f` of each element, in order, up to the first that fails.
+/// `f` of each element, in order; the first error of `f` is returned instead.
 pub(crate) fn tried<'a, T, U, E>(list: &'a [T], f: &dyn Fn(&'a T) -> Result<U, E>) -> Result<Vec<U>, E> {
     let mut all = Vec::with_capacity(list.len());
     for element in list {

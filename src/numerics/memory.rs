@@ -10,7 +10,7 @@ use crate::prelude::*;
 pub(crate) struct Memory(Option<Box<dyn Any + Send + Sync>>);
 
 impl Memory {
-    /// The stored memory if it has this type, otherwise a new one.
+    /// The stored memory if it has this type, otherwise new memory from `new`.
     pub(crate) fn of<T: Any + Send + Sync>(&mut self, new: impl FnOnce() -> T) -> &mut T {
         let kept = self.0.take().and_then(|kept| kept.downcast::<T>().ok());
         let kept = self.0.insert(kept.unwrap_or_else(|| Box::new(new())));

@@ -15,9 +15,9 @@
 //! | `student_t` | quantiles of Student's distribution |
 //! | `tolerances` | limits below which a value is zero or rounding |
 //! | `support` | convex sets described by support functions |
-//! | `ray_shooting` | the point where a ray leaves such a set |
+//! | `ray_shooting` | the point where a ray leaves a convex set |
 //! | `regula_falsi` | the place where a function of one variable changes sign |
-//! | `largest_ball` | the largest ball about the origin inside such a set |
+//! | `largest_ball` | the largest ball about the origin inside a convex set |
 //! | `harmonic` | numbers, vectors and wrenches as harmonic functions of an angle |
 //! | `trigonometric` | first sign change of a trigonometric polynomial |
 //! | `on_a_circle` | angles at which one harmonic function is smaller than the norm of another |
@@ -28,7 +28,7 @@
 //! | `increasing` | sorting by a number |
 //! | `narrow_order` | an order of coordinates that gives a narrow band |
 //! | `bordered` | LU of a matrix bordered by one row and column |
-//! | `bordered_band` | the same for a band matrix |
+//! | `bordered_band` | solution of a band matrix bordered by one row and column |
 //! | `dormand_prince` | one step of an ordinary differential equation by a Runge-Kutta method |
 //! | `double_double` | sums in double-double precision |
 //! | `normal_tail` | upper tail of the normal distribution, of one variable and of two |

@@ -48,7 +48,7 @@ pub(crate) fn widest(numbers: &[usize], couplings: &[[Range<usize>; 2]]) -> usiz
     widest
 }
 
-/// The first coordinate of each node, followed by the number of coordinates, and the neighbours of each node.
+/// Returns two lists: the first coordinate of each node, followed by the number of coordinates; and the neighbours of each node.
 fn graph(count: usize, couplings: &[[Range<usize>; 2]]) -> (Vec<usize>, Vec<Vec<usize>>) {
     let mut starts = vec![0, count];
     for range in couplings.iter().flatten() {
@@ -97,7 +97,7 @@ fn peripheral(neighbours: &[Vec<usize>], mut place: usize, visited: &mut [bool])
     }
 }
 
-/// All nodes reachable from one node, level by level. Marks in `visited` are cleared at the end.
+/// All nodes reachable from the node `from`, level by level. Marks that the function sets in `visited` are cleared at the end.
 fn levels_from(neighbours: &[Vec<usize>], from: usize, visited: &mut [bool]) -> Vec<Vec<usize>> {
     visited[from] = true;
     let mut levels = vec![vec![from]];

@@ -4,8 +4,8 @@
 //! min |Σ s_k a_k - t|,     s >= 0
 //! ```
 //!
-//! by the active-set method of Lawson and Hanson ("Solving Least Squares Problems", 1974, chapter 23), with an orthogonal factorisation of the
-//! active generators. The cone may have infinitely many generators, since the caller supplies the next one.
+//! by the active-set method of Lawson and Hanson ("Solving Least Squares Problems", 1974, chapter 23), with an orthogonal factorisation of the active
+//! generators. The cone may have infinitely many generators, since the caller supplies the next generator.
 //!
 //! At the closest point the residual `r = t - Σ s_k a_k` has `a·r <= 0` for every generator a, and `t·r = |r|²`. A nonzero r separates t from
 //! the cone.
@@ -78,7 +78,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         }
     }
 
-    /// Adds a generator of length at most one, with coefficient zero. Returns whether it is linearly independent of the active ones.
+    /// Adds a generator of length at most one, with coefficient zero. Returns whether the generator is linearly independent of the active generators.
     pub(crate) fn add_generator(&mut self, tag: Tag, generator: &[f64], target: &[f64]) -> bool {
         let (m, k) = (self.size, self.tags.len());
         if k == m {

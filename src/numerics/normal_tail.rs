@@ -40,8 +40,8 @@ pub(crate) fn normal_tail(x: f64) -> f64 {
     normal_density(x) / fraction
 }
 
-/// The probability that two standard normal variables with the correlation ρ exceed a and b, `a, b > -8`, with a relative error of a few 1e-3
-/// where ρ is near 1, and of 1e-4 up to ρ = 0.99:
+/// The probability that two standard normal variables with the correlation ρ exceed a and b, `a, b > -8`, with a relative error of 1e-4 up to ρ =
+/// 0.99, and of a few 1e-3 for ρ closer to 1:
 ///
 /// ```text
 /// Φ(-a) Φ(-b) + 1/(2π) ∫ exp(-(a² + b² - 2ab sin θ) / (2 cos² θ)) dθ      from 0 to asin ρ

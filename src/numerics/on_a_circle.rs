@@ -1,6 +1,6 @@
 //! Angles at which `N(φ) - |v(φ)|` is negative, for a harmonic number N and a harmonic vector v, `x₀ + x_c cos φ + x_s sin φ`.
 //!
-//! There are none exactly if N is never negative and `N² - |v|²`, a trigonometric polynomial of degree two, never becomes negative.
+//! No such angle exists if and only if neither N nor `N² - |v|²`, a trigonometric polynomial of degree two, is ever negative.
 
 use core::f64::consts::TAU;
 

@@ -1,8 +1,8 @@
 //! Rank-revealing orthogonal factors of a tall matrix whose rows differ in size by orders of magnitude.
 //!
-//! The rows are those of K^{1/2}Gᵀ, with the stiffness K and the grasp map G, and of similar matrices. With stiffness ratios of 1e14 the sizes of
-//! rows differ by 1e7. The normal equations with the matrix G K Gᵀ would lose 14 digits. Gram–Schmidt with column pivoting, each column
-//! orthogonalised twice, keeps the columns of Q orthonormal to working precision for any such rows.
+//! The matrix is K^{1/2}Gᵀ, with the stiffness K and the grasp map G, or a similar matrix. With stiffness ratios of 1e14 the sizes of rows differ by
+//! the factor 1e7. The normal equations with the matrix G K Gᵀ would lose 14 digits. Gram–Schmidt with column pivoting, each column orthogonalised
+//! twice, keeps the columns of Q orthonormal to working precision for any such rows.
 
 use super::coordinates::{Indices, Size, Square, Vector};
 use core::ops::Range;

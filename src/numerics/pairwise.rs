@@ -1,4 +1,4 @@
-//! Pairwise summation of very many terms. Rounding grows only with the logarithm of their number, and the result is the same for any number of
+//! Pairwise summation of very many terms. Rounding grows only with the logarithm of the number of terms, and the result is the same for any number of
 //! threads.
 
 use core::ops::Range;

@@ -1,7 +1,7 @@
 //! The point where a ray leaves a convex set, by a simplex method on support points of the set.
 //!
 //! Let points p_k of the set span a cone that contains the ray r, `r = Σ β_k p_k`. Their plane is `v·x = 1`, and r crosses it at `r / s` with
-//! `s = Σ β_k`. If no point of the set lies beyond that plane, the ray leaves the set there. Otherwise the point farthest beyond the plane
+//! `s = Σ β_k`. If no point of the set lies beyond that plane, the ray leaves the set at this crossing. Otherwise the point farthest beyond the plane
 //! replaces one of the p_k, and s decreases.
 
 use super::coordinates::{Size, Square, Vector};
@@ -16,9 +16,9 @@ pub(crate) struct RayExit {
     pub(crate) vertices: Vec<Vertex>,
     /// Coefficients β of the vertices, whose weighted sum is the ray; none is negative.
     pub(crate) shares: Vector,
-    /// Normal v: all points x of the set satisfy `v·(x - middle) <= reach`.
+    /// Normal v: all points x of the set satisfy `v·(x - middle) <= reach`, with the middle of the simplex from which the ray starts.
     pub(crate) normal: Vector,
-    /// The bound in `v·(x - middle) <= reach`. It is at least one, and one up to rounding if the pivots have converged.
+    /// The upper bound in `v·(x - middle) <= reach`. It is at least one, and equals one up to rounding if the pivots have converged.
     pub(crate) reach: f64,
     /// The ratio s of the distance of the target to the distance at which the ray leaves the simplex.
     pub(crate) stretch: f64,

@@ -1,7 +1,8 @@
 //! Singular values, and eigenvalues of symmetric matrices, by Jacobi's rotations of columns.
 //!
-//! Columns are turned in pairs until they are orthogonal (Hestenes). The columns then are the left singular vectors times the singular values. The
-//! product of all rotations is the matrix of right singular vectors. Small values keep their own digits. One function serves matrices of every shape.
+//! Columns are rotated in pairs until all are orthogonal (Hestenes). The columns then are the left singular vectors times the singular values. The
+//! product of all rotations is the matrix of right singular vectors. Small singular values keep their relative accuracy. One function serves matrices
+//! of every shape.
 
 use nalgebra::{DMatrix, DVector};
 

@@ -37,7 +37,7 @@ pub(crate) fn two_sided(probability: f64, degrees: Option<f64>) -> f64 {
 fn within_an_angle(angle: f64, a: f64, whole: f64) -> f64 {
     let (sin, cos) = angle.sin_cos();
     let x = cos * cos;
-    // Of two continued fractions, the one that converges fast.
+    // Chooses between two continued fractions; the chosen fraction converges faster.
     if x < (a + 1.0) / (a + 2.5) {
         1.0 - x.powf(a) * sin / (a * whole) * fraction(x, a, 0.5)
     } else {
@@ -137,8 +137,8 @@ mod tests {
         }
     }
 
-    /// At the largest number of degrees of freedom for which Student's distribution is evaluated, its quantile must agree with that of the normal
-    /// distribution.
+    /// At the largest number of degrees of freedom for which Student's distribution is evaluated, its quantile must agree with the quantile of the
+    /// normal distribution.
     #[test]
     fn many_degrees_of_freedom_are_a_scatter_that_is_known() {
         let [many, more] = [4000.0, 4001.0].map(|nu| two_sided(0.95, Some(nu)));

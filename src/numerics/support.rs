@@ -23,7 +23,7 @@ impl Vertex {
     }
 }
 
-/// Support points that span a simplex, one more than the dimension. For a flat set the error holds orthonormal directions in which it has no
+/// Support points that span a simplex, one more than the dimension. For a flat set the error holds orthonormal directions in which the set has no
 /// extent.
 pub(crate) fn simplex(size: Size, support: &SupportFunction<'_>) -> Result<Vec<Vertex>, Vec<Vector>> {
     let first = Vertex::of(support, Vector::unit(size, 0));

@@ -1,6 +1,6 @@
 //! Tolerances of linear algebra, and scales that several higher modules share.
 //!
-//! All are without units: fractions of the terms, or of the largest value, from which a result was computed. ε = 2⁻⁵².
+//! All tolerances are without units. They are fractions of the terms, or of the largest value, from which a result was computed. ε = 2⁻⁵².
 
 /// The rounding of a few operations, relative to their terms: 4 ε.
 ///

@@ -4,9 +4,9 @@
 //! f(φ) = c + a₁ cos φ + b₁ sin φ + a₂ cos 2φ + b₂ sin 2φ
 //! ```
 //!
-//! A full turn is treated as four quarter turns. With t = tan(φ/2) from the start of a quarter, `(1 + t²)² f` is a polynomial of degree four on
-//! 0 ≤ t ≤ 1. Its extrema are the roots of its derivative, which are found recursively down to degree one. Between two neighbouring extrema lies
-//! at most one root, so none is missed and none is spurious.
+//! A full turn is treated as four quarter turns. With t = tan(φ/2) from the start of a quarter, `(1 + t²)² f` is a polynomial of degree four on 0 ≤ t
+//! ≤ 1. Its extrema are the roots of its derivative, which are found recursively down to degree one. Between two neighbouring extrema lies at most
+//! one root, so no root is missed and no root is spurious.
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
@@ -85,7 +85,7 @@ impl Trigonometric {
     /// The first angle in (0, `most`] at which the polynomial becomes negative, or touches zero; `most` is at most a full turn. `None` if there is no
     /// such angle.
     ///
-    /// A value is zero within `rounding`. The first `roots_here` roots at φ = 0 do not count: the polynomial is zero there and increases.
+    /// A value is zero within `rounding`. The first `roots_here` roots at φ = 0 do not count: the polynomial is zero at φ = 0 and increases.
     pub(crate) fn first_fall(&self, most: f64, rounding: f64, roots_here: usize) -> Option<FirstZero> {
         let most = most.min(TAU);
         let mut shifted = *self;
@@ -101,7 +101,7 @@ impl Trigonometric {
             let divided = if quarter == 0 { roots_here } else { 0 };
             p[..divided].fill(0.0);
             p.rotate_left(divided);
-            // With the roots at φ = 0 divided out, values near the start have no rounding error larger than themselves, so none counts as zero.
+            // With the roots at φ = 0 divided out, values near the start have no rounding error larger than themselves, so no value counts as zero.
             match fall_of(&p, end, if divided > 0 { 0.0 } else { rounding }) {
                 Some(FirstZero::At(t)) => return Some(FirstZero::At(begin + 2.0 * t.atan())),
                 Some(FirstZero::Touches(t)) => {

@@ -1,16 +1,17 @@
-//! Loops compiled for the widest vector instructions of the processor.
+//! Loops compiled for the widest vector (SIMD) instructions of the processor.
 //!
-//! Loops are written so that the compiler vectorises them. With the feature `simd` they are also compiled for wider vectors, and the widest that
-//! the processor supports are chosen at run time. The operations and their order are the same, hence all bits are, too.
+//! Loops are written so that the compiler vectorises them. With the feature `simd` they are also compiled for wider SIMD registers, and the widest
+//! registers that the processor supports are chosen at run time. The operations and their order are the same for every width, and so are all bits of
+//! the results.
 
 /// A loop with its operands.
 pub(crate) trait Loop {
     type Output;
-    /// Runs the loop; must be inlined so that it is compiled for the caller's vectors.
+    /// Runs the loop. Implementations must be inlined, so that the loop is compiled for the SIMD width of the calling function.
     fn run(self) -> Self::Output;
 }
 
-/// Runs a loop on the widest vectors of the processor.
+/// Runs a loop with the widest SIMD instructions of the processor.
 #[inline]
 pub(crate) fn wide<L: Loop>(work: L) -> L::Output {
     struct Inlined<L>(L);
@@ -24,14 +25,14 @@ pub(crate) fn wide<L: Loop>(work: L) -> L::Output {
     on_the_widest(Inlined(work))
 }
 
-/// A token for vector instructions that the processor is known to support. Work that spans several functions passes it along, so that each
-/// function is compiled for these vectors.
+/// A token for SIMD instructions that the processor is known to support. Work that spans several functions passes the token along, so that each
+/// function is compiled for these instructions.
 pub(crate) trait Vectors: Copy {
-    /// Runs the work, compiled for these vectors; the work must be inlined here.
+    /// Runs the work, compiled for these SIMD instructions. The work must be inlined into this function.
     fn run<R>(self, work: impl FnOnce() -> R) -> R;
 }
 
-/// Vector instructions of the compilation target, without a check at run time.
+/// SIMD instructions of the compilation target, without a check at run time.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Compiled;
 
@@ -42,13 +43,13 @@ impl Vectors for Compiled {
     }
 }
 
-/// Work that is generic over the vector instructions it is compiled for.
+/// Work that is generic over the SIMD instructions for which it is compiled.
 pub(crate) trait OnVectors {
     type Output;
     fn on<V: Vectors>(self, vectors: V) -> Self::Output;
 }
 
-/// Runs the work on the widest vectors of the processor.
+/// Runs the work with the widest SIMD instructions of the processor.
 #[inline]
 pub(crate) fn on_the_widest<W: OnVectors>(work: W) -> W::Output {
     #[cfg(feature = "simd")]

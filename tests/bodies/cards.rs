@@ -1,5 +1,5 @@
-//! A house of cards stands exactly if friction suffices for contact forces inside all cones to balance the weights. With less friction there is a
-//! proof that it falls.
+//! A house of cards stands if and only if contact forces inside all friction cones can balance the weights. With less friction there is a proof that
+//! it falls.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::need::Need;

@@ -36,8 +36,8 @@ fn wedge_under_a_block() {
     assert_close(100.0 * lost, 400.0 * (alpha + 2.0 * mu.atan()).tan());
 }
 
-/// Two wedges of 10° under a block of 400 lb, the upper one at a wall, μ = 0.25 everywhere (Beer and Johnston, problems on wedges). The law
-/// is that of one wedge, and the block moves with the upper wedge.
+/// Two wedges of 10° under a block of 400 lb, the upper wedge at a wall, μ = 0.25 everywhere (Beer and Johnston, problems on wedges). The formula is
+/// the same as for one wedge, and the block moves with the upper wedge.
 #[test]
 fn two_wedges_under_a_block() {
     let (alpha, mu): (f64, f64) = (10f64.to_radians(), 0.25);

@@ -23,7 +23,8 @@ pub(crate) fn pull(newtons: f64, height: f64) -> Wrench {
     Wrench::force_at([newtons, 0.0], [0.0, height])
 }
 
-/// P pulls the lower box, and Q the upper one in the opposite direction. The upper box slides at Q = μ 10 N, both slide on the table at P - Q = μ 30 N.
+/// P pulls the lower box, and Q pulls the upper box in the opposite direction. The upper box slides at Q = μ 10 N, both slide on the table at P - Q =
+/// μ 30 N.
 #[test]
 fn boxes_that_are_pulled_apart() {
     for (p, q, lost) in [(10.0, 2.0, 1.5), (10.0, 5.0, 0.6), (20.0, -2.0, 15.0 / 22.0)] {
@@ -54,8 +55,8 @@ fn every_question_takes_multiples() {
     assert!((loss.fraction - 0.6).abs() < 1e-12);
 }
 
-/// A hand presses the handles of pliers with P, 100 mm from the pin. The jaws press with N at 10 mm, with faces 2 mm off the pin, so that a pull of 12 N on
-/// the rod tightens them: `10 N = 100 P + 2 μ N` and `12 = 2 μ N`. So P = 2.88 N suffices.
+/// A hand presses the handles of pliers with P, 100 mm from the pin. The jaws press with N at 10 mm, with faces 2 mm off the pin, so that a pull of
+/// 12 N on the rod tightens them: `10 N = 100 P + 2 μ N` and `12 = 2 μ N`. So P = 2.88 N is enough.
 #[test]
 fn hands_on_pliers() {
     let jaw = |side: f64, lever: &str| {

@@ -19,7 +19,8 @@ fn asked<const D: usize, const C: usize>(
     let mut push = SVector::<f64, D>::zeros();
     (push[0], push[C - 1]) = (1.5, -1.0);
     let load = Wrench::from_components(push.as_slice());
-    // Proofs for piles of many bodies without equilibrium may need too many states; load paths decide those below. Equilibria are found quickly.
+    // Proofs for piles of many bodies without equilibrium may need too many states; load paths decide these piles below. Equilibria are found
+    // quickly.
     let briefly = grasp.with(&Settings::default().with_most_states(2_000));
     if let Outcome::Equilibrium(state) = briefly.solve(load).expect("well posed") {
         let violation = stack.violation(&state, loaded, &push);

@@ -207,7 +207,7 @@ fn what_links_leave_free() {
     }
 }
 
-/// A hinge has the answers of a bonded contact, and a slide those of a pair of contacts kept closed, to the last bit.
+/// A hinge has the answers of a bonded contact, and a slide has the answers of a pair of contacts kept closed, to the last bit.
 #[test]
 fn the_same_as_contacts() {
     use planar::{Contact, Grasp, Link, Wrench};

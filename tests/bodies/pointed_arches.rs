@@ -1,4 +1,5 @@
-//! Pointed arches stand as long as a line of thrust fits inside and friction suffices. The friction that a round arch needs is the published value.
+//! Pointed arches stand as long as a line of thrust fits inside the stones and friction can carry it. The friction that a round arch needs is the
+//! published value.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::grasp::Wrench;
@@ -57,7 +58,7 @@ fn pointed_arches_stand_as_long_as_their_line_of_thrust_does() {
     }
 }
 
-/// Thick arches fail by sliding. They stand exactly if friction suffices for some line of thrust.
+/// Thick arches fail by sliding. They stand if and only if friction can carry some line of thrust.
 #[test]
 fn thick_arches_stand_as_long_as_friction_does() {
     for (stones, eccentricity) in [(3, 0.0), (4, 0.0), (4, 0.2), (5, 0.4)] {

@@ -1,5 +1,5 @@
-//! As surfaces stiffen, forces between elastic bodies converge to those between rigid bodies if these are unique. The rigid problem (W, q, μ) is
-//! built here from the data of the scene.
+//! As surfaces stiffen, forces between elastic bodies converge to the forces between rigid bodies, if the latter are unique. The rigid problem (W, q,
+//! μ) is built here from the data of the scene.
 //!
 //! Three bodies on springs touch each other and the ground. With K the stiffness of the springs and G the contact forces' wrenches, `W = Gᵀ K⁻¹ G`
 //! and `q = Gᵀ K⁻¹ f`. Elastic surfaces add their compliances to the diagonal of W. Three contact points for nine coordinates keep W regular, and
@@ -59,7 +59,7 @@ impl Hanging {
         Self { springs, loads, contacts, friction: 0.05 + within(0.05).abs() }
     }
 
-    /// The problem (W, q, μ) for a stiffness of the surfaces, infinite for rigid ones.
+    /// The problem (W, q, μ) for a stiffness of the surfaces, infinite for rigid surfaces.
     fn delassus(&self, surface: f64) -> PlanarContacts {
         let (bodies, forces) = (3 * BODIES, 2 * self.contacts.len());
         let (mut k, mut f) = (DMatrix::zeros(bodies, bodies), DVector::zeros(bodies));
@@ -95,7 +95,7 @@ impl Hanging {
         self.delassus(surface).solve().solution().unwrap().r.clone()
     }
 
-    /// Contact forces from a grasp of several bodies; the load of the last body is that of the question.
+    /// Contact forces from a grasp of several bodies; the load of the last body is the load of the question.
     fn of_bodies(&self, surface: f64) -> DVector<f64> {
         let name = |body: usize| format!("body {body}");
         let load = |body: usize| {

@@ -3,7 +3,7 @@
 //!
 //! * the minimum from orthogonal factors, against complementarity and against the orthogonal decomposition of `support::sticking`;
 //! * the program as printed, in all displacements, by Lemke's method on its optimality conditions;
-//! * the program as printed and the reduced one, by an interior-point method of another library.
+//! * the program as printed and the reduced program, by an interior-point method of another library.
 
 use std::cell::Cell;
 
@@ -153,8 +153,7 @@ fn spatial_grasps_with_springs_over_eight_decades() {
     within(&agree::<6, 3>(3..6, 8.0), 1e-12, 10);
 }
 
-/// Whether constraints bind or not, the minimum is that of the interior-point method, of the printed program and of the
-/// reduced ones.
+/// Whether constraints bind or not, the minimum agrees with the interior-point method, the printed program and the reduced programs.
 fn same_minimum<const D: usize, const C: usize>(
     counts: std::ops::Range<usize>,
     cases: usize,

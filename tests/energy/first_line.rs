@@ -3,7 +3,7 @@
 use grasp_lcp::energy::ComparisonVerdict;
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
 
-/// A block of 20 N on two points, 0.2 m apart, each pressed with 10 N; μ = 0.5; the left one is twice as stiff along the floor.
+/// A block of 20 N on two points, 0.2 m apart, each pressed with 10 N; μ = 0.5; the left point is twice as stiff along the floor.
 fn block() -> Grasp {
     let foot = |name: &str, x: f64, k_t: f64| {
         Contact::new([x, 0.0], [0.0, 1.0])
@@ -26,8 +26,8 @@ fn while_everything_sticks_it_is_the_equilibrium() {
     assert!(comparison.to_string().starts_with("AGREES: "), "{comparison}");
 }
 
-/// The left point slides from 7.5 N on and carries 5 N, the right one the rest. The program instead increases the normal force of the left point by f:
-/// minimise ½ 1200 x² - 9 x + ½ f²/1000 where 800 x = ½ (10 + f), so f = 30/47, and 48/47 N of the push is not balanced.
+/// The left point slides from 7.5 N on and carries 5 N, the right point carries the rest. The program instead increases the normal force of the left
+/// point by f: minimise ½ 1200 x² - 9 x + ½ f²/1000 where 800 x = ½ (10 + f), so f = 30/47, and 48/47 N of the push is not balanced.
 #[test]
 fn beyond_the_first_slip_it_misses_the_load() {
     let comparison = block().energy().compare(pushed(9.0)).unwrap();

@@ -6,7 +6,8 @@ use grasp_lcp::planar::Equilibrium;
 use support::minimum_power::minimum_power;
 use support::paper::{down, two_fingers_on_rests};
 
-/// The equilibrium with sliding fingers, and the errors of the principle: with the normal forces before the load, and with those of the equilibrium.
+/// The equilibrium with sliding fingers, and the errors of the principle: with the normal forces before the load, and with the normal forces of the
+/// equilibrium.
 fn errors(slope: f64) -> (Equilibrium, f64, f64) {
     let grasp = two_fingers_on_rests(slope).unwrap();
     let load = down() * 0.5;

@@ -34,7 +34,7 @@ fn same_onset<const D: usize, const C: usize>(
     cases: usize,
 ) -> Tally {
     let tally = Tally::default();
-    // The program's friction constraints are those of the polygon.
+    // The program's friction constraints are the facets of the polygon.
     let settings = Settings::default().on_the_polygon();
     for_all(file!(), cases, &ramps::<D, C>(counts, spread), |(mut scene, change)| {
         // Frictionless contacts may open without ending the agreement. They have their own test.

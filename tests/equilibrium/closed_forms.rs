@@ -120,7 +120,7 @@ fn spatial_three_finger_pinch_has_a_quadratic_onset() {
     let exact = mu * k * a / (w / 3.0).hypot(m / (3.0 * radius));
     assert_close!(event.factor, exact);
     assert_eq!(event.leaving.len(), 3);
-    // Inscribed polygons come from below with an error of at most 1 - cos(π/m), circumscribed ones from above.
+    // Inscribed polygons come from below with an error of at most 1 - cos(π/m), circumscribed polygons from above.
     for facets in [4, 8, 16, 64] {
         let half = (std::f64::consts::PI / f64::from(facets)).cos();
         for (fit, low, high) in
@@ -221,8 +221,8 @@ fn six_frictionless_locators() {
     );
 }
 
-/// A bar has two locators at x = -1 and 1 and one at its end. They move by their commands without a load. All forces are zero,
-/// and the bar follows with u_y = (a₁ + a₂)/2, θ = (a₂ - a₁)/2, u_x = a₃, for all stiffnesses and orientations.
+/// A bar has two locators at x = -1 and 1 and one locator at its end. The locators move by their commands without a load. All forces are zero, and
+/// the bar follows with u_y = (a₁ + a₂)/2, θ = (a₂ - a₁)/2, u_x = a₃, for all stiffnesses and orientations.
 #[test]
 fn moved_locators_without_a_load_carry_nothing() {
     let a: [f64; 3] = [0.013, -0.007, 0.011];

@@ -1,5 +1,5 @@
-//! If several equilibria exist on the round cone, the solver finds one near the elastic trial state, and none at displacements so large that all
-//! digits are lost.
+//! If several equilibria exist on the round cone, the solver finds an equilibrium near the elastic trial state, and no equilibrium at displacements
+//! so large that all digits are lost.
 
 use std::f64::consts::TAU;
 

@@ -1,8 +1,8 @@
 //! A load beyond the limit is decided for three fingers around a jar that deviate slightly from symmetry, like data from simulators.
 //!
 //! The theory of small motions does not bound displacements. Along a slight taper the object may move until it is wedged, and the slighter the taper,
-//! the farther. So there is either an equilibrium far beyond small motions or none. This depends on the signs of the deviations and hardly on their
-//! size.
+//! the farther. So either an equilibrium exists far beyond small motions, or no equilibrium exists. Which case applies depends on the signs of the
+//! deviations and hardly on their size.
 
 use std::f64::consts::TAU;
 

@@ -118,7 +118,7 @@ fn symmetric() -> impl Strategy<Value = Scene<3, 2>> {
     })
 }
 
-/// Everything sticks: the forces are those of the linear least-squares problem, and the energy is its minimum.
+/// Everything sticks: the forces solve the linear least-squares problem, and the energy is its minimum.
 fn check_minimum<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     sticking_scenes: &Cell<usize>,
@@ -138,7 +138,7 @@ fn check_minimum<const D: usize, const C: usize>(
     let command =
         scene.contacts.iter().map(|datum| datum.command.norm() + datum.clearance).fold(0.0, f64::max);
     let size = expected.iter().map(SVector::norm).fold(softest * command, f64::max);
-    // The polygon in space lies between the round cone and one narrower by cos(π/m); in the plane there is one cone.
+    // The polygon in space lies between the round cone and a round cone narrower by cos(π/m); in the plane there is one cone.
     let narrower = if C == 2 { 1.0 } else { (PI / FACETS as f64).cos() };
     let slack = |part: f64| {
         let of = |(datum, f): (&Datum<C>, &SVector<f64, C>)| {

@@ -56,8 +56,8 @@ fn a_pinch_no_longer_turns_freely() {
     }
 }
 
-/// Tangents of stiffness k_1 and k_2. At the angle α from the first one a point of a ring carries (-k_1 sin α, k_2 cos α) R θ
-/// times its share and slides at `R θ √((k_1 sin α)² + (k_2 cos α)²) = μ N`: points whose motion is along the stiffer tangent slide first.
+/// Tangents of stiffness k_1 and k_2. At the angle α from the first tangent a point of a ring carries (-k_1 sin α, k_2 cos α) R θ times its share and
+/// slides at `R θ √((k_1 sin α)² + (k_2 cos α)²) = μ N`: points whose motion is along the stiffer tangent slide first.
 #[test]
 fn uneven_tangential_stiffness() {
     for (k1, k2, first, turned) in
@@ -82,8 +82,8 @@ fn uneven_tangential_stiffness() {
     }
 }
 
-/// Beyond the onset the points of the rim slide, each with μ N w_i, and those inside still stick:
-/// `M/2 = Σ w_i r_i min(k_t r_i θ, μ N)`. All slide at 2 μ N ⟨r⟩, the limit. This holds for any number of points on a ring.
+/// Beyond the onset the points of the rim slide, each with μ N w_i, and the points inside still stick: `M/2 = Σ w_i r_i min(k_t r_i θ, μ N)`. All
+/// slide at 2 μ N ⟨r⟩, the limit. This holds for any number of points on a ring.
 #[test]
 fn slip_spreads_from_the_rim_up_to_the_limit() {
     for (pressure, mean) in PROFILES {

@@ -1,4 +1,4 @@
-//! If several equilibria exist, the one returned is reached from the sticking state under viscous slip.
+//! If several equilibria exist, the returned equilibrium is reached from the sticking state under viscous slip.
 
 use std::f64::consts::TAU;
 

@@ -1,8 +1,8 @@
 //! The library agrees with exact arithmetic on planar grasps of two to four contacts.
 //!
 //! `support::exact` lists every equilibrium of a scene in rational arithmetic. If the list is not empty, the library must return an equilibrium of
-//! this list. It may answer "no equilibrium" only if the list is empty. If all equilibria are isolated and none is a borderline case, the library's
-//! own list has the same length.
+//! this list. It may answer "no equilibrium" only if the list is empty. If all equilibria are isolated and no equilibrium is a borderline case, the
+//! library's own list has the same length.
 //!
 //! The scenes are random. A lattice of small integers makes exact ties frequent. The kinematic form alone fails for stiffness ratios up to 1e6 with
 //! strong friction (μ up to 2). Loads that balance a random motion guarantee an equilibrium.
@@ -16,7 +16,8 @@ use support::samples::{assert_met, config, runner, samples};
 
 /// Tolerance of forces and displacements, relative to the largest of the scene.
 const AGREEMENT: f64 = 1e-9;
-/// Number of scenes of each kind in the fixed sequences. Of twenty-four times as many, those are added that only later methods decide.
+/// Number of scenes of each kind in the fixed sequences. Of twenty-four times as many further scenes, the scenes are added that only later methods
+/// decide.
 const SCENES: usize = 312;
 
 /// A multiple of `unit`.

@@ -68,7 +68,7 @@ impl Tally {
         Ok(())
     }
 
-    /// Checks that a state is the exact one if the answer reports it as certain.
+    /// Checks that a state equals the exact state if the answer reports it as certain.
     fn states<const C: usize>(
         answer: &Equilibrium<C>,
         told: &[bool],

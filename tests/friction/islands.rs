@@ -41,7 +41,7 @@ fn islands_have_the_forces_that_they_have_alone() {
     }
 }
 
-/// One contact must approach under all admissible forces, the other need not.
+/// One contact must approach under all admissible forces, the other contact need not.
 #[test]
 fn a_proof_of_one_island_is_one_of_all() {
     let w = DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, 1.0, 0.0, 0.0]));

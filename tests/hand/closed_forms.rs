@@ -12,7 +12,7 @@ type Tested = Result<(), Box<dyn std::error::Error>>;
 
 /// A pinch by two fingers with mirrored compliance matrices C = [[c_nn, ±c_nt], [±c_nt, c_tt]].
 fn pinch(c_nn: f64, c_nt: f64, c_tt: f64, mu: f64, force: f64) -> Result<Grasp, grasp_lcp::Error> {
-    // The default tangent t = (n_y, -n_x) points down on the left and up on the right. Here both point down.
+    // The default tangent t = (n_y, -n_x) points down on the left and up on the right. In this test both tangents point down.
     let finger = |x: f64| {
         let contact = Contact::new([x, 0.0], [-x, 0.0])
             .tangent([0.0, -1.0])
@@ -243,7 +243,7 @@ fn a_plate_jaw_on_one_spring() -> Tested {
     let total = 0.012 / (1.0 / 1e3 + 1.0 / 2e4 + 1.0 / 2e4);
     assert!((held.joints[0].torque - total).abs() < 1e-11);
     assert!((held.contacts[0].normal_force() + held.contacts[1].normal_force() - total).abs() < 1e-11);
-    // A rotation θ stretches the normal springs of all four pads by θ/2 and the tangential ones by θ: M = (4 · 1e4 / 4 + 4 · 8e3) θ.
+    // A rotation θ stretches the normal springs of all four pads by θ/2 and the tangential springs by θ: M = (4 · 1e4 / 4 + 4 · 8e3) θ.
     let turn = 1.0 / (1e4 + 3.2e4);
     assert!((held.twist.rotation() - turn).abs() < 1e-16);
     let difference = held.contacts[1].normal_force() - held.contacts[0].normal_force();

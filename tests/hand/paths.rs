@@ -25,8 +25,8 @@ fn plane(numbers: &mut Random, limit: fn(f64) -> Limit) -> planar::Grasp {
     planar::hand::Hand::new([finger(-1.0), finger(1.0)]).grasp().expect("well posed")
 }
 
-/// Saturating drives have no memory. So a path without contact slip passes through equilibria at rest: after every event its state is that of `solve`, and
-/// between events no state changes.
+/// Saturating drives have no memory. So a path without contact slip passes through equilibria at rest: after every event its state agrees with
+/// `solve`, and between events no state changes.
 #[test]
 fn saturating_joints_pass_through_equilibria_at_rest() {
     let mut numbers = seeded(19);

@@ -13,7 +13,7 @@ fn foot(name: &str, x: f64, stiffness: f64) -> Contact {
     contact.friction(0.5).pressed_with(10.0)
 }
 
-/// Two feet on a frictionless rail. The first one slides at 10 (1 + ratio)/2 N.
+/// Two feet on a frictionless rail. The first foot slides at 10 (1 + ratio)/2 N.
 fn feet(kinetic: f64, ratio: f64) -> Result<Grasp, Error> {
     let rail = |x: f64| Contact::new([x, 0.1], [0.0, -1.0]).series_stiffness(1000.0, 1.0).pressed_with(10.0);
     Grasp::new([
@@ -157,7 +157,7 @@ fn what_slides_on_does_not_stick_again_at_the_limit() -> Tested {
                 |x: f64, k: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e5, k).friction(mu);
             let plastic = foot(-0.05, stiff).kinetic(ratio * mu);
             for feet in [[plastic.clone(), foot(0.05, 2e5)], [foot(0.05, 2e5), plastic.clone()]] {
-                // The pull at this height moves normal force from the plastic foot to the rubber one.
+                // The pull at this height moves normal force from the plastic foot to the rubber foot.
                 let limit =
                     mu * weight * (1.0 + ratio) * 0.5 / (1.0 - mu * (1.0 - ratio) * 0.5 * height / 0.05);
                 let load = Wrench::force_at([2.0 * limit, 0.0], [0.0, height]);

@@ -60,7 +60,7 @@ fn no_forces_balance_the_load_within_the_radius() -> Result<(), grasp_lcp::Error
             closest = closest.min(left);
             assert!(left > 1e-9, "{left} {q}");
         }
-        // An independent search for an equilibrium finds none there either.
+        // An independent search finds no equilibrium within the radius either.
         if let Some(found) = grasp.solve(load)?.equilibrium() {
             let (q, at) = (found.twist.to_vector(), state.twist.to_vector());
             let by = q - at;

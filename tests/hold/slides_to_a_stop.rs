@@ -73,7 +73,7 @@ fn a_stop_beyond_small_motions_holds_nothing() -> Result<(), Error> {
     Ok(())
 }
 
-/// The largest load is the one that tips the block over its stop, not the 50 N of friction.
+/// The largest load is the load that tips the block over its stop, not the 50 N of friction.
 #[test]
 fn what_a_load_may_be_counts_the_stop() -> Result<(), Error> {
     let (down, pull) = (Wrench::force([0.0, -100.0]), Wrench::force([1.0, 0.0]));

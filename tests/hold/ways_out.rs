@@ -136,7 +136,7 @@ fn a_table_tips_at_once_over_two_feet() -> Tested {
     Ok(())
 }
 
-/// A box of 100 N on a box of 50 N is pushed at the top. Both tip at 1 m · F = 0.3 m · 150 N; the upper one alone would tip at 60 N.
+/// A box of 100 N on a box of 50 N is pushed at the top. Both tip at 1 m · F = 0.3 m · 150 N; the upper box alone would tip at 60 N.
 #[test]
 fn a_stack_tips_over_as_one() -> Tested {
     let pair = grasp_lcp::planar::SoftFingertip::pair(0.6)?;

@@ -75,8 +75,8 @@ fn friction_from_an_angle() -> Tested {
     Ok(())
 }
 
-/// Two feet share a pull in proportion to their tangential stiffness. The foot that carries k₁/(k₁+k₂) of it slides first, at μ N (k₁+k₂)/k₁. With known
-/// friction the first slip determines the ratio of stiffnesses, whose given value is one.
+/// Two feet share a pull in proportion to their tangential stiffness. The foot that carries k₁/(k₁+k₂) of the pull slides first, at μ N (k₁+k₂)/k₁.
+/// With known friction the first slip determines the ratio of stiffnesses, whose given value is one.
 #[test]
 fn a_ratio_of_stiffnesses_from_first_slip() -> Tested {
     let foot = |x: f64| {

@@ -1,5 +1,5 @@
-//! If there are three or more unknowns, and slips of several kinds depend on different ones, identification finds the assignment that fits. The start
-//! does not matter.
+//! If there are three or more unknowns, and slips of several kinds depend on different unknowns, identification finds the assignment that fits. The
+//! start does not matter.
 
 use grasp_lcp::identify::{Estimate, Identified, Identify, Slip, Unknown};
 use grasp_lcp::spatial::{Contact, Grasp, Wrench};
@@ -92,7 +92,8 @@ fn each_kind_of_slip_has_its_own_foot() -> Tested {
 /// The moment that turns two feet, whose coefficients have the sum 0.5, about the third, N m.
 const TWIST: f64 = 10.0 * RADIUS * 0.5 / 1.732_050_807_568_877_2;
 
-/// Slips under a vertical moment. The feet turn about the one with most friction, at W R (μ_1 + μ_2) / √3 with the coefficients of the other two.
+/// Slips under a vertical moment. The feet turn about the foot with most friction, at W R (μ_1 + μ_2) / √3 with the coefficients of the other two
+/// feet.
 fn twisted() -> [Slip<3>; 3] {
     about(TWIST).map(|newton_metres| {
         Slip::gross(Wrench::new([0.0; 3], [0.0, 0.0, newton_metres])).on_top_of(weight_over([0.0; 2]))

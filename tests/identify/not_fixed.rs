@@ -81,7 +81,7 @@ fn friction_of_each_foot_from_both() -> Tested {
     Ok(())
 }
 
-/// Between two jaws the one with less friction slides, at twice its limit. The slips do not show which one.
+/// Of two jaws the jaw with less friction slides, at a load of twice its friction limit. The slips do not show which one.
 #[test]
 fn friction_of_each_jaw_from_the_weaker() -> Tested {
     let each = [0, 1].map(|k| Unknown::friction().of_contacts([k]));

@@ -86,7 +86,7 @@ fn a_weight_lies_there_before_a_block_is_dragged() -> Tested {
     Ok(())
 }
 
-/// On two feet, with the weight off their middle, the answer is that of the weight as a base load.
+/// On two feet, with the weight off their middle, the answer equals the answer with the weight as a base load.
 #[test]
 fn it_is_the_same_as_a_base_load() -> Tested {
     let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e4, 1e4).friction(0.2);

@@ -57,7 +57,7 @@ fn a_scatter_that_is_given() -> Tested {
     Ok(())
 }
 
-/// Three specimens, three slips each: the error is that of the mean of three means, s / √3, and Student's quantile with 2 degrees of freedom.
+/// Three specimens, three slips each: the error is the error of the mean of three means, s / √3, and Student's quantile with 2 degrees of freedom.
 #[test]
 fn groups_of_slips() -> Tested {
     let loads = [5.4, 5.6, 5.5, 6.1, 6.0, 6.2, 6.6, 6.5, 6.4];

@@ -1,4 +1,5 @@
-//! Standard errors of many unknowns at once agree with those from derivatives computed here, by differences of the answers of the grasp or by hand.
+//! Standard errors of many unknowns at once agree with the standard errors from derivatives computed here, by differences of the answers of the grasp
+//! or by hand.
 
 use grasp_lcp::identify::{Identified, Identify, Slip, Unknown};
 use grasp_lcp::{planar, spatial};

@@ -3,7 +3,7 @@
 use grasp_lcp::improve::{Binds, Improve, Surface};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
 
-/// Jaws of unequal friction gain most for this load across a diagonal. There the left one carries all its friction before any load.
+/// Jaws of unequal friction gain most for this load across a diagonal. In the improved grasp the left jaw carries all its friction before any load.
 #[test]
 fn jaws_across_a_diagonal_are_at_the_limit_of_friction() {
     let jaw = |x: f64, y: f64, k: [f64; 2], mu: f64| {

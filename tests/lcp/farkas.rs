@@ -68,7 +68,7 @@ fn a_vector_proves_what_rationals_say() {
     assert_met(&[(proofs, 75), (bounds, 250)]);
 }
 
-/// Problems with random data that are reported as infeasible are infeasible in rational arithmetic. Nearly infeasible ones have no small z.
+/// Problems with random data that are reported as infeasible are infeasible in rational arithmetic. Nearly infeasible problems have no small z.
 #[test]
 fn no_proof_is_false() {
     let mut random = seeded(137);

@@ -1,6 +1,6 @@
 //! Blocks that are singular except for rounding must not be accepted as solutions.
 //!
-//! The kinematic form of a grasp that cannot be held has no solution. Among its complementary blocks are singular ones with computed determinants of
+//! The kinematic form of a grasp that cannot be held has no solution. Some of its complementary blocks are singular, with computed determinants of
 //! 1e-16 instead of zero. A z of 1e13 in such a basis satisfies every row to a small fraction of its terms. It may even solve the given data exactly.
 //! So whatever the solver reports as solved is checked in rational arithmetic.
 

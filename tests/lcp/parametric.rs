@@ -36,7 +36,7 @@ fn on_a_definite_matrix_the_path_goes_forward_through_every_solution() {
         for breakpoint in path.by_ref() {
             assert_eq!(breakpoint.trend, Trend::Forward);
             assert!(breakpoint.tau >= from);
-            // In the middle of the previous piece, the basis is that of the solution.
+            // In the middle of the previous piece, the basis is the basis of the solution.
             let middle =
                 solution(&Lcp::new(m.clone(), &q + &dq * f64::midpoint(from, breakpoint.tau)).unwrap());
             assert_eq!(middle.basis, basis);

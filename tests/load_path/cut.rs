@@ -41,7 +41,7 @@ fn same_in_pieces<const D: usize, const C: usize>(
     events: &[Event<C>],
     places: &[(usize, f64)],
 ) -> Result<(), TestCaseError> {
-    // Where the object sticks and snaps over hundreds of times, each time magnifies the rounding of those before.
+    // Where the object sticks and snaps over hundreds of times, each time magnifies the rounding errors of the times before.
     if events.iter().any(|event| event.jump.as_ref().is_some_and(|jump| jump.snaps)) {
         return Ok(());
     }

@@ -117,7 +117,7 @@ impl Everyday {
     }
 }
 
-/// The largest force of an equilibrium, and the norm of the difference of its twist from that of another one.
+/// The largest force of an equilibrium, and the norm of the difference of its twist from the twist of another equilibrium.
 fn away(state: &Equilibrium, from: &Equilibrium) -> [f64; 2] {
     let largest = state.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
     [largest, (state.twist.to_vector() - from.twist.to_vector()).norm()]

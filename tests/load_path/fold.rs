@@ -30,8 +30,8 @@ fn a_path_that_turns_back_snaps_over_however_little_changes() -> Result<(), Box<
     let snap = pulled(&grasp, 100.0, &settings)?.1.ok_or("snaps over")?;
     let (last, most) = (&snap.state, 100.0 * snap.fraction);
 
-    // At a fold forces approach those of the end like the square root of the distance, up to a linear term.
-    // A failure of the integration would not show this.
+    // At a fold the forces approach the forces at the end like the square root of the distance, up to a linear term. A failure of the integration
+    // would not show this.
     let away = |distance: f64| -> Result<f64, Box<dyn Error>> {
         let (state, snaps) = pulled(&grasp, most - distance, &settings)?;
         assert!(snaps.is_none());

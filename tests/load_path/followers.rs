@@ -1,4 +1,4 @@
-//! A program followed from event to event and one followed in steps reach the same state, leg by leg or at once.
+//! A program followed from event to event and the same program followed in steps reach the same state, leg by leg or at once.
 
 use std::mem::discriminant;
 
@@ -68,7 +68,7 @@ fn they_stand_at_the_same_place() -> Result<(), Error> {
             assert_eq!(path.place().0, number);
             snaps |= events.iter().any(|event| event.jump.as_ref().is_some_and(|jump| jump.snaps));
             if snaps {
-                // The path in steps ends where the other one snaps over.
+                // The path in steps ends where the other path snaps over.
                 assert!(steps.place() <= path.place() && matches!(steps.end(), Some(PathEnd::Lost(_))));
                 break;
             }

@@ -15,7 +15,7 @@ fn each_push_tells_the_coefficient_found_elsewhere() -> Result<(), Failure> {
     Ok(())
 }
 
-/// The loads of the supports are those that the experimenters state, N.
+/// The loads of the supports as stated by the experimenters, N.
 #[test]
 fn supports_carry_what_is_stated() {
     let stated = [[2.12, 6.38, 6.38], [4.96; 3], [4.96; 3], [3.72, 7.44, 3.72]];

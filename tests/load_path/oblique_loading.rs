@@ -1,5 +1,5 @@
-//! A rough ball on independent springs is pressed and sheared at once, then sheared further and back. The tractions are those of Jäger and of
-//! Ciavarella.
+//! A rough ball on independent springs is pressed and sheared at once, then sheared further and back. The tractions agree with the solutions of Jäger
+//! and of Ciavarella.
 //!
 //! Spring i closes when the ball has come down by `h_i = r_i²/2R`; then it presses with `n_i = k (δ - h_i)`. All friction acts in the plane of the
 //! spring ends, and the springs lie symmetrically, so that the ball does not tilt. From a pressed ball on

@@ -122,7 +122,7 @@ fn what_slides_away_is_on_its_cones() {
     followed(&pushed).unwrap();
 }
 
-/// A path that was lost or undecided. Seeds are those of `GRASP_LCP_SEED`.
+/// A path that was lost or undecided. The seeds come from `GRASP_LCP_SEED`.
 fn of_a_seed(odd: Odd, seed: u64, number: usize) -> OddPath<3> {
     let mut random = Random(0xb ^ (seed << 32));
     (0..=number).map(|_| in_space(odd, &mut random).unwrap()).last().unwrap()

@@ -105,8 +105,8 @@ fn sticks(change: &Change) -> bool {
     *change == Change::Sticks
 }
 
-/// Sheared until it gives way: the pairs i, N-1-i let go from the rim inwards, each pair at once at x = μN_i / c and load
-/// Q_N(x), the last one at the limit load μP. Between, the load–displacement curve is Q_N, and within 2 μP/N² Mindlin's.
+/// Sheared until it gives way: the pairs i, N-1-i let go from the rim inwards, each pair at once at x = μN_i / c and load Q_N(x), the last pair at
+/// the limit load μP. Between, the load–displacement curve is Q_N, and within 2 μP/N² Mindlin's.
 #[test]
 fn the_pad_slips_from_the_rim_inwards() {
     for n in [2_usize, 8, 33, 200] {
@@ -234,7 +234,7 @@ fn a_loop_inside_is_forgotten_where_it_was_left() {
         assert_close!(x_of(event), pad.limits[i] / pad.c);
         assert_close!(event.load.to_vector()[0], pad.virgin(pad.limits[i] / pad.c));
     }
-    // The end of the path is that of a single leg.
+    // The end of the path equals the end of a single leg.
     let (straight, _) = pad.follow(&[q3]);
     let (a, b) = (path.state().unwrap(), straight.state().unwrap());
     for (a, b) in a.contacts.iter().zip(&b.contacts) {

@@ -47,7 +47,7 @@ fn it_reverses_where_its_force_vanishes() {
     let grasp = body(MU);
     let (path, events) = follow(&grasp, &[to(a, l), to(0.0, 2.0 * l), to(a, l), to(0.0, l)]);
     let n = C * a;
-    // Last leg: it sticks at T = -μN₁ as it is released, and slides as soon as N no longer suffices, at once.
+    // Last leg: it sticks at T = -μN₁ as it is released, and slides as soon as μ N is less than the tangential force, at once.
     assert_story(&events[..2], &[(0, 0.0, vec![(0, "slides")]), (2, 0.0, vec![(0, "reverses")])]);
     let [(0, Change::Reverses { direction })] = changes(&events[1])[..] else { panic!() };
     // The tangent is t = (1, 0), and the foot is dragged back to -x.

@@ -150,7 +150,7 @@ fn same_story(
     Ok(())
 }
 
-/// Whether another view of a scene starts from the same equilibrium; with several it may start from another one.
+/// Whether another view of a scene starts from the same equilibrium; if several equilibria exist, it may start from another.
 fn same_start(start: &Equilibrium<3>, other: &Spatial, contacts: &[usize], press: f64) -> bool {
     let outcome = other.grasp().solve(other.start()).unwrap();
     let Some(there) = outcome.equilibrium() else { return false };
@@ -277,8 +277,8 @@ fn cutting_legs_changes_nothing() {
     assert_met(&[(t.checked, 3)]);
 }
 
-/// Backward Euler with equal steps along the whole program: each step is an equilibrium with the slips of the previous one, without events or
-/// arcs. `None` if a step has no equilibrium, or jumps.
+/// Backward Euler with equal steps along the whole program: each step is an equilibrium with the slips of the previous step, without events or arcs.
+/// `None` if a step has no equilibrium, or jumps.
 fn small_steps(scene: &Spatial, legs: usize, steps: u32) -> Option<Vec<SVector<f64, 3>>> {
     let mut slips = vec![SVector::<f64, 3>::zeros(); scene.spots.len()];
     let mut forces: Vec<SVector<f64, 3>> = Vec::new();

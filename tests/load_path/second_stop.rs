@@ -4,8 +4,8 @@ use grasp_lcp::equilibrium::ContactAnswer;
 use grasp_lcp::load_path::Ramp;
 use grasp_lcp::spatial::{Contact, Grasp, Wrench};
 
-/// A box of 20 kg on four feet is pushed towards two stops with unequal play. It slides to the first one, turns about that, and rests against both.
-/// In statics each then carries half of the push but for the friction of the feet, whatever their friction is.
+/// A box of 20 kg on four feet is pushed towards two stops with unequal play. It slides to the first stop, turns about this stop, and rests against
+/// both stops. In statics each then carries half of the push but for the friction of the feet, whatever their friction is.
 #[test]
 fn a_box_turns_on_to_the_second_stop() {
     for mu in [0.0, 0.001, 0.01, 0.02, 0.021, 0.0215, 0.023, 0.03, 0.05] {

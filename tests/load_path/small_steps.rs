@@ -16,11 +16,11 @@ use support::samples::assert_met;
 const STEPS: usize = 100;
 /// Number of bisections of a step with a change, so that events are found to 1/25600 of a leg.
 const HALVINGS: usize = 8;
-/// Tolerance of forces relative to the largest one, the error of slip if a contact changes within a step.
+/// Tolerance of forces relative to the largest force, the error of slip if a contact changes within a step.
 const FORCES: f64 = 5e-4;
 /// Length of a step beyond a loss.
 const AHEAD: f64 = 1e-6;
-/// A state that differs from the last one by more than this (relative forces and motion) is no continuation.
+/// A state that differs from the last state by more than this (relative forces and motion) is no continuation.
 const JUMP: f64 = 1e-3;
 
 fn follows(scene: &Scene<3, 2>, tally: &mut Tally) -> Result<(), TestCaseError> {

@@ -78,8 +78,8 @@ fn what_grows_from_nothing_is_not_lost() {
 }
 
 /// A cylinder of weight w and radius r rolls freely on a floor and just touches a rough wall. A couple that rolls it into the wall is held up to
-/// `w r μ(1 + μ)/(1 + μ²)`, where floor and wall slide; one that rolls it away from there by nothing. Its position along the
-/// floor at the start is the given one.
+/// `w r μ(1 + μ)/(1 + μ²)`, where floor and wall slide; a couple that rolls it away from the wall is held by nothing. At the start the cylinder is at
+/// its given position along the floor.
 #[test]
 fn a_cylinder_that_touches_a_wall_is_held_by_it() {
     use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};

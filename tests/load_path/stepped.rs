@@ -104,7 +104,8 @@ fn disc(count: usize) -> Result<(Grasp, Vec<[f64; 2]>), Error> {
 
 #[test]
 fn errors_are_as_large_as_estimated() -> Result<(), Error> {
-    // Shear, additional torsion, reversal beyond the start, and unloading; for an even patch, an uneven one, and one with springs softer along one tangent.
+    // Shear, additional torsion, reversal beyond the start, and unloading; for an even patch, an uneven patch, and a patch with springs softer along
+    // one tangent.
     let legs = [([3.0, 0.0], 0.0), ([3.0, 0.0], 1.5), ([-2.0, 0.5], -1.0), ([0.0; 2], 0.0)]
         .map(|(shear, moment)| Leg::load_to(pulled(shear, moment)));
     let (mut numbers, mut times) = (seeded(17), Vec::new());

@@ -39,7 +39,7 @@ fn a_block_on_a_spring_goes_round_its_hysteresis() -> Result<(), Error> {
         }
         assert_eq!(event.changes.len(), 2);
     }
-    // Slip from rest to the first turning point, twice as much in each half turn, and the rest of the last one.
+    // Slip from rest to the first turning point, twice as much in each half turn, and the rest of the last half turn.
     let once = pull / 20.0 - 0.07 * mu;
     let slipped = once + (2.0 * f64::from(turns) - 1.0) * 2.0 * once + once - 0.07 * mu;
     let energy = path.energies()[0];

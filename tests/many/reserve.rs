@@ -44,7 +44,7 @@ struct Compared {
     asked: usize,
     /// Reserves below which more samples slide than chance allows.
     unsafe_ones: usize,
-    /// Reserves below four fifths of the quantile, those of zero included.
+    /// Reserves below four fifths of the quantile, including reserves of zero.
     far_below: usize,
 }
 

@@ -1,8 +1,9 @@
 //! Screening agrees with `Grasp::onset`, which finds the onset in another way: it solves the base and walks along the ramp.
 //!
 //! Scenes have contacts of every kind: with zero, finite and infinite friction, kept closed, bonded, and with a clearance. They are planar and
-//! spatial, with and without a base load, with stiffnesses and coefficients of friction over many decades. If screening gives a factor, it is that of
-//! the onset. If it gives none, the onset states why. Every lane of a batch, full or not, gives the answer of the single grasp to the last bit.
+//! spatial, with and without a base load, with stiffnesses and coefficients of friction over many decades. If screening gives a factor, it is the
+//! factor of the onset. If it gives no factor, the onset states why. Every lane of a batch, full or not, gives the answer of the single grasp to the
+//! last bit.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::ContactState;

@@ -1,8 +1,8 @@
 //! At the factor of screening, contacts in exact rational arithmetic are on or inside their cones, for three contacts in space.
 //!
 //! With rational normals the numbers of a scene are rational. Forces at factor zero and their rates are computed exactly while every contact sticks.
-//! At the factor, up to rounding of the forces, no contact is outside its cone and one is on the edge. Triangles of contacts are even or slim, with
-//! stiffnesses over twelve decades. Some grasps are computed from the edges of their triangle, others from motions.
+//! At the factor, up to rounding of the forces, no contact is outside its cone and one contact is on the edge. Triangles of contacts are even or
+//! slim, with stiffnesses over twelve decades. Some grasps are computed from the edges of their triangle, others from motions.
 
 use std::cell::Cell;
 

@@ -1,8 +1,8 @@
 //! Screening for the least squeeze agrees with `Grasp::least_squeeze`, which finds it by cutting planes, and with closed forms.
 //!
 //! Scenes have two to five contacts of every kind, in the plane and in space, with and without clearances, under one to four loads. If screening
-//! gives a factor, it is that of the search. If it gives none, the search states why. Every lane of a batch gives the answer of the single grasp to
-//! the last bit.
+//! gives a factor, it is the factor that the search finds. If it gives no factor, the search states why. Every lane of a batch gives the answer of
+//! the single grasp to the last bit.
 
 use std::cell::RefCell;
 
@@ -181,8 +181,8 @@ fn clearances_stay() {
     assert!((needed(-4.0) - 1.9).abs() < 1e-13, "{}", needed(-4.0));
 }
 
-/// Two palms press with `10 s` and lift by `2 mm · s`, while a support below carries part of the weight w. All springs are equal. The support opens beyond
-/// `s = w/4`, and the palms need `s = w / (30 μ - 2)`, so some factor suffices if μ > 0.2.
+/// Two palms press with `10 s` and lift by `2 mm · s`, while a support below carries part of the weight w. All springs are equal. The support opens
+/// beyond `s = w/4`, and the palms need `s = w / (30 μ - 2)`, so some factor is large enough if μ > 0.2.
 #[test]
 fn a_range_that_closes() {
     let plane = |mu: f64| {

@@ -86,7 +86,7 @@ fn forces_of_the_springs_in_space() {
     }
 }
 
-/// Measured forces count, not those of the springs: a jaw with half of its force slides at half of the load.
+/// Measured forces count, not the forces of the springs: a jaw with half of its force slides at half of the load.
 #[test]
 fn forces_are_taken_as_they_are_measured() {
     let jaw = |x: f64| jaw::<2>(x, [1e3, 8e2], 0.5).pressed_with(10.0);

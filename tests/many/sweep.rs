@@ -69,7 +69,7 @@ fn one_bad_question_does_not_stop_the_rest() {
         let expected = 2.0 * MU * K * A * (k + 1) as f64;
         assert!((factor(onset) / expected - 1.0).abs() < 1e-14);
     }
-    // With a very large standard deviation the friction of some samples overflows, that of others does not.
+    // With a very large standard deviation the friction of some samples overflows, and the friction of others does not.
     let wild = Uncertainty::seeded(1).with_friction(500.0);
     let onsets = pinch(K).onset_of_samples(weight(), &wild, 300);
     let errors = onsets.iter().filter(|o| matches!(o, Err(Error::Contact { .. }))).count();
@@ -94,7 +94,7 @@ fn samples_are_distributed_as_they_should_be() {
         let deviation = (expected * (1.0 - expected) / count as f64).sqrt();
         assert!((share - expected).abs() < 4.0 * deviation, "{c}: {share} {expected}");
     }
-    // Only stiffness is uncertain. By moments each finger carries half of the weight, and the squeeze is that of springs in series.
+    // Only stiffness is uncertain. By moments each finger carries half of the weight, and the squeeze is the squeeze of springs in series.
     let off = Uncertainty::seeded(5).with_stiffness(0.3);
     for number in 0..200 {
         let sample = grasp.sample(&off, number).unwrap();

@@ -11,7 +11,7 @@ use support::splitmix::Random;
 
 type Row<const C: usize> = (Vec<Contact<C>>, [Wrench<C>; 2]);
 
-/// Settings for verdicts that end at the whole load, like those of screening.
+/// Settings for verdicts that end at the whole load, like the verdicts of screening.
 fn up_to_the_load() -> Settings {
     Settings::default().with_most_load(1.0)
 }

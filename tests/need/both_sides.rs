@@ -1,4 +1,4 @@
-//! On random grasps a needed amount is sharp: a billionth more suffices, and a billionth less does not.
+//! On random grasps a needed amount is sharp: a billionth more is enough, and a billionth less is not.
 
 use grasp_lcp::need::{Amount, Need};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -113,7 +113,7 @@ fn a_force_of_any_direction() -> Tested {
 
 #[test]
 fn no_friction_helps_where_moments_are_not_carried() -> Tested {
-    // The right jaw's friction cannot replace the left one's: two points carry equal shares.
+    // The right jaw's friction cannot replace the left jaw's friction: two points carry equal shares.
     let needed = jaws([0.5; 2])?.need(&Need::friction_of([1], Wrench::force([0.0, -12.0])))?;
     assert!(matches!(needed.amount, Amount::None { .. }), "{needed}");
     assert!(needed.to_string().starts_with("NO coefficient"), "{needed}");

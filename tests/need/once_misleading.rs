@@ -80,7 +80,7 @@ const FOUR: &str = r#"{ "name": "c0", "point": [0.04688, 0.0174], "normal": [-0.
     { "name": "c2", "point": [-0.04962, -0.00615], "normal": [0.99241, 0.12294], "stiffness": [20692, 5954], "friction": 0.3441, "kinetic_friction": 0.2444 },
     { "name": "c3", "point": [0.01167, -0.04862], "normal": [-0.2334, 0.97238], "stiffness": [4127, 23934], "friction": 0.2582, "kinetic_friction": 0.2085 }"#;
 
-/// Kinetic friction at rest: the largest squeeze is the last one that `hold` confirms, and the forces at rest are those of a path.
+/// Kinetic friction at rest: the largest squeeze is the last squeeze that `hold` confirms, and the forces at rest are the forces of a path.
 #[test]
 fn kinetic_friction_at_rest() -> Tested {
     let (grasp, load) = (planar_scene(FOUR)?, planar::Wrench::force_at([1.095, 1.515], [0.0122, 0.0013]));
@@ -165,7 +165,7 @@ fn the_overlap_of_a_press_fit() -> Tested {
     );
     let Amount::Bound { presses, .. } = &needed.amount else { panic!("{needed}") };
     assert!(presses.iter().all(|press| press.is_set && (press.force - k * overlap).abs() < 1e-6), "{needed}");
-    // No part of it has a command, so that none is named as one to ask for.
+    // No part of it has a command, so that no part is named as a part to ask for.
     let Err(Error::Part { allowed, .. }) = grasp.need(&Need::force("g0", load)) else { panic!("no command") };
     assert!(allowed.is_empty(), "{allowed}");
     Ok(())
@@ -186,7 +186,7 @@ fn the_sense_of_a_tilt() -> Tested {
     Ok(())
 }
 
-/// A squeeze that carries the load may move contacts too far at a small multiple of the one given, though its least multiple is far smaller.
+/// A squeeze that carries the load may move contacts too far at a small multiple of the given squeeze, though its least multiple is far smaller.
 #[test]
 fn the_upper_end_beyond_the_squeeze_given() -> Tested {
     let jaw = |x: f64, k: f64| planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(k, k).friction(0.8);

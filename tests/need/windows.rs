@@ -1,5 +1,5 @@
-//! If squeezes suffice only within certain intervals, the answer gives these intervals. The limits are known by hand: a motor reaches its force limit
-//! while another finger still pushes the object away.
+//! If only squeezes within certain intervals hold the load, the answer gives these intervals. The limits are known by hand: a motor reaches its force
+//! limit while another finger still pushes the object away.
 
 use grasp_lcp::need::{Amount, AmountWindow, Need};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -21,7 +21,7 @@ fn never_and_opening() {
     let sideways = Wrench::force([1.0, 0.0]);
     let grasp = pinch(10.0, 5.0, 0.5, 0.1);
     let Onset::At(event) = onset(&grasp, Wrench::ZERO, sideways) else { panic!("opens") };
-    // N_left = k (a - q), N_right = k (a + q), 2 k q = w: the left one opens at w = 2 k a.
+    // N_left = k (a - q), N_right = k (a + q), 2 k q = w: the left contact opens at w = 2 k a.
     assert!((event.factor - 2.0).abs() < 1e-14);
     assert_eq!(event.leaving[0].contact.index, 0);
     assert_eq!(event.leaving[0].how, Departure::Opens);
@@ -81,11 +81,10 @@ fn gives_way() {
     assert!(matches!(reason.proof, spatial::Proof::FreeMotion { work, .. } if work > 0.0));
 }
 
-/// A block on two springs (k each, at ±1) sinks by w/2k. A third support waits below its middle with clearance c: it
-/// touches at w = 2 k c with F_t = 0 although the block has meanwhile been pushed sideways by b w / 2 kt, and from then on all
-/// three share. With horizontal load b w: T_i' = b/3 each after contact (equal kt), N_i' = 1/3 each. The outer ones carry
-/// N = k c + δ, T = b k c + b δ (δ = (w - 2kc)/3): ratio b throughout. The middle one N = δ, T = b δ: the same ratio,
-/// though it began without force. So nothing slides while b < μ, and b > μ slides at once.
+/// A block on two springs (k each, at ±1) sinks by w/2k. A third support waits below its middle with clearance c: it touches at w = 2 k c with F_t =
+/// 0 although the block has meanwhile been pushed sideways by b w / 2 kt, and from then on all three share. With horizontal load b w: T_i' = b/3 each
+/// after contact (equal kt), N_i' = 1/3 each. The outer contacts carry N = k c + δ, T = b k c + b δ (δ = (w - 2kc)/3): ratio b throughout. The middle
+/// one N = δ, T = b δ: the same ratio, though it began without force. So nothing slides while b < μ, and b > μ slides at once.
 #[test]
 fn a_contact_closes_on_the_way_without_tangential_force() {
     let (k, kt, mu, c) = (20.0, 9.0, 0.5, 0.03);

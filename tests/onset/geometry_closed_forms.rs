@@ -43,7 +43,7 @@ fn a_palm_that_tilts() {
     }
 }
 
-/// The weight hangs at x = 0: the left finger at -l carries the share 1 / (1 + l), and slides at `W = μ P (1 + l)`; the right one at
+/// The weight hangs at x = 0: the left finger at -l carries the share 1 / (1 + l), and slides at `W = μ P (1 + l)`; the right finger at
 /// `μ P (1 + l) / l`.
 #[test]
 fn a_palm_that_is_elsewhere() {
@@ -133,7 +133,7 @@ fn a_pinch_whose_line_leaves_the_load() {
     assert_eq!(by(1), None);
 }
 
-/// A motion is free in this geometry and resisted in all neighbouring ones. Its first derivative does not exist.
+/// A motion is free in this geometry and resisted in all neighbouring geometries. Its first derivative does not exist.
 #[test]
 fn a_motion_that_another_geometry_holds() {
     let at = |x: f64, n: f64| {

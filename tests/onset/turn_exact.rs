@@ -10,7 +10,7 @@ use support::samples::{samples, seeded};
 use support::splitmix::Random;
 
 const BITS: u64 = 200;
-/// Number of bisections that isolate a root; the first ones count roots by Sturm's chain.
+/// Number of bisections that isolate a root; the first bisections count roots by Sturm's chain.
 const HALVINGS: usize = 60;
 const COUNTED: usize = 20;
 

@@ -76,7 +76,7 @@ fn beyond_the_onset_the_rows_are_out_of_equilibrium() {
         let binding: Vec<_> = minimum.binding.iter().map(|b| (b.contact, b.facet)).collect();
         assert_eq!(binding, [(0, Some(1)), (1, Some(0))]);
         assert!(minimum.binding.iter().all(|b| b.multiplier > 0.0));
-        // The residual from the multipliers is that of the forces.
+        // The residual from the multipliers equals the residual from the forces.
         let sum: SVector<f64, 2> = minimum.contacts.iter().map(|c| c.force_world).sum();
         assert!((sum[1] - w - missing[1]).abs() < 1e-14);
     }

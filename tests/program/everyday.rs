@@ -6,7 +6,7 @@ use crate::{ROOT, dialogues, run, text};
 
 const SCENES: &str = "examples/scenes/everyday/";
 
-/// Checks that the questions of a page are answered as quoted. Returns their number and that of their scenes.
+/// Checks that the questions of a page are answered as quoted. Returns their number and the number of their scenes.
 fn answered(page: &str, folder: &str) -> (usize, usize) {
     let page = std::fs::read_to_string(format!("{ROOT}/src/guide/{page}.rs")).expect("is there");
     let lines: Vec<_> = page.lines().map(|line| line.trim_start_matches("//!").trim_start()).collect();

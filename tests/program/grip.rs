@@ -21,7 +21,7 @@ fn block(name: &str) -> PathBuf {
     path
 }
 
-/// 8 N hold 8 N by friction of 0.5 at both jaws; the mass is that of the volume in steel.
+/// 8 N hold 8 N by friction of 0.5 at both jaws; the mass is the mass of the volume in steel.
 #[test]
 fn one_command_leads_from_a_mesh_to_a_verdict() {
     let mesh = block("grip_asked").display().to_string();

@@ -26,7 +26,7 @@ use std::sync::LazyLock;
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
-/// The program: the one in the variable `GRASP_LCP`, or one that cargo builds here, because it belongs to another package.
+/// The program: the path in the variable `GRASP_LCP`, or a program that cargo builds here, because it belongs to another package.
 static PROGRAM: LazyLock<PathBuf> = LazyLock::new(|| {
     if let Some(program) = std::env::var_os("GRASP_LCP") {
         return PathBuf::from(program);

@@ -1,4 +1,4 @@
-//! Without a load on the command line `need` and `hold` take that of the scene's questions.
+//! Without a load on the command line `need` and `hold` take the load of the scene's questions.
 
 use crate::{run_on, text};
 

@@ -137,7 +137,7 @@ fn what_the_schema_refuses_is_refused() {
     let (mut both, mut reader, mut neither) = (0, 0, 0);
     for (name, scene) in scenes() {
         let mut all = spoiled(&scene);
-        // Changes in long lists are alike, so a part of them suffices.
+        // Changes in long lists are alike, so only a part of them is checked.
         let step = (all.len() / 400).max(1);
         all = all.into_iter().step_by(step).collect();
         for spoiled in all {

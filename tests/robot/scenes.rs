@@ -1,4 +1,4 @@
-//! A scene may have a robot in place of fingers. Its hand is the one built in Rust.
+//! A scene may have a robot in place of fingers. Its hand equals the hand built in Rust.
 
 use std::fs;
 use std::path::{Path, PathBuf};

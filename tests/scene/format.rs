@@ -62,7 +62,7 @@ fn spatial_grasps_read_back_to_the_bit() {
     });
 }
 
-/// Checks that answers read back as they were written, agree with those of the grasp, and are written without `null`.
+/// Checks that answers read back as they were written, agree with the answers of the grasp, and are written without `null`.
 fn answers_read_back<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -> Result<(), TestCaseError>
 where
     Setup<C>: Into<Scene>,
@@ -253,7 +253,7 @@ fn what_is_not_finite_is_said_in_words() {
     assert_eq!(answers[0]["solve"]["contacts"][0]["margin"], "infinite");
 }
 
-/// A soft fingertip in a scene is that of the crate, and its points have the command of their contact.
+/// A soft fingertip in a scene equals the crate's soft fingertip, and its points have the command of their contact.
 #[test]
 fn soft_fingertips_are_spread() {
     let finger = |x: f64| jaw::<3>(x, [2000.0, 1000.0], 0.5).command([0.005, 0.0, 0.0]);
@@ -312,7 +312,8 @@ fn rectangular_pads_are_spread() {
     assert!(contact(r#"{"sides": [0.02]}"#).unwrap_err().to_string().contains('2'));
 }
 
-/// The answer of a grasp is written like that of its scene, which adds `accuracy` and `distinct`. An answer that was read has only the written data.
+/// The answer of a grasp is written like the answer of its scene, which adds `accuracy` and `distinct`. An answer that was read has only the written
+/// data.
 #[test]
 fn an_answer_that_was_read_has_nothing_more_to_say() {
     let jaw = |side: f64| jaw::<2>(side, [1e3, 8e2], 0.5);

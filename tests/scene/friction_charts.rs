@@ -1,4 +1,4 @@
-//! Charts of the friction used show every contact, or name those left out. A soft fingertip is one contact.
+//! Charts of the friction used show every contact, or name the contacts left out. A soft fingertip is one contact.
 
 use grasp_lcp::picture::{chart_of_load, chart_of_program, chart_of_turn};
 use grasp_lcp::planar::{Contact, Grasp, Leg, Pressure, Ramp, SoftFingertip, Turn, Wrench};
@@ -48,7 +48,7 @@ fn of_very_many_contacts_those_that_use_least_are_named_below() -> Result<(), Fa
         let name = format!("support {k}.");
         assert_eq!(note.matches(&name).count(), 1, "{name}");
     }
-    // Drawn curves reach higher than those left out.
+    // Drawn curves reach higher than the curves left out.
     let (drawn, least) =
         (curves(&chart)?, note.split("no more than ").nth(1).and_then(|rest| rest.split(' ').next()));
     let least: f64 = least.ok_or("a number")?.parse()?;

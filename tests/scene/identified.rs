@@ -1,4 +1,4 @@
-//! A scene can list observed slips. Its answer is that of the grasp, and reads back as it was written.
+//! A scene can list observed slips. Its answer equals the answer of the grasp, and reads back as it was written.
 
 use grasp_lcp::identify::{Identify, Slip, Unknown};
 use grasp_lcp::planar::{Contact, Turn, Wrench};

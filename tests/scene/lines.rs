@@ -195,7 +195,7 @@ fn no_more_is_read_than_can_be_kept() {
     }
 }
 
-/// An input that gives the next line only after the answer to the last one.
+/// An input that gives the next line only after the answer to the last line.
 struct Patient {
     lines: std::vec::IntoIter<String>,
     answered: Receiver<()>,

@@ -41,7 +41,7 @@ fn gravity_itself_turns() {
     }
 }
 
-/// The onset is that of the weight as a load on bodies without gravity.
+/// The onset equals the onset with the weight as a load on bodies without gravity.
 #[test]
 fn an_onset_is_that_of_the_weight_as_a_load() {
     let own = on_a_tray(r#"{"onset_of_turn": {"angle_deg": 80}}"#);

@@ -47,7 +47,7 @@ fn its_answer_comes_first_and_it_needs_nothing_else() -> Result<(), Failure> {
     assert!(page.contains("<p class=\"none\">SLIPS OUT</p>"));
     assert!(page.contains("<p class=\"says\">5 N</p>"));
     assert!(page.contains("name=\"viewport\"") && page.contains("id=\"step\" min=\"0\" max=\"2\""));
-    // Each answer has a sentence, a picture and a table; only those of the first are shown.
+    // Each answer has a sentence, a picture and a table; only those of the first answer are shown.
     assert_eq!(page.matches("<section").count(), 9);
     assert_eq!(page.matches("<section").count() - page.matches(" hidden>").count(), 3);
     Ok(())

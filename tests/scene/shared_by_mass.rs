@@ -42,7 +42,7 @@ fn a_force_acts_at_the_common_centre_of_mass() {
         (format!(r#"{{"force": [{WEIGHT}, 0]}}"#), 0.4),
         (format!(r#"{{"force": [{WEIGHT}, 0], "at": [0, 0.75]}}"#), 0.4),
         (format!(r#"{{"force": [{WEIGHT}, 0], "at": [0, 0]}}"#), 0.5),
-        // A wrench as answers write it is one about the origin.
+        // A wrench as answers write it has its moment about the origin.
         (format!(r#"{{"force": [{WEIGHT}, 0], "moment": 0}}"#), 0.5),
         (r#"{"accelerated": [-9.81, 0]}"#.to_owned(), 0.4),
         (r#"{"mass": 300, "gravity": [0, 0], "accelerated": [-9.81, 0]}"#.to_owned(), 0.4),

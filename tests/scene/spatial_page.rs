@@ -291,7 +291,7 @@ fn bodies_move_on_their_own() -> Result<(), Failure> {
         let (drawn, exact) = shift(line, height);
         assert!((drawn - exact * factor).norm() < 1e-12, "{line}: {drawn} {exact}");
     }
-    // The upper one slides away along x, the lower one stays.
+    // The upper body slides away along x, the lower body stays.
     let leaves = lines("leaves");
     let moved = |line: usize| leaves[line][0][0] + 0.1;
     assert!(moved(0).abs() < 1e-9 && moved(1) > 0.01, "{} {}", moved(0), moved(1));

@@ -1,4 +1,4 @@
-//! In pictures of spatial grasps points are at their projections, everything is inside, and nearer things hide farther ones. Names are text only.
+//! In pictures of spatial grasps points are at their projections, everything is inside, and nearer things hide farther things. Names are text only.
 
 use std::f64::consts::FRAC_PI_2;
 

@@ -75,7 +75,7 @@ fn turned<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -> (Setup<C>, Tur
     (setup.ask(Question::OnsetOfTurn(turn)).ask(follow), turn)
 }
 
-/// Checks that setup and answers read back to the last bit, and that the answers are those of the grasp.
+/// Checks that setup and answers read back to the last bit, and that the answers equal the answers of the grasp.
 fn read_back_and_answered<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -> Result<(), TestCaseError> {
     let (setup, turn) = turned(drawn);
     let back: Setup<C> = serde_json::from_str(&serde_json::to_string(&setup).unwrap()).unwrap();
@@ -141,7 +141,7 @@ fn a_box_slides_at_the_angle_of_its_closed_form() -> Tested {
     assert!((event.at.angle - slides).abs() < 1e-15);
     assert_eq!(event.leaving[0].contact.name.as_deref(), Some("left"));
     assert_eq!((&never.onset, never.touches.len()), (&OnsetAnswer::Never, 0));
-    // Both palms carry the same tangential force, so the loss is at the slip of the left one.
+    // Both palms carry the same tangential force, so the loss is at the slip of the left palm.
     let PathOutcome::Lost { loss, .. } = &path.end else { return Err(format!("{path:?}").into()) };
     assert!((loss.fraction * 0.5 - slides).abs() < 1e-15);
     assert!((loss.load.resultant()[1] - 12.0 * slides.sin()).abs() < 1e-13);

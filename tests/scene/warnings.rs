@@ -89,7 +89,7 @@ fn normals_the_wrong_way_round() {
     );
 }
 
-/// Feet whose given forces are those of the weight have no warning, although all normals point up.
+/// Feet whose given forces agree with the weight have no warning, although all normals point up.
 #[test]
 fn feet_under_a_weight_are_told_apart_from_it() {
     let feet = JAWS.replace("[1, 0]", "[0, 1]").replace("[-1, 0]", "[0, 1]").replace("0.35", "0.5");

@@ -1,7 +1,8 @@
 //! A block on two feet is rocked from one to the other under a pull Q. It walks by 2 (Q - μ (P - 2 m)) / k_t in every cycle, or rests.
 //!
-//! The feet carry the normal forces P/2 ± m in turn. While a foot carries P/2 - m, the other one takes over the friction that it cannot hold, and
-//! slides in its turn when the block is rocked back. In each half cycle both feet together carry at most μ (P/2 - m) plus their residual force.
+//! The feet carry the normal forces P/2 ± m in turn. While a foot carries P/2 - m, the other foot takes over the friction that the first foot cannot
+//! hold, and slides in its turn when the block is rocked back. In each half cycle both feet together carry at most μ (P/2 - m) plus their residual
+//! force.
 
 use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
 use grasp_lcp::shake::Repeats;

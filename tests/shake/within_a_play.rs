@@ -51,8 +51,8 @@ fn a_block_goes_from_stop_to_stop() {
     goes_to_and_fro(&grasp, &load([0.0, 0.0, -100.0]), &load([80.0, 0.0, 0.0]));
 }
 
-/// A soft rocked block walks farther in the first cycle than its feet are apart. The reported walk is that of all later cycles. The feet carry 10 N, rocked
-/// by 4 N m. In each cycle they slide by twice the missing force, 3.5 N minus 3 N of friction, divided by their stiffness.
+/// A soft rocked block walks farther in the first cycle than its feet are apart. The reported walk is the walk of all later cycles. The feet carry 10
+/// N, rocked by 4 N m. In each cycle they slide by twice the missing force, 3.5 N minus 3 N of friction, divided by their stiffness.
 #[test]
 fn a_walk_is_told_by_the_cycles_to_come() {
     let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, 0.4).friction(0.5);

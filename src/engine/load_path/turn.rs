@@ -66,7 +66,7 @@ impl<const C: usize> Turn<C> {
         self
     }
 
-    /// This turn with `angle` as its last angle, rad, positive; any number of full turns.
+    /// This turn, ended at the angle `angle` (rad). The angle must be positive; it may exceed one or several full revolutions.
     #[must_use]
     pub fn up_to(mut self, angle: f64) -> Self {
         self.angle = angle;

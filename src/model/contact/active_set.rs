@@ -1,9 +1,9 @@
-//! The active set of a contact at an event, a load at which some contact changes its state: the edges of its friction cone that the contact force has
-//! reached. The active set determines the law for the rates of force and stretch beyond the event.
+//! The active set of a contact at an event: the edges of its friction cone that the contact force has reached. An event is a load at which some
+//! contact changes its state. The active set determines the law for the rates of force and stretch beyond the event.
 //!
 //! A contact with its force inside the cone keeps sticking in the next step. With its force on facets of the cone it sticks, or slides along the
 //! normals of these facets. At the apex, or with a gap that has just closed, every state is possible, so the rates obey the whole contact law again.
-//! Onset and load path use the same laws.
+//! The search for the onset of sliding and the load path use the same laws of the rates.
 
 use crate::numerics::IntoList;
 use nalgebra::SVector;
@@ -20,7 +20,7 @@ use crate::prelude::*;
 /// apex.
 #[derive(Debug, Clone)]
 pub(crate) struct ActiveSet {
-    /// Normals of the active facets: those on which the contact slides, and those on which the margin of its force is zero.
+    /// Normals of the active facets: the facets on which the contact slides, and the facets at which the margin of its force is zero.
     pub(crate) facets: Vec<SVector<f64, 3>>,
     /// Whether the contact is closed without force, or open with a gap of zero.
     pub(crate) apex: bool,
@@ -48,22 +48,22 @@ impl ActiveSet {
     /// Adds the facet, or the apex, that the force reaches at each of these exits. An open contact leaves its state at the apex, when its gap closes.
     pub(crate) fn add_exits(&mut self, axes: usize, state: &State, exits: &[Exit]) {
         for exit in exits {
-            // A zero vector in `Exit::facet` marks an exit at which the normal force or the gap vanishes. Normals that differ only by rounding are
-            // one facet: on the round cone a facet that is reached again has a slightly different direction.
+            // A zero vector in `Exit::facet` marks an exit at which the normal force or the gap vanishes. Normals that differ only by rounding count
+            // as one facet: when a facet of the round cone is reached again, its normal differs slightly.
             if state.is_open() || exit.facet.norm() == 0.0 {
                 self.apex = true;
             } else if !self.facets.iter().any(|facet| (facet - exit.facet).norm() <= NEGLIGIBLE) {
                 self.facets.push(exit.facet);
             }
         }
-        // If the force is on as many facets as the frame has axes, it is at the apex, their only common point.
+        // If the force is on as many facets as the frame has axes, the force is at the apex, the only common point of the facets.
         self.apex |= self.facets.len() >= axes;
     }
 }
 
 impl LocalLaw<'_> {
-    /// The law for the rates of force and stretch of a contact with this active set. Inside the cone it is a bond, on facets an edge, at the apex the
-    /// whole law. An open contact with a gap is absent.
+    /// The law for the rates of force and stretch of a contact with this active set. It is [`Law::Bonded`] if the force lies inside the cone,
+    /// [`Law::Edge`] on facets, and the whole law at the apex. For an open contact with a positive gap it is [`Law::Absent`].
     pub(crate) fn law_of_rates(&self, active: &ActiveSet, state: &State) -> Law {
         if !self.has_edges() {
             Law::Bonded
@@ -79,7 +79,7 @@ impl LocalLaw<'_> {
     }
 
     /// The active set of a closed contact under the force of `line`: the facets whose margin is zero up to rounding. If the force is zero up to
-    /// rounding, it has the apex, too.
+    /// rounding, the set also contains the apex.
     pub(crate) fn active_set(&self, line: &Line) -> ActiveSet {
         if !self.has_edges() {
             return ActiveSet::EMPTY;
@@ -115,7 +115,7 @@ impl LocalLaw<'_> {
     }
 
     /// Removes from the active set the facets whose margin grows at these rates, and the apex if the normal force or the gap grows. Facets on which
-    /// the contact slides stay. A force that leaves the apex keeps the facets along which it then moves.
+    /// the contact slides stay in the set. If the force leaves the apex, the facets along which it then moves stay, too.
     pub(crate) fn drop_by_rates(&self, active: &mut ActiveSet, state: &State, line: &Line, gap: &GapLine) {
         let falls_short = |margin_rate: f64, weight: f64| margin_rate <= ZERO_SLACK * line.rate_size * weight;
         let stays_at_the_apex = || line.rate[0].abs() <= ZERO_SLACK * line.rate_size;
@@ -147,7 +147,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// Removes from the active set the facets, or the apex, that the force of `line` does not reach. Facets on which the contact slides stay.
+    /// Removes from the active set the facets, or the apex, that the force of `line` does not reach. Facets on which the contact slides stay in the
+    /// set.
     pub(crate) fn drop_by_force(&self, active: &mut ActiveSet, state: &State, line: &Line) {
         let reached = self.active_set(line);
         active.apex &= reached.apex;
@@ -165,7 +166,7 @@ impl LocalLaw<'_> {
     }
 
     /// Whether these rates move the force of a sticking contact, which is on the edge of the round cone, along a tangent of the cone. A tangent leads
-    /// out of the cone, so the contact begins to slide, perhaps with a rate of zero.
+    /// out of the cone, thus the contact begins to slide, perhaps with a slip rate of zero.
     pub(crate) fn grazes(&self, state: &State, rate: &SVector<f64, 3>, size: f64) -> bool {
         let (Law::Edge(facets), Mode::Sticking) = (self.law, state) else { return false };
         let (p, cone) = (&facets[0], self.cone());
@@ -210,7 +211,7 @@ impl LocalLaw<'_> {
     }
 
     /// Translates a state under the whole contact law to the corresponding state under the law `rates`: the inverse of [`Self::of_the_rates`]. `None`
-    /// if `rates` does not determine the state.
+    /// if `rates` has no corresponding state, or does not determine its slip direction.
     pub(crate) fn in_the_rates(&self, rates: &Law, state: State) -> Option<State> {
         if !state.slides() {
             return Some(state);
@@ -219,9 +220,9 @@ impl LocalLaw<'_> {
             // On the round cone an edge has only one facet, with the direction of the slide as its normal.
             (Law::Edge(_), Mode::Round(_)) => return Some(Mode::Facet(0)),
             (Law::Edge(edge), _) => edge,
-            // The law for rates is the bonded law although the state slides: the contact has just stopped sliding.
+            // A state that slides has the bonded law for its rates only if the contact has just stopped sliding.
             (Law::Bonded, _) => return Some(Mode::Sticking),
-            // At the apex of a round cone, a state under the law for rates has no slip direction.
+            // At the apex of a round cone the law for rates does not determine a slip direction.
             (Law::Absent, _) | (Law::Cone { .. }, Mode::Round(_)) => return None,
             (Law::Cone { .. }, _) => return Some(state),
         };

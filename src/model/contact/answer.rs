@@ -1,6 +1,7 @@
 //! The return map: computes force and state of one contact exactly from its stretch.
 //!
-//! With the stretch `v = a - G_iᵀq`, T = K_t v_t its trial traction and r = μ F_n, on the round cone
+//! Let `v = a - G_iᵀq` be the stretch, with the offset a of the springs (their commanded displacement), the contact's grasp map G_i and the object's
+//! motion q. With the trial traction T = K_t v_t and the friction limit r = μ F_n, on the round cone
 //!
 //! ```text
 //! open      k_n v_n <= 0                F = 0
@@ -9,8 +10,8 @@
 //! ```
 //!
 //! A sliding contact has the slip `s = v_t - K_t⁻¹F_t = λ F_t`, along the friction force. With equal tangential stiffnesses this is the radial return
-//! of plasticity. With two different ones F_t is the closest point of the disc in the metric K_t⁻¹. On a polygon F_t is the closest point of the
-//! polygon in the same metric.
+//! of plasticity. With two different tangential stiffnesses F_t is the point of the disc that is closest to T in the metric K_t⁻¹. On a polygon F_t
+//! is the point of the polygon that is closest to T in this metric.
 
 use crate::numerics::by_axis;
 use nalgebra::SVector;
@@ -70,8 +71,8 @@ impl LocalLaw<'_> {
         ContactResponse { state: Mode::Round(slide), force }
     }
 
-    /// Replaces the tangential part of a trial force by friction of the size r, and returns the slide. Its direction is that of the trial traction
-    /// after the slip per force λ has softened the springs.
+    /// Replaces the tangential part of a trial force by friction of the size r, and returns the slide. The friction has the direction of the trial
+    /// traction after the slip per force λ has softened the springs.
     fn slide_onto_the_cone(&self, force: &mut SVector<f64, 3>, r: f64, lambda: f64) -> Slide {
         let softened = by_axis(|a| if a == 0 { 0.0 } else { force[a] * self.springs.softening(a, lambda) });
         let slide = Slide::new(&softened, lambda);
@@ -81,7 +82,7 @@ impl LocalLaw<'_> {
         slide
     }
 
-    /// State and force at a stretch on the cone in use, round or polygonal.
+    /// State and force at a stretch on the cone in use, round or polygonal. `near` is the start of the iteration as in [`Self::answer`].
     #[inline]
     pub(crate) fn response(&self, stretch: &SVector<f64, 3>, near: f64) -> ContactResponse {
         if self.on_round_cone { self.answer(stretch, near) } else { self.answer_on_polygon(stretch) }
@@ -170,14 +171,14 @@ impl LocalLaw<'_> {
     }
 }
 
-/// Slip per force λ with `|S v_t| = r`, where S = (K_t⁻¹ + λ)⁻¹ and `trial` is the trial traction K_t v_t; positive if `traction`, its length,
-/// exceeds r.
+/// The slip per force λ with `|S v_t| = r`, where S = (K_t⁻¹ + λ)⁻¹. `trial` is the trial traction K_t v_t and `traction` its length; λ is positive
+/// if `traction` exceeds r. Newton's method starts at `near`.
 ///
 /// The secular equation 1/|S v| = 1/r, known from trust regions, is nearly linear in λ and concave. From any start the first Newton step lands
 /// left of the root. From there the steps increase towards the root and never pass it.
 fn slip_per_force(springs: &Compliance, trial: &SVector<f64, 3>, traction: f64, r: f64, near: f64) -> f64 {
-    // A radius below this fraction of the traction is replaced by the fraction. S is then negligible beside K, and with r = 0 no finite λ would
-    // suffice.
+    // Least ratio of the radius r to the traction; a smaller r is replaced. At this ratio S is already negligible beside K, and r = 0 would have no
+    // finite λ.
     let excess = traction / r.max(traction * 1e-200);
     if springs.is_isotropic() {
         return springs.deflection_along(1, excess - 1.0);
@@ -186,7 +187,8 @@ fn slip_per_force(springs: &Compliance, trial: &SVector<f64, 3>, traction: f64, 
     // Largest starting λ, as a multiple of the compliance of the stiffest spring. For larger λ squares underflow, and Newton's steps could not
     // return.
     let mut lambda = if near * springs.stiffest() < 1e100 { near } else { 0.0 };
-    // A negative λ is a backward slip. The softer axis bounds it from below; it must also stay above -1/k of the stiffer axis, where 1 + λk vanishes.
+    // A negative λ means slip against the friction force. Its lower bound follows from the softer spring. It must also stay above -1/k of the stiffer
+    // spring, where 1 + λk vanishes.
     let [soft, stiff] = springs.tangential_range();
     // Relative change of λ at which the iteration ends.
     let last = 1e-8;

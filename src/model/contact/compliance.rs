@@ -1,4 +1,7 @@
-//! The compliance of one contact: a spring along each axis of its frame. All other code of the contact law uses stiffnesses through this type.
+//! The compliance of one contact: one spring along each axis of its frame, which stands for the object's spring and the finger's spring in series.
+//! All other code of the contact law uses stiffnesses through this type.
+//!
+//! Let a be the commanded displacement of the finger, u_c the displacement of the object's contact point, g the gap and s the slip. Then
 //!
 //! ```text
 //! F = K v,   K = diag(k_n, k_t…),   v = a - u_c + g - s        stretch, in m; force, in N; stiffness, in N/m
@@ -12,7 +15,7 @@ use crate::numerics::{DoubleDouble, by_axis};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// The series springs of body and finger along the axes of the contact frame, normal first.
+/// The springs of one contact along the axes of its frame, the normal first. Each is the object's spring and the finger's spring in series.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Compliance {
     /// Stiffness, N/m; zero along an axis without a spring.
@@ -44,7 +47,7 @@ impl Compliance {
         self.k.component_mul(stretch)
     }
 
-    /// Component along an axis of the elastic force `K v`, N.
+    /// Component of the elastic force `K v` along an axis, N.
     #[inline(always)]
     pub(crate) fn force_along(&self, axis: usize, stretch: f64) -> f64 {
         self.k[axis] * stretch
@@ -61,13 +64,13 @@ impl Compliance {
         by_axis(|a| if a < self.axes { force[a] / self.k[a] } else { 0.0 })
     }
 
-    /// Component along an axis with a spring of the deflection `K⁻¹F`, m.
+    /// Component of the deflection `K⁻¹F` along an axis that has a spring, m.
     #[inline(always)]
     pub(crate) fn deflection_along(&self, axis: usize, force: f64) -> f64 {
         force / self.k[axis]
     }
 
-    /// Component along an axis of the deflection `K⁻¹F`, in double-double precision, m.
+    /// Component of the deflection `K⁻¹F` along an axis that has a spring, in double-double precision, m.
     pub(crate) fn precise_deflection_along(&self, axis: usize, force: DoubleDouble) -> DoubleDouble {
         force.over(self.k[axis])
     }
@@ -95,12 +98,12 @@ impl Compliance {
         self.k[axis].sqrt()
     }
 
-    /// Stiffness along one axis divided by that along another, which has a spring.
+    /// Stiffness along the axis `one` divided by the stiffness along the axis `other`, which must have a spring.
     pub(crate) fn ratio(&self, one: usize, other: usize) -> f64 {
         self.k[one] / self.k[other]
     }
 
-    /// Whether the tangential springs are equal; always true in the plane, which has only one.
+    /// Whether the tangential springs are equal; always true in the plane, where a contact has only one tangential spring.
     pub(crate) fn is_isotropic(&self) -> bool {
         self.axes < 3 || self.k[1] == self.k[2]
     }
@@ -121,7 +124,7 @@ impl Compliance {
         self.k.iter().take(self.axes).fold(f64::INFINITY, |least, k| least.min(*k))
     }
 
-    /// The softer and the stiffer of the tangential springs, N/m; in the plane both are the only one.
+    /// The softer and the stiffer of the tangential springs, N/m; in the plane both are the stiffness of the only tangential spring.
     pub(crate) fn tangential_range(&self) -> [f64; 2] {
         let last = self.k[self.axes - 1];
         [self.k[1].min(last), self.k[1].max(last)]

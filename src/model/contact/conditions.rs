@@ -1,4 +1,5 @@
-//! The inequalities that a state of a contact must satisfy, each with a size: the magnitude of its terms, which scales its rounding error.
+//! The inequalities that a state of a contact must satisfy. Each has a size: the magnitude of its terms, which scales its rounding error. Let u_c be
+//! the displacement of the contact point, n the normal, a the offset of the springs, i.e. their commanded displacement, and h the normal of a facet:
 //!
 //! ```text
 //! open      gap = n·u_c - a_n                 >= 0
@@ -15,7 +16,7 @@ use super::state::{Mode, State};
 use super::tangential::cross;
 use super::tolerances::SMALLEST;
 
-/// Stretch and force of a contact; or, for the rates of conditions, the rates of both.
+/// Stretch and force of a contact. To evaluate the rates of conditions, it holds the rates of stretch and force.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SpringState<'s> {
     /// Stretch of the contact's springs, `a - G_iᵀq`, with the contact's offset a and the object's motion q, m.
@@ -29,9 +30,9 @@ pub(crate) struct SpringState<'s> {
 }
 
 impl LocalLaw<'_> {
-    /// Size that scales the rounding error of the contact's force, N. It is the size of the force plus the lesser of two bounds. One is the largest
-    /// force of the grasp, for stiff contacts, whose stretches are differences of large displacements. The other, for soft contacts, is the stiffness
-    /// times the size of the displacements.
+    /// Size that scales the rounding error of the contact's force, N. It is the size of the force plus the lesser of two upper bounds. For stiff
+    /// contacts, whose stretches are differences of large displacements, the lesser bound is the largest force of the grasp. For soft contacts it is
+    /// the stiffness times the size of the displacements.
     #[inline(always)]
     pub(crate) fn force_size(&self, force: &SVector<f64, 3>, span: f64, largest: f64) -> f64 {
         SMALLEST + force.norm() + largest.min(self.springs.stiffest() * span)
@@ -68,8 +69,8 @@ impl LocalLaw<'_> {
     }
 
     /// Slip components that must not be negative in a sliding state, each with the scale of its rounding error for a unit slip. On the round cone or
-    /// on a facet there is one component, along the slip direction or the facet normal. At a corner there are two, along both normals. An open or
-    /// sticking state has none.
+    /// on a facet there is one component, along the slip direction or the facet normal. At a corner there are two components, along both normals. An
+    /// open or sticking state has no such components.
     pub(super) fn slips_along(&self, state: &State, slip: &SVector<f64, 3>) -> [Option<[f64; 2]>; 2] {
         let facets = self.facets();
         match state {

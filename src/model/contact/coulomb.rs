@@ -35,13 +35,13 @@ impl Coulomb {
         self.mu > 0.0 && self.mu.is_finite()
     }
 
-    /// This cone, where infinite friction is replaced by a very large finite coefficient, so that the cone has facets.
+    /// This cone. If friction is infinite, it is replaced by a very large finite coefficient, so that the cone has facets.
     pub(crate) fn with_edges(self, springs: &Compliance) -> Self {
         if self.mu.is_finite() {
             return self;
         }
-        // A contact with infinite friction needs facets only to open, which it does at the apex of the cone. The coefficient grows with √(k_n/k_t)
-        // where this root exceeds one.
+        // A contact with infinite friction needs facets only to open, which it does at the apex of the cone. The coefficient grows with √(k_n/k_t) if
+        // this root exceeds one.
         Self { mu: 1e8 * springs.ratio_to_the_last().sqrt().max(1.0) }
     }
 

@@ -65,7 +65,7 @@ impl Edges {
         self.worst(force).is_none_or(|(row, value)| !is_broken(value, &row, size))
     }
 
-    /// The coefficients of all conditions. Of a round cone, those of its facets at the angles that `angles` selects.
+    /// The coefficients of all conditions. For a round cone, the coefficients of its facets at the angles that `angles` selects.
     pub(crate) fn rows(
         &self,
         angles: &dyn Fn(&Harmonic<SVector<f64, 3>>) -> Vec<f64>,
@@ -79,8 +79,8 @@ impl Edges {
         }
     }
 
-    /// The coefficients of all conditions. Of a round cone, those of its facets at the angles where `value` has a local minimum, or at four angles if
-    /// it has none.
+    /// The coefficients of all conditions. For a round cone, the coefficients of its facets at the angles at which `value` has a local minimum. If
+    /// `value` has no minimum, four angles are used.
     pub(crate) fn least(&self, value: &dyn Fn(&SVector<f64, 3>) -> f64) -> Vec<SVector<f64, 3>> {
         self.rows(&|around| {
             let angles = local_minima(&|angle| value(&around.at(angle)));
@@ -88,8 +88,8 @@ impl Edges {
         })
     }
 
-    /// The coefficients a of the conditions that forces `F + A x` with `|x| = size` may violate. For a round cone only those with the least
-    /// `a·F - size |Aᵀa|`.
+    /// The coefficients a of the conditions that forces `F + A x` with `|x| = size` may violate. For a round cone only the coefficients with the
+    /// least `a·F - size |Aᵀa|`. F is `force` and A is `influence`.
     pub(crate) fn on_a_sphere(
         &self,
         force: &SVector<f64, 3>,
@@ -102,7 +102,8 @@ impl Edges {
         })
     }
 
-    /// For each condition the angle, up to `most`, at which the force of a turning load violates it most.
+    /// For each condition the angle, at most `most`, at which the contact force violates it most while the load turns. `force` is the force as a
+    /// function of the angle.
     pub(crate) fn on_a_turn(&self, force: &Harmonic<SVector<f64, 3>>, most: f64) -> Vec<f64> {
         let nothing = Harmonic::new([SVector::zeros(); 3]);
         let margins = match self {
@@ -135,7 +136,8 @@ fn local_minima(of: &dyn Fn(f64) -> f64) -> Vec<f64> {
 }
 
 impl LocalLaw<'_> {
-    /// The conditions under which a contact keeps sticking; for an open contact the condition that its gap (the first component) stays nonnegative.
+    /// The conditions under which a contact keeps sticking; for an open contact, the condition that its gap (the first component) stays nonnegative.
+    /// An absent or bonded contact has no conditions.
     pub(crate) fn edges(&self, state: &State) -> Edges {
         if self.is_absent() || self.is_bonded() {
             return Edges::Rows(Vec::new());

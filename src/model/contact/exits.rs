@@ -1,5 +1,5 @@
-//! The step along a straight line of contact forces at which a contact leaves its state. The line is that of a growing load while all contacts keep
-//! their states.
+//! The step along a straight line of contact forces at which a contact leaves its state. While a load grows and all contacts keep their states, the
+//! contact forces follow such a line.
 
 use crate::numerics::Each;
 use crate::numerics::IntoList;
@@ -11,16 +11,18 @@ use super::tangential::tangential;
 use super::tolerances::ZERO_SLACK;
 use crate::prelude::*;
 
-/// An exit of a straight line of forces from the cone. `step` is the line's parameter at the exit, `uncertainty` its rounding error.
+/// An exit of a straight line of forces from the cone.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Exit {
+    /// Parameter of the line at the exit.
     pub(crate) step: f64,
+    /// Rounding error of `step`.
     pub(crate) uncertainty: f64,
     /// Outward normal h of the facet `h·F_t <= μ F_n` that is reached; zero if the normal force or the gap vanishes.
     pub(crate) facet: SVector<f64, 3>,
 }
 
-/// A straight line of contact forces, `force + step rate`, with the sizes that scale the rounding errors of force and rate.
+/// A straight line of contact forces, `force + step rate`. `force_size` and `rate_size` scale the rounding errors of `force` and `rate`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Line {
     pub(crate) force: SVector<f64, 3>,
@@ -40,7 +42,7 @@ impl Line {
     }
 }
 
-/// A gap and its rate along a line of forces, with the magnitudes of the displacements whose differences these are, m.
+/// A gap and its rate along a line of forces, m. Both are differences of displacements, whose magnitudes are `size` and `rate_size`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GapLine {
     pub(crate) gap: f64,
@@ -163,7 +165,7 @@ impl LocalLaw<'_> {
         // Near a double root the discriminant loses digits by cancellation. The margin μF_n - |F_t| itself is concave and does not cancel, so Newton
         // steps on the margin restore the digits.
         let mut moved = 0.0;
-        // Newton steps on the margin: each doubles the correct digits of the quadratic's root.
+        // Number of Newton steps on the margin; each step doubles the number of correct digits of the root.
         for _ in 0..3 {
             let at = t0 + t1 * step;
             let slope = n1 - leaves(&at).dot(&t1);
@@ -173,8 +175,8 @@ impl LocalLaw<'_> {
                 step = better;
             }
         }
-        // A line through the apex has a double root there, which costs half the digits. Beyond the apex the line continues in the opposite nappe of
-        // the cone, F_n < 0. The exit is then the root of F_n, which is linear in the step.
+        // For a line through the apex the quadratic has a double root at the apex, which costs half the digits. Beyond the apex the line continues in
+        // the opposite nappe of the cone, F_n < 0. The exit is then the root of F_n, which is linear in the step.
         if let Some(apex) = line.linear(line.force[0], line.rate[0], 1.0, SVector::zeros()) {
             let missed = (t0 + t1 * apex.step).norm();
             let through = missed <= ZERO_SLACK * (line.force_size + apex.step * line.rate_size);
@@ -183,8 +185,8 @@ impl LocalLaw<'_> {
             }
             // Newton's method has not converged if its last step moves the root by more than this fraction of the distance from the apex.
             if step.is_nan() || step <= 0.0 || step > apex.step || moved > 1e-8 * (apex.step - step) {
-                // Near the apex the two roots differ only by rounding of the discriminant. The margin is negative at the apex, so Newton's
-                // method descends from there to the root before it.
+                // Near the apex the two roots differ only by rounding of the discriminant. The margin is negative at the apex, so Newton's method
+                // descends from the apex to the root before it.
                 let root = newton_from_above(apex.step, |step| {
                     let at = t0 + t1 * step;
                     (n0 + n1 * step - at.norm(), n1 - leaves(&at).dot(&t1))

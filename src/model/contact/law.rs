@@ -1,8 +1,8 @@
 //! The law of one contact: springs, friction cone, and the conditions that apply.
 //!
-//! An equilibrium, and the rates with which it continues as the load grows, are the same kind of problem. In the equilibrium problem every contact
-//! has its whole cone. In the problem for the rates, a contact with its force inside the cone is bonded, and an open contact is absent. A contact
-//! with its force on an edge of the cone has only this edge as a condition. A contact at the apex has the whole cone again.
+//! The forces of an equilibrium, and their rates as the load grows, solve problems of the same kind. In the equilibrium problem every contact has its
+//! whole cone. In the problem for the rates, a contact with its force inside the cone is bonded, and an open contact is absent. A contact with its
+//! force on an edge of the cone has only this edge as a condition. A contact at the apex has the whole cone again.
 
 use nalgebra::SVector;
 
@@ -25,7 +25,8 @@ pub(crate) enum Law {
         /// Whether the contact may also open.
         gap: bool,
     },
-    /// The force lies on an edge of the cone with F_n > 0. Only these facets `h·F_t <= μ F_n` are conditions, at most one per tangent.
+    /// The force lies on an edge of the cone with F_n > 0. Only the facets `h·F_t <= μ F_n` with these normals h are conditions. There are at most as
+    /// many facets as tangents.
     Edge(Vec<SVector<f64, 3>>),
 }
 
@@ -39,7 +40,7 @@ pub(crate) struct LocalLaw<'c> {
     pub(super) friction: Coulomb,
     /// In space: whether the round cone limits the contact. The polygon then only supplies the states that are tried first.
     pub(super) on_round_cone: bool,
-    /// Whether a contact with infinite friction has facets, those of a cone with a very large finite coefficient.
+    /// Whether a contact with infinite friction has facets: the facets of a cone with a very large finite coefficient.
     pub(super) infinite_friction_has_edges: bool,
 }
 
@@ -78,8 +79,8 @@ impl<'c> LocalLaw<'c> {
         self.has_a_whole_cone() && self.friction.has_edges()
     }
 
-    /// Whether conditions limit the force of the contact while it is closed. A bonded or absent contact has none, nor has a frictionless guide that
-    /// is kept closed.
+    /// Whether conditions limit the force of the contact while it is closed. A bonded or absent contact has no such conditions, nor has a
+    /// frictionless guide that is kept closed.
     pub(crate) fn has_edges(&self) -> bool {
         !self.is_bonded() && (self.may_open() || !self.facets().is_empty())
     }
@@ -198,7 +199,8 @@ impl<'c> LocalLaw<'c> {
         Some(second.map_or(first, |second| first + facets[second]))
     }
 
-    /// Friction margin of a contact under a force, N: on the round cone, or the least margin of all facets. Infinite for infinite friction.
+    /// Friction margin of a contact under a force, N: the margin on the round cone, or the least margin of all facets of a polygonal cone. Infinite
+    /// for infinite friction.
     pub(crate) fn margin(&self, force: &SVector<f64, 3>) -> f64 {
         if self.never_slides() {
             return f64::INFINITY;

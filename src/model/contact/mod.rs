@@ -6,22 +6,22 @@
 //! |---|---|
 //! | `compliance` | springs along the axes of the contact frame |
 //! | `coulomb` | the cone `\|F_t\| <= μ F_n` and its facets |
-//! | `polygon` | the polygonal cone in place of the round one |
-//! | `state`, `slide` | the states of a contact, with their data |
-//! | `law` | the conditions that apply: at rest, in rates, on an edge |
+//! | `polygon` | the polygonal cone in place of the round cone |
+//! | `state`, `slide` | the states of a contact; a slide on the round cone with its direction and slip |
+//! | `law` | the conditions that apply in an equilibrium and to the rates of force and stretch |
 //! | `answer` | stretch → state and force |
 //! | `kinetic` | the smaller cone of a sliding contact, and the loss of friction as it begins to slide |
 //! | `springs` | the springs of a contact in a known state: left and right factors |
 //! | `straight_stretch` | the force after a stretch that grows along a straight line, while the slip direction turns |
 //! | `relaxing_slide` | the slip direction after a straight stretch with unequal tangential springs |
-//! | `tangent` | the tangent stiffness: derivative of force by stretch |
+//! | `tangent` | the tangent stiffness: derivative of the force with respect to the stretch |
 //! | `conditions` | the inequalities of a state, with the sizes that scale their rounding |
 //! | `hull` | convex hull of all stretches and forces that the law allows if only part of the state is known |
 //! | `most_work` | upper bound of a contact's work along a virtual motion |
 //! | `resistance` | upper bound of a contact's power against a motion, for any previous slip |
 //! | `edges` | the conditions on the force of a sticking contact, and the least of them over a set of forces |
-//! | `exits` | the distance along a straight line to the end of a state |
-//! | `turning_exits` | the angle of a turning load to the end of a state |
+//! | `exits` | the distance along a straight line of forces at which a contact leaves its state |
+//! | `turning_exits` | the angle of a turning load at which a contact leaves its state |
 //! | `active_set` | the edges reached at an event, and the law of the rates beyond it |
 //! | `tolerances` | limits below which a quantity counts as zero |
 

@@ -28,7 +28,7 @@ pub enum Fit {
     Balanced,
 }
 
-/// The polygonal cone that approximates the round one in space. Planar grasps need no such polygon.
+/// The polygonal cone that approximates the round friction cone in space. Planar grasps need no such polygon.
 ///
 /// `F_t` lies in `μ F_n` times a regular polygon around the origin, with m facets normal to h_j and m corners d_j:
 ///
@@ -104,11 +104,11 @@ pub(crate) struct Polygon {
     pub(crate) corners: Vec<SVector<f64, 3>>,
 }
 
-/// The polygon of the plane and that of the default cone, computed once.
+/// The polygons of the plane and of the default cone, computed once.
 static SHARED: [Once<Arc<dyn Any + Send + Sync>>; 2] = [const { Once::new() }; 2];
 
 impl Polygon {
-    /// The polygon of a cone. That of the plane and that of the default cone are computed once and shared.
+    /// The polygon of a cone. The polygons of the plane and of the default cone are computed once and shared.
     pub(crate) fn shared(space: Space, cone: &PolygonCone) -> Arc<Self> {
         let made = || Arc::new(Self::new(space, cone));
         let place = match space {

@@ -1,5 +1,5 @@
-//! The direction in which a contact with unequal tangential springs slides during a straight stretch. The direction turns gradually towards that of
-//! the stretch rate.
+//! The direction in which a contact with unequal tangential springs slides during a straight stretch. The direction turns gradually towards the
+//! direction of the stretch rate.
 //!
 //! The friction force is r p, with the unit vector p at an angle φ from the first tangent, and the contact slips along p. With K = diag(k₁, k₂)
 //! the spring law gives

@@ -6,8 +6,8 @@
 //! dF_t = μ dF_n P + κ d (d·dv),     P = S p / (p·S p),     κ = det S / (p·S p)
 //! ```
 //!
-//! where d is the tangent at right angles to p. The first term is the force on a facet of the cone with normal p. The second is a spring across the
-//! slip direction, which the slip softens.
+//! where d is the tangent at right angles to p. The first term is the force on a facet of the cone with normal p. The second term is a spring across
+//! the slip direction, which the slip softens.
 
 use nalgebra::SVector;
 

@@ -1,5 +1,5 @@
-//! A contact in a known state is equivalent to a few springs. Each spring is stretched along the direction `right` and pushes along the direction
-//! `left`.
+//! A contact in a known state is equivalent to a few springs. Let v_i be the stretch of contact i, a_i its offset (commanded displacement), G_i its
+//! grasp map and q the motion of the object. Each spring is stretched along the direction `right` and pushes along the direction `left`.
 //!
 //! ```text
 //! F_i = Σ_r left_r (right_r · v_i),     v_i = a_i - G_iᵀq
@@ -51,7 +51,7 @@ impl Spring {
     fn dragging(k: f64, mu: f64, pull: &SVector<f64, 3>) -> Self {
         let root = k.sqrt();
         // The factors of the spring are scaled to `c right` and `left / c`. With a large μ the left factor would otherwise be far longer than the
-        // right one.
+        // right factor.
         let balance = (1.0 + mu * pull.norm()).sqrt();
         let (mut right, mut left) = (SVector::zeros(), SVector::zeros());
         (right[0], left[0]) = (root * balance, root / balance);

@@ -1,17 +1,17 @@
-//! The states of a contact, with their data.
+//! The states of a contact: open, sticking, or sliding on a facet, at a corner or on the round cone.
 
 use nalgebra::SVector;
 
 use super::slide::Slide;
 
-/// A state of a contact. R is the type of the data of a slide on a round cone.
+/// A state of a contact. R is the type that describes a slide on a round cone, for example by its direction.
 ///
 /// | state | force | condition |
 /// |---|---|---|
 /// | open | `F = 0` | gap >= 0 |
 /// | sticking | `F = K v` | force in the cone, no slip |
 /// | facet j | `h_j·F_t = μ F_n` | slip along h_j; across it the spring still acts |
-/// | corner j | F_t at the corner of facets j and j + 1 | slip between their normals |
+/// | corner j | F_t at the corner of facets j and j + 1 | slip direction between the normals of both facets |
 /// | round | `F_t = μ F_n p` | slip along p |
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Mode<R> {
@@ -51,7 +51,8 @@ impl<R> Mode<R> {
         }
     }
 
-    /// Numbers of the facets, among `count` facets of the cone, on which the contact slides: one, or two at a corner. In any other state none.
+    /// Numbers of the facets, among `count` facets of the cone, on which the contact slides: one on a facet, two at a corner, none in any other
+    /// state.
     pub(crate) fn own_facets(&self, count: usize) -> [Option<usize>; 2] {
         match self {
             Self::Facet(j) => [Some(usize::from(*j)), None],

@@ -5,8 +5,8 @@
 //! sliding     C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ
 //! ```
 //!
-//! While the contact slides, the normal spring also changes the friction force, and a spring acts across the slip; P, κ and d are those of [`Edge`].
-//! A sum over many contacts adds the dyads one by one. Each contact has at most as many dyads as C has columns, and each dyad costs one
+//! While the contact slides, the normal spring also changes the friction force, and a spring acts across the slip; P, κ and d are defined at
+//! [`Edge`]. A sum over many contacts adds the dyads one by one. Each contact has at most as many dyads as C has columns, and each dyad costs one
 //! multiplication per entry.
 
 use nalgebra::{SMatrix, SVector};

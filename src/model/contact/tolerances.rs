@@ -12,7 +12,7 @@ pub(crate) const ZERO_SLACK: f64 = 5e-14;
 pub(crate) const MOST_SLACK: f64 = 1e-10;
 
 /// A force below this fraction of the terms from which it is computed is zero. The contact is then at the apex of its cone. The limit is looser than
-/// [`ZERO_SLACK`], since facets that meet near the apex cannot be distinguished there.
+/// [`ZERO_SLACK`], since so close to the apex the facets cannot be distinguished.
 pub(crate) const WEIGHTLESS: f64 = 1e-12;
 
 /// A force, N, or displacement, m, that is added to the terms with which quantities are compared. A quantity thus counts as zero before it becomes

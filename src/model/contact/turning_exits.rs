@@ -14,8 +14,8 @@ use crate::numerics::tolerances::ROUNDED_SUM;
 use crate::numerics::{FirstZero, Harmonic, Trigonometric, Turning};
 use crate::prelude::*;
 
-/// A contact force, or a displacement of the body relative to the finger, as a function of the load's angle φ. The present angle of the load is φ =
-/// 0.
+/// A contact force, or a displacement of the body relative to the finger, as a function of the angle φ by which the load has turned from its present
+/// direction.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Wave {
     pub(crate) of: Harmonic<SVector<f64, 3>>,
@@ -149,8 +149,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// Refines an angle by Newton's method on the margin μF_n - |F_t|. Close to a double root the squared form has lost half of the digits, but the
-    /// margin itself has not.
+    /// Refines an angle by Newton's method on the margin μF_n - |F_t|. Close to a double root the difference of squares has lost half of its digits,
+    /// but the margin has not.
     fn polished(&self, wave: &Wave, angle: f64) -> f64 {
         let cone = self.cone();
         let mut step = angle;
@@ -159,7 +159,8 @@ impl LocalLaw<'_> {
             let (at, rate) = (wave.of.at(step), wave.of.rate_at(step));
             let slope = cone.facet_margin(&rate, &outward(&at));
             let better = step - cone.round_margin(&at) / slope;
-            // Largest correction of the angle, rad. It is well above the error of the angle, the square root of the rounding error of squares.
+            // Largest correction of the angle, rad. It is well above the error of the angle, which is the square root of the rounding error of
+            // squares.
             if slope < 0.0 && better > 0.0 && (better - angle).abs() <= 1e-3 {
                 step = better;
             }
@@ -177,7 +178,7 @@ fn outward(force: &SVector<f64, 3>) -> SVector<f64, 3> {
 /// The behaviour of a margin at the start of an arc, φ = 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Start {
-    /// The margin is positive, at once or after this number of roots at φ = 0.
+    /// The margin is positive for small φ > 0; `roots` of its roots lie at φ = 0 up to rounding.
     Above { roots: usize },
     /// The margin is zero at φ = 0 and negative beyond.
     Falls,
@@ -206,8 +207,8 @@ impl Start {
     }
 }
 
-/// The exit at the first angle up to `most` at which `component`, a linear function of the vector, becomes negative or touches zero; `None` without
-/// such an angle.
+/// The exit at the first angle up to `most` at which `component`, a linear function of the wave's vector, becomes negative or touches zero. `None`
+/// without such an angle.
 fn linear_exit(
     wave: &Wave,
     component: impl Fn(&SVector<f64, 3>) -> f64,
@@ -229,8 +230,8 @@ fn linear_exit(
     Some(TurningExit::Leaves(Exit { step, uncertainty, facet }))
 }
 
-/// Rounding error of a root of a function of the load's angle. The function is known to `slack`; `slope` is its slope at the root, and `size` bounds
-/// its curvature.
+/// Rounding error of a root of a function of the load's angle. The values of the function have the error `slack`; `slope` is its slope at the root,
+/// and `size` an upper bound of its curvature.
 fn uncertainty(slack: f64, slope: f64, size: f64) -> f64 {
     (slack / slope.abs()).min((2.0 * slack / size).sqrt())
 }

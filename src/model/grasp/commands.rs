@@ -15,9 +15,9 @@ pub(crate) enum Axes {
 }
 
 impl<const C: usize> Contact<C> {
-    /// Commanded displacement u_f of the finger's core in the **contact frame**, m: (normal, tangential…). A positive normal component pushes
-    /// into the object; a positive tangential one drags the object along the tangent. See [`Self::command_world`] for a command along the
-    /// coordinate axes.
+    /// Commanded displacement u_f of the finger's core in the **contact frame**, m: (normal, tangential…). A positive normal component pushes into
+    /// the object; a positive tangential component drags the object along the tangent. See [`Self::command_world`] for a command along the coordinate
+    /// axes.
     #[doc(alias = "commanded displacement", alias = "reference displacement")]
     pub fn command(mut self, u_f: impl Into<[f64; C]>) -> Self {
         self.command = SVector::from(u_f.into());

@@ -69,11 +69,11 @@ pub struct Contact<const C: usize> {
     /// Coefficient of kinetic friction, if it differs from `friction`.
     pub(crate) kinetic: Option<f64>,
     pub(crate) command: SVector<f64, C>,
-    /// Axes of `command`; those of the contact frame once the contact is part of a grasp.
+    /// Axes of `command`; they are the axes of the contact frame once the contact is part of a grasp.
     pub(crate) command_axes: Axes,
     /// Pressing force that replaces the normal component of the command, N; converted to a command once the contact is part of a grasp.
     pub(crate) press: Option<f64>,
-    /// Given normal force in the equilibrium without the load of a question, after all springs have yielded, N. When the grasp is made, it computes
+    /// Given normal force in the equilibrium without the load of a question, after all springs have deflected, N. When the grasp is made, it computes
     /// the command that leads to this force.
     pub(crate) at_rest: Option<f64>,
     /// Constant normal force, independent of the object's motion, N.
@@ -120,15 +120,15 @@ impl<const C: usize> Contact<C> {
         }
     }
 
-    /// Names the body into which the normal of the contact points, one of [several](super::Bodies). Forces and displacements of the contact refer to
-    /// this body.
+    /// Names the body into which the normal of the contact points, one of [several bodies](super::Bodies). Forces and displacements of the contact
+    /// refer to this body.
     pub fn on(mut self, body: impl Into<String>) -> Self {
         self.on = Some(body.into().into());
         self
     }
 
-    /// Names the body on the other side of the contact, one of [several](super::Bodies), in place of the ground or a finger. The body stiffness of
-    /// the contact belongs to the body named by [`on`](Self::on), the finger stiffness to the body named here.
+    /// Names the body on the other side of the contact, one of [several bodies](super::Bodies), in place of the ground or a finger. The body
+    /// stiffness of the contact belongs to the body named by [`on`](Self::on), the finger stiffness to the body named here.
     pub fn against(mut self, body: impl Into<String>) -> Self {
         self.against = Some(body.into().into());
         self
@@ -173,12 +173,12 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Coefficient of kinetic friction, from a millionth of the [static coefficient](Self::friction) up to all of it. When the contact begins to
-    /// slide, its friction drops to this value at constant load. Other contacts then carry the difference, or no equilibrium exists and the object is
-    /// lost. A contact that has stopped sliding has static friction again.
+    /// Coefficient of kinetic friction, from a millionth of the [static coefficient](Self::friction) up to the static coefficient itself. When the
+    /// contact begins to slide, its friction drops to this value at constant load. Other contacts then carry the difference, or no equilibrium exists
+    /// and the object is lost. A contact that has stopped sliding has static friction again.
     ///
-    /// Answers are **overdamped**: the object moves without overshoot to where forces balance again. An undamped object overshoots up to twice
-    /// as far, and may be lost where the overdamped one is held. See the [guide](crate::guide::kinetic_friction).
+    /// Answers are **overdamped**: the object moves without overshoot to where forces balance again. An undamped object overshoots up to twice as
+    /// far, and may be lost although the overdamped object is held. See the [guide](crate::guide::kinetic_friction).
     ///
     /// [`follow`](crate::ask::Grasp::follow), [`hold`](crate::ask::Grasp::hold), [`shake`](crate::ask::Grasp::shake) and needs to
     /// [hold](crate::need::Need::to_hold) or to [rest](crate::need::Need::to_rest) take kinetic friction into account. The first slip does not depend
@@ -245,14 +245,14 @@ impl<const C: usize> Contact<C> {
         self.friction
     }
 
-    /// Coefficient of kinetic friction; equal to the static coefficient unless another [was given](Self::kinetic).
+    /// Coefficient of kinetic friction; equal to the static coefficient unless a kinetic coefficient [was given](Self::kinetic).
     #[must_use]
     pub fn kinetic_coefficient(&self) -> f64 {
         self.kinetic.unwrap_or(self.friction)
     }
 
-    /// Sets the coefficient of static friction and scales that of kinetic friction in proportion. A kinetic coefficient that would be zero or
-    /// infinite is removed.
+    /// Sets the coefficient of static friction and scales the coefficient of kinetic friction in proportion. A kinetic coefficient that would become
+    /// zero or infinite is removed.
     pub(crate) fn set_friction(&mut self, mu: f64) {
         let proportion = mu / self.friction;
         self.kinetic = self

@@ -32,8 +32,8 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Series stiffness of body and finger, `1/k = 1/k_body + 1/k_finger`: normal and tangential, N/m, positive and finite. It replaces both single
-    /// stiffnesses. How the elastic displacement divides between the two surfaces is then unknown.
+    /// Series stiffness of body and finger, `1/k = 1/k_body + 1/k_finger`: normal and tangential, N/m, positive and finite. It replaces the
+    /// stiffnesses of body and finger. How the elastic displacement divides between the two surfaces is then unknown.
     pub fn series_stiffness(self, normal: f64, tangential: f64) -> Self {
         self.series_stiffness_axes(normal_and_tangential(normal, tangential))
     }

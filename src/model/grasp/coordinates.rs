@@ -6,7 +6,7 @@ use nalgebra::SVector;
 use crate::numerics::{Vector, WHOLE};
 use crate::prelude::*;
 
-/// Coordinates of the object, then those of joints and of other bodies, all in the engine's units. Up to six coordinates are stored without
+/// Coordinates of the object, then coordinates of joints and of other bodies, all in the engine's units. Up to six coordinates are stored without
 /// allocation.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Coordinates {

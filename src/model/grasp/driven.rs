@@ -161,8 +161,8 @@ impl Engine {
         self.linkage.as_ref().map_or(&[], |linkage| &linkage.commands)
     }
 
-    /// Offsets of all contacts, then those of a hand's drives. The offset a_i of a contact is its command in the contact frame, less the clearance
-    /// along the normal.
+    /// Offsets of all contacts, then of a hand's drives: the commanded displacements that stretch their springs. The offset a_i of a contact is its
+    /// command in the contact frame, less the clearance along the normal.
     pub(crate) fn offsets(&self) -> Vec<SVector<f64, 3>> {
         let mut offsets = Vec::new();
         self.offsets_into(&mut offsets);
@@ -178,7 +178,7 @@ impl Engine {
         );
     }
 
-    /// Offsets of all contacts and drives under other commands than those of the grasp.
+    /// Offsets of all contacts and drives under the given commands, which may differ from the commands of the grasp.
     pub(crate) fn offsets_under(
         &self,
         commands: impl Iterator<Item = SVector<f64, 3>>,

@@ -16,7 +16,7 @@ use crate::numerics::Space;
 use crate::numerics::{Size, moved};
 use crate::prelude::*;
 
-/// A grasp with validated contacts. Its coordinates are the 3 or 6 of the object, then those of joints and of other bodies.
+/// A grasp with validated contacts. Its coordinates are the 3 or 6 coordinates of the object, then the coordinates of joints and of other bodies.
 #[derive(Debug, Clone)]
 pub(crate) struct Engine {
     /// Whether the grasp is in the plane or in space.
@@ -38,7 +38,7 @@ pub(crate) struct Engine {
     pub(super) vacuum: Option<Box<Vacuum>>,
     /// Factors of the stiffness matrix of the elastic trial, a state in which all contacts stick; computed on first use.
     trial: Remembered,
-    /// Contact states at rest of a similar grasp, near which searches with many coordinates begin; empty if there are none.
+    /// Contact states in which a similar grasp is at rest. Searches with many coordinates begin near these states. Empty if no such states are known.
     pub(crate) near: Vec<State>,
 }
 
@@ -110,7 +110,7 @@ impl Engine {
         self.linkage().map_or(&[], |linkage| &linkage.centres)
     }
 
-    /// A grasp with these contacts. Its origin is the centroid of the contacts for which `is_meant` is true.
+    /// A grasp with these contacts. Its origin is the centroid of the contacts with the indices for which `is_meant` is true.
     fn of(
         space: Space,
         size: Size,

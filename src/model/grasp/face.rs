@@ -1,7 +1,7 @@
 //! Conversion of questions and answers between the public interface, with vectors of two or three components, and the engine, with three.
 //!
-//! A vector of the plane gets a third component of zero. A wrench or a twist of the plane becomes one of space whose moment or rotation is about
-//! z. The engine is thus compiled only once, and values for space need no conversion.
+//! A vector of the plane gets a third component of zero. A wrench or a twist of the plane becomes a wrench or a twist of space whose moment or
+//! rotation is about z. The engine is thus compiled only once, and values for space need no conversion.
 
 use alloc::borrow::Cow;
 use alloc::collections::BTreeMap;

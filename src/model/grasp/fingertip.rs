@@ -44,18 +44,17 @@ use crate::prelude::*;
 /// | turning stiffness, N m/rad | k_n ⟨x²⟩ | k_n b² | k_n b²/3 | k_n b²/5 | k_n b²/4 |
 /// | first opening, N m | N ⟨x²⟩/b | N b | N b/3 | N b/5 | N b/4 |
 ///
-/// These are the values of the continuum. Patches of points agree with them to rounding, even the coarsest. Every annulus of a disc has its
-/// exact share of the load, of ⟨r⟩ and of ⟨r²⟩. One layer of points lies on the rim (see [`Pressure`]). If the tangential stiffnesses k_1 and
-/// k_2 differ, their mean replaces k_t in the torsional stiffness. First sliding then comes earlier, by up to the factor mean/max(k_1, k_2).
+/// The tables give the values of the continuum. Patches of points agree with these values to rounding, even the coarsest patches. Every annulus of a
+/// disc has its exact share of the load, of ⟨r⟩ and of ⟨r²⟩. One layer of points lies on the rim (see [`Pressure`]). If the tangential stiffnesses
+/// k_1 and k_2 differ, their mean replaces k_t in the torsional stiffness. First sliding then comes earlier, by up to the factor mean/max(k_1, k_2).
 ///
 /// Under torsion slip starts at the rim and spreads inwards: at an angle θ all points beyond `r_s = μ N / (k_t θ)` slide. On the uniform disc
 /// the moment is `M = μ N R (2/3 - (r_s/R)³/6)`. The continuum reaches its friction limit only asymptotically; a patch of points reaches it when
 /// its innermost ring slides. In between, the error of the moment decreases with the square of the number of annuli. On the uniform disc it is
 /// at most 0.041, 0.0163 and 0.0056 μ N R for 1, 2 and 4 annuli.
 ///
-/// The pressure profile p holds for a pure normal displacement of any size, and changes as the tip tilts. The patch does not grow with the
-/// squeeze. To match a measured torsional stiffness k_θ, use a ring of radius √(k_θ/k_t); to match a measured torsional limit τ, one of radius
-/// τ/(μ N).
+/// The pressure profile p holds for a pure normal displacement of any size, and changes as the tip tilts. The patch does not grow with the squeeze.
+/// To match a measured torsional stiffness k_θ, use a ring of radius √(k_θ/k_t); to match a measured torsional limit τ, use a ring of radius τ/(μ N).
 ///
 /// ```
 /// use grasp_lcp::spatial::{Contact, Grasp, Pressure, SoftFingertip, Wrench};
@@ -172,7 +171,7 @@ impl SoftFingertip<3> {
         Ok(Self { radius, points: all })
     }
 
-    /// Torsional stiffness about the normal, N m/rad, while friction suffices: `Σ w_i (k_1 y_i² + k_2 x_i²)`. Point i has the share w_i of the
+    /// Torsional stiffness about the normal, N m/rad, while no point slides: `Σ w_i (k_1 y_i² + k_2 x_i²)`. Point i has the share w_i of the
     /// tangential stiffnesses k_1, k_2 and the coordinates x_i along the first and y_i along the second tangent. The sum equals `(k_1 + k_2)/2 ⟨r²⟩`.
     #[must_use]
     pub fn torsional_stiffness(&self, contact: &Contact<3>) -> f64 {
@@ -279,7 +278,8 @@ impl<const C: usize> SoftFingertip<C> {
     /// The point contacts that replace `contact`.
     ///
     /// Each point has the normal, tangents, friction, command, clearance and [`Hold`](crate::grasp::Hold) of `contact`. Its stiffness (of body and
-    /// finger) and its forces are the share w_i of the contact's. Its name is that of `contact` with a number from 0, "thumb 3".
+    /// finger) and its forces are the fraction w_i of the stiffness and forces of `contact`. Its name is the name of `contact` with a number from 0,
+    /// as in "thumb 3".
     ///
     /// # Errors
     /// [`Error::Contact`] with index 0 if `contact` has a number that is out of range.
@@ -300,18 +300,18 @@ impl<const C: usize> SoftFingertip<C> {
         self.points.iter().map(|place| (place.offset, place.share))
     }
 
-    /// Tilting stiffness about a tangent, N m/rad: `k_n ⟨r²⟩/2` in space, `k_n ⟨x²⟩` in the plane. For a rectangle it is the smaller of the
-    /// [two](SoftFingertip::tilting_stiffnesses).
+    /// Tilting stiffness about a tangent, N m/rad: `k_n ⟨r²⟩/2` in space, `k_n ⟨x²⟩` in the plane. For a rectangle it is the smaller of the [two
+    /// tilting stiffnesses](SoftFingertip::tilting_stiffnesses).
     #[must_use]
     pub fn tilting_stiffness(&self, contact: &Contact<C>) -> f64 {
         let least = (1..C).map(|axis| self.square(axis)).fold(f64::INFINITY, f64::min);
         contact.series_stiffness_of_axes()[0] * least
     }
 
-    /// Moment about a tangent at which the first point opens, N m, under the normal force `normal_force` (N): `N ⟨r²⟩/2R` in space, `N ⟨x²⟩/b`
-    /// in the plane. In space this holds for a tilt towards a point on the rim. For a tilt between two such points the first point opens later,
-    /// by up to the factor 1/cos(π/points). For a rectangle it is the smaller value of the two tilts about a side; a tilt towards a corner opens
-    /// earlier.
+    /// Moment about a tangent at which the first point opens, N m, under the normal force `normal_force` (N): `N ⟨r²⟩/2R` in space, `N ⟨x²⟩/b` in the
+    /// plane. In space this holds for a tilt towards a point on the rim. For a tilt between two such points the first point opens later, by up to the
+    /// factor 1/cos(π/points). For a rectangle it is the smaller of the moments for tilts about the two tangents; under a tilt towards a corner a
+    /// point opens earlier.
     #[must_use]
     pub fn first_opening(&self, normal_force: f64) -> f64 {
         let along = |axis: usize| self.square(axis) / self.largest(|at| at[axis].abs());

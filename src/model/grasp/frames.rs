@@ -20,8 +20,8 @@ use crate::numerics::{Space, by_axis};
 use crate::prelude::*;
 
 impl<const C: usize> Contact<C> {
-    /// This contact in another frame. `pose` is the frame in which the contact is given, as seen from the target frame. It may be that of a
-    /// finger's last link or of the object. All contacts of a grasp must be in the same frame.
+    /// This contact in another frame. `pose` is the frame in which the contact is given, as seen from the target frame. This frame may be the frame
+    /// of a finger's last link or of the object. All contacts of a grasp must be in the same frame.
     ///
     /// Points become `r' = R r + p`; normal and tangents are rotated by R. A tangent that was not given is set to the default of the old frame
     /// and rotated, too. Commands, stiffnesses and forces in the contact frame therefore do not change.
@@ -51,7 +51,7 @@ impl<const C: usize> Contact<C> {
     /// This contact with its normal tilted towards its tangents by the angles `tilt`, rad; the frame rotates with it. The axis of rotation is
     /// orthogonal to the normal and to `tilt`, and the angle of rotation is the norm of `tilt`. The first component of `tilt` is ignored.
     pub(crate) fn tilted(mut self, tilt: &SVector<f64, C>) -> Self {
-        // Without a valid frame the contact stays unchanged here. `Grasp::new` then returns an error for this contact.
+        // Without a valid frame this function returns the contact unchanged. `Grasp::new` then returns an error for this contact.
         let Ok(frame) = self.frame(0) else { return self };
         let mut towards = *tilt;
         towards[0] = 0.0;
@@ -72,7 +72,7 @@ impl<const C: usize> Contact<C> {
 fn turned<R: AbstractRotation<f64, C>, const C: usize>(rotation: &R, v: &Vector) -> Vector {
     let part = |from: usize| rotation.transform_vector(&by_axis(|a| v[from + a]));
     let linear = part(0);
-    // A rotation about the only axis of the plane is the same in all frames, and so are joint displacements.
+    // In the plane the angle of a rotation is the same in all frames. So are the displacements of joints.
     let angular = (C == 3).then(|| part(C));
     let mut turned = v.clone();
     for a in 0..C {

@@ -77,7 +77,7 @@ impl Words {
         format!("{} {text}", printable(&motion.body))
     }
 
-    /// [`Self::motion`] from the mean displacement of points and their largest deviation from it, m; `None` if no points are known.
+    /// [`Self::motion`] from the mean displacement of points and the largest deviation from this mean, m; `None` if no points are known.
     fn motion_text(self, twist: &Twist<3>, points: Option<(SVector<f64, 3>, f64)>) -> String {
         let (along, omega) = twist.parts_in(self.space::<3>());
         let (mean, spread) = points.unwrap_or((along, 0.0));

@@ -17,7 +17,7 @@
 //! precision only.
 //!
 //! Poses are nalgebra's. [`Contact::transformed`], [`Wrench::transformed`] and [`Twist::transformed`] convert from the frame of a link or of the
-//! object to that of the grasp. `about` changes the reference point. [`Twist::exp`](crate::spatial::Twist::exp) is the rigid motion that belongs
+//! object to the frame of the grasp. `about` changes the reference point. [`Twist::exp`](crate::spatial::Twist::exp) is the rigid motion that belongs
 //! to an object's twist. Poses of glam, parry and rapier convert with `glamx` and its feature `nalgebra`: `DPose3::from(twist.exp())`,
 //! `Isometry3::from(pose)`. The package `collision-contacts` in the repository takes contacts from parry and demonstrates all of this.
 

@@ -28,7 +28,7 @@ pub struct Motion<const C: usize> {
 
 #[cfg(feature = "plot")]
 impl<const C: usize> Motion<C> {
-    /// Twist of the body with this index, or of the object if there is only one.
+    /// Twist of the body with this index, or of the object if the grasp has no further bodies.
     pub(crate) fn of_body(&self, body: usize) -> &Twist<C> {
         self.bodies.get(body).map_or(&self.object, |motion| &motion.twist)
     }

@@ -18,8 +18,8 @@ const GRAVITY: f64 = 9.81;
 /// a_c = a + α × r + ω × (ω × r),  r = c - p        force m (g - a_c) at c,  moment -(I α + ω × I ω)
 /// ```
 ///
-/// where the arm's point p has the acceleration a, and the arm turns about p with the angular velocity ω and the angular acceleration α. Axes
-/// and reference point of the moments are those of the grasp at that instant.
+/// where the arm's point p has the acceleration a, and the arm turns about p with the angular velocity ω and the angular acceleration α. Axes and
+/// reference point of the moments are the axes and the origin of the grasp at that instant.
 ///
 /// ```
 /// use grasp_lcp::planar::{ArmMotion, Payload, Wrench};

@@ -24,7 +24,7 @@ impl SoftFingertip<3> {
     /// | first opening under a moment (M_1, M_2) about the tangents, N m | M_1 6/b + M_2 6/a = N, absolute values |
     /// | first sliding under torsion, N m: a corner | μ N √(a² + b²)/6 |
     ///
-    /// The torsional friction limit `μ N ⟨r⟩` of the points is lower than that of the uniform pad, by at most 2.2 % for one strip and 0.4 % for
+    /// The torsional friction limit `μ N ⟨r⟩` of the points is lower than the limit of the uniform pad, by at most 2.2 % for one strip and 0.4 % for
     /// two.
     ///
     /// ```

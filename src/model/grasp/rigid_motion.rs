@@ -9,9 +9,11 @@
 //! ```
 //!
 //! Any other rigid motion that agrees with the twist to first order differs from this one to second order, which first-order answers do not
-//! determine. The exponential map does not depend on the frame: a pure rotation about a pivot remains one for every choice of the origin.
+//! determine. The exponential map does not depend on the frame: a pure rotation about a pivot remains a pure rotation about this pivot for every
+//! choice of the origin.
 //!
-//! Nothing in the library calls these functions. With `inline` only a program that does compiles them, and the quaternions of nalgebra.
+//! Nothing in the library calls these functions. Since they are marked `inline`, only a program that calls them compiles them and nalgebra's
+//! quaternions.
 
 use nalgebra::{ComplexField, Isometry2, Isometry3, SVector, UnitComplex, UnitQuaternion, Vector3};
 

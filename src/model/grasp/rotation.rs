@@ -1,7 +1,7 @@
 //! Moments and rotations, in one form for the plane and for space.
 //!
-//! A rotation turns a coordinate plane (i, j). The plane has only (x, y); space has (y, z), (z, x) and (x, y), whose rotations are about x, y
-//! and z. With r the arm, f a force and θ the rotations,
+//! A rotation takes place in a coordinate plane (i, j). A planar grasp has only the plane (x, y). In space (y, z), (z, x) and (x, y) are the planes
+//! of the rotations about x, y and z. With r the arm, f a force and θ the rotations,
 //!
 //! ```text
 //! moment_k       = r_i f_j - r_j f_i
@@ -72,7 +72,7 @@ impl Space {
         moved
     }
 
-    /// Converts a twist with the translation of the point at `p` to one with the translation of the origin.
+    /// Converts a twist with the translation of the point at `p` to a twist with the translation of the origin.
     pub(crate) fn moved_twist<const C: usize>(self, p: &SVector<f64, C>, q: &Vector) -> Vector {
         let translation = self.displacement_of::<C>(&-p, q);
         let mut moved = q.clone();
@@ -101,7 +101,7 @@ impl Space {
     }
 
     /// The grasp map about `origin` with arms in units of `length`, rounded; and its rounding error, the exact map for `point` and `frame` minus the
-    /// rounded one.
+    /// rounded map.
     pub(super) fn grasp_map_in_twice(
         self,
         size: Size,

@@ -77,9 +77,9 @@ impl Engine {
         loaded.map(|(name, _)| name.to_string()).list()
     }
 
-    /// Looks up the part with this name, and returns a copy of the grasp in which its load or command is multiplied by `factor`. For each kind of
-    /// part this is the load of a body without its weight; the command, force and vacuum of a contact or a link; or the command and the constant
-    /// torque or tension of a joint or a tendon.
+    /// Looks up the part with this name, and returns a copy of the grasp in which its load or command is multiplied by `factor`. For a body the
+    /// factor multiplies its load without its weight; for a contact or a link its command, force and vacuum; for a joint or a tendon its command and
+    /// its constant torque or tension.
     ///
     /// # Errors
     /// [`Error::Part`] if no part has this name, or its load or command is zero; [`Error::Argument`] if the factor is out of range.

@@ -1,4 +1,5 @@
-//! One site: a contact, or a drive of a hand. The engine treats both as points with springs and a contact law.
+//! One site: a contact, or a drive of a hand, i.e. the spring of a joint or tendon with its motor. The engine treats both as points with springs and
+//! a contact law.
 
 use crate::numerics::{Map, Size, Vector, WHOLE};
 use alloc::sync::Arc;
@@ -13,14 +14,14 @@ use crate::error::Error;
 use crate::numerics::DoubleDouble;
 use crate::numerics::Space;
 
-/// Data of one contact or drive, in the engine's coordinates.
+/// One contact or drive, in the engine's coordinates.
 #[derive(Debug, Clone)]
 pub(crate) struct Site {
-    /// Grasp map G_i of this contact or drive.
+    /// Grasp map G_i of this site. A column holds the forces in all coordinates due to a unit force of the site along one axis of its frame.
     pub(crate) map: Map,
     /// Rounding error of the grasp map G_i for the given point and frame: the exact map minus G_i.
     pub(crate) map_rest: Map,
-    /// Norm of the grasp map.
+    /// Norm of the grasp map G_i.
     size: f64,
     /// Coordinates in which the grasp map G_i has nonzero entries.
     pub(crate) support: Support,
@@ -30,7 +31,7 @@ pub(crate) struct Site {
     pub(crate) space: Space,
     pub(crate) springs: Compliance,
     pub(crate) friction: Coulomb,
-    /// Kinetic friction cone, if smaller than the static one.
+    /// Kinetic friction cone; `None` if it equals the static friction cone.
     pub(crate) kinetic: Option<Coulomb>,
     pub(crate) hold: Hold,
     /// Polygon that replaces the friction cone even where the settings ask for the round cone; used for drives that slip.
@@ -70,7 +71,7 @@ impl Site {
         })
     }
 
-    /// A copy of this contact or drive with another grasp map, whose rounding error counts as zero.
+    /// A copy of this site with another grasp map, whose rounding error counts as zero.
     pub(crate) fn with_map(&self, mut map: Map) -> Self {
         let mut map_rest = Map::zeros(map.size());
         let (size, support) = (map.norm(), Support::of(self.space, &mut map, &mut map_rest));
@@ -154,7 +155,7 @@ impl Site {
         self.map.size()
     }
 
-    /// The contact law before any limit is reached: the whole friction cone, or a bond.
+    /// The contact law in an equilibrium: the whole friction cone, or a bond. Rates of force and stretch may obey another [`Law`].
     pub(crate) fn whole_law(&self) -> Law {
         match self.hold {
             Hold::Unilateral => Law::Cone { gap: true },

@@ -13,7 +13,8 @@ pub(crate) enum Stiffness<const C: usize> {
         /// Springs between the core of the finger (displacement u_f) and its surface (u_e), N/m.
         finger: SVector<f64, C>,
     },
-    /// The series stiffness of both, N/m. Their shares of the deflection, and thus the displacements of the surfaces, are unknown.
+    /// The series stiffness of body and finger, N/m. The shares of body and finger in the deflection, and thus the displacements of the surfaces, are
+    /// unknown.
     Series(SVector<f64, C>),
 }
 

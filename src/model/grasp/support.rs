@@ -1,4 +1,4 @@
-//! The coordinates in which the grasp map of a contact or drive has nonzero entries.
+//! The coordinates in which the grasp map of a site has nonzero entries. A site is a contact, or a drive of a hand (the spring of a joint or tendon).
 
 use crate::numerics::Map;
 use core::ops::Range;
@@ -6,8 +6,9 @@ use core::ops::Range;
 use crate::numerics::Space;
 use crate::prelude::*;
 
-/// Coordinates in which a grasp map has nonzero entries, as two ranges. The ranges are those of the object, if any, and of some neighbouring joints,
-/// or those of two other bodies. A contact depends on the joints of one finger, a drive on its own joint.
+/// Coordinates in which a grasp map has nonzero entries, as two ranges. For a contact with the object, one range holds the object's coordinates and
+/// the other the joints of one finger, or another body. For a contact between two other bodies, each range holds one body. A drive depends on its own
+/// joints.
 #[derive(Debug, Clone)]
 pub(crate) struct Support {
     ranges: [Range<usize>; 2],

@@ -3,7 +3,7 @@
 /// Largest negative pivot remainder, relative to its diagonal entry, that counts as rounding. The same bound applies to remainders of
 /// offdiagonal entries.
 ///
-/// If smaller, rounding makes a semidefinite matrix indefinite; if larger, an indefinite one is accepted.
+/// If smaller, rounding makes a semidefinite matrix indefinite; if larger, an indefinite matrix is accepted.
 pub(super) const NEGATIVE_REMAINDER: f64 = 1e-10;
 
 /// Displacement due to rotation, divided by the mean displacement of the points, up to which the sentence for a motion begins with the translation.

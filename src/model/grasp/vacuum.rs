@@ -1,4 +1,4 @@
-//! Pull of the vacuums on the object: a constant load in addition to the caller's.
+//! Pull of the vacuums on the object: a constant load in addition to the caller's load.
 
 use super::contact::Contact;
 use super::engine::Engine;
@@ -49,7 +49,7 @@ impl Contact<3> {
 }
 
 impl Engine {
-    /// Total pull of the vacuums; `None` without any.
+    /// Total pull of the vacuums; `None` without a vacuum.
     pub(crate) fn vacuum(&self) -> Option<&Vacuum> {
         self.vacuum.as_deref()
     }

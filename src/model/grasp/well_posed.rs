@@ -9,8 +9,8 @@ use crate::numerics::Space;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 
 impl<const C: usize> Contact<C> {
-    /// The contact frame: orthonormal columns n, t in the plane or n, t₁, t₂ in space. An error if normal or tangent has no direction, or if both are
-    /// parallel.
+    /// The contact frame: orthonormal columns n, t in the plane or n, t₁, t₂ in space. Returns an error if normal or tangent has no direction, or if
+    /// both are parallel.
     pub(crate) fn frame(&self, index: usize) -> Result<SMatrix<f64, C, C>, Error> {
         let fault =
             |field, value, allowed| Error::Contact { contact: self.label(index), field, value, allowed };
@@ -97,7 +97,8 @@ impl<const C: usize> Contact<C> {
         if self.friction != f64::INFINITY && !(is_moderate(self.friction) && self.friction >= 0.0) {
             return fault(Field::Friction, self.friction, "from 0 to 1e50, or infinite");
         }
-        // Least ratio of kinetic to static friction. With less, rounding would dominate the direction of the friction force of a sliding contact.
+        // Least ratio of kinetic to static friction. With a smaller ratio, rounding would dominate the direction of the friction force of a sliding
+        // contact.
         if let Some(kinetic) = self.kinetic
             && !(kinetic > 0.0 && kinetic >= self.friction * 1e-6 && kinetic <= self.friction)
         {

@@ -13,7 +13,7 @@ use crate::numerics::{mapped, picked};
 use crate::prelude::*;
 use crate::words::{LinkKind, printable};
 
-/// A contact in an answer. Of a soft fingertip, the answer may apply to only some of its points.
+/// A contact in an answer. For a soft fingertip, the answer may apply to only some of its points.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -133,7 +133,7 @@ impl<const C: usize> Contact<C> {
         self.point_of_pad.unwrap_or(0) == 0
     }
 
-    /// The name of the contact; for a point of a soft fingertip or of a link the name of the whole. `None` without a name.
+    /// The name of the contact; for a point of a soft fingertip or of a link, the name of the whole fingertip or link. `None` without a name.
     pub(crate) fn whole_name(&self) -> Option<Arc<str>> {
         let name = self.name.as_ref()?;
         let of_the_pad = self.point_of_pad.and_then(|point| name.strip_suffix(&format!(" {point}")));

@@ -69,7 +69,7 @@ macro_rules! vector_like {
                 &self.0.as_slice()[..of_the_object::<C>()]
             }
 
-            /// A vector with these components, in the order of [`Self::components`]. Missing components are zero, surplus ones are ignored.
+            /// A vector with these components, in the order of [`Self::components`]. Missing components are zero, surplus components are ignored.
             #[must_use]
             pub fn from_components(components: &[f64]) -> Self {
                 let mut all = SVector::<f64, 6>::zeros();

@@ -47,7 +47,7 @@ pub struct RobotJoint {
     pub(super) limit: Option<Limit>,
 }
 
-/// A joint whose position follows another's: `factor · position + offset`.
+/// How a joint follows another joint: its position is `factor · position + offset`, with the position of the joint with the index `joint`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Mimics {
     pub(super) joint: usize,

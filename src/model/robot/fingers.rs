@@ -24,11 +24,11 @@ impl Robot {
     /// The hand with these contacts, each with the name of its link and in the frame of the object. [`Self::on_link`] converts a contact from
     /// the frame of its link.
     ///
-    /// Contacts on links that no joint moves come first, then those of fingers. Links that share a joint belong to the same finger. Joints that
-    /// move no contact are omitted.
+    /// Contacts on links that no joint moves come first, then the contacts of fingers. Links that share a joint belong to the same finger. Joints
+    /// that move no contact are omitted.
     ///
     /// ```text
-    /// velocity of a contact = Σ_j factor_j (axis_j × (point - centre_j)) φ_j        factor: 1, or that of a joint that mimics
+    /// velocity of a contact = Σ_j factor_j (axis_j × (point - centre_j)) φ_j        factor: 1, or the factor of a joint that mimics another
     /// ```
     ///
     /// # Errors
@@ -53,7 +53,7 @@ impl Robot {
         Ok(hand)
     }
 
-    /// Converts a contact from the frame of its link to that of the object, for [`Self::hand`]. Its first tangent rotates with the link.
+    /// Converts a contact from the frame of its link to the frame of the object, for [`Self::hand`]. Its first tangent rotates with the link.
     ///
     /// # Errors
     /// [`Error::Robot`] for an unknown link, [`Error::Contact`] for a normal or a tangent without direction.
@@ -106,7 +106,8 @@ impl Robot {
         (fixed, fingers)
     }
 
-    /// The independent joint that a joint follows, and the factor between both displacements. For an independent joint that joint itself, and 1.
+    /// The independent joint that a joint follows, and the factor between both displacements. For an independent joint these are the joint itself and
+    /// 1.
     fn coordinate(&self, joint: usize) -> (usize, f64) {
         self.joints[joint].mimics.map_or((joint, 1.0), |mimics| (mimics.joint, mimics.factor))
     }

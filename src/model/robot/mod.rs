@@ -1,8 +1,8 @@
 //! A robot from its description file, and the hand with which it holds an object (feature `urdf`).
 //!
 //! A [`Robot`] consists of the links and joints of a URDF, in a posture. [`Robot::hand`] makes a [`Hand`](crate::grasp::Hand) of contacts on its
-//! links. A joint that mimics another has no coordinate of its own and follows the other exactly. Contacts are given, or result from a link's
-//! collision shapes that touch a part: [`Robot::surface`].
+//! links. A joint that mimics another has no coordinate of its own and follows the other exactly. Contacts are given, or are computed from the
+//! collision shapes of a link that touch a part, see [`Robot::surface`].
 //!
 //! ```
 //! use grasp_lcp::robot::Robot;

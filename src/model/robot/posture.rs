@@ -30,7 +30,7 @@ impl Robot {
         Ok(self)
     }
 
-    /// Converts a position in degrees to rad; that of a prismatic joint stays in m.
+    /// Converts a position in degrees to rad; a position of a prismatic joint stays in m.
     #[cfg(feature = "serde")]
     pub(crate) fn in_radians(&self, joint: &str, position: f64) -> Result<f64, Error> {
         let slides = self.joints[self.index(joint)?].kind == Some(JointKind::Slides);

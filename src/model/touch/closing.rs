@@ -12,8 +12,8 @@ use crate::numerics::{mapped, summed};
 
 /// A pad with a position and a closing direction.
 ///
-/// The contact's point is the centre of the pad in front of the part, m, and its normal is the closing direction. Name, friction, stiffness and
-/// squeeze are also those of the contact. If the pad has a [layer](Pad::of_layer), the layer determines the stiffness.
+/// The contact's point is the centre of the pad in front of the part, m, and its normal is the closing direction. The contact also gives name,
+/// friction, stiffness and squeeze. If the pad has a [layer](Pad::of_layer), the layer determines the stiffness.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Touch {
     pad: Pad,
@@ -29,7 +29,7 @@ struct Meeting<'p> {
 }
 
 impl Touch {
-    /// A pad with the position, direction and data of a contact.
+    /// A pad with the position, closing direction and other properties of a contact.
     #[must_use]
     pub fn new(pad: Pad, contact: Contact<3>) -> Self {
         Self { pad, contact }
@@ -100,7 +100,7 @@ impl Touch {
         let touching = gaps.iter().copied().fold(f64::INFINITY, f64::min) + near;
         let mut steepest = 0.0_f64;
         for ((point, meeting), gap) in points.iter_mut().zip(&meetings).zip(&gaps) {
-            // A point that has not touched yet stretches no tangential spring by moving along the surface.
+            // Until a point touches, its motion along the surface does not stretch its tangential springs.
             let slope = closing - point.normal * point.normal.dot(&closing);
             *point = point.clone().command_world(along - slope * advance.min(*gap).max(0.0));
             if *gap < advance.max(touching) {
@@ -110,8 +110,8 @@ impl Touch {
         Ok(Touched { contacts: points, missing: if missing <= FLUSH { 0.0 } else { missing }, steepest })
     }
 
-    /// The points of the pad that meet the part, each with the hit of its ray and its travel. An error if there is none, or if a point starts inside
-    /// the part.
+    /// The points of the pad that meet the part, each with the hit of its ray and its travel. Returns an error if no point meets the part, or if a
+    /// point starts inside the part.
     fn meetings(&self, index: usize, hits: Vec<Option<Hit>>) -> Result<Vec<Meeting<'_>>, Error> {
         let misses = |fault: &'static str| Err(Error::Misses { contact: self.contact.label(index), fault });
         let mut meetings = Vec::new();

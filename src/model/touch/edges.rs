@@ -9,8 +9,8 @@ use nalgebra::Vector3;
 use super::part::Part;
 
 impl Part {
-    /// The edges between faces that meet at more than this angle, rad, and the edges that belong to a single face: two end points each, m. With 0.5
-    /// rad the side faces of a cylinder of 13 or more sides give no edges, so only its end circles remain.
+    /// The edges between faces that meet at more than this angle, rad, and the edges that belong to a single face. Each edge is given by its two end
+    /// points, m. With 0.5 rad the side faces of a cylinder of 13 or more sides give no edges, so only its end circles remain.
     #[must_use]
     pub fn edges(&self, angle: f64) -> Vec<[[f64; 3]; 2]> {
         let least = angle.cos();

@@ -42,7 +42,7 @@ impl Part {
         let number = |at: usize| bytes.get(at..at + 4).and_then(|four| <[u8; 4]>::try_from(four).ok());
         let count = number(HEAD - 4).map_or(0, |four| u32::from_le_bytes(four) as usize);
         let mut corners = Vec::new();
-        // Some binary files start with `solid` like text files; the length of the file decides.
+        // Some binary files start with `solid` like text files, so the length of the file shows whether it is binary.
         if bytes.len() >= HEAD && bytes.len() - HEAD == count.saturating_mul(TRIANGLE) {
             for triangle in 0..count {
                 for corner in 0..3 {
@@ -84,7 +84,7 @@ impl Part {
                 Some("f") => {
                     let of_face = words.map(|word| {
                         let number = word.split('/').next().and_then(|first| first.parse::<isize>().ok());
-                        // Vertices are numbered from 1, or backwards from the latest one if negative.
+                        // Vertices are numbered from 1. A negative number counts backwards from the latest vertex.
                         let place = number.and_then(|n| match n {
                             0 => None,
                             n if n > 0 => Some(n.unsigned_abs() - 1),

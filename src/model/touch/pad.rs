@@ -13,8 +13,8 @@ const TURNED_AWAY: f64 = 0.1;
 
 /// The surface of a jaw or of a fingertip, and its elastic layer.
 ///
-/// Its position is that of the contact: the centre of the pad is the contact's point, and the pad closes along the contact's normal. Its first
-/// side is parallel to the first tangent.
+/// A contact gives its position: the centre of the pad is the contact's point, and the pad closes along the contact's normal. The first side of the
+/// pad is parallel to the first tangent.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pad {
     pub(super) points: Vec<PadPoint>,
@@ -90,7 +90,7 @@ impl Pad {
         Ok(Self::of_profile(&patch, Outline::Disc(radius), Profile::Flat))
     }
 
-    /// A round finger: part of a cylinder of this radius, m, with its axis along the second tangent. The sides are those of its rectangular
+    /// A round finger: part of a cylinder of this radius, m, with its axis along the second tangent. `sides` are the sides of its rectangular
     /// outline, as seen along the closing direction.
     ///
     /// # Errors
@@ -121,9 +121,9 @@ impl Pad {
 
     /// A jaw with this surface, in the frame in which the contact is given. It consists of the foremost points along the contact's normal. `sides`
     /// limits it to a rectangle about the contact's point with sides along the tangents, m. Points are placed as for a rectangle. Points that miss
-    /// the surface are omitted, and points where its normal is nearly across the closing direction. The position of the contact's point along the
-    /// normal is ignored: the returned contact lies at the foremost point of the surface. Without `sides` it also lies in the middle of the surface
-    /// across the normal.
+    /// the surface are omitted, and so are points at which the normal of the surface is nearly perpendicular to the closing direction. The position
+    /// of the contact's point along the normal is ignored: the returned contact lies at the foremost point of the surface. Without `sides` it also
+    /// lies in the middle of the surface across the normal.
     ///
     /// # Errors
     /// [`Error::Fingertip`] as for a rectangle, [`Error::Misses`] if the surface has no point within the rectangle, and [`Error::Contact`] with index

@@ -7,8 +7,8 @@ use crate::error::{Error, is_moderate};
 /// Vertices of a triangle, m, counterclockwise as seen from outside.
 pub(super) type Corners = [Vector3<f64>; 3];
 
-/// Largest sum of area vectors, relative to the total area, of a surface that counts as closed; the exact sum is zero. Binary STL has
-/// coordinates in single precision, whose rounding is three digits smaller.
+/// Largest sum of area vectors, relative to the total area, of a surface that counts as closed; the exact sum of a closed surface is zero. Binary STL
+/// has coordinates in single precision, whose rounding is three digits smaller.
 const OPEN: f64 = 1e-4;
 
 /// A part whose surface is a triangle mesh, in m.

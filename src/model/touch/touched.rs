@@ -14,8 +14,8 @@ pub struct Touched {
 }
 
 impl Touched {
-    /// The points at which the pad meets the part, as contacts of one fingertip: "left 0", "left 1" and so on. Points behind the foremost one
-    /// have a clearance.
+    /// The points at which the pad meets the part, as contacts of one fingertip: "left 0", "left 1" and so on. Points behind the foremost point have
+    /// a clearance.
     pub fn contacts(&self) -> &[Contact<3>] {
         &self.contacts
     }
@@ -38,8 +38,7 @@ impl Touched {
         self.steepest
     }
 
-    /// Whether the pad presses on an edge or a slope from which it slips: its surface and that of the part meet at more than the friction angle
-    /// `atan μ`.
+    /// Whether the pad presses on an edge or a slope from which it slips: the surfaces of pad and part meet at more than the friction angle `atan μ`.
     #[must_use]
     pub fn is_over_an_edge(&self) -> bool {
         let friction = self.contacts.first().map_or(0.0, Contact::friction_coefficient);

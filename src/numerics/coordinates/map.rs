@@ -1,4 +1,4 @@
-//! A matrix from contact axes to coordinates.
+//! A matrix that maps vectors along the axes of a contact to vectors over the coordinates of a grasp.
 
 use crate::numerics::by_axis;
 use core::ops::{Index, IndexMut, Mul, Range};

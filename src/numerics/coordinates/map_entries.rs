@@ -54,7 +54,7 @@ impl MapEntries {
         }
     }
 
-    /// Sets an entry; a zero does not create a row that is not stored.
+    /// Sets an entry. A nonzero entry adds its row to the stored rows; a zero does not.
     #[inline]
     pub(super) fn set(&mut self, k: usize, a: usize, x: f64) {
         match self {
@@ -208,7 +208,7 @@ impl FewRows {
         &mut self.entries[a * self.rows.len() + place]
     }
 
-    /// Pairs of stored row and entry of a column.
+    /// For each stored row, its index and its entry in column `a`.
     #[inline]
     fn of_column(&self, a: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
         let count = self.rows.len();

@@ -2,7 +2,7 @@
 
 use super::indices::Indices;
 
-/// The number of coordinates: 3 for one object in the plane, 6 in space, then those of joints and other bodies.
+/// The number of coordinates: 3 for one object in the plane, 6 in space, plus the coordinates of joints and other bodies.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Size(usize);
 

@@ -78,7 +78,7 @@ impl Vector {
         }
     }
 
-    /// The components as an array of six numbers, with zeros beyond the last one; `None` for more than six components.
+    /// The components as an array of six numbers, with zeros beyond the last component; `None` for more than six components.
     #[inline]
     pub(crate) fn array(&self) -> Option<&[f64; WHOLE]> {
         self.0.fixed()

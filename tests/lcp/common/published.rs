@@ -8,7 +8,7 @@ pub(crate) enum Known {
     Solvable,
     /// No z ≥ 0 has M z + q ≥ 0.
     Infeasible,
-    /// Some z ≥ 0 have M z + q ≥ 0, but none is complementary.
+    /// Some z ≥ 0 have M z + q ≥ 0, but no such z is complementary.
     Without,
 }
 use Known::{Infeasible, Solvable, Without};

@@ -1,4 +1,5 @@
-//! If the kinetic coefficient approaches the static one, paths and events converge, in proportion, to those with one coefficient.
+//! If the kinetic coefficient approaches the static coefficient, paths and events converge, in proportion, to the paths and events with one
+//! coefficient.
 
 use grasp_lcp::planar::{Change, Equilibrium, Event, Grasp, Leg, PathEnd, Ramp};
 use support::kinetic::{Datum, Scene};

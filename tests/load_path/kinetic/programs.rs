@@ -50,7 +50,7 @@ fn programs<const D: usize, const C: usize>(count: usize, seed: u64) -> Tally {
         let mut begun = true;
         for event in path.by_ref() {
             let context = format!("{number}: leg {} at {}", event.leg, event.fraction);
-            // The states at the start are those of the continuation.
+            // The states at the start are the states of the continuation.
             if !begun {
                 obeys(&event.state, &friction, &mut tally, &context);
             }

@@ -146,7 +146,7 @@ pub(crate) fn cramer(rows: &[Affine<BigInt>; 3]) -> Option<Point> {
 
 /// The solutions of three consistent rows, after elimination.
 pub(crate) struct Consistent {
-    /// Independent rows equivalent to the given ones.
+    /// Independent rows equivalent to the given rows.
     pub(crate) rows: Vec<Affine<BigInt>>,
     /// A point at which all rows vanish.
     pub(crate) point: [Rational; 3],

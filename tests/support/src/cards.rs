@@ -1,4 +1,4 @@
-//! A house of cards: rows of cards that lean on each other in pairs, and between two rows cards that lie on the tops of the lower one.
+//! A house of cards: rows of cards that lean on each other in pairs, and between two rows cards that lie on the tops of the lower row.
 
 use grasp_lcp::planar::{Bodies, Body, Contact};
 

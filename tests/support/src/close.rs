@@ -1,6 +1,6 @@
-//! Comparison of computed numbers with expected ones.
+//! Comparison of computed numbers with expected numbers.
 
-/// Asserts equality within `1e-12 (1 + |b|)`: relative for large numbers and absolute for small ones.
+/// Asserts equality within `1e-12 (1 + |b|)`: relative for large numbers and absolute for small numbers.
 #[macro_export]
 macro_rules! assert_close {
     ($a:expr, $b:expr) => {

@@ -1,4 +1,4 @@
-//! Numbers `m 2^e` with integers m and e of any size: every f64 is one, and sums, differences and products of them are exact.
+//! Numbers `m 2^e` with integers m and e of any size: every f64 is such a number, and sums, differences and products of them are exact.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -75,7 +75,7 @@ impl Dyadic {
         Self { mantissa: self.mantissa >> zeros, exponent: self.exponent + zeros.cast_signed() }
     }
 
-    /// `self 2^-exponent`, an integer if `exponent` is at most that of the number.
+    /// `self 2^-exponent`, an integer if `exponent` is at most the exponent of the number.
     fn integer(&self, exponent: i64) -> BigInt {
         &self.mantissa << (self.exponent - exponent)
     }

@@ -161,7 +161,7 @@ pub fn pinch_in_series(series: usize, each: usize) -> Result<Known<2>, Error> {
     Ok(Known { name: "friction of two jaws, in series", scatter: 0.04, shared, ..pinch(series * each)? })
 }
 
-/// First slips of two jaws with different friction: of the left jaw under loads left of the middle, else of the right one. The scatter is known.
+/// First slips of two jaws with different friction: of the left jaw under loads left of the middle, else of the right jaw. The scatter is known.
 pub fn first_slips() -> Result<Known<2>, Error> {
     let load = |x: f64| planar::Wrench::force_at([0.0, -1.0], [x, 0.0]);
     Ok(Known {

@@ -269,7 +269,7 @@ impl Catch {
         matches!(self.states[i], State::Forward | State::Backward)
     }
 
-    /// The largest difference of a contact force from that of the library, relative to the largest force.
+    /// The largest difference of a contact force from the library's contact force, relative to the largest force.
     pub fn off(&self, state: &Equilibrium) -> f64 {
         let off = self.forces.iter().zip(&state.contacts);
         let off = off.map(|([n, t], told)| (n - told.force[0]).hypot(t - told.force[1]));

@@ -1,4 +1,4 @@
-//! Grasps in space under loads that make them slide: three designed scenes, and random ones.
+//! Grasps in space under loads that make them slide: three designed scenes, and random scenes.
 
 use grasp_lcp::spatial::{Contact, Equilibrium, Grasp, Ramp, Wrench};
 use nalgebra::{Vector2, Vector3};

@@ -31,7 +31,7 @@ pub enum Odd {
 /// The families in space.
 pub const IN_SPACE: [Odd; 3] = [Odd::Regrasped, Odd::Handled, Odd::Pushed];
 
-/// A random number between two positive ones, uniform in its logarithm.
+/// A random number between two positive numbers, uniform in its logarithm.
 fn of_any_size(random: &mut Random, from: f64, to: f64) -> f64 {
     from * (to / from).powf(random.uniform())
 }

@@ -8,9 +8,9 @@ use crate::printed_program::PrintedContact;
 /// Example 1: a disk held by three fingers at 120°, all springs 100 N/m, μ = 0.25. The paper does not print the commands; 0.1 m
 /// along each normal reproduces its forces.
 ///
-/// The printed normals (±0.8666, 0.5) have length 1.0005, and the paper's program did not normalise them. A normal of length s
-/// is equivalent to a unit normal with springs s² times as stiff and commands 1/s times as long. With `as_computed` the grasp is
-/// that of the paper's program, else the intended one.
+/// The printed normals (±0.8666, 0.5) have length 1.0005, and the paper's program did not normalise them. A normal of length s is equivalent to a
+/// unit normal with springs s² times as stiff and commands 1/s times as long. With `as_computed` the grasp is the grasp of the paper's program, else
+/// the grasp that the paper intends.
 pub fn disk(as_computed: bool) -> Result<Grasp, Error> {
     let points = [[-0.8666, -0.5], [0.8666, -0.5], [0.0, 1.0]];
     Grasp::new(points.map(|p| {

@@ -14,7 +14,7 @@ const GRAVITY: [f64; 2] = [0.0, -9.81];
 /// A pile of boxes, a load, and the data needed to add up forces on each box.
 #[derive(Debug, Clone)]
 pub struct Pile {
-    /// The boxes; the last one is loaded.
+    /// The boxes; the last box is loaded.
     pub bodies: Bodies,
     /// The load on the last box.
     pub load: Wrench,
@@ -69,7 +69,7 @@ impl Pile {
     }
 }
 
-/// A pile of boxes of random size, mass and friction, with a push at the last one. With `fingers` two fingers press on the last box, and the push
+/// A pile of boxes of random size, mass and friction, with a push at the last box. With `fingers` two fingers press on the last box, and the push
 /// also has an upward part. `None` if two boxes overlap by less than 20 mm.
 pub fn boxes(random: &mut Random, count: usize, fingers: bool) -> Option<Pile> {
     let name = |k: usize| format!("box {k}");

@@ -30,8 +30,8 @@ pub enum Equality {
         /// The contact.
         contact: usize,
     },
-    /// The component of u_c along this axis is that of the object. The multiplier is minus the contact force along the axis as long as no inequality
-    /// of the contact binds.
+    /// The component of u_c along this axis is the component of the object's motion. The multiplier is minus the contact force along the axis as long
+    /// as no inequality of the contact binds.
     BodyMotion {
         /// The contact.
         contact: usize,
@@ -95,9 +95,9 @@ pub enum Inequality {
 /// diagonal entry of H_i is k_tf, and A, which is not printed, is the only matrix that fits C.
 ///
 /// A frictionless contact has neither sticking rows nor friction rows: its surfaces slide freely. A contact that is kept closed has
-/// `(u_d - u_e)·n = -clearance` among its equalities and no row against pulling. Bonded contacts, and those with infinite friction, have no friction
-/// rows. With infinite friction a contact keeps its sticking row when it opens, so that it may carry F_t across a gap. If it does, the program
-/// differs from `MinimumEnergy`.
+/// `(u_d - u_e)·n = -clearance` among its equalities and no row against pulling. Bonded contacts, and contacts with infinite friction, have no
+/// friction rows. With infinite friction a contact keeps its sticking row when it opens, so that it may carry F_t across a gap. If it does, the
+/// program differs from `MinimumEnergy`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PrintedProgram<const C: usize> {
     /// G, H, A, C, B, D in 3 c N + d unknowns, N contacts: displacements in m, the twist in m and rad about the origin, the cost in J.

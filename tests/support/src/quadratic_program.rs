@@ -17,7 +17,7 @@ use nalgebra::{DMatrix, DVector};
 /// The program `minimise Gᵀx + ½ xᵀH x subject to A x = C, B x >= D`, with the letters of the paper (section 5.1).
 ///
 /// H must be symmetric and positive semidefinite; this is not checked. A program without equalities has an A with no rows and n columns. Memory and
-/// pivots are those for dense matrices of n + m + k rows.
+/// pivots are the same as for dense matrices of n + m + k rows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct QuadraticProgram {
     /// G, linear cost (n).

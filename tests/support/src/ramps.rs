@@ -161,7 +161,7 @@ pub fn ramps<const D: usize, const C: usize>(
 /// Number of random ramps for each spread of stiffness.
 pub const CASES: usize = 500;
 
-/// Runs a property on ramps of grasps with similar springs and with very different ones.
+/// Runs a property on ramps of grasps with similar springs and with very different springs.
 pub fn for_both<const D: usize, const C: usize>(
     source_file: &'static str,
     counts: &std::ops::Range<usize>,

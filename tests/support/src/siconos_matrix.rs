@@ -12,7 +12,7 @@ use std::str::{FromStr, SplitWhitespace};
 
 const ENTRY: &str = "an entry of a matrix";
 
-/// Reads the next matrix. Given numbers of rows or columns must match those of the file.
+/// Reads the next matrix. Given numbers of rows or columns must match the numbers in the file.
 pub(crate) fn matrix(
     words: &mut Tokens<'_>,
     rows: Option<usize>,

@@ -75,7 +75,7 @@ pub fn forces<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Option<Vec
         std::array::from_fn(|k| columns.iter().map(|row| row[k] * row[k]).sum::<f64>().sqrt());
     let largest = sigmas.into_iter().fold(0.0, f64::max);
     let mut x = alpha;
-    // Two projections: with large commands on stiff springs the first one leaves a residual of rounding.
+    // Two projections: with large commands on stiff springs the first projection leaves a residual of rounding.
     for _ in 0..2 {
         for (k, &sigma) in sigmas.iter().enumerate() {
             let along = v.column(k).dot(&scene.load);

@@ -63,7 +63,7 @@ pub fn exact(leashes: f64) -> f64 {
     2.0 * (-leashes).exp().atan()
 }
 
-/// Distance of a force, in the contact frame of the finger, from that of the tractrix, relative to its size.
+/// Distance of a force, in the contact frame of the finger, from the force of the tractrix, relative to its size.
 pub fn off(force: &Vector3<f64>, leashes: f64) -> f64 {
     let (sin, cos) = exact(leashes).sin_cos();
     (force[1] / limit() - cos).hypot(force[2] / limit() - sin)

@@ -112,8 +112,8 @@ fn at_exactly(of: &Linear, at: &[BigRational]) -> BigRational {
     of.row.iter().zip(at).map(|(a, x)| rational(*a) * x).fold(rational(of.constant), |sum, x| sum + x)
 }
 
-/// Whether a combination without a unique motion holds for some motion, in exact arithmetic. Each coordinate is a difference of two
-/// nonnegative ones.
+/// Whether a combination without a unique motion holds for some motion, in exact arithmetic. Each coordinate is a difference of two nonnegative
+/// unknowns.
 fn has_a_point(conditions: &Conditions) -> bool {
     let all: Vec<&Linear> = conditions.balance.iter().chain(&conditions.signs).collect();
     let row = |of: &&Linear| {

@@ -10,7 +10,7 @@ pub const NEVER_FAILS: f64 = 1e3;
 pub struct Joint {
     /// Middle of the joint, m.
     pub middle: [f64; 2],
-    /// Unit normal of the joint, from the left stone to the right one.
+    /// Unit normal of the joint, from the left stone to the right stone.
     pub across: [f64; 2],
     /// Half of the length of the joint, m.
     pub half: f64,
@@ -19,7 +19,7 @@ pub struct Joint {
 /// Stones and joints of a symmetric arch, from the left foot.
 #[derive(Debug, Clone)]
 pub struct Voussoirs {
-    /// Joints, one more than stones. The first and the last one are on the ground.
+    /// Joints, one more than stones. The first and the last stone are on the ground.
     pub joints: Vec<Joint>,
     /// Centre of gravity (m) and weight (N) of each stone.
     pub weights: Vec<([f64; 2], f64)>,

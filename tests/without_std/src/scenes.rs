@@ -20,7 +20,7 @@ impl Numbers {
         low + (high - low) * self.next()
     }
 
-    /// Cosine and sine of a random angle near that of finger `third`, which is 0, 1/3 or 2/3 of a turn.
+    /// Cosine and sine of a random angle near the angle of finger `third`, which is 0, 1/3 or 2/3 of a turn.
     fn direction(&mut self, third: usize) -> [f64; 2] {
         let half = self.between(-0.1, 0.1);
         let [cos, sin] = [1.0 - half * half, 2.0 * half].map(|x| x / (1.0 + half * half));

@@ -89,8 +89,8 @@ impl BodyMotion<3> {
         self.twist.parts().1.size() * self.reach
     }
 
-    /// Estimate of the displacement of the body's fastest contact point, m: the larger of the displacement of the centroid and that due to
-    /// rotation.
+    /// Estimate of the displacement of the body's fastest contact point, m: the larger of the displacement of the centroid and the displacement due
+    /// to rotation.
     pub(crate) fn speed(&self) -> f64 {
         self.middle_moves().norm().max(self.turning_moves())
     }

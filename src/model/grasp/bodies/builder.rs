@@ -15,7 +15,8 @@ use crate::grasp::wrench::Wrench;
 use crate::numerics::{IntoList, mapped, summed};
 use crate::prelude::*;
 
-/// Several bodies that touch each other, the ground and fingers. [`Bodies::grasp`] makes a grasp, which answers the same questions as any other.
+/// Several bodies that touch each other, the ground and fingers. [`Bodies::grasp`] makes a grasp, which answers the same questions as any other
+/// grasp.
 ///
 /// [`Contact::on`] names the body into which a contact's normal points, [`Contact::against`] the body on its other side. Without `against`, the
 /// other side is the ground or a finger. The load of a question acts on one body: the first, or the body named by [`loaded`](Self::loaded). With
@@ -106,7 +107,7 @@ impl<const C: usize> Bodies<C> {
         self
     }
 
-    /// Total weight of the bodies under this gravity, m/s²: a load for questions whose load is [shared by mass](Self::shared_by_mass).
+    /// Total weight of the bodies under this gravity (m/s²), as a load for questions whose load is [shared by mass](Self::shared_by_mass).
     #[must_use]
     pub fn weight(&self, gravity: impl Into<[f64; C]>) -> Wrench<C> {
         let gravity = SVector::from(gravity.into());

@@ -1,4 +1,4 @@
-//! Conversion of loads and motions of several bodies between the engine's coordinates and those of the user.
+//! Conversion of loads and motions of several bodies between the engine's coordinates and the user's coordinates.
 
 use alloc::sync::Arc;
 
@@ -23,7 +23,7 @@ impl Engine {
         self.bodies().map_or(1.0, |bodies| bodies.sign(contact, bodies.object))
     }
 
-    /// Combines one wrench on each body, in the user's coordinates, into one vector of forces in the engine's coordinates (module `inside`).
+    /// Combines one wrench on each body, in the user's coordinates, into one vector of forces in the engine's coordinates (see the module `inside`).
     pub(crate) fn combine_wrenches(&self, bodies: &PlacedBodies, loads: &[Wrench<3>]) -> Vector {
         let mut inside = Vector::zeros();
         for (body, (place, load)) in bodies.places.iter().zip(loads).enumerate() {
@@ -166,8 +166,8 @@ impl Engine {
         lengths
     }
 
-    /// A copy of the coordinates in which only those of one body are kept, all others zero. It is the body into which the contact's normal points, or
-    /// the single object. For the force of a drive all coordinates are kept.
+    /// A copy of the coordinates in which the coordinates of all bodies except one are zero. This body is the body into which the contact's normal
+    /// points, or the single object. For the force of a drive all coordinates are kept.
     pub(crate) fn body_alone(&self, contact: usize, coordinates: &Vector) -> Vector {
         let Some(bodies) = self.bodies() else { return self.space.object_alone(coordinates) };
         let Some((on, _)) = bodies.sides.get(contact) else { return coordinates.clone() };

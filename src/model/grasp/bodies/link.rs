@@ -50,7 +50,7 @@ pub struct Link<const C: usize> {
     pub(crate) against: Option<Arc<str>>,
     pub(crate) stiffness: Option<f64>,
     pub(crate) pretension: f64,
-    /// Pull of a cable or spring in the equilibrium without the load of a question, after all springs have yielded, N. It replaces the pretension;
+    /// Pull of a cable or spring in the equilibrium without the load of a question, after all springs have deflected, N. It replaces the pretension;
     /// `None` if a pretension is given.
     pub(crate) tension: Option<f64>,
     pub(crate) slack: f64,
@@ -59,7 +59,8 @@ pub struct Link<const C: usize> {
 /// Place and free motion of a link.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum LinkPlace<const C: usize> {
-    /// A hinge; in space with its axis, of any length, and the distance between its two bearings, m.
+    /// A hinge. In space `bearings` holds its axis, a vector of any length, and the distance between its two bearings, m. In the plane `bearings` is
+    /// `None`.
     Hinge {
         point: SVector<f64, C>,
         bearings: Option<(SVector<f64, C>, f64)>,
@@ -139,7 +140,7 @@ impl<const C: usize> Link<C> {
         Self::at(LinkPlace::Slide { point, direction, length })
     }
 
-    /// A rigid joint, such as a weld or a bolted flange: diameter `size`, m, centred at this point.
+    /// A rigid joint of diameter `size`, m, centred at this point, such as a weld or a bolted flange.
     pub fn rigid(point: impl Into<[f64; C]>, size: f64) -> Self {
         Self::at(LinkPlace::Rigid { point: SVector::from(point.into()), size })
     }
@@ -192,15 +193,15 @@ impl<const C: usize> Link<C> {
         self
     }
 
-    /// Sets the pull of a cable or a spring before anything moves, N; a spring with a negative value pushes. Once all springs have yielded, the pull
-    /// is smaller; see [`Self::tension`].
+    /// Sets the pull of a cable or a spring before anything moves, N; a spring with a negative value pushes. Once all springs have deflected, the
+    /// pull is smaller; see [`Self::tension`].
     pub fn pretension(mut self, force: f64) -> Self {
         (self.pretension, self.tension) = (force, None);
         self
     }
 
     /// Sets the pull of an installed cable or spring, N, in place of a pretension. The tension is the pull under the constant loads on bodies alone,
-    /// after all other springs have yielded. The grasp computes the pretension that leads to this tension, or refuses the link if nothing resists
+    /// after all other springs have deflected. The grasp computes the pretension that leads to this tension, or refuses the link if nothing resists
     /// such a pull.
     ///
     /// ```

@@ -1,9 +1,9 @@
 //! The contacts that model a link.
 //!
-//! A hinge is a bonded contact at one point, in space at two. A slide is frictionless contacts that are kept closed, at bearings normal to its
-//! direction. A rigid joint is bonded contacts around its centre. A spring is a contact that is kept closed along its line, and a cable a contact
-//! that only pulls along its line. For both, the normal points from the start of the line to its end: a positive normal force pulls the first body
-//! towards the end.
+//! A hinge is modelled by one bonded contact, in space by two. A slide is modelled by frictionless contacts that are kept closed, with normals across
+//! its direction. A rigid joint is modelled by bonded contacts around its centre. A spring is a contact along its line that is kept closed, and a
+//! cable is a contact along its line that only pulls. The normal of a spring or a cable points from the start of the line to its end: a positive
+//! normal force pulls the first body towards the end.
 
 use nalgebra::SVector;
 
@@ -163,7 +163,7 @@ impl Link<3> {
     }
 }
 
-/// Unit vectors normal to `along`: one in the plane, two orthogonal ones in space.
+/// Unit vectors normal to `along`: one unit vector in the plane, two orthogonal unit vectors in space.
 fn normals_to(space: Space, along: &SVector<f64, 3>) -> Vec<SVector<f64, 3>> {
     if space == Space::Planar {
         return vec![[-along[1], along[0], 0.0].into()];

@@ -7,8 +7,12 @@
 //! v_i = a_i - G_iᵀ q_on + G_iᵀ q_against,        Σ_on G_i F_i - Σ_against G_i F_i + W_b = 0   for every body b
 //! ```
 //!
-//! The contact law stays the same. The body on which loads act has the coordinates of the object. The coordinates of all other bodies come after
-//! those of the joints. Both enter the motion of a contact in the same way. Links between bodies are contacts that cannot open.
+//! Here v_i is the stretch of contact i, a_i its offset (commanded displacement), G_i its grasp map, F_i its force, q the motion of a body and W_b
+//! the load on body b.
+//!
+//! The contact law stays the same. The body on which loads act has the coordinates of the object. The coordinates of all other bodies come after the
+//! coordinates of the joints. Joints and other bodies enter the motion of a contact in the same way. Links between bodies are contacts that cannot
+//! open.
 
 mod assembled;
 mod body;

@@ -32,7 +32,8 @@ pub(super) enum Sharing {
     OnObject,
     /// For each body the fraction of the load that it carries, and the point where its force acts, m.
     ByParts(Vec<(f64, SVector<f64, 3>)>),
-    /// Each body carries its entry of `loads`. If the question's load is a multiple of `one`, all entries are scaled by this multiple.
+    /// If the question's load is `one`, each body carries its entry of `loads`. If it is a multiple of `one`, each body carries the same multiple of
+    /// its entry.
     Together { one: Wrench<3>, loads: Vec<Wrench<3>> },
 }
 
@@ -80,7 +81,7 @@ impl PlacedBodies {
     /// Assigns coordinates to every body, starting at `first`, and returns the next free index.
     ///
     /// # Errors
-    /// [`Error::Body`] if a contact names an unknown body, names none although there are several, or has the same body on both sides.
+    /// [`Error::Body`] if a contact names an unknown body, names no body although there are several, or has the same body on both sides.
     pub(crate) fn place(&mut self, contacts: &[Contact<3>], first: usize) -> Result<usize, Error> {
         self.space = space_of(contacts);
         let sides = contacts.iter().enumerate().map(|(i, contact)| self.sides_of(contact, i));
@@ -142,7 +143,7 @@ impl PlacedBodies {
     }
 
     /// Displacement of a contact's finger relative to its body, per unit of each coordinate of the bodies other than the object. The coordinates are
-    /// counted from the first one after the object's coordinates.
+    /// counted from the first coordinate after the object's coordinates.
     pub(crate) fn columns(&self, contact: usize, point: &SVector<f64, 3>) -> Columns {
         let object = self.space.of_the_object();
         let mut columns = Columns::new();
@@ -223,7 +224,7 @@ impl PlacedBodies {
         Self { loads: none, sharing, ..self.clone() }
     }
 
-    /// These bodies with further loads that grow in proportion to the load `one` of a question.
+    /// These bodies with the further loads `others`, which are scaled by the same factor if the question's load is a multiple of `one`.
     ///
     /// # Errors
     /// [`Error::Body`] for an unknown body, [`Error::NothingChanges`] if `one` is zero, [`Error::Wrench`] for a component out of range.

@@ -16,8 +16,8 @@ use crate::prelude::*;
 use crate::words::printable;
 
 impl Hand<3> {
-    /// The grasp of an object by this hand. Its coordinates are those of the object, 3 in the plane and 6 in space, followed by [those of the
-    /// hand](Self::coordinates).
+    /// The grasp of an object by this hand. The first coordinates belong to the object: 3 in the plane, 6 in space. The coordinates of the hand
+    /// follow; [`Self::coordinates`] is an upper limit of the number of all coordinates.
     ///
     /// # Errors
     /// [`Error::EmptyGrasp`] without contacts; [`Error::Hand`] with the joint, tendon or finger, the field and the allowed values; [`Error::Contact`]
@@ -75,8 +75,8 @@ impl Hand<3> {
 }
 
 impl Assembly {
-    /// Chooses a reference length for each coordinate after the object's: a power of two near the largest displacement of a contact per unit of it.
-    /// Scaling by a power of two causes no rounding. A joint that moves no contact is an error.
+    /// Chooses a reference length for each coordinate after the object's: a power of two near the largest displacement of a contact per unit of this
+    /// coordinate. Scaling by a power of two causes no rounding. A joint that moves no contact is an error.
     fn measure(&mut self) -> Result<(), Error> {
         for k in 0..self.used {
             let mut longest = 0.0_f64;
@@ -94,8 +94,8 @@ impl Assembly {
             let object = self.object();
             self.lengths[object + k] = power_of_two(longest);
         }
-        // At this stage the only drives are those of compliance matrices: springs of 1 N/m along coordinates in m. They are rescaled to the reference
-        // lengths of these coordinates.
+        // At this stage the only drives are the springs of compliance matrices, of 1 N/m along coordinates in m. The drives are rescaled to the
+        // reference lengths of these coordinates.
         for drive in &mut self.drives {
             let k = drive.along.iamax();
             let length = self.lengths[k];
@@ -236,9 +236,9 @@ impl Assembly {
             None => self.drives.push(drive),
             Some(Limit::Slips(_)) => self.drives.push(Drive { role: Role::Slips, ..drive }),
             Some(Limit::Saturates(_)) => {
-                // A saturating drive becomes two springs in series, with one more coordinate between them. The first carries the upper bound minus
-                // the drive's force, the second the force minus the lower bound, and neither can pull. Both bounds also act as constant forces, so
-                // that both springs together exert the drive's force.
+                // A saturating drive becomes two springs in series, with one more coordinate between them. The first spring carries the upper bound
+                // minus the drive's force, the second spring the force minus the lower bound, and neither spring can pull. Both bounds also act as
+                // constant forces, so that both springs together exert the drive's force.
                 let mut between = Vector::zeros();
                 between[self.object() + self.used] = 1.0;
                 self.used += 1;

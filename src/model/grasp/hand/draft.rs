@@ -24,7 +24,7 @@ pub(in crate::model::grasp) struct Assembly {
     pub(in crate::model::grasp) motions: Vec<Columns>,
     /// Joints of all fingers, then the slides of contacts with a constant force.
     pub(super) joints: Vec<Joint<3>>,
-    /// Number of coordinates in use after those of the object.
+    /// Number of coordinates in use after the coordinates of the object.
     pub(in crate::model::grasp) used: usize,
     pub(in crate::model::grasp) lengths: Vector,
     pub(super) drives: Vec<Drive>,
@@ -35,7 +35,7 @@ pub(in crate::model::grasp) struct Assembly {
 }
 
 impl Assembly {
-    /// Number of coordinates of the object, which precede those of the joints.
+    /// Number of coordinates of the object, which precede the coordinates of the joints.
     pub(super) fn object(&self) -> usize {
         self.space.of_the_object()
     }

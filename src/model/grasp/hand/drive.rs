@@ -1,4 +1,5 @@
-//! One drive of a hand in the engine: a spring of a single axis that acts on joints.
+//! One drive of a hand in the engine: the spring of a joint or tendon between its command and its displacement, with the limit of its motor or
+//! clutch. A drive acts along a single axis. The springs of stiffness and compliance matrices are also drives, but without a command.
 
 use nalgebra::SVector;
 
@@ -16,11 +17,11 @@ pub(crate) enum Owner {
     Joint(usize),
     /// The tendon with this index.
     Tendon(usize),
-    /// Neither: the drive is part of a stiffness matrix, or a compliance.
+    /// Neither: the drive belongs to a stiffness matrix of joints, or to a compliance matrix.
     Nobody,
 }
 
-/// How the force of a drive is bounded, and the contact law that models it.
+/// How the force of a drive is bounded, and the contact law that models this bound.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Role {
     /// Pushes and pulls without limit.
@@ -43,7 +44,7 @@ pub(crate) struct Drive {
     /// Generalised force on the coordinates per newton of the drive's force.
     pub(super) along: Vector,
     pub(super) stiffness: f64,
-    /// Bound on the drive's force, N; infinite or unused if it has none.
+    /// Bound on the drive's force, N; infinite or unused if the drive has no bound.
     pub(super) bound: f64,
     /// Torque or tension of the owner per newton of the drive's force.
     pub(super) unit: f64,
@@ -127,7 +128,8 @@ impl Drive {
         self.rest /= times;
     }
 
-    /// Ratio of the drive's stiffness to that of its joint or tendon: 2 for each half of a saturating drive, since both halves are in series.
+    /// Ratio of the drive's stiffness to the stiffness of its joint or tendon: 2 for each half of a saturating drive, since both halves are in
+    /// series.
     fn halves(&self) -> f64 {
         if matches!(self.role, Role::EndsAbove | Role::EndsBelow) { 2.0 } else { 1.0 }
     }
@@ -135,8 +137,8 @@ impl Drive {
     /// Derivative of the drive's force with respect to the stiffness of its joint or tendon, N m/rad or N/m, at constant stretch.
     pub(crate) fn by_stiffness(&self, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         let mut more = SVector::zeros();
-        // In an unloaded drive, the spring of the upper half carries the upper bound and that of the lower half the lower bound. The elastic force is
-        // the difference of `force` from this bound.
+        // In an unloaded drive, the spring of the upper half carries the upper bound, and the spring of the lower half carries the magnitude of the
+        // lower bound. The elastic force is `force` minus this preload.
         let elastic = match self.role {
             Role::EndsAbove => force[0] - self.bound,
             Role::EndsBelow => force[0] - self.rest * self.stiffness,

@@ -1,5 +1,5 @@
-//! Conversion of hands between vectors of two components, which users of the plane give, and the engine's of three. A revolute joint of the plane
-//! turns about z.
+//! Conversion of hands between vectors of two components, which users of the plane give, and the engine's vectors of three. A revolute joint of the
+//! plane turns about z.
 
 use nalgebra::SVector;
 

@@ -23,8 +23,8 @@ pub(super) struct Carried<const C: usize> {
     pub(super) by: ContactMover,
 }
 
-/// A finger: joints from the palm outwards, and contacts on its links. Contacts keep the springs of pad and body. Their own commands add to the
-/// motion of the joints.
+/// A finger: joints from the palm outwards, and contacts on its links. Contacts keep their own springs, of finger pad and object. The command of a
+/// contact adds to the motion of the joints.
 ///
 /// ```
 /// use grasp_lcp::planar::hand::{Finger, Hand, Joint};
@@ -93,8 +93,9 @@ impl<const C: usize> Finger<C> {
         Self { compliance: Some(compliance), ..finger }
     }
 
-    /// Adds a stiffness matrix of the joints, N m/rad, symmetric and positive semidefinite. It represents gears and tendons that couple the
-    /// joints, and acts in addition to the joints' own springs. Its torques are `K (θ - φ)`.
+    /// Adds a stiffness matrix of the joints, N m/rad, symmetric and positive semidefinite. It represents gears and tendons that couple the joints,
+    /// and acts in addition to the joints' own springs. Its torques are `K (θ - φ)`, with the commanded displacements θ and the actual displacements
+    /// φ of the joints.
     pub fn coupled(mut self, stiffness: DMatrix<f64>) -> Self {
         self.coupling = Some(stiffness);
         self
@@ -106,7 +107,7 @@ impl<const C: usize> Finger<C> {
         self.contact_on(all, contact)
     }
 
-    /// Adds a contact on another link. The first `joints` of the joints move it; with 0 the contact is on the palm.
+    /// Adds a contact on another link. Only the first `joints` joints move this link; with 0 the contact is on the palm.
     pub fn contact_on(mut self, joints: usize, contact: Contact<C>) -> Self {
         self.contacts.push(Carried { contact, by: ContactMover::Link(joints) });
         self

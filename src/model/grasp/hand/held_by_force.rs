@@ -1,4 +1,4 @@
-//! Contacts with a constant force. Each has a slide along the normal, a joint without a spring on which the force acts.
+//! Contacts with a constant force. Each such contact has a slide along its normal: a joint without a spring, on which the force acts.
 
 use nalgebra::SMatrix;
 

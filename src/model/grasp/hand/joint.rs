@@ -54,11 +54,11 @@ impl Limit {
     }
 }
 
-/// A joint with its spring, command and limit. Built step by step; all of these are zero or absent by default.
+/// A joint with its spring, command and limit, built step by step. By default the stiffness and the command are zero, and there is no limit.
 ///
-/// The torque of its drive is `k (θ - φ)`. Here k is the stiffness of structure and controller in series, θ the commanded and φ the actual
-/// displacement. Displacements are measured from the posture in which the contacts are given. Positive rotations turn from x to y in the plane
-/// and follow the right-hand rule in space. Units are N m/rad, rad and N m for a revolute joint, N/m, m and N for a prismatic one.
+/// The torque of the joint's spring is `k (θ - φ)`. Here k is the stiffness of structure and controller in series, θ the commanded and φ the actual
+/// displacement. Displacements are measured from the posture in which the contacts are given. Positive rotations turn from x to y in the plane and
+/// follow the right-hand rule in space. Units are N m/rad, rad and N m for a revolute joint, N/m, m and N for a prismatic joint.
 ///
 /// ```
 /// use grasp_lcp::planar::hand::Joint;
@@ -155,8 +155,8 @@ impl<const C: usize> JointMotion<C> {
         if let Self::Revolute { point, .. } = self { Some(*point) } else { None }
     }
 
-    /// Velocity of a point per unit velocity of the joint: `axis × (point - centre)`, or the unit direction. For an invalid axis the error is
-    /// its length, or its component that is not finite.
+    /// Velocity of a point per unit velocity of the joint: `axis × (point - centre)`, or the unit direction. For an invalid axis or direction the
+    /// error is the length of this vector, or its component that is not finite.
     pub(super) fn of_point(&self, at: &SVector<f64, C>) -> Result<SVector<f64, C>, f64> {
         let along = |axis: &SVector<f64, C>| unit(axis).ok_or_else(|| length_or_culprit(axis));
         match self {

@@ -43,7 +43,7 @@ pub(crate) struct Linkage {
 pub(crate) struct Named {
     pub(crate) name: Option<Arc<str>>,
     pub(crate) limit: Option<Limit>,
-    /// Kind of motion; that of a tendon is not used.
+    /// Kind of the joint's motion; not used for a tendon.
     pub(crate) kind: JointKind,
     /// Constant torque or tension, N m or N.
     pub(crate) held_torque: f64,
@@ -151,14 +151,14 @@ impl Linkage {
         presses
     }
 
-    /// Names of the joints and tendons with a command, a constant torque or a constant tension; those without a name are left out.
+    /// Names of the joints and tendons with a command, a constant torque or a constant tension; joints and tendons without a name are left out.
     pub(crate) fn names_that_press(&self) -> Vec<String> {
         let parts = self.joints.iter().chain(&self.tendons).zip(&self.commands);
         let pressing = parts.filter(|(part, command)| **command != 0.0 || part.held_torque != 0.0);
         pressing.filter_map(|(part, _)| part.name.as_deref().map(str::to_owned)).list()
     }
 
-    /// Replaces the constant forces of the contacts `before` by those of the contacts `now`.
+    /// Replaces the constant forces of the contacts `before` by the constant forces of the contacts `now`.
     pub(crate) fn replace_pressing_forces(
         &mut self,
         space: Space,

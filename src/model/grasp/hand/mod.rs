@@ -10,10 +10,14 @@
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
+//! | v_i, a_i | stretch of the springs of contact i, and their offset (commanded displacement) | m |
+//! | G_i, F_i | grasp map and force of contact i | N |
+//! | q, W | motion of the object, and the load on it | |
 //! | φ, θ | actual and commanded displacement of the joints | rad, m |
 //! | J_i | Jacobian: motion of contact i with the joints of its finger | m/rad, 1 |
 //! | r_k, T_k | a drive: its moment arms at the joints, and the force law of its spring | |
 //! | τ | torque of the drives on a joint, positive along φ | N m, N |
+//! | τ_held | constant torque on a joint | N m, N |
 //! | τ_ext | external torque on the joints, appended to the wrench of a load | N m, N |
 //!
 //! The contact law stays the same: a drive is one more spring of a single axis, whose grasp map has entries only for joints.

@@ -14,7 +14,7 @@ pub(super) enum NotPositive {
     Shape { rows: usize, columns: usize, size: usize },
     /// This entry is not finite, or too large.
     Entry(f64),
-    /// The largest difference between two entries across the diagonal.
+    /// The largest difference between two entries that should be equal by symmetry.
     Asymmetry(f64),
     /// The least eigenvalue, which is negative.
     Eigenvalue(f64),
@@ -81,8 +81,8 @@ pub(super) fn checked(matrix: &DMatrix<f64>, size: usize) -> Result<(), NotPosit
         for j in 0..i {
             let difference = (matrix[(i, j)] - matrix[(j, i)]).abs();
             let size = (matrix[(i, i)].abs() * matrix[(j, j)].abs()).sqrt();
-            // Largest difference of two entries across the diagonal in a matrix that counts as symmetric, relative to the geometric mean of
-            // their diagonal entries.
+            // Largest difference of two mirrored entries in a matrix that counts as symmetric, relative to the geometric mean of their diagonal
+            // entries.
             if difference > NEGLIGIBLE * size {
                 worst = worst.max(difference);
             }

@@ -22,31 +22,31 @@ pub struct Tendon {
     /// The name of the tendon in answers.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(crate) name: Option<Arc<str>>,
-    /// Lever arms, one for each joint of all fingers: m/rad for revolute joints, no unit for prismatic ones.
+    /// Lever arms, one for each joint of all fingers: m/rad for revolute joints, no unit for prismatic joints.
     #[cfg_attr(feature = "serde", serde(with = "AsGiven::<Vec<f64>>"))]
     pub(crate) arms: Vec<f64>,
-    /// Stiffness of the drive, N/m; without one only `tension` acts.
+    /// Stiffness of the tendon's spring (tendon and motor in series), N/m; without it only `tension` acts.
     #[cfg_attr(
         feature = "serde",
         serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")
     )]
     pub(crate) stiffness: f64,
-    /// Commanded pull of the drive, m; 0 if left out.
+    /// Commanded displacement of the motor, m, which pulls if positive; 0 if left out.
     #[cfg_attr(
         feature = "serde",
         serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")
     )]
     pub(crate) pull: f64,
-    /// Constant tension in addition to the drive, N; 0 if left out.
+    /// Constant tension in addition to the tension of the spring, N; 0 if left out.
     #[cfg_attr(
         feature = "serde",
         serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")
     )]
     pub(crate) tension: f64,
-    /// The largest tension of the drive, N; no limit if left out.
+    /// The largest tension of the spring, N; no limit if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(crate) limit: Option<Limit>,
-    /// `true` for a rod or a differential, which also pushes; a tendon only pulls.
+    /// `true` for a rod or a gear, which pulls and pushes; `false` (default) for a tendon that goes slack instead of pushing.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub(crate) pushes: bool,
 }
@@ -80,7 +80,7 @@ impl Tendon {
         self
     }
 
-    /// Sets a constant tension, N, which acts in addition to the spring.
+    /// Sets a constant tension, N, which acts in addition to the tension of the spring.
     pub fn tension(mut self, tension: f64) -> Self {
         self.tension = tension;
         self

@@ -1,5 +1,5 @@
-//! A planar load program followed in small implicit steps. At the end of every step the contact law, with the slip so far, is
-//! solved for every combination of contact states. The solution nearest to the last one is taken.
+//! A planar load program followed in small implicit steps. At the end of every step the contact law, with the slip so far, is solved for every
+//! combination of contact states. The solution nearest to the last solution is taken.
 
 use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium};
 use grasp_lcp::grasp::Hold;
