@@ -1,7 +1,9 @@
 //! Equilibrium under a load: the conditions, the order of the methods that solve them, and the answer in physical quantities.
 //!
 //! Sought are the twist q and the contact forces that satisfy the law of the [crate page](crate#the-problem). With given states of all contacts, and
-//! given directions of slides, the conditions are linear. Contacts are then coupled by the object alone, through d equations:
+//! given directions of slides, the conditions are linear. Contacts are then coupled by the object alone, through d equations of equilibrium, one for
+//! each coordinate of the twist. Here `a` is a finger's offset, `u_c` the displacement of the body at the contact, and `g` the gap. `k_n`, `k_t` and
+//! K are the stiffnesses of the contact, n and t its normal and tangent, and G_i its grasp map:
 //!
 //! | state | force | must hold |
 //! |---|---|---|
@@ -16,8 +18,8 @@
 //! Proposed states are solved for again, and every condition is checked. Residuals are recomputed from the data of grasp and load before the answer
 //! is called an [`Equilibrium`].
 //!
-//! If no equilibrium is found, the answer is a [`Proof`] that none exists, or [`Undecided`], with the reason. A proof is one of four: a motion that
-//! nothing resists, a motion that separates the load from all admissible contact forces, all states tried, or all cases contradicted
+//! If no equilibrium is found, the answer is a [`Proof`] that none exists, or [`Undecided`], with the reason. There are four kinds of proof: a motion
+//! that nothing resists, a motion that separates the load from all admissible contact forces, all states tried, or all cases contradicted
 //! ([`Refutation`]).
 
 mod accuracy;

@@ -82,8 +82,8 @@ impl Engine {
         Ok(list)
     }
 
-    /// The equilibrium problem of this grasp under a load, with the friction cone of the settings. The error is an invalid load, or invalid limits of
-    /// small motions.
+    /// The equilibrium problem of this grasp under a load, with the friction cone of the settings. Returns an error if the load or the limits of
+    /// small motions are invalid.
     pub(super) fn problem_under(&self, load: &Wrench<3>, settings: &Settings) -> Result<Problem<'_>, Error> {
         settings.small_motions.check()?;
         let polygon = Polygon::shared(self.space(), &settings.cone);

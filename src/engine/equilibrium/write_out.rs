@@ -143,8 +143,9 @@ struct SolvedContact<'s> {
     force: SVector<f64, 3>,
     /// Commanded displacement minus clearance and minus the accumulated slip `memory`, m.
     offset: SVector<f64, 3>,
+    /// Slip accumulated along a load path so far, m.
     memory: SVector<f64, 3>,
-    /// Displacement of the body's core at the contact, minus that of the finger by its joints, in the contact frame, m.
+    /// Displacement of the body's core at the contact, minus the finger's displacement by its joints, in the contact frame, m.
     moved: SVector<f64, 3>,
 }
 

@@ -123,8 +123,8 @@ pub(crate) fn kinematic_form_among(
     })
 }
 
-/// Assembles the kinematic form from its jumps; `None` if a number overflows. `coupling(i, j)` returns by how much the unknown of jump j reduces the
-/// slack of jump i because the object gives way.
+/// Assembles the kinematic form from its jumps; `None` if a number overflows. `coupling(i, j)` returns by how much a unit of the unknown of jump j
+/// reduces the slack of jump i because the object gives way.
 fn form(
     problem: &Problem,
     state: &PieceState,

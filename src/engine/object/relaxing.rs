@@ -1,6 +1,6 @@
 //! Relaxation of a stuck grasp: contacts beyond their friction cones slip, and the object moves as it would with viscous contacts.
 //!
-//! With Coulomb friction a grasp may have several equilibria; in an extreme one the object lies beside the fingers. Steps of the twist q with the
+//! With Coulomb friction a grasp may have several equilibria; in an extreme case the object lies beside the fingers. Steps of the twist q with the
 //! stiffness T of the stuck grasp,
 //!
 //! ```text
@@ -24,7 +24,7 @@ use crate::prelude::*;
 ///
 /// It iterates over twists at which the object has nearly relaxed. The estimated remaining path is a hundredth of the path covered, then a hundredth
 /// of that, and so on. The last twist comes after `RELAXING_STEPS` steps, or once R is zero. Short steps indicate an equilibrium, or a place where a
-/// stable one has just vanished. If Newton's method finds none there, the caller asks for the next twist.
+/// stable equilibrium has just vanished. If Newton's method finds no equilibrium from such a twist, the caller asks for the next twist.
 pub(crate) struct ViscousRelaxation<'p, 'a> {
     problem: &'p Problem<'a>,
     factors: TangentFactors,

@@ -1,5 +1,5 @@
-//! The tangent stiffness T of the object. It follows from the tangent stiffness C_i of each contact, the derivative of its force by its stretch in
-//! its present state.
+//! The tangent stiffness T of the object. It follows from the tangent stiffness C_i of each contact, the derivative of its force with respect to its
+//! stretch in its present state.
 //!
 //! ```text
 //! R = Σ G_i F_i + W,     T = Σ G_i C_i G_iᵀ,     dq = T⁻¹R,     F_i -= C_i G_iᵀ dq
@@ -79,7 +79,7 @@ impl Problem<'_> {
     }
 }
 
-/// The tangent stiffness C_i of a contact, N/m: the derivative of its force by its stretch, in its contact frame.
+/// The tangent stiffness C_i of a contact, N/m: the derivative of its force with respect to its stretch, in its contact frame.
 pub(crate) type SpringTangent = SMatrix<f64, 3, 3>;
 
 /// The tangent stiffness `T = Σ G_i C_i G_iᵀ` of the object, summed over the contacts and drives `sites`; `springs(i)` returns C_i of contact i.
@@ -109,9 +109,9 @@ fn add_tangent(t: &mut Square, site: &Site, springs: &SpringTangent) {
     }
 }
 
-/// Corrects the forces and twist of `state` by at most three Newton steps. They end where the norm of the imbalance is at most the fraction `part` of
-/// the sum of the norms of contact forces and load. Returns the sum over the steps of the largest change of a contact force, N; `None` if the steps
-/// do not suffice.
+/// Corrects the forces and twist of `state` by at most three Newton steps. They end when the norm of the imbalance is at most the fraction `part` of
+/// the sum of the norms of contact forces and load. Returns the sum over the steps of the largest change of a contact force, N; `None` if the
+/// imbalance is still larger after these steps.
 pub(crate) fn balance(
     sites: &[Site],
     springs: &[SpringTangent],

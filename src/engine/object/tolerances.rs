@@ -2,7 +2,7 @@
 //!
 //! All of them are pure numbers. The tolerances are fractions of the forces, work or terms that are compared.
 
-/// The work of a load on a unit motion that no spring can balance counts as zero up to this fraction of the norm of the load. Loads that were
+/// The work of a load along a unit motion along which no spring pushes counts as zero up to this fraction of the norm of the load. Loads that were
 /// computed to balance carry rounding of about 1e-16.
 ///
 /// If smaller, a load that springs balance seems to move the object without resistance. If larger, a load that does move it without resistance counts

@@ -8,9 +8,9 @@
 //! Σ G_i F_i(a_i - G_iᵀq) + W = 0      where  Σ φ_i(a_i - G_iᵀq) - W·q  is least
 //! ```
 //!
-//! and Newton's method finds its minimum from any start. As regularisation the Newton matrix keeps a fraction of the stiffness of yielding springs,
-//! which decreases as a rule. Then new limits μ F_n follow from the normal forces, until no contact changes its state, in at most 30 rounds. The
-//! states are a proposal: some may be wrong.
+//! and Newton's method finds its minimum from any start. As regularisation the Newton matrix keeps a fraction of the stiffness of yielding springs;
+//! as a rule this fraction decreases. From the normal forces of the minimum follow new limits μ F_n, and the minimum is computed again. This is
+//! repeated until no contact changes its state, in at most 30 rounds. The states are a proposal: some may be wrong.
 //!
 //! Source: J. Haslinger, I. Hlaváček, J. Nečas, Numerical methods for unilateral problems in solid mechanics, Handbook of Numerical Analysis IV
 //! (1996): friction as a fixed point of problems with given friction.

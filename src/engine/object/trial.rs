@@ -18,8 +18,8 @@ impl Problem<'_> {
         }
     }
 
-    /// The factorised linear problem with these contact states. In the states of the elastic trial it is that of `trial`, which the grasp may have
-    /// kept.
+    /// The factorised linear problem with these contact states. For the states of the elastic trial it is the linear problem of `trial`, which the
+    /// grasp may have kept.
     pub(crate) fn piece(&self, states: &[State]) -> Arc<Piece> {
         let unjumped = || self.locals().zip(states).all(|(local, state)| local.unjumped() == *state);
         if self.trial.is_some() && unjumped() { self.trial() } else { Arc::new(Piece::new(self, states)) }

@@ -39,8 +39,8 @@ pub(crate) fn nothing_holds(here: &Problem, past: &Problem) -> bool {
         })
 }
 
-/// Whether a contact may open or has friction, and so has an inequality in the linear system. There the equations of equilibrium come first, then
-/// these inequalities in the order of contacts.
+/// Whether a contact may open or has friction, and so has an inequality in the linear system. In this system the equations of equilibrium come first,
+/// then these inequalities in the order of contacts.
 fn has_row(local: &LocalLaw<'_>) -> bool {
     local.pairs() > 0
 }

@@ -48,7 +48,8 @@ pub enum Doubt {
     /// Contact states were found, but arms or stiffnesses of the grasp differ by more than the working precision resolves. Forces and twist cannot be
     /// computed accurately: residuals exceed 1e-10 (1e-12 on the round cone).
     Inaccurate,
-    /// Lemke's method reached its limit of pivots, broke down or would need too large a matrix, with too many contacts to try every combination.
+    /// Lemke's method reached its limit of pivots, broke down or would need too large a matrix, and there are too many contacts to try every
+    /// combination of states.
     OutOfPivots,
     /// On a load path: a leg needs more than [`Settings::most_steps`](crate::Settings::most_steps) steps along sliding arcs of the round cone, or
     /// more jumps from static to kinetic friction.
@@ -129,7 +130,7 @@ impl Kept {
 #[derive(Debug, Clone)]
 pub(crate) enum Settled {
     Found(Found, FoundBy),
-    /// No equilibrium exists: the load works on this motion, which no spring resists when every contact sticks.
+    /// No equilibrium exists: the load does work along this motion, which no spring resists if every contact sticks.
     FreeMotion(Vector),
     /// No equilibrium exists, since no admissible forces balance the load: this motion separates the load from the friction wrench cone.
     Separating(Vector),

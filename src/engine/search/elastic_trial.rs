@@ -45,8 +45,8 @@ impl<'s, 'g> ElasticTrial<'s, 'g> {
         self.proposing.get_or_init(|| on_polygons(self.problem, self.settings.cone, &self.state.forces))
     }
 
-    /// The problem of [`Self::proposing`] with friction-cone facets for infinite friction, `None` unless some contact has infinite friction. Such a
-    /// contact loses its tangential force when it opens. In the complementarity problem only facets can express this.
+    /// The problem of [`Self::proposing`] with friction-cone facets for contacts with infinite friction; `None` if no contact has infinite friction.
+    /// Such a contact loses its tangential force when it opens. In the complementarity problem only facets can express this.
     pub(super) fn with_edges(&self) -> Option<&Problem<'g>> {
         let infinite = || self.problem.locals().any(|local| local.never_slides());
         let make =

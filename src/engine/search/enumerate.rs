@@ -39,8 +39,8 @@ pub(crate) struct Enumerated {
     pub(crate) doubtful: bool,
 }
 
-/// Tries all combinations of contact states; with `first_only` only up to the first equilibrium. On the round cone each is the start of Newton's
-/// method.
+/// Tries all combinations of contact states; with `first_only` only up to the first equilibrium. On the round cone each combination is the start of
+/// Newton's method.
 pub(crate) fn search(problem: &Problem, first_only: bool) -> Enumerated {
     search_among(problem, first_only, &|_| true)
 }

@@ -32,7 +32,7 @@ pub(super) struct Rung {
     pub(super) name: &'static str,
     pub(super) applies: fn(&ElasticTrial<'_, '_>) -> bool,
     pub(super) climb: fn(&ElasticTrial<'_, '_>, &mut Log) -> Attempt,
-    /// The [`FoundBy`] of its equilibria; `None` for a method that can only prove that no equilibrium exists.
+    /// The [`FoundBy`] of the method's equilibria; `None` for a method that can only prove that no equilibrium exists.
     finds: Option<FoundBy>,
 }
 
@@ -183,8 +183,8 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
 }
 
 /// The equilibrium to which the grasp relaxes from the elastic trial, with the contacts taken as viscous (`ViscousRelaxation`). Newton's method
-/// starts from points of this relaxation. An equilibrium far from the starting point is returned only if Newton's method never ends at a near one.
-/// `None` if it ends at none.
+/// starts from points of this relaxation. An equilibrium far from the starting point is returned only if Newton's method never ends at a near
+/// equilibrium. `None` if it ends at no equilibrium.
 fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<Found> {
     let mut way = ViscousRelaxation::from_stuck(scene.problem, &scene.state.twist)?;
     let mut another = None;
@@ -198,8 +198,8 @@ fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<Found> {
     another
 }
 
-/// Searches for a proof in a rate problem at a limit load: if all contacts on the edge of their cones slide, nothing resists a motion on which the
-/// load works.
+/// Searches for a proof in a rate problem at a limit load: if all contacts on the edge of their cones slide, nothing resists a motion along which the
+/// rate of the load does work.
 fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     let proof = proofs::yields(scene.problem);
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(Settled::Contradicted { cases: 1, escape }))

@@ -1,6 +1,7 @@
 //! Limits that several methods of the search for an equilibrium share: numbers of contacts, paths and multiplications.
 
-/// Covering vectors tried after a ray, where all combinations of states are tried next. Each path costs as much as the first.
+/// Number of covering vectors that Lemke's method tries after it has ended on a ray, if all combinations of states are tried next. Each path costs as
+/// much as the first.
 ///
 /// If smaller, equilibria that a second path finds are missed; if larger, a search that fails takes longer.
 pub(super) const COVERING_VECTORS: usize = 3;
