@@ -2,8 +2,9 @@
 //! point of an arc.
 //!
 //! Let a contact slide along p = F_t / |F_t| with `|F_t| = μ F_n`. Its tangent stiffness `C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ`, see [`Tangent`],
-//! depends on p alone: k_n is the normal stiffness, and κ the stiffness along the tangent d across the slip. Offsets a are affine in the load factor
-//! λ; the load W is affine in λ or turns with it. Twist q and load factor change together, with grasp maps G_i and a unit u of displacement:
+//! depends on p alone. Here k_n is the normal stiffness, `P = K_t p / (p·K_t p)` with the tangential stiffnesses K_t, and κ the stiffness along the
+//! tangent d across the slip. Offsets a are affine in the load factor λ; the load W is affine in λ or turns with it. Twist q and load factor change
+//! together, with grasp maps G_i and a unit u of displacement:
 //!
 //! ```text
 //! T q' = b λ',     T = Σ G_i C_i G_iᵀ,     b = Σ G_i C_i a_i' + W',     |q'|²/u² + λ'² = 1
@@ -325,7 +326,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         most
     }
 
-    /// Contact forces at a twist and a load factor: by the springs if a contact sticks, zero if it is open. The friction force of each sliding
+    /// Contact forces at a twist and a load factor: from the springs if a contact sticks, zero if it is open. The friction force of each sliding
     /// contact is on its cone, in the direction given in `frictions`.
     fn forces_at(&self, twist: &Vector, factor: f64, frictions: &[SVector<f64, 3>]) -> Vec<SVector<f64, 3>> {
         let offsets = self.segment.offsets(factor);

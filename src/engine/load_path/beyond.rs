@@ -2,8 +2,8 @@
 //!
 //! A motion may prove that no equilibrium exists: a virtual motion at the end, or another motion that separates the load from all possible contact
 //! forces. In the plane, and in space with polygonal friction cones, every combination of contact states is tried. The load factor is `τ* + ε`, with
-//! τ* at the end and ε infinitesimal. A condition of a contact state holds there if its value at τ* is positive, or zero with a rate that is not
-//! negative. On the round cone an equilibrium slightly beyond the end is searched for without regard to the path.
+//! τ* at the end and ε infinitesimal. At this load factor a condition of a contact state holds if its value at τ* is positive, or zero with a rate
+//! that is not negative. On the round cone an equilibrium slightly beyond the end is searched for without regard to the path.
 
 use nalgebra::SVector;
 
@@ -40,18 +40,18 @@ pub enum Beyond<const C: usize> {
     /// as far as it continues.
     Continues(Box<Continuation<C>>),
     /// No equilibrium exists just beyond: a limit load. A motion proves this or, in the plane and on polygonal friction cones, a trial of every
-    /// combination of contact states. On the round cone there may be a proof only for a somewhat larger load. It exceeds the load at the end by at
-    /// most a hundredth of the whole load, of all commands, or of the leg if there is no load yet.
+    /// combination of contact states. On the round cone there may be a proof only for a somewhat larger load. That load exceeds the load at the end
+    /// by at most a hundredth of the whole load, of all commands, or of the leg if there is no load yet.
     LimitLoad,
     /// This equilibrium ends here, but others exist at slightly larger loads. After a first slip, a load path decides whether the grasp snaps over to
     /// one of them ([`Jump::snaps`](super::Jump::snaps)). At the end of a load path the answer is known: if the object moves as with viscous
-    /// contacts, it reaches none of them by small motions.
+    /// contacts, it reaches none of these equilibria by small motions.
     Snap,
     /// This equilibrium ends here: the complementarity problem for the rates of forces and motion has no solution. Whether other equilibria exist
     /// beyond is not known, and there is no proof that none exists. The grasp has too many contacts: more than 32 on the round cone, or else more
     /// combinations of contact states than [`Settings::most_states`].
     Ends {
-        /// The reason why no rates of forces and motion exist. Its work is that of the rate of the load, J per unit of the load factor.
+        /// The reason why no rates of forces and motion exist. Its work is the work of the rate of the load, J per unit of the load factor.
         reason: NoEquilibrium<C>,
     },
     /// The lips of these suction cups are open all around, and their vacuum is gone. What remains is another grasp, without their vacuum.
@@ -105,13 +105,13 @@ pub(super) fn continuation(grasp: &Engine, rates: &Problem, found: Found, rule: 
 pub(super) struct EquilibriumEnd<'f> {
     pub(super) factor: f64,
     pub(super) forces: &'f [SVector<f64, 3>],
-    /// A virtual motion on which contact forces at the end can do no work, about the centroid of the contacts. It may prove that no equilibrium
-    /// exists beyond. `None` if none is known.
+    /// A virtual motion along which contact forces at the end can do no work, about the centroid of the contacts. It may prove that no equilibrium
+    /// exists beyond. `None` if no such motion is known.
     pub(super) motion: Option<Vector>,
 }
 
-/// The situation beyond the end of a path. `settled` is the outcome of a search for a solution of `rates`, the rate problem at the end: that none
-/// exists, or undecided.
+/// The situation beyond the end of a path. `settled` is the outcome of a search for a solution of `rates`, the rate problem at the end: that no
+/// solution exists, or undecided.
 pub(super) fn beyond_end(
     segment: &Segment<'_>,
     rates: &Problem,
@@ -169,7 +169,7 @@ pub(super) fn no_rates(rates: &Problem) -> bool {
 }
 
 /// Searches for an equilibrium slightly beyond the end of a path, where contact forces are `forces`. Contacts keep the slip so far, but their states
-/// need not continue the path. `past(part)` is the problem at the distance `part`.
+/// need not continue the path. `past(part)` is the problem at the distance `part` beyond the end, in the unit of [`way_beyond`].
 fn from_scratch<'g>(
     past: impl Fn(f64) -> Problem<'g>,
     forces: &[SVector<f64, 3>],

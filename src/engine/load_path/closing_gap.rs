@@ -1,8 +1,8 @@
 //! Free motion of the object after a loss of equilibrium, until the gap of an open contact closes.
 //!
 //! If nothing resists the motion v of a loss, forces stay constant along it: no spring is stretched further, and friction is exhausted already. So
-//! the object is in balance under the load of the loss everywhere along the motion. The motion ends after the length δ v at which the first open
-//! contact closes, n_i being normals and G_i grasp maps. Contacts keep the slips that it causes:
+//! the object is in balance under the load of the loss everywhere along the motion. The motion ends after the displacement δ v at which the first
+//! open contact closes, with normals n_i and grasp maps G_i. Contacts keep the slips that the motion causes:
 //!
 //! ```text
 //! δ = min gap_i / (-n_i·G_iᵀv)

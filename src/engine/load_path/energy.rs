@@ -18,7 +18,7 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct LegEnergy {
-    /// Work of the load W on the motion q of the object, `∫ W·dq`.
+    /// Work of the load W along the motion q of the object, `∫ W·dq`.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub load_work: f64,
     /// Work of the fingers' drives, `Σ ∫ F·du_f` with the contact forces F and the finger displacements u_f, positive where a finger pushes forward.
@@ -27,7 +27,8 @@ pub struct LegEnergy {
     /// Change of the energy stored in the springs, `Δ Σ ½ F²/k`.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub stored: f64,
-    /// Heat from friction, `Σ ∫ F_t·ds` with the friction forces F_t and the slips s, plus the energy lost in [jumps](super::Jump), never negative.
+    /// Heat from friction, `Σ ∫ F_t·ds` with the friction forces F_t and the slips s, plus the energy lost in [jumps](super::Jump). It is never
+    /// negative.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub dissipated: f64,
     /// Sum of the absolute values of all contributions, piece by piece and contact by contact: the scale for the rounding of the balance, since works

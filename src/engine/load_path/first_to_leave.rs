@@ -29,7 +29,8 @@ pub(super) struct FirstToLeave {
     pub(super) there: PieceState,
 }
 
-/// The first contact that stops sticking along a ramp. `None` if everything sticks for ever, or if the simple case of this file does not apply.
+/// The first contact that stops sticking along a ramp. `None` if everything sticks at every load factor, or if the simple case of this file does not
+/// apply.
 pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) -> Option<FirstToLeave> {
     let problem = &segment.problem;
     let piece = problem.trial();
@@ -175,8 +176,8 @@ struct First {
     line: Line,
 }
 
-/// The contact whose force leaves its cone at the least load factor; `None` if none leaves. Also `None` unless everything clearly sticks under the
-/// base load, and no other exit has nearly the same load factor.
+/// The contact whose force leaves its cone at the least load factor; `None` if no force leaves its cone. Also `None` unless everything clearly sticks
+/// under the base load, and no other exit has nearly the same load factor.
 fn first_exit(
     segment: &Segment<'_>,
     base: &PieceState,

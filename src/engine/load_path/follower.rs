@@ -99,7 +99,8 @@ pub(crate) trait Follower<'g>: Debug {
         Vec::new()
     }
 
-    /// The place on the path at which a motion exceeded its limit of small motions. `None` if none has, or from a follower that does not check them.
+    /// The place on the path at which a motion exceeded its limit of small motions. `None` if no motion has, or from a follower that does not check
+    /// them.
     fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions> {
         None
     }

@@ -32,7 +32,8 @@ pub(crate) struct Journey<'g> {
 }
 
 impl<'g> Journey<'g> {
-    /// A load program without legs yet, which starts under the load `start`. An error if this load or the limits of small motions are out of range.
+    /// A load program without legs yet, which starts under the load `start`. Returns an error if this load or the limits of small motions are out of
+    /// range.
     pub(super) fn new(grasp: &'g Engine, start: &Wrench<3>, settings: &Settings) -> Result<Self, Error> {
         grasp.load_alone(start, "start load")?;
         settings.small_motions.check()?;
@@ -118,7 +119,7 @@ impl<'g> Journey<'g> {
         PathEnd::Undecided { leg: self.program.leg, fraction, doubt }
     }
 
-    /// Appends legs to the program. If one is invalid, an error, and none is appended.
+    /// Appends legs to the program. If a leg is invalid, returns an error and appends none.
     pub(super) fn extend(&mut self, legs: &[Leg<3>]) -> Result<(), Error> {
         self.program.extend(self.grasp, legs)
     }

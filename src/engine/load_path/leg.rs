@@ -16,10 +16,10 @@ use crate::prelude::*;
 
 /// One leg of a load program: the load, the commands, or both change linearly to their goals, or the load turns.
 ///
-/// A squeeze is a leg of commands, loading and unloading are legs of the load; a quantity that the leg does not mention stays. Loads act on the
-/// object (N, N m about the origin). Commands are displacements of the fingers in their contact frames (m), the normal part positive into the object.
-/// All points of a soft fingertip follow one command, unless there is one for each point. Loads and commands change in proportion to the fraction of
-/// the leg, from 0 to 1; this fraction is the load factor of the leg.
+/// A squeeze is a leg of commands, loading and unloading are legs of the load; a quantity that the leg does not mention keeps its value. Loads act on
+/// the object (N, N m about the origin). Commands are displacements of the fingers in their contact frames (m), the normal part positive into the
+/// object. All points of a soft fingertip follow one command, unless there is one for each point. Loads and commands change in proportion to the
+/// fraction of the leg, from 0 to 1; this fraction is the load factor of the leg.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};

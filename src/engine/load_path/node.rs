@@ -1,5 +1,5 @@
-//! A node of the load path, the place of an event. It has for each contact the edges of its cone on which its force lies (its active set). Here the
-//! continuation of the path is decided.
+//! A node of the load path is the place of an event. It has for each contact the edges of its cone on which its force lies (its active set). At a
+//! node the continuation of the path is decided.
 
 use nalgebra::{Matrix, SVector};
 
@@ -25,7 +25,8 @@ use crate::search::{
 /// The rate problem at a node (the complementarity problem for the rates of forces and motion), and `settled`, the outcome of the search for its
 /// solution.
 struct Decided<'g> {
-    /// The load factor whose rates of load and commands the problem has: that of the node, or one slightly ahead while the load turns.
+    /// The load factor whose rates of load and commands the problem has: the load factor of the node or, while the load turns, a load factor slightly
+    /// ahead.
     ahead: f64,
     rates: Problem<'g>,
     settled: Settled,
@@ -48,7 +49,8 @@ pub(super) struct Node {
     /// Indices of contacts whose slip has ended at this node.
     pub(super) stopped: Vec<usize>,
     pub(super) at: PieceState,
-    /// The load factor whose rates of load and commands decided the continuation: that of the node, or one a little ahead while the load turns.
+    /// The load factor whose rates of load and commands decided the continuation: the load factor of the node or, while the load turns, a load factor
+    /// slightly ahead.
     pub(super) ahead: f64,
 }
 
@@ -61,7 +63,7 @@ pub(super) struct NextPiece {
 
 impl Node {
     /// Solves the rate problem at the load factor `factor`. The solution decides the states of all contacts on the edge of their cones, and so how
-    /// the path continues. If there is none, the error is the end of the path.
+    /// the path continues. If there is no solution, the error is the end of the path.
     pub(super) fn continue_path(
         &mut self,
         segment: &mut Segment<'_>,
@@ -189,8 +191,8 @@ impl Node {
     }
 
     /// Opens contacts in the solution `found` of the rate problem that touch and gain no force, so that they do not drag the object along. They open
-    /// if a solution without them exists in which the object moves less. If no contact gains a force, and one would slide on the round cone, all
-    /// contacts that may open do.
+    /// if a solution without them exists in which the object moves less. If no contact gains a force, and a contact would slide on the round cone,
+    /// all contacts that may open are opened.
     fn without_dragging(&self, rates: &Problem, found: Found) -> Found {
         let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
         // On the round cone the direction of sliding is that of the friction force, which a zero force does not have.

@@ -21,7 +21,7 @@ use crate::serial::AsComputed;
 pub enum Onset<const C: usize> {
     /// The first contact stops sticking at the load factor of this event.
     At(Box<OnsetEvent<C>>),
-    /// Everything keeps sticking at every load factor; for a turn, up to its last angle.
+    /// Everything keeps sticking at every load factor; for a turn, at every angle up to the last angle.
     Never,
     /// A contact slides already at load factor 0: the equilibrium there. (A contact on the edge of its cone sticks, and may leave at load factor 0.)
     AlreadySliding(Box<Equilibrium<C>>),
@@ -31,7 +31,8 @@ pub enum Onset<const C: usize> {
     GivesWay {
         /// The load factor up to which the grasp holds.
         factor: f64,
-        /// The reason why no equilibrium exists beyond; its work is that of the rate of the load, J per unit of the load factor (J/rad for a turn).
+        /// The reason why no equilibrium exists beyond; its work is the work of the rate of the load, J per unit of the load factor (J/rad for a
+        /// turn).
         reason: NoEquilibrium<C>,
     },
     /// The search for the equilibrium at load factor 0 was undecided, or the path to the onset depends on rounding.
@@ -181,7 +182,7 @@ pub struct Leaving<const C: usize> {
 pub enum Departure<const C: usize> {
     /// The contact slides, `|F_t| = μ F_n`.
     Slides {
-        /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body in this direction.
+        /// Unit direction, along the coordinate axes, in which the finger slips over the body; friction pulls the body in this direction.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },

@@ -13,11 +13,12 @@ use crate::numerics::{
 use crate::object::uses_band;
 use crate::prelude::*;
 
-/// An order of the coordinates in which coordinates coupled by a contact are near each other: `numbers` has the position of each, and `reach` the
-/// half width of the band.
+/// An order of the coordinates in which coordinates coupled by a contact are near each other.
 #[derive(Debug)]
 pub(super) struct NarrowOrder {
+    /// The position of each coordinate in this order.
     numbers: Vec<usize>,
+    /// The half width of the band.
     reach: usize,
 }
 

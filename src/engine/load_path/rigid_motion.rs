@@ -21,8 +21,9 @@ use crate::prelude::*;
 /// Largest number of coordinates, and of touching contacts, for which the motion is computed. With more it would take too long.
 const MOST_RIGID: usize = 64;
 
-/// The unit motion with which the object leaves if no contact presses and nothing balances the rate of the load in `rates`. `None` if a contact
-/// presses or never opens or slides, if a command changes, if the motion is zero, or in large problems.
+/// The unit motion with which the object leaves if no contact presses and nothing balances the rate of the load in `rates`. `None` if no contact
+/// touches, or if a contact presses, is kept closed, or touches and never slides. Also `None` if a command changes, if the motion is zero, or in
+/// large problems.
 pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     if rates.wrench.as_slice().len() > MOST_RIGID || rates.offsets.iter().any(|offset| offset.norm() > 0.0) {
         return None;

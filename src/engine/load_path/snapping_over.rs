@@ -8,10 +8,10 @@
 //! Σ G_i K_i G_iᵀ dq/dt = R(q),      R(q) = Σ G_i F_i(a_i - s_i - G_iᵀq) + W
 //! ```
 //!
-//! A step in time of length h solves `(T + D/h) Δq = R`, where D is the matrix on the left and T the tangent stiffness. Then the slip of every
+//! A step in time of length h solves `(T + D/h) Δq = R`, where D is the matrix `Σ G_i K_i G_iᵀ` and T the tangent stiffness. Then the slip of every
 //! contact is added to its slip memory s_i. Steps grow as long as the imbalance after them is nearly the expected one, D Δq/h. Once forces nearly
-//! balance, the rest of R is removed along a leg of its own, as in [`super::jump_leg`], and the path continues from there. If the motion would exceed
-//! the limits of small motions it is not made, and the equilibrium counts as lost.
+//! balance, the rest of R is removed along a leg of its own, as in [`super::jump_leg`], and the path continues from there. A motion that would exceed
+//! the limits of small motions is not made, and the equilibrium counts as lost.
 
 use nalgebra::SVector;
 
@@ -151,9 +151,9 @@ fn is_small(grasp: &Engine, small: &SmallMotions, moved: &Vector) -> bool {
     turns_little && grasp.sites()[..grasp.len()].iter().all(|site| site.map.tr_mul(moved).norm() <= most)
 }
 
-/// Factor by which the length of a step grows after an accepted step, both for steps in time and for steps of the load factor. `SHORTER` is the
-/// factor after a refused step.
+/// Factor by which the length of a step grows after an accepted step, both for steps in time and for steps of the load factor.
 const LONGER: f64 = 2.0;
+/// Factor by which the length of a step is multiplied after a refused step.
 const SHORTER: f64 = 0.25;
 
 impl MovingObject {
@@ -167,7 +167,7 @@ impl MovingObject {
 
 impl<'g> Pieces<'g> {
     /// The event that replaces the loss `loss`: the object snaps over to another equilibrium at a slightly larger load factor, from which the path
-    /// continues. `None` if it comes to rest nowhere near, or for a loss, grasp or place for which this is not tried.
+    /// continues. `None` if it comes to rest nowhere near, or for a loss, grasp or place on the path for which this is not tried.
     pub(super) fn snaps_over(&mut self, journey: &Journey<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         let ends_in_balance = !matches!(loss.kind, LossKind::LetsGo | LossKind::TooFar | LossKind::GivesWay);
         // The model keeps the pull of a vacuum even if its cup opens during the motion, so grasps with cups are excluded.
@@ -229,7 +229,7 @@ impl<'g> Pieces<'g> {
     }
 
     /// The state in which the object, moving from its present twist, rests again under the load at the factor `beyond`, slightly past this loss.
-    /// `None` if it does not.
+    /// `None` if it does not come to rest.
     fn rests_again(&self, beyond: f64) -> Option<RestsAgain<'g>> {
         let Segment { grasp, answer_for, .. } = &self.segment;
         RestsAgain::near(grasp, &answer_for.small, self.segment.problem_at(beyond), &self.node.at.twist)

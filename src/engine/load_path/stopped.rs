@@ -17,7 +17,7 @@ impl Pieces<'_> {
     }
 
     /// Whether a contact in the state `state` clearly violates the condition of this state after three trial steps, ever shorter, with errors up to
-    /// `tolerance`. False if it does not after one of them.
+    /// `tolerance`. False if the condition is not clearly violated after one of these steps.
     fn fails_at_once(&self, contact: usize, state: State, tolerance: f64) -> bool {
         let mut states = self.node.states.clone();
         states[contact] = state;

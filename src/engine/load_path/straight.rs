@@ -67,8 +67,8 @@ impl<'g> Pieces<'g> {
         Ok(leg_done)
     }
 
-    /// Forces and twist after the change `step` of the load factor along the present piece, which begins at `point`. Solved there, or extrapolated if
-    /// that fails.
+    /// Forces and twist after the change `step` of the load factor along the present piece, which begins at `point`. The state is solved for at the
+    /// new load factor, or extrapolated if that fails.
     pub(super) fn state_after(&self, point: &PathPoint, step: f64) -> PieceState {
         let near = point.after(step);
         self.segment.state(&point.piece, self.factor + step, Some(&near.twist)).unwrap_or(near)

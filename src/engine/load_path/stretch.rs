@@ -24,10 +24,11 @@ pub(super) struct Stretch<'g> {
     pub(super) leg: usize,
     pub(super) from: f64,
     pub(super) to: f64,
-    /// The static problem at fraction 0 of the leg, with the slips accumulated up to this piece. Then the rates of its offsets in `change`, and its
-    /// load as a function of the fraction in `course`.
+    /// The static problem at fraction 0 of the leg, with the slips accumulated up to this piece.
     pub(super) problem: Problem<'g>,
+    /// The rates of the offsets of `problem`, m per unit of the fraction.
     pub(super) change: Vec<SVector<f64, 3>>,
+    /// The load of `problem` as a function of the fraction of the leg.
     pub(super) course: Trajectory<Vector>,
     /// The caller's load as a function of the fraction of the leg.
     pub(super) load: Trajectory<Wrench<3>>,

@@ -34,7 +34,8 @@ pub(super) const MOST_SNAPPING_STEPS: usize = 1000;
 /// motion must fail first.
 pub(super) const MOST_SNAPS: usize = 64;
 
-/// While an object snaps over, a step in time is accepted if the imbalance after it is as expected up to this fraction of that before it.
+/// While an object snaps over, a step in time is accepted if the imbalance after it differs from the expected one by at most this fraction of the
+/// imbalance before it.
 ///
 /// If smaller, there are more steps; if larger, a step passes over changes of contact states.
 pub(super) const AS_EXPECTED: f64 = 0.3;
@@ -61,10 +62,10 @@ pub(super) const LARGEST_CORRECTION: f64 = 1e-6;
 /// If smaller, a path ends where events accumulate; if larger, it skips separate events.
 pub(super) const GATHERED_MARGIN: f64 = 1e-8;
 
-/// In `rigid_motion` a velocity below this fraction of the load, with unit mass, counts as zero: contact forces balance the load, up to their
-/// rounding.
+/// `rigid_motion` computes the velocity with which rigid bodies start to move under the load, with the identity as mass matrix. A velocity whose norm
+/// is below this fraction of the norm of the load counts as zero: contact forces then balance the load up to rounding.
 ///
-/// If smaller, rounding moves a grasp that holds; if larger, a slow motion counts as none.
+/// If smaller, rounding moves a grasp that holds; if larger, a slow motion counts as rest.
 pub(super) const NO_RIGID_MOTION: f64 = 1e-6;
 
 /// A contact force counts as constant if it changes by at most this fraction of the largest force in a unit of arclength. So does the load factor, as

@@ -1,7 +1,7 @@
 //! Advances along an arc, on which directions of sliding turn on the round cone, step by step to the next event.
 //!
-//! Steps are in arclength, see [`super::flow`], and as long as the allowed error of the settings permits. An event is where one of these values, for
-//! a contact in each state or for the path, vanishes,
+//! Steps are in arclength, see [`super::flow`], and as long as the allowed error of the settings permits. An event is the place where one of these
+//! values vanishes. They are listed by the state of a contact; the last line is for the path as a whole:
 //!
 //! ```text
 //! sticking  μ F_n - |F_t|, or F_n where friction is infinite or zero

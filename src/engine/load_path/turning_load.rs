@@ -23,7 +23,7 @@ impl Segment<'_> {
     }
 
     /// Forces, twist, gaps and their rates at a load factor, and forces, stretches and twist from there on as harmonic functions of the load's angle.
-    /// An error if forces cannot balance the load. `near` is as for [`Self::point_at`].
+    /// Returns an error if forces cannot balance the load. `near` is as for [`Self::point_at`].
     pub(super) fn point_on_turn(
         &self,
         piece: &Arc<Piece>,

@@ -29,8 +29,8 @@ pub(super) struct Bounded {
 }
 
 /// A fraction of a step at which a sticking or open contact clearly violates its condition, although the condition may hold again at the end. It is
-/// the least one found over the contacts. One half for a contact for which the step is too long for a decision; `None` if all conditions hold within
-/// the step. Rates at both ends are per unit of arclength, and `length` is that of the step.
+/// the least such fraction found over the contacts. A contact for which the step is too long for a decision counts with one half. `None` if all
+/// conditions hold within the step. Rates at both ends are per unit of arclength, and `length` is that of the step.
 pub(super) fn first_dip(
     segment: &Segment<'_>,
     states: &[State],

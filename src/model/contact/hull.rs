@@ -234,8 +234,9 @@ impl LocalLaw<'_> {
         rays
     }
 
-    /// Two narrower labels that together allow the same states as `label`. `stretch` and `force` lie in the hull of `label`. The sector of friction
-    /// directions is cut where they violate the contact law. `None` if the label cannot be divided.
+    /// Two narrower labels that together allow the same states as `label`. `stretch` and `force` lie in the hull of `label`, but may violate the
+    /// contact law, which requires friction along the slip. A sector of friction directions is therefore cut between the directions of the friction
+    /// force and of the slip, or halved if it is wide. `None` if the label cannot be divided.
     pub(crate) fn divide(
         &self,
         label: &Label,
