@@ -31,9 +31,9 @@ pub struct ContactAnswer<const C: usize> {
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub gap: f64,
     /// Slip of the finger over the body in the contact frame, `s = a_t - t·u_c - F_t/k_t`, m. Here a_t is the finger's offset, u_c the body's
-    /// displacement and k_t the stiffness along the tangents. The normal component of the slip is zero. The slip is along F_t where the contact
-    /// slides, and zero where it sticks. On a load path it is the whole slip so far, which a sticking contact keeps. For a separated or frictionless
-    /// contact it is the displacement of the surfaces past each other.
+    /// displacement and k_t the stiffness along the tangents. The normal component of the slip is zero. The slip is along F_t if the contact slides,
+    /// and zero if it sticks. On a load path it is the whole slip so far, which a sticking contact keeps. For a separated or frictionless contact it
+    /// is the displacement of the surfaces past each other.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub slip: SVector<f64, C>,
     /// Friction in reserve of a sticking contact, N: `μ F_n - |F_t|` in the plane and on the round cone, on a polygonal cone the least of

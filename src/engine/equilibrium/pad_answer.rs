@@ -20,7 +20,7 @@ use crate::words::{LinkKind, Words};
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct PadAnswer<const C: usize> {
-    /// Label of the contact. In its index a soft fingertip counts as one contact, as in a scene.
+    /// Label of the contact. Its index counts a soft fingertip as one contact, as in a scene.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: ContactLabel,
     /// Index of the fingertip's first point in the list of contacts of the answer.

@@ -1,7 +1,7 @@
 //! Exact derivatives of forces and motion with respect to one datum, while contacts keep their states.
 //!
-//! In known states the contact law is linear, `F_i = K_i (a_i - G_iᵀq)`, where K_i depends on stiffness, friction and state. A small change of any
-//! datum z leads to one more solve with the same factors:
+//! In known states the contact law is linear, `F_i = K_i (a_i - G_iᵀq)`, where K_i depends on stiffness, friction and state. The derivative with
+//! respect to any datum z takes one more solve with the same factors:
 //!
 //! ```text
 //! dF_i = K_i (da_i - G_iᵀdq) + f_i,   f_i = (∂K_i/∂z) v_i,      Σ G_i dF_i + dW = 0

@@ -101,7 +101,7 @@ impl TooFar {
 /// motion of the object, the forces and the commands.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct CountedMotion {
-    /// The vector of the rotation (rad) or slip (m). An opening has one component, along the normal, which counts where it is positive (m).
+    /// The vector of the rotation (rad) or slip (m). An opening (m) has one component, along the normal, which counts if it is positive.
     pub(crate) shift: SVector<f64, 3>,
     /// The largest length of a small motion, rad or m.
     pub(crate) limit: f64,

@@ -150,8 +150,8 @@ struct SolvedContact<'s> {
 }
 
 impl SolvedContact<'_> {
-    /// State of the contact, and its slip beyond `memory`, m: zero where it sticks. For an open or frictionless contact this is the displacement of
-    /// the surfaces past each other.
+    /// State of the contact, and its slip beyond `memory`, m, which is zero if the contact sticks. For an open or frictionless contact this is the
+    /// displacement of the surfaces past each other.
     fn state(&self) -> (ContactState<3>, SVector<f64, 3>) {
         let slip = self.local.springs.slip(&(self.offset - self.moved), &self.force);
         match self.state {

@@ -150,7 +150,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.push_at(factor).norm()
     }
 
-    /// Tangent stiffness of a sliding contact that slides along this friction force; without friction force the direction is that of its state.
+    /// Tangent stiffness of a sliding contact that slides along this friction force; without friction force it slides in the direction stored in its
+    /// state.
     pub(super) fn tangent(&self, contact: usize, friction: &SVector<f64, 3>) -> Tangent {
         let local = self.segment.problem.local(contact);
         if tangential_norm(friction) == 0.0 {
@@ -171,7 +172,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.factored(stiffness, &push, across)
     }
 
-    /// The tangent stiffness T and the right-hand side b of `T q' = b λ'` at a load factor; `tangents` are those of the sliding contacts.
+    /// The tangent stiffness T and the right-hand side b of `T q' = b λ'` at a load factor; `tangents` are the tangent stiffnesses of the sliding
+    /// contacts.
     pub(super) fn balance(&self, tangents: &[Tangent], factor: f64) -> (PathStiffness, Vector) {
         let (mut t, mut push) = (self.fixed().stiffness.clone(), self.push_at(factor));
         for (&i, tangent) in self.sliding.iter().zip(tangents) {
@@ -353,8 +355,8 @@ impl<'s, 'g> Arc<'s, 'g> {
 
 impl Segment<'_> {
     /// State and rates of a path at `factor`, on which contacts have the states `states` and slide on the round cone. The state is the equilibrium
-    /// near `at` with friction forces on their cones, or `at` itself if none is found. Rates are per unit of the load factor. Along motions that no
-    /// spring resists the object moves at the rates `pushed`.
+    /// near `at` with friction forces on their cones, or `at` itself if no such equilibrium is found. Rates are per unit of the load factor. Along
+    /// motions that no spring resists the object moves at the rates `pushed`.
     pub(super) fn tangent(
         &self,
         states: &[State],

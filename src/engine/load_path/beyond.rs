@@ -72,7 +72,7 @@ pub enum Beyond<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Continuation<const C: usize> {
-    /// The next state of every contact, in the order of the grasp. The direction of a sliding contact is that of its slip rate.
+    /// The next state of every contact, in the order of the grasp. The direction of a sliding contact is the direction of its slip rate.
     pub states: Vec<ContactState<C>>,
     /// Rates of the contact forces on the object in the contact frames, N for one unit of the load factor.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Vec<SVector<f64, C>>>"))]
@@ -191,7 +191,8 @@ fn from_scratch<'g>(
                 // If the forces found are nearly those at the end, shorter distances decide: only the forces of another equilibrium then stay
                 // different from those at the end.
                 let is_another = !is_near(&found.forces, forces, part) || [1e-8, 1e-10].iter().any(another);
-                // If the forces do not differ, the equilibrium found may be the one that ends here: rounding may let it exist a little further.
+                // If the forces do not differ, the equilibrium found may be the equilibrium that ends here: rounding may let it exist a little
+                // further.
                 return if is_another {
                     Beyond::Snap
                 } else {

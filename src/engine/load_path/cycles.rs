@@ -22,7 +22,7 @@ pub(crate) struct Cycles<'g> {
     path: Following<'g, Pieces<'g>>,
     legs: Vec<Leg<3>>,
     base: Wrench<3>,
-    /// Number of cycles followed so far, including one that the path did not finish.
+    /// Number of cycles followed so far, including a cycle that the path did not finish.
     completed: usize,
 }
 
@@ -209,7 +209,7 @@ impl<'g> Cycles<'g> {
 }
 
 impl CycleState {
-    /// The friction cone of each contact or drive: kinetic where `weaker` is true, otherwise static. Empty if `weaker` is empty.
+    /// The friction cone of each contact or drive: kinetic if `weaker` is true, otherwise static. Empty if `weaker` is empty.
     fn cones(&self, grasp: &Engine) -> Vec<Coulomb> {
         let sites = grasp.sites().iter().zip(&self.weaker);
         sites.map(|(site, weaker)| site.kinetic.filter(|_| *weaker).unwrap_or(site.friction)).list()

@@ -29,7 +29,8 @@ pub(super) fn end_of_path(
     }
     let motions = leaving_motions(rates, &segment.course.at(loss.fraction), &rates.yielding());
     let [mut motion, mut against] = motions.map_or([None, None], |motions| motions.each(Some));
-    // If no contact carries a force, springs do not determine the motion with which the object leaves; this motion is then that of rigid bodies.
+    // If no contact carries a force, springs do not determine the motion with which the object leaves; this motion is then the motion of rigid
+    // bodies.
     if let Some(rigid) = rigid_motion(rates) {
         motion = Some(rigid);
         if let Settled::Separating(v) = &settled {

@@ -30,7 +30,7 @@ pub struct Event<const C: usize> {
     /// Changes of contact states, contact by contact. Empty if only a motion has lost its resistance, or if contacts at the start of a leg keep their
     /// states although other continuations exist. Symmetric grasps change several contacts at once.
     pub changes: Vec<ContactChange<C>>,
-    /// Changes in the hand, if one holds the object: drives of joints and tendons that yield, hold, slacken or tighten.
+    /// Changes in the hand, if a hand holds the object: drives of joints and tendons that yield, hold, slacken or tighten.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub drives: Vec<PartChange>,
     /// Unit motions that nothing resists from here on: any multiple of them may be added to the twist. The path continues without moving along them,
@@ -42,8 +42,8 @@ pub struct Event<const C: usize> {
     /// and not written, if neither test decides, as at the apex of a round cone.
     ///
     /// The path prefers in this order: nothing changes; sliding contacts keep sliding and contacts at an edge slide; everything sticks; the solution
-    /// of Lemke's method. If several motions belong to the same forces, the path takes one in which contacts without force do not drag the object
-    /// along.
+    /// of Lemke's method. If several motions belong to the same forces, the path takes a motion in which contacts without force do not drag the
+    /// object along.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub other_continuations: Option<usize>,
     /// The equilibrium at the event, with the contact states before the event (at the very start of a path, the states after it).
@@ -239,7 +239,7 @@ pub enum LossKind {
     GivesWay,
     /// Motions cease to be [small](crate::Settings::small_motions) at this load. What follows is beyond the theory of small motions.
     TooFar,
-    /// A contact with infinite friction loses its normal force while it still carries a tangential one; or the whole lip of a suction cup is open,
+    /// A contact with infinite friction loses its normal force while it still carries a tangential force; or the whole lip of a suction cup is open,
     /// and its vacuum is gone.
     LetsGo,
 }

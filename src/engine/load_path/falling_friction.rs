@@ -49,8 +49,8 @@ impl<'g> Pieces<'g> {
         !self.segment.problem.cones.is_empty()
     }
 
-    /// Gives static friction again to contacts with kinetic friction that do not slide. Their forces are inside the wider static cone, so none of its
-    /// edges is active; a contact at the apex stays there.
+    /// Gives static friction again to contacts with kinetic friction that do not slide. Their forces are inside the wider static cone, so no edge of
+    /// it is active; a contact at the apex stays there.
     pub(super) fn friction_of_rest(&mut self) {
         let problem = &mut self.segment.problem;
         for (i, cone) in problem.cones.iter_mut().enumerate() {

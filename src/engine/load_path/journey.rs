@@ -53,7 +53,8 @@ impl<'g> Journey<'g> {
         self.problem(self.grasp.offsets(), &self.program.inside_course(self.grasp).at(0.0))
     }
 
-    /// The equilibrium from which the path starts, a solution of `problem`. If none is found, the error is the end of the path before its first leg.
+    /// The equilibrium from which the path starts, a solution of `problem`. If no equilibrium is found, the error is the end of the path before its
+    /// first leg.
     pub(super) fn start(&self, problem: &Problem<'g>) -> Result<Found, PathEnd<3>> {
         match self.rest.clone().unwrap_or_else(|| settle_at_rest(problem, &self.settings)) {
             (Settled::Found(found, _), _) => Ok(found),

@@ -168,8 +168,8 @@ impl<'g> Pieces<'g> {
         Ok(Some(leg))
     }
 
-    /// Makes the jump that follows when the contacts `begin` start to slide with kinetic friction. `None` if there are none, or if they have no force
-    /// to lose. The error is the end of the path, if no equilibrium is reached.
+    /// Makes the jump that follows when the contacts `begin` start to slide with kinetic friction. `None` if the list is empty, or if these contacts
+    /// have no force to lose. The error is the end of the path, if no equilibrium is reached.
     pub(super) fn jump(
         &mut self,
         journey: &Journey<'g>,
@@ -262,8 +262,8 @@ impl<'g> Pieces<'g> {
     }
 }
 
-/// Whether any equilibrium solves `problem`, the static problem at the load at which a jump found none, with kinetic friction of the contacts that
-/// slide: [`Beyond::Snap`] if an equilibrium is found, [`Beyond::LimitLoad`] if no equilibrium exists.
+/// Whether any equilibrium solves `problem`, the static problem at the load at which a jump found no equilibrium, with kinetic friction of the
+/// contacts that slide: [`Beyond::Snap`] if an equilibrium is found, [`Beyond::LimitLoad`] if no equilibrium exists.
 pub(super) fn beyond_a_jump(problem: &Problem<'_>, settings: &Settings) -> Beyond<3> {
     match settle(problem, settings).0 {
         Settled::Found(..) => Beyond::Snap,

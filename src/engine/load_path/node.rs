@@ -195,7 +195,7 @@ impl Node {
     /// all contacts that may open are opened.
     fn without_dragging(&self, rates: &Problem, found: Found) -> Found {
         let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
-        // On the round cone the direction of sliding is that of the friction force, which a zero force does not have.
+        // On the round cone a contact slides along its friction force, and a zero force has no direction.
         let slides = rates.round && found.twist.norm() > 0.0 && found.states.iter().any(State::slides);
         let nothing = slides && forces_are_rounding(rates, &found.forces, &found.twist);
         let state = |i: usize| {
@@ -215,8 +215,8 @@ impl Node {
         if nothing && (0..states.len()).all(comes_no_nearer) {
             return Found { forces: vec![SVector::zeros(); states.len()], states, ..found };
         }
-        // Motions whose lengths differ by less than this fraction are equal up to rounding. Of equal motions, the one without sliding contacts that
-        // carry no force is chosen, since the direction of such a slide would be rounding.
+        // Motions whose lengths differ by less than this fraction are equal up to rounding. Of equal motions, the motion without sliding contacts
+        // that carry no force is chosen, since the direction of such a slide would be rounding.
         let rubs = rates.round && (0..states.len()).any(|i| states[i].is_open() && found.states[i].slides());
         let most = if rubs { 1.0 + NEGLIGIBLE } else { 1.0 - NEGLIGIBLE };
         match try_states(rates, states) {

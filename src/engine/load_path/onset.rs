@@ -49,8 +49,8 @@ impl<const C: usize> Onset<C> {
         }
     }
 
-    /// The load factor up to which everything that touches sticks: that of the event, or that from which nothing resists the load;
-    /// infinite for [`Self::Never`]. `None` without a sticking equilibrium to start from, or if the answer is undecided.
+    /// The load factor up to which everything that touches sticks: the load factor of the event, or the load factor from which nothing resists the
+    /// load. Infinite for [`Self::Never`]. `None` without a sticking equilibrium to start from, or if the answer is undecided.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         match self {
@@ -138,7 +138,7 @@ impl Leaving<3> {
     }
 
     /// As [`Self::new`], from the edges of its cone that the force has reached: the contact slides outwards across them. At the apex it opens, or
-    /// would have to pull. Used where no continuation determines the direction of its slip.
+    /// would have to pull. Used if no continuation determines the direction of its slip.
     pub(super) fn driven_out(
         site: usize,
         active: &ActiveSet,

@@ -22,7 +22,7 @@ pub enum Leaver {
 }
 
 /// The margins that vanish at an onset, and the derivatives of its load factor τ with respect to the data of grasp and load: `dτ = -dm / m'`. The
-/// vanishing margin is m = `μ F_n - |F_t|` (F_n where a contact opens), and m' its rate along the ramp. For a load that turns they are derivatives of
+/// vanishing margin is m = `μ F_n - |F_t|` (F_n if a contact opens), and m' its rate along the ramp. For a load that turns they are derivatives of
 /// the angle of the onset.
 ///
 /// A change of a point or a normal moves or turns the contact frame, and thus changes the grasp map. With contact stiffness K, motion q and forces F:
@@ -41,7 +41,7 @@ pub struct OnsetMargins<'g> {
 }
 
 /// The margin of a contact or drive that stops sticking, linearised in its force F: `row·F` is `μ F_n - h·F_t` with a facet normal h (on the round
-/// cone along F_t), or F_n alone where friction is absent or unlimited.
+/// cone along F_t), or F_n alone if friction is absent or unlimited.
 struct Margin {
     leaver: Leaver,
     site: usize,
@@ -51,8 +51,8 @@ struct Margin {
 }
 
 impl<'g> OnsetMargins<'g> {
-    /// The margins at the onset `event`. `None` if a contact with friction closed before the onset, if one closes there and slides, or if the event
-    /// has another number of contacts.
+    /// The margins at the onset `event`. `None` if a contact with friction closed before the onset, if a contact closes at the onset and slides, or
+    /// if the event has another number of contacts.
     pub(crate) fn new(grasp: &'g Engine, event: &OnsetEvent<3>) -> Option<Self> {
         let StickingState { found, slips, offset_rates, wrench_rate, leaving, .. } = &event.local;
         let found = found.found();

@@ -18,7 +18,7 @@ pub(super) struct Pace {
     pub(super) length: Option<f64>,
     /// The displacement, m, that counts in arclength as much as the whole leg of the load program; `None` before the first step from a node.
     pub(super) unit: Option<f64>,
-    /// Number of steps refused since the last accepted one.
+    /// Number of steps refused since the last accepted step.
     refused: u8,
     /// Whether steps are implicit, because directions of friction turn much faster than the object moves.
     pub(super) stiff: bool,
@@ -27,7 +27,7 @@ pub(super) struct Pace {
     pub(super) steps: usize,
     /// Number of times that the allowed error was raised since the last node.
     loosened: u8,
-    /// The factor by which the allowed error of a step exceeds that of the settings.
+    /// The factor by which the allowed error of a step exceeds the allowed error of the settings.
     pub(super) looser: f64,
 }
 
@@ -68,7 +68,7 @@ impl Pace {
     /// Records an accepted step of arclength `length`, with the fraction `part` of the allowed error, and chooses the next length. A step that was
     /// shortened (`cut`) to end at an event does not reduce the next length.
     pub(super) fn accept(&mut self, length: f64, part: f64, cut: bool) {
-        // Largest ratio of the length of a step to that of the step before. After a refused step no growth is allowed.
+        // Largest ratio of the length of a step to the length of the step before. After a refused step no growth is allowed.
         let longest = if self.refused > 0 { 1.0 } else { 5.0 };
         let next = length * (CAUTION * part.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, longest);
         self.length = Some(if cut { next.max(self.length.unwrap_or(0.0)) } else { next });
@@ -79,7 +79,7 @@ impl Pace {
 
     /// Whether steps have been explicit for a while, and the rest of the leg `rest` is more than fifty times `stable`, the longest stable step.
     pub(super) fn is_cramped(&self, stable: f64, rest: f64) -> bool {
-        // An implicit step costs as much as a few explicit ones, and may be as long as hundreds of them.
+        // An implicit step costs as much as a few explicit steps, and may be as long as hundreds of them.
         self.patience == 0 && stable * 50.0 < rest
     }
 

@@ -180,7 +180,7 @@ impl<'g> Follower<'g> for Pieces<'g> {
 }
 
 impl<'g> Pieces<'g> {
-    /// The follower at the start of its path, at an equilibrium that solves `problem`. If none is found, the error is the end of the path.
+    /// The follower at the start of its path, at an equilibrium that solves `problem`. If no equilibrium is found, the error is the end of the path.
     pub(super) fn at_start(journey: &Journey<'g>, problem: &Problem<'g>) -> Result<Self, PathEnd<3>> {
         let found = journey.start(problem)?;
         // The path has not begun: load and commands have no rates yet.

@@ -1,5 +1,5 @@
-//! The motion with which bodies leave while no contact carries a force. It is that of rigid bodies under the load, with Coulomb friction at contacts
-//! that touch.
+//! The motion with which bodies leave while no contact carries a force. It is the motion of rigid bodies under the load, with Coulomb friction at
+//! contacts that touch.
 //!
 //! Springs then do not determine the motion, and the elastic trial, in which all contacts stick, turns about an arbitrary point. A rigid body that
 //! the load W drives away starts with the velocity v under contact forces r_i
@@ -69,8 +69,8 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     if motion.norm() > NO_RIGID_MOTION * load.norm() {
         return Some(motion.normalize());
     }
-    // Near a limit load, contact forces almost balance the load, and the motion computed above is only rounding. The motion is then the one along the
-    // load in which contacts at their friction limit slide, other pressing contacts stick, and no contact comes nearer.
+    // Near a limit load, contact forces almost balance the load, and the motion computed above is only rounding. The motion is then the component of
+    // the load in whose direction contacts at their friction limit slide, other pressing contacts stick, and no contact comes nearer.
     let largest = pushes.r.amax();
     for (k, &i) in touching.iter().enumerate() {
         let push = pushes.r.rows(3 * k, 3);

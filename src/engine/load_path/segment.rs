@@ -25,7 +25,7 @@ pub(super) struct Segment<'g> {
     pub(super) change: Vec<SVector<f64, 3>>,
     /// The sum of all loads as a function of the load factor, with moments about the centroid of the contacts.
     pub(super) course: Trajectory<Vector>,
-    /// The largest contact force or load on the path so far, N, to which rounding errors are proportional where all forces vanish together.
+    /// The largest contact force or load on the path so far, N, to which rounding errors are proportional if all forces vanish together.
     pub(super) largest: f64,
 }
 
@@ -82,8 +82,8 @@ impl PathPoint {
 
 impl<'g> Segment<'g> {
     /// Forces, twist, gaps and their rates at the load factor `factor`, while contacts have the states `states`. If no spring resists some motion,
-    /// the twist is the solution nearest to `near`, and its rate the one nearest to `pushed`. So a contact that touches without force may push the
-    /// object. Returns an error if forces cannot balance the load or its rate.
+    /// the twist is the solution nearest to `near`, and its rate the solution nearest to `pushed`. So a contact that touches without force may push
+    /// the object. Returns an error if forces cannot balance the load or its rate.
     pub(super) fn point_at(
         &self,
         states: &[State],
@@ -133,8 +133,8 @@ impl<'g> Segment<'g> {
         NoEquilibrium { proof }
     }
 
-    /// The state `at` at the load factor `factor` with its rates. The sizes for rounding errors are those of the state `base` at the load factor
-    /// `since`, and of the change from there to `factor`. The sum of both may vanish.
+    /// The state `at` at the load factor `factor` with its rates. The sizes for rounding errors are the sizes of the state `base` at the load factor
+    /// `since`, plus those of the change from `since` to `factor`: the state itself may be the small difference of both.
     pub(super) fn point_with_rates(
         &self,
         piece: alloc::sync::Arc<Piece>,

@@ -187,7 +187,7 @@ impl Slips<'_> {
     }
 
     /// Arclength of the first step. At the present rates no direction of friction turns by more than 0.3 rad. No normal force of a sliding contact
-    /// falls to less than half. The load factor does not exceed the largest one.
+    /// falls to less than half. The load factor does not exceed the largest load factor to follow.
     pub(super) fn first_length(&self, at: &[f64], rates: &[f64]) -> f64 {
         let mut length = (self.most - at[1]) / rates[1];
         for i in &self.sliding {

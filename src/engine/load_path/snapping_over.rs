@@ -9,9 +9,9 @@
 //! ```
 //!
 //! A step in time of length h solves `(T + D/h) Δq = R`, where D is the matrix `Σ G_i K_i G_iᵀ` and T the tangent stiffness. Then the slip of every
-//! contact is added to its slip memory s_i. Steps grow as long as the imbalance after them is nearly the expected one, D Δq/h. Once forces nearly
-//! balance, the rest of R is removed along a leg of its own, as in [`super::jump_leg`], and the path continues from there. A motion that would exceed
-//! the limits of small motions is not made, and the equilibrium counts as lost.
+//! contact is added to its slip memory s_i. Steps grow as long as the imbalance after them is nearly the expected imbalance D Δq/h. Once forces
+//! nearly balance, the rest of R is removed along a leg of its own, as in [`super::jump_leg`], and the path continues from there. A motion that would
+//! exceed the limits of small motions is not made, and the equilibrium counts as lost.
 
 use nalgebra::SVector;
 
@@ -44,8 +44,7 @@ struct MovingObject {
 
 /// The state in which the object rests again after it has snapped over, with forces in balance up to a small remainder.
 pub(super) struct RestsAgain<'g> {
-    /// The static problem with the slips after the motion. Its load is the one that the contact forces balance exactly, which nearly is the load of
-    /// the leg.
+    /// The static problem with the slips after the motion. Its load is exactly what the contact forces balance, and nearly the load of the leg.
     problem: Problem<'g>,
     contacts: Vec<ContactResponse>,
     twist: Vector,
@@ -134,7 +133,7 @@ pub(super) struct Snapped {
     count: usize,
     /// Load factor at which the object rested again after it last snapped over.
     at: f64,
-    /// The load factor at which the object last rested again, minus that of the loss from which it snapped over there.
+    /// The load factor at which the object last rested again, minus the load factor of the loss from which it snapped over.
     step: f64,
 }
 

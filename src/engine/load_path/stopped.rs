@@ -31,7 +31,7 @@ impl Pieces<'_> {
         let mut length = (1.0 - self.factor) / point.factor_rate;
         let mut failures = 0;
         for _ in 0..40 {
-            // The first trial step is a quarter of the rest of the leg, and each further one a quarter of the one before.
+            // The first trial step is a quarter of the rest of the leg, and each further step a quarter of the step before.
             length *= 0.25;
             let reached = flow.step(length, StepGoal::after(1.0, 0), Rule::Explicit);
             let Some(reached) = reached.filter(|reached| reached.error <= tolerance) else { continue };

@@ -32,8 +32,8 @@ use crate::prelude::*;
 use crate::search::Doubt;
 
 impl<'g> Pieces<'g> {
-    /// Tries one step along the arc, up to an event if one comes first; a refused step only changes the next length. Returns whether the leg is
-    /// complete. The error is the end of the path.
+    /// Tries one step along the arc, which ends early if an event comes first; a refused step only changes the next length. Returns whether the leg
+    /// is complete. The error is the end of the path.
     pub(super) fn advance_along_arc(&mut self, journey: &Journey<'g>) -> Result<bool, PathEnd<3>> {
         let Some(point) = self.point.take() else {
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
@@ -259,7 +259,7 @@ impl<'g> Pieces<'g> {
                 }
                 // At the end of a leg a slip rate of this leg does not matter any more.
                 _ if leg_done => {}
-                // Where the load itself turns back, all slips stop. The rates of the load slightly ahead then decide which contacts slide on.
+                // If the load itself turns back here, all slips stop. The rates of the load slightly ahead then decide which contacts slide on.
                 _ if self.segment.load_turns_back(to) => stops = true,
                 _ => sticks.push(contact),
             }

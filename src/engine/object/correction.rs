@@ -29,7 +29,7 @@ pub(crate) struct Correction {
     /// The exact twist minus the given one, without components along motions that no spring resists.
     pub(crate) twist: Vector,
     /// Uncertainty of the corrected forces, N: machine precision times the largest residual force. If refinement did not converge, the largest force
-    /// of the last correction is added. It is large where the linear problem is nearly singular.
+    /// of the last correction is added. It is large if the linear problem is nearly singular.
     pub(crate) doubt: f64,
 }
 

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! with the tangent stiffness C_i of each contact. A few Newton steps suffice for any number of contacts. But the method may cycle, most often with
-//! few contacts, where Lemke's method does not.
+//! few contacts; Lemke's method does not.
 
 use core::ops::Range;
 

@@ -31,8 +31,8 @@ pub(crate) struct Problem<'g> {
     /// For each contact its friction polygon, with a corner along the contact's friction force in the elastic trial, in which all contacts stick. If
     /// the list is empty, contacts use their own polygon, or `polygon`.
     pub(crate) turned: Vec<Polygon>,
-    /// The friction cone of each contact now: that of the lower kinetic coefficient if it slides, else that of static friction. If the list is empty,
-    /// every contact has static friction.
+    /// The present friction cone of each contact: the cone of the lower kinetic coefficient if the contact slides, else the cone of static friction.
+    /// If the list is empty, every contact has static friction.
     pub(crate) cones: Vec<Coulomb>,
     pub(crate) laws: Vec<Law>,
     /// For each contact the commanded displacement minus clearance and accumulated slip, m, in its contact frame; in the rate problem the rate of
@@ -55,7 +55,7 @@ pub(crate) struct Problem<'g> {
     pub(crate) near: &'g [State],
 }
 
-/// Three lists of a [`Problem`] with an entry for each contact. They are passed in so that a new problem reuses the memory of an earlier one.
+/// Three lists of a [`Problem`] with an entry for each contact. They are passed in so that a new problem reuses the memory of an earlier problem.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Lists {
     pub(crate) laws: Vec<Law>,
@@ -163,14 +163,14 @@ impl<'g> Problem<'g> {
         self.sites.len()
     }
 
-    /// The polygon that replaces the round cone of this contact: the turned one, else the contact's own one, else the common one.
+    /// The polygon that replaces the round cone of this contact: the turned polygon, else the contact's own polygon, else the common polygon.
     #[inline]
     pub(crate) fn polygon(&self, contact: usize) -> &Polygon {
         let own = || self.sites[contact].polygon.as_ref().unwrap_or(&self.polygon);
         self.turned.get(contact).unwrap_or_else(|| own())
     }
 
-    /// The present friction cone of a contact: that of static friction, unless the contact slides with a lower kinetic coefficient.
+    /// The present friction cone of a contact: the cone of static friction, unless the contact slides with a lower kinetic coefficient.
     #[inline]
     pub(crate) fn cone(&self, contact: usize) -> Coulomb {
         self.cones.get(contact).copied().unwrap_or(self.sites[contact].friction)

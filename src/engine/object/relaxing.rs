@@ -35,7 +35,7 @@ pub(crate) struct ViscousRelaxation<'p, 'a> {
     /// Factor, at least 1, by which the last step was longer than `T⁻¹R`.
     pace: f64,
     steps: usize,
-    /// The next twist is returned where the estimated remaining length of the path is at most this fraction of its distance from the stuck twist.
+    /// The next twist is returned once the estimated remaining length of the path is at most this fraction of its distance from the stuck twist.
     nearly: f64,
 }
 

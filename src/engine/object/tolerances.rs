@@ -22,14 +22,14 @@ pub(crate) const NO_FORCE: f64 = 1e-25;
 /// If smaller, well-conditioned problems take another correction; if larger, forces miss digits that one more correction would give.
 pub(super) const NEARLY_CORRECTED: f64 = 1e-8;
 
-/// The largest number of refinement steps. Where the exact force is zero, each step leaves about 1e-16 of the force before it.
+/// The largest number of refinement steps. If the exact force is zero, each step leaves about 1e-16 of the force before it.
 pub(super) const MOST_CORRECTIONS: usize = 4;
 
 /// Largest number of steps of `relaxing`, from the stuck grasp towards the equilibrium to which it relaxes; ten to thirty suffice as a rule. With
 /// fewer, Newton's method may return to an unstable equilibrium which the steps have passed.
 pub(super) const RELAXING_STEPS: usize = 300;
 
-/// The object has nearly relaxed where the estimated remaining length of its path is below this fraction of its distance from the stuck twist.
+/// The object has nearly relaxed once the estimated remaining length of its path is below this fraction of its distance from the stuck twist.
 /// Newton's method completes the path. With a fraction twenty times as large, Newton's method finds a different equilibrium in one of 240 random
 /// scenes (test `needed_amounts`). With a smaller one there are more steps.
 pub(super) const NEARLY_RELAXED: f64 = 1e-2;

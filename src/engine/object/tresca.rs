@@ -2,7 +2,7 @@
 //! force.
 //!
 //! If the friction limits r_i do not depend on normal forces, each contact force F_i is the gradient of a convex energy φ_i of the stretch. The
-//! stretch is `a_i - G_iᵀq`, with the offset a_i and the grasp map G_i. Under the load W forces balance where the twist q minimises an energy:
+//! stretch is `a_i - G_iᵀq`, with the offset a_i and the grasp map G_i. Under the load W forces balance at the twist q that minimises an energy:
 //!
 //! ```text
 //! Σ G_i F_i(a_i - G_iᵀq) + W = 0      where  Σ φ_i(a_i - G_iᵀq) - W·q  is least
@@ -189,7 +189,7 @@ impl GivenLimits {
         self.contacts.iter().zip(answers).map(|(contact, answer)| contact.limit(answer.force[0])).list()
     }
 
-    /// Newton's method from the twist `q` to the least energy with the given friction limits. It ends where the imbalance is at most `enough`, or
+    /// Newton's method from the twist `q` to the least energy with the given friction limits. It ends when the imbalance is at most `enough`, or
     /// after ten steps. `None` if the stiffness matrix is not positive definite.
     fn least_energy(&mut self, q: &mut Vec<f64>, (kept, enough): (&mut f64, f64)) -> Option<Answers> {
         let mut present = self.answers(q);

@@ -1,4 +1,4 @@
-//! A proof that no equilibrium exists near the point where one was lost, for any slip history of the contacts.
+//! A proof that no equilibrium exists near the point where an equilibrium was lost, for any slip history of the contacts.
 //!
 //! A virtual motion v of the object moves contact i by `u_i = G_iᵀv`, with the grasp map G_i. Equilibrium of the contact forces F_i under the load W
 //! gives `W·v = -Σ F_i·u_i`. The negative work of a contact along v is at most its [`Resistance`]: a coefficient c_i times the normal stretch if

@@ -69,7 +69,7 @@ pub(crate) fn nearest_forces(
     let mut target = target.clone();
     target.grow(size);
     let mut nearest = NearestPoint::new(target.as_slice());
-    // Generators of round cones that have been added to the sum. Their tags, the numbers by which `nearest` identifies generators, follow those of
+    // Generators of round cones that have been added to the sum. Their tags, the numbers by which `nearest` identifies generators, follow the tags of
     // `straight`.
     let mut joined: Vec<Generator> = Vec::new();
     // The largest number of generators that are added: two hundred, and four more for each coordinate. Cones that are not round rarely need as many
@@ -195,7 +195,7 @@ pub(crate) fn separates_from_here_on(problem: &Problem, motion: &Vector, rate: &
     let Some(straight) = straight_generators(problem) else { return false };
     let all = straight.into_iter().chain(round_generators(problem, motion));
     let against = all.map(|g| g.works_against(motion)).fold(0.0, f64::max);
-    // `counts_from_here_on` compares the work of two loads: the present one, and one that has grown by `data` along the rate.
+    // `counts_from_here_on` compares the work of two loads: the present load, and a load that has grown by `data` along the rate.
     let data = problem.wrench.norm() + squeeze(problem);
     let (here, gained) = (problem.wrench.dot(motion), rate.dot(motion) / rate.norm());
     gained > CLEAR_RESIDUAL && counts_from_here_on(here, here + data * gained, against, data)

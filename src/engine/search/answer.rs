@@ -21,7 +21,8 @@ pub enum FoundBy {
     /// Lemke's method on the kinematic form, whose unknowns are gaps and slips. Its path starts at the elastic trial state.
     KinematicForm,
     /// Newton's method for the motion of the object, of which each contact force is a function. With few contacts and round cones it starts near the
-    /// equilibrium to which the stuck grasp relaxes. If several equilibria exist, it finds that one. Otherwise it starts at the elastic trial state.
+    /// equilibrium to which the stuck grasp relaxes. If several equilibria exist, Newton's method finds this equilibrium. In all other cases it
+    /// starts at the elastic trial state.
     Newton,
     /// Lemke's method on the force form, whose unknowns are contact forces. Its path starts from zero forces.
     ForceForm,
@@ -65,10 +66,10 @@ pub(crate) struct Found {
     pub(crate) free_motions: Vec<Vector>,
     pub(crate) neutral_motions: Vec<Vector>,
     /// On a load path the solution is a sum of changes along the path. These are the sizes of the summed forces, N, and displacements, m, which scale
-    /// its rounding where terms cancel. Both are zero for a solution that was not reached along a path.
+    /// its rounding if terms cancel. Both are zero for a solution that was not reached along a path.
     pub(crate) sizes: [f64; 2],
-    /// On the round cone, the largest difference of a contact force from that of the solution on polygonal cones from which Newton's method started,
-    /// N. `None` if there was no such solution.
+    /// On the round cone, the largest difference, N, between a contact force and its value in the solution on polygonal cones from which Newton's
+    /// method started. `None` if there was no such solution.
     pub(crate) from_polygon: Option<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! The ladder: methods that find an equilibrium or prove that none exists, called rungs. They are tried in order until one decides.
+//! The ladder: methods, called rungs, that find an equilibrium or prove that none exists. They are tried in order until a method decides.
 //!
 //! Below the first rung stands the elastic trial, in which everything sticks. A rung costs more than those below it, or decides less often.
 
@@ -137,7 +137,7 @@ fn seldom_cycles(scene: &ElasticTrial<'_, '_>) -> bool {
     has_many_contacts(scene) || several()
 }
 
-/// Whether the problem is one of rates with contacts on the edge of their cone.
+/// Whether the problem is a rate problem with contacts on the edge of their cone.
 fn is_on_an_edge(scene: &ElasticTrial<'_, '_>) -> bool {
     scene.problem.locals().any(|local| local.is_on_an_edge())
 }
@@ -164,7 +164,7 @@ fn touching_contacts_stick(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt
 }
 
 /// Newton's method for the motion of the object, of which each contact force is a function. It starts at points of the relaxation of the stuck grasp,
-/// then at the elastic trial, and last at the twist by Tresca friction.
+/// then at the elastic trial, and last at the twist from Tresca friction.
 fn newton(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     if !has_round_cones(scene.problem) {
         let propose = |problem: &Problem, _: &mut Log| {
@@ -178,7 +178,7 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     // With many contacts the steps of relaxation would take longer than Newton's method from the elastic trial.
     let relaxed = if has_many_contacts(scene) { None } else { where_it_relaxes_to(scene) };
     let found = relaxed.or_else(|| from(scene.state.twist.clone()));
-    // With many coordinates the twist by Tresca friction is nearer to the solution than that of the elastic trial.
+    // With many coordinates the twist from Tresca friction is nearer to the solution than the twist of the elastic trial.
     Attempt::of(found.or_else(|| twist_by_tresca(scene.problem).and_then(from)))
 }
 

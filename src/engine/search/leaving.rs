@@ -55,7 +55,7 @@ pub(super) fn propose_of_the_leaving(
     log: &mut Log,
 ) -> Option<Vec<State>> {
     let leaving = breaking(problem, &scene.unjumped, &scene.state);
-    // If at least this many contacts leave the elastic trial, states by Tresca friction are computed first: a path costs the cube of the number of
+    // If at least this many contacts leave the elastic trial, states from Tresca friction are computed first: a path costs the cube of the number of
     // contacts that pivot.
     if leaving.len() >= 128
         && let Some(near) = states_by_tresca(problem).and_then(|near| regular(problem, near))
@@ -65,7 +65,7 @@ pub(super) fn propose_of_the_leaving(
         if among.is_empty() {
             return Some(base.states);
         }
-        // Starting from the states by Tresca friction, at most 400 contacts pivot, neighbours included.
+        // Starting from the states of Tresca friction, at most 400 contacts pivot, neighbours included.
         if let Some(states) = pivoted(problem, scene.settings, (base, among, 400), log) {
             return Some(states);
         }
@@ -106,7 +106,7 @@ fn pivoted(
         base = base.sticking_at(problem, &among, &mut moved)?;
         let form = kinematic_form_among(problem, &base.piece, &base.at, &among, &mut moved)?;
         // The factor 20 allows each path this multiple of the usual number of multiplications, if the caller sets no limit on pivots. That takes some
-        // seconds, where every other method takes minutes.
+        // seconds; every other method would then take minutes.
         let proposed = propose_dense(
             problem,
             settings,

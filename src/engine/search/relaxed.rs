@@ -44,9 +44,9 @@ pub(super) struct BalanceEquation {
 /// The result of relaxing every contact's law to its convex hull in one case.
 pub(super) enum Relaxed {
     /// The case is not contradicted: stretches (m) and forces (N) of the contacts that solve the relaxed equations, or come nearest to a solution. If
-    /// the relaxation does not determine stretches and forces, they are one choice of many.
+    /// the relaxation does not determine stretches and forces, these are one choice of many.
     Met(Vec<SVector<f64, 3>>, Vec<SVector<f64, 3>>),
-    /// The case has no equilibrium, except perhaps one that is larger than the data by at least this factor, which rounding could hide.
+    /// The case has no equilibrium, except perhaps an equilibrium that is larger than the data by at least this factor, which rounding could hide.
     Contradicted { escape: f64 },
 }
 
@@ -112,7 +112,7 @@ impl BalanceEquation {
         }
     }
 
-    /// The scalar product of y with the column of each generator: that of `(1 - P) y` with its stretch plus that of `P y` with its force.
+    /// The scalar product of y with the column of each generator: `(1 - P) y` times the generator's stretch, plus `P y` times its force.
     fn works_of_generators<'r>(
         y: &'r [f64],
         projected: &'r [f64],

@@ -19,7 +19,8 @@ use crate::prelude::*;
 /// contacts without force are open. Returns `found` itself in space, and if these states break a condition, change forces or have no further free
 /// motion.
 pub(crate) fn on_the_solution_interval(problem: &Problem, found: Found) -> Found {
-    // In space the springs perpendicular to the slip resist, so that no motion stays free. Quick searches, near states that are given, report none.
+    // In space the springs perpendicular to the slip resist, so that no motion stays free. Searches that start near given states do not report such
+    // motions.
     if problem.space() == Space::Spatial || !problem.near.is_empty() {
         return found;
     }

@@ -26,6 +26,6 @@ pub(super) const MOST_WORK: usize = 500_000_000;
 /// The stuck grasp relaxes along a path towards an equilibrium (`ViscousRelaxation`), and Newton's method continues from its end. If Newton's method
 /// ends within this fraction of the path's length, it has found that equilibrium.
 ///
-/// If smaller, equilibria are refused where relaxation is slow and the rest of the path is longer than its steps suggest. If larger, equilibria count
-/// as found that lie elsewhere, and that only a jump of Newton's method reaches.
+/// If smaller, equilibria are refused if relaxation is slow and the rest of the path is longer than its steps suggest. If larger, equilibria count as
+/// found that lie elsewhere, and that only a jump of Newton's method reaches.
 pub(super) const BESIDE_THE_WAY: f64 = 0.3;

@@ -19,7 +19,7 @@ pub(super) struct StepPace {
     pub(super) step: f64,
     /// Longest step, as a fraction of the leg: the whole leg, or a quarter turn of the load. After a full turn the load would seem unchanged.
     pub(super) longest: f64,
-    /// Whether the last step was refused: the step length then does not grow after the next one.
+    /// Whether the last step was refused: the step length then does not grow after the next step.
     pub(super) refused: bool,
     /// Number of steps tried on the leg so far, refused ones included.
     pub(super) tried: usize,

@@ -12,7 +12,7 @@
 
 use crate::prelude::*;
 
-/// Pairs of a place on a leg, as a fraction of it, and the speed of the object there. Each speed is more than twice the one before.
+/// Pairs of a place on a leg, as a fraction of it, and the speed of the object there. Each speed is more than twice the speed before.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Speeds(Vec<[f64; 2]>);
 

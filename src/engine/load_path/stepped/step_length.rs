@@ -25,8 +25,8 @@ struct Twice {
 }
 
 impl<'g> Steps<'g> {
-    /// Tries a step and chooses the length of the next one. Returns the step if its error is within the allowed one, or `OnTheWay` if a shorter step
-    /// is to be tried next. The error is the end of the path, if steps become too short or too many.
+    /// Tries a step and chooses the length of the next step. Returns the step if its error is at most the allowed error, or `OnTheWay` if a shorter
+    /// step is to be tried next. The error is the end of the path, if steps become too short or too many.
     pub(super) fn try_step(&mut self, journey: &Journey<'g>) -> Result<Advance<Step<3>>, PathEnd<3>> {
         let from = self.present.fraction;
         if self.pace.tried == journey.settings.most_steps {
@@ -92,8 +92,8 @@ impl<'g> Steps<'g> {
         used.max(twice.unseen / (0.1 * self.error).max(rounding))
     }
 
-    /// Makes a step over the fraction `length` of the leg both in two halves and at once, into `places`. `None` if one of them finds no equilibrium,
-    /// or only one to which the object would have to jump.
+    /// Makes a step over the fraction `length` of the leg both in two halves and at once, into `places`. `None` if one of these steps finds no
+    /// equilibrium, or only an equilibrium to which the object would have to jump.
     fn twice(&mut self, length: f64) -> Option<Twice> {
         let Self { along, present: from, places: Places { middle, to, at_once, .. }, .. } = self;
         let rate = self.pace.rate.clone().unwrap_or_else(Vector::zeros);
