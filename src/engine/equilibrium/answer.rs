@@ -79,7 +79,7 @@ pub struct Equilibrium<const C: usize> {
     pub too_far: Option<TooFar>,
     /// The contacts, in the order of the grasp; each point of a soft fingertip is one contact.
     pub contacts: Vec<ContactAnswer<C>>,
-    /// The soft fingertips, with the resultants of their points.
+    /// The soft fingertips, each with the resultant force and moment of its points.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub pads: Vec<PadAnswer<C>>,
     /// The joints of the [hand](crate::grasp::Hand) that holds the object, finger by finger; empty without a hand.
@@ -88,8 +88,8 @@ pub struct Equilibrium<const C: usize> {
     /// The tendons of the hand; empty without a hand.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub tendons: Vec<TendonAnswer>,
-    /// Suction cups whose lips are open all around. The answer still includes the pull of their vacuum, which such a cup would lose: it is not valid
-    /// for the real grasp.
+    /// Suction cups whose lips are open all around. The answer still includes the pull of their vacuum, which such a cup would lose: the answer is
+    /// not valid for the real grasp.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub open_cups: Vec<WholeContact>,
     /// The residuals of the conditions, recomputed from the question.
@@ -102,7 +102,7 @@ pub struct Equilibrium<const C: usize> {
     pub cone: Cone,
     /// The rule that found this equilibrium; there may be other equilibria, see [`Grasp::equilibria`](crate::ask::Grasp::equilibria).
     pub rule: FoundBy,
-    /// Energy stored in the springs, those of joints included, `Σ ½ F²/k`, J.
+    /// Energy stored in the springs, including the springs of joints, `Σ ½ F²/k`, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub stored_energy: f64,
     /// Unit motions that no contact resists in its present state, m and rad. Any multiple of them, of either sign, may be added to the twist, and the

@@ -1,4 +1,4 @@
-//! The change of each contact force by a force of any direction at a point, while contacts keep their states.
+//! The change of each contact force due to a force of any direction at a point, while contacts keep their states.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -74,7 +74,7 @@ mod tests {
         (-influence.gradient_of(&worst).normalize(), margin(&worst))
     }
 
-    /// Equilibria under forces of many other directions leave a larger margin, and the worst direction leaves exactly the computed one.
+    /// Equilibria under forces of many other directions leave a larger margin, and the worst direction leaves exactly the computed margin.
     #[test]
     fn no_equilibrium_leaves_less_at_the_thumb() {
         let (grasp, weight, point) =

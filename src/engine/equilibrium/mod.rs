@@ -13,10 +13,10 @@
 //!
 //! The states remain to be found. Several methods ([`FoundBy`]) propose them, in this order, the cheapest first: everything sticks; everything that
 //! touches sticks; Newton's method, in space and with many contacts; Lemke's method on the kinematic form, then on the force form (see
-//! [`forms`](crate::forms)); every combination of states, with few contacts. In space Newton's method goes to the round cone, from the trial state
-//! and then from proposals of Lemke's method on a polygonal cone. If both fail, branch and bound over states and directions of friction decides.
-//! Proposed states are solved for again, and every condition is checked. Residuals are recomputed from the data of grasp and load before the answer
-//! is called an [`Equilibrium`].
+//! [`forms`](crate::forms)); every combination of states, with few contacts. In space Newton's method solves for the round cone. It starts from the
+//! trial state, then from proposals of Lemke's method on a polygonal cone. If both starts fail, branch and bound over states and directions of
+//! friction decides. Proposed states are solved for again, and every condition is checked. Residuals are recomputed from the data of grasp and load
+//! before the answer is called an [`Equilibrium`].
 //!
 //! If no equilibrium is found, the answer is a [`Proof`] that none exists, or [`Undecided`], with the reason. There are four kinds of proof: a motion
 //! that nothing resists, a motion that separates the load from all admissible contact forces, all states tried, or all cases contradicted

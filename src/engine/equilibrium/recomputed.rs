@@ -228,7 +228,7 @@ impl Engine {
     }
 
     /// Relative imbalance of the forces and moments on the object: divided by the sum of the absolute values of its terms, plus `spring_force`, the
-    /// force that displacements could cause in a spring. The larger of the ratios for force and for moment.
+    /// force that displacements could cause in a spring. Returns the larger of the ratios for force and for moment.
     fn out_of_balance(&self, load: &Wrench<3>, answers: &[ContactAnswer<3>], spring_force: f64) -> f64 {
         let (space, axes) = (self.space(), self.space().axes());
         let mut sum = load.coordinates(space);
@@ -279,7 +279,7 @@ mod tests {
     use crate::object::Load;
     use crate::search::{Found, Settings};
 
-    /// A comparison with a bound must fail wherever anything is not finite.
+    /// A comparison of residuals with a bound must fail if any number of the answer is not finite.
     #[test]
     fn what_is_not_finite_holds_nowhere() -> Result<(), Box<dyn core::error::Error>> {
         let jaw = |side: f64| {

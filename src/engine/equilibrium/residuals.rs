@@ -16,8 +16,8 @@ use crate::serial::AsComputed;
 #[non_exhaustive]
 pub struct Residuals {
     /// Equilibrium: the imbalance `|Σ F_i + W|` of contact forces and load, divided by the sum of the sizes of its terms. To this sum is added the
-    /// least force that the displacements of a contact could cause in its spring. Moments are compared in the same way with moments, and with forces
-    /// times the root mean square distance of the contacts. The larger of the two ratios counts.
+    /// least force that the displacements of a contact could cause in its spring. The imbalance of moments is divided by the sum of the sizes of all
+    /// moments, and of all forces times the root mean square distance of the contacts. The larger of the two ratios counts.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub equilibrium: f64,
     /// Contact springs: `|F/k - (a - u_c + g - s)|` axis by axis, with the finger's offset a, the body's displacement u_c, the gap g along the normal
@@ -32,7 +32,7 @@ pub struct Residuals {
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub gap: f64,
     /// Complementarity: `|F_n g|` with the gap g, and `|μ F_n |s| - F_t·s|` divided by 1 + μ, with the slip s. The second expression is zero iff
-    /// there is no slip, or friction is at its limit and along the slip. For contacts that may not slip it is `|s|`.
+    /// there is no slip, or friction is at its limit and along the slip. For contacts that may not slip this residual is `|s|`.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub complementarity: f64,
 }

@@ -1,4 +1,4 @@
-//! The kinematic form (see [`super`]): jumps, gaps and slips, on top of the elastic trial state.
+//! The kinematic form (see [`super`]): jumps (gaps and slips) from the elastic trial state.
 //!
 //! With the grasp map G and the diagonal matrix K of all stiffnesses, the matrix P of the form contains the projection I - Q Qᵀ. It is computed by
 //! orthogonal factors Q and R, whose accuracy does not depend on stiffness ratios:

@@ -205,8 +205,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         Some((bordered, scale))
     }
 
-    /// Multiplies the tangent stiffness `t` by the displacement u. Returns the largest entry of the result and of `push`, and, scaled by it, the
-    /// twist part of the last row of the bordered matrix.
+    /// Multiplies the tangent stiffness `t` by the displacement u. Returns the largest entry of the result and of `push`. Also returns the twist part
+    /// of the last row of the bordered matrix, scaled to this size.
     fn border(&self, t: &mut PathStiffness, push: &Vector, across: &Direction) -> (f64, Vector) {
         t.scale(self.unit);
         let scale = t.amax().max(push.amax());
@@ -285,7 +285,7 @@ impl<'s, 'g> Arc<'s, 'g> {
                 }
                 let mut change = self.unscaled(bordered.solve(&left, 0.0));
                 if across.keeps_the_factor() {
-                    // The exact change of the load factor is zero; the computed one is rounding.
+                    // The exact change of the load factor is zero; the computed change is rounding.
                     change.factor = 0.0;
                 }
                 twist += &change.twist;

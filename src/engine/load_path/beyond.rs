@@ -175,13 +175,13 @@ fn from_scratch<'g>(
     forces: &[SVector<f64, 3>],
     settings: &Settings,
 ) -> Beyond<3> {
-    // Whether the search finds an equilibrium at the distance `part` whose forces differ from those at the end by more than on a continued path.
+    // Whether the search finds an equilibrium at the distance `part` whose forces differ from the forces at the end by more than on a continued path.
     let another = |part: &f64| match settle(&past(*part), settings).0 {
         Settled::Found(found, _) => !is_near(&found.forces, forces, *part),
         _ => false,
     };
     let mut why = Doubt::RayWithoutProof;
-    // Distances are tried in turn, since at a short one the search on the round cone may not decide.
+    // Distances are tried in turn, since at a short distance the search on the round cone may not decide.
     for part in [LITTLE_BEYOND, 1e-4, 1e-2] {
         match settle(&past(part), settings).0 {
             // At a larger distance the search would exceed the allowed number of pivots again.
@@ -205,23 +205,23 @@ fn from_scratch<'g>(
     Beyond::Undecided { doubt: why }
 }
 
-/// Whether `found` could be the forces of a continued path at the distance `part` beyond the end. The force of each contact then differs from that in
-/// `forces` by at most `√part`, or `√LITTLE_BEYOND` if less, times the largest force.
+/// Whether `found` could be the forces of a continued path at the distance `part` beyond the end. The force of each contact then differs from its
+/// force in `forces` by at most `√part`, or `√LITTLE_BEYOND` if less, times the largest force.
 fn is_near(found: &[SVector<f64, 3>], forces: &[SVector<f64, 3>], part: f64) -> bool {
     let largest = largest(forces, &nalgebra::Matrix::norm);
     let near = part.min(LITTLE_BEYOND).sqrt();
     found.iter().zip(forces).all(|(f, g)| (f - g).norm() <= near * largest)
 }
 
-/// The unit of distances beyond the end, as a change of the load factor: [`whole_way`], or 1, the whole leg, if this is nearly zero, since there is
-/// no load yet.
+/// The unit of distances beyond the end, as a change of the load factor: [`whole_way`]; or 1, the whole leg, if [`whole_way`] is nearly zero because
+/// there is no load yet.
 fn way_beyond(problem: &Problem, rates: &Problem) -> f64 {
     let way = whole_way(problem, rates);
     if way > ZERO_SLACK { way } else { 1.0 }
 }
 
-/// The change of the load factor that would build up the whole present load at its present rate, or all present offsets, whichever is less. Zero if
-/// this is not finite.
+/// The change of the load factor that would build up the whole present load at its present rate, or all present offsets, whichever change is less.
+/// Zero if it is not finite.
 fn whole_way(problem: &Problem, rates: &Problem) -> f64 {
     let total = |offsets: &[SVector<f64, 3>]| summed(offsets, &nalgebra::Matrix::norm);
     let load_way = problem.wrench.norm() / rates.wrench.norm();

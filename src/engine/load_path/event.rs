@@ -133,7 +133,7 @@ pub enum PathEnd<const C: usize> {
 }
 
 impl<const C: usize> PathEnd<C> {
-    /// The loss of equilibrium, if the path ended in one; `None` for every other end.
+    /// The loss of equilibrium, if the path ended in a loss; `None` for every other end.
     #[must_use]
     pub fn loss(&self) -> Option<&Loss<C>> {
         if let Self::Lost(loss) = self { Some(loss) } else { None }

@@ -1,5 +1,5 @@
-//! The onset (first slip or opening) in the common case. Everything clearly sticks under the base load, and one contact leaves its cone before all
-//! others.
+//! The onset (first slip or opening) in a simple case, which is the most common. Everything clearly sticks under the base load, and one contact
+//! leaves its cone before all others.
 //!
 //! This case is cheap: one factorisation, solved for the base load and for its change, and a ratio test. One more solve at the onset makes the last
 //! digits of its load factor exact. [`super::sticking_path`] handles all other cases.

@@ -1,4 +1,4 @@
-//! Steps along an arc, on which contacts keep their states and directions of sliding turn; their lengths are arclengths.
+//! Steps along an arc, on which contacts keep their states and directions of sliding turn; the lengths of steps are arclengths.
 //!
 //! Along an [`Arc`] twist q, load factor λ and friction forces F_t satisfy a differential equation whose right-hand side depends on the directions of
 //! sliding alone,

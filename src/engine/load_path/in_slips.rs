@@ -30,7 +30,7 @@ use crate::numerics::{Equation, MOST_UNKNOWNS, Vector, cleared_for, largest, sol
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// The result of following a growing load: the contacts that slide, the load factor from which each does, and the end of the path.
+/// The result of following a growing load: the contacts that slide, the load factor from which each contact slides, and the end of the path.
 pub(crate) struct InSlips {
     /// Indices of the contacts that slide, in the order in which they begin to slide, each with the load factor from which it slides.
     pub(crate) slid: Vec<(usize, f64)>,
@@ -161,8 +161,8 @@ impl Slips<'_> {
     }
 
     /// Adds a contact that has reached the edge of its cone to the sliding contacts, and computes the rates of load factor and slips. Returns `Held`
-    /// if the path continues with these rates, and `Lost` if no rates of forces and motion exist. `None` if neither is clear, or if there are too
-    /// many sliding contacts.
+    /// if the path continues with these rates, and `Lost` if no rates of forces and motion exist. `None` if it is not clear which of both holds, or
+    /// if there are too many sliding contacts.
     fn begins_to_slide(
         &mut self,
         contact: usize,

@@ -80,8 +80,8 @@ impl<'g> JumpInProgress<'g> {
         }
     }
 
-    /// Advances along the leg towards its next event and returns an empty list, or decides at an event how the leg continues. Then returns the
-    /// contacts that begin to slide with lower kinetic friction. `None` at the end of the leg.
+    /// Advances along the leg towards its next event and returns an empty list, or decides at an event how the leg continues. In the second case
+    /// returns the contacts that begin to slide with lower kinetic friction. `None` at the end of the leg.
     fn advance_to_node(&mut self, journey: &Journey<'g>) -> Result<Option<Vec<usize>>, PathEnd<3>> {
         let leg = &mut self.leg;
         if !core::mem::take(&mut leg.at_node) {
@@ -204,8 +204,8 @@ impl<'g> Pieces<'g> {
         self.end_jump(journey, &goal, jump).map(Some)
     }
 
-    /// Moves this path to the end of the jump `jump`, under the load `goal`, and returns the jump for the caller. An error if the state there is not
-    /// accurate enough.
+    /// Moves this path to the end of the jump `jump`, under the load `goal`, and returns the jump for the caller. Returns an error if the state there
+    /// is not accurate enough.
     pub(super) fn end_jump(
         &mut self,
         journey: &Journey<'g>,

@@ -16,10 +16,11 @@
 //! ```
 //!
 //! **Beyond.** At an event the rates of forces and motion solve a complementarity problem for the contacts on the edge of their cones. A gap grows
-//! only if the normal force stays zero, and a slip only if the friction reserve stays zero. In this problem a contact inside its cone is bonded, and
-//! an open one absent. A solution gives the contact states and rates with which the equilibrium continues ([`Continuation`]); without one the
-//! equilibrium ends ([`Loss`]). Whether another equilibrium exists just beyond ([`Beyond`]) is a separate question: if no other equilibrium exists,
-//! the end is a limit load, else a snap. A load path then lets the object move as viscous contacts would, and continues where it comes to rest.
+//! only if the normal force stays zero, and a slip only if the friction reserve stays zero. In this problem a contact inside its cone counts as
+//! bonded, and an open contact as absent. A solution gives the contact states and rates with which the equilibrium continues ([`Continuation`]);
+//! without a solution the equilibrium ends ([`Loss`]). Whether another equilibrium exists just beyond ([`Beyond`]) is a separate question: if no
+//! other equilibrium exists, the end is a limit load, else a snap. A load path then lets the object move as viscous contacts would, and continues
+//! where it comes to rest.
 //!
 //! **Load programs** ([`Grasp::follow`](crate::ask::Grasp::follow)). The path leads from event to event and remembers slip: `F_t = K_t (a_t - t·u_c -
 //! s)` with the earlier slip s. On polygons and in the plane every piece is straight, or turns with the load. On the round cone the direction of

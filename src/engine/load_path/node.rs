@@ -122,7 +122,7 @@ impl Node {
     ///
     /// While the load turns, a slip may stop, or a force may touch the edge of its cone, exactly at the node. The rates at the node then do not show
     /// whether the slip reverses or the force leaves the cone; rates slightly ahead do. The load rates for which given states hold form a convex
-    /// cone. So states that hold for the rates at the node and for those ahead also hold in between.
+    /// cone. So states that hold for the rates at the node and for the rates ahead also hold in between.
     fn decided<'g>(&self, segment: &Segment<'g>, factor: f64, settings: &Settings) -> Decided<'g> {
         let laws = segment.laws_of_rates(&self.active_sets, &self.states);
         let at = |ahead: f64| {
@@ -156,13 +156,13 @@ impl Node {
         }
         match last {
             Some(last) if !segment.problem.round => last,
-            // The place of a node at the end of an arc has the error of the arc's steps, so rates at the node are as good as those ahead.
+            // The place of a node at the end of an arc has the error of the arc's steps, so rates at the node are as good as rates ahead.
             _ => at(factor),
         }
     }
 
-    /// Tries the usual solutions of the rate problem `rates`: all contacts keep their states, or contacts on the edge of their cones slide.
-    /// [`Judged::Holds`] with the first that meets all conditions.
+    /// Tries the usual solutions of the rate problem `rates`: all contacts keep their states, or contacts on the edge of their cones slide. Returns
+    /// [`Judged::Holds`] with the first solution that meets all conditions.
     fn guess(&self, segment: &Segment<'_>, factor: f64, rates: &Problem) -> Judged {
         // Only at the start of a leg may nothing change: within a leg the present state of some contact has just stopped being valid.
         let as_before =
@@ -171,8 +171,8 @@ impl Node {
             return holds;
         }
         let sliding = rates.yielding();
-        // For a contact at the apex of its cone no state is more likely than another. On the round cone it is tried open; then Newton's method starts
-        // from sticking and from sliding.
+        // For a contact at the apex of its cone no state is more likely than another. On the round cone it is first tried open; then Newton's method
+        // starts from sticking and from sliding.
         let at_the_apex = |i: usize| matches!(rates.laws[i], Law::Cone { .. });
         if (0..rates.len()).any(at_the_apex) {
             if !rates.round {

@@ -100,7 +100,7 @@ impl<'g> OnsetMargins<'g> {
 
     /// The derivative of the load factor with respect to x at x = 0, if x times `load` is added to the load, for each contact or drive of
     /// [`Self::leavers`]. If `load` is the load of the onset, this is the derivative with respect to a factor of the whole load, at the value 1.
-    /// `None` if `load` is refused.
+    /// `None` if nothing resists `load` in the present contact states.
     #[must_use]
     pub fn by_load<const C: usize>(&self, load: &Wrench<C>) -> Option<Vec<f64>> {
         let change = self.response.by_load(&inside(load)).ok()?;

@@ -5,8 +5,8 @@ use crate::prelude::*;
 
 /// The estimated error of a step is proportional to this power of its length.
 const ERROR_ORDER: f64 = 8.0;
-/// The length of the next step is this fraction of the length that the error estimate allows. Its error is then a sixth of the allowed one: few steps
-/// are refused, and errors that add up have a reserve.
+/// The length of the next step is this fraction of the length that the error estimate allows. Its error is then a sixth of the allowed error: few
+/// steps are refused, and errors that add up have a reserve.
 const CAUTION: f64 = 0.8;
 /// Least ratio of the length of a step to the length of the step before, since the error estimate is only valid for small changes of the length.
 const LEAST_RATIO: f64 = 0.2;
@@ -22,7 +22,7 @@ pub(super) struct Pace {
     refused: u8,
     /// Whether steps are implicit, because directions of friction turn much faster than the object moves.
     pub(super) stiff: bool,
-    /// Number of explicit steps still to be made before implicit ones are considered.
+    /// Number of explicit steps still to be made before implicit steps are considered.
     patience: u8,
     pub(super) steps: usize,
     /// Number of times that the allowed error was raised since the last node.
@@ -83,11 +83,11 @@ impl Pace {
         self.patience == 0 && stable * 50.0 < rest
     }
 
-    /// Records a refused step of arclength `length`, with `times` times the allowed error, and chooses a shorter one.
+    /// Records a refused step of arclength `length`, with `times` times the allowed error, and chooses a shorter length.
     pub(super) fn refuse(&mut self, length: f64, times: f64) {
         self.length = Some(length * (CAUTION * times.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, CAUTION));
         self.refused += 1;
-        // If this many implicit steps in a row are refused, explicit ones are tried for a while.
+        // If this many implicit steps in a row are refused, explicit steps are tried for a while.
         if self.stiff && self.refused >= 4 {
             (self.stiff, self.patience) = (false, 64);
         }

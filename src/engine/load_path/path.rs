@@ -18,8 +18,8 @@ use crate::grasp::{Face, outside};
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// A load program being followed: an iterator over its events or steps. The caller can inspect each of these, and stop after any. When the iterator
-/// has ended, [`end`](Self::end) says how the path ended.
+/// A load program being followed: an iterator over its events or steps. The caller can inspect each event or step, and stop after it. When the
+/// iterator has ended, [`end`](Self::end) says how the path ended.
 ///
 /// The method of following determines the type `T` of the items, events or steps, and how many contacts are affordable: [`LoadPath`] or
 /// [`SteppedPath`]. The law is the same for both: contacts stick, slide with memory of their slip, open and close again.

@@ -61,7 +61,7 @@ impl Node {
     }
 
     /// Forces, twist, gaps and their rates at a load factor, in the contact states of this node. Along motions that no spring resists the twist rate
-    /// is that of `pushed`. Returns an error if forces cannot balance.
+    /// equals `pushed`. Returns an error if forces cannot balance.
     pub(super) fn point_at(
         &self,
         segment: &Segment<'_>,

@@ -60,7 +60,8 @@ impl PathStiffness {
         }
     }
 
-    /// Adds a stiffness matrix with the entries `entry(row, column)`, nonzero only for coordinates in `ranges`, such as that of a contact.
+    /// Adds a stiffness matrix with the entries `entry(row, column)`, nonzero only for coordinates in `ranges`. An example is the term of one
+    /// contact.
     #[inline(always)]
     pub(super) fn add(&mut self, ranges: &[Range<usize>; 2], entry: impl Fn(usize, usize) -> f64) {
         match self {

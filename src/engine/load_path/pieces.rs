@@ -227,7 +227,7 @@ impl<'g> Pieces<'g> {
     }
 
     /// The first stored piece that contains this place of the path. `None` if the path has not passed it. Also `None` between the load factor at
-    /// which the object snaps over and the slightly larger one at which it rests again.
+    /// which the object snaps over and the slightly larger load factor at which it rests again.
     pub(super) fn stretch_behind(&self, leg: usize, fraction: f64) -> Option<&Stretch<'g>> {
         self.behind.iter().find(|s| s.leg == leg && fraction >= s.from && fraction <= s.to)
     }
@@ -261,7 +261,7 @@ impl<'g> Pieces<'g> {
         self.pace = self.pace.at_node();
         let jump = if self.friction_falls() { self.friction_after(journey, &next.changes)? } else { None };
         let (changes, drives) = grasp.contacts_and_drives(next.changes);
-        // At the start of a leg an event is returned if several continuations exist, even if the chosen one changes nothing.
+        // At the start of a leg an event is returned if several continuations exist, even if the chosen continuation changes nothing.
         let branches = self.factor == 0.0 && next.other_continuations.is_some_and(|others| others > 0);
         if changes.is_empty() && drives.is_empty() && !(set_free && before.is_some()) && !branches {
             return Ok(None);
@@ -287,8 +287,8 @@ impl<'g> Pieces<'g> {
         }))
     }
 
-    /// The equilibrium at the present place with the present contact states, those after an event; `None` if it cannot be computed because of
-    /// rounding.
+    /// The equilibrium at the present place with the present contact states, which at an event are the states after it; `None` if it cannot be
+    /// computed because of rounding.
     pub(super) fn present_state(&self, journey: &Journey<'g>) -> Option<Equilibrium<3>> {
         self.state_on(&self.present_stretch(journey)?, self.factor)
     }

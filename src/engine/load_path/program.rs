@@ -88,8 +88,8 @@ impl Program {
         true
     }
 
-    /// Checks that load, commands, body loads and joint torques at the end of the program are those at its beginning. They may differ by the fraction
-    /// `part` of their largest component along the program.
+    /// Checks that load, commands, body loads and joint torques at the end of the program equal those at its beginning. They may differ by the
+    /// fraction `part` of their largest component along the program.
     ///
     /// # Errors
     /// [`Error::NotClosed`] naming the quantity that differs at the end.

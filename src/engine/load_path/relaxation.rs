@@ -11,8 +11,8 @@
 //! T δq - b δλ = Σ G_i v_i φ_i,      (δq, δλ) across the path
 //! ```
 //!
-//! For D coordinates of the twist, J is a diagonal matrix plus a matrix of rank D + 1. So is the inverse of 1 - hJ for a step of length h. With c =
-//! Cᵀ d
+//! For D coordinates of the twist, J is a diagonal matrix plus a matrix of rank D + 1. The inverse of 1 - hJ for a step of length h has the same
+//! form. With c = Cᵀ d
 //!
 //! ```text
 //! (1 - hJ) Δ = g:     φ_i = (d_i·g_i + h c_i·s_i') / e_i,     e_i = |F_t,i| - h d_i·v_i
@@ -62,8 +62,8 @@ pub(super) struct Damped {
     /// LU factors of the matrix `[T' | -b']` of this file, with one more row transverse to the path. T' and b' are T and b as the implicit step
     /// changes them.
     bordered: PathFactors,
-    /// For each sliding contact its friction force minus a change by the step, `e_i = |F_t,i| - h d_i·v_i`, N: a divisor in this file. d_i is
-    /// `Turning::across`, v_i is `Turning::change`, and h is `length`.
+    /// For each sliding contact the divisor `e_i = |F_t,i| - h d_i·v_i` of the formulas in this file, N: its friction force minus a change in the
+    /// step. d_i is `Turning::across`, v_i is `Turning::change`, and h is `length`.
     sizes: Vec<f64>,
 }
 
@@ -168,7 +168,7 @@ mod tests {
     use crate::object::Load;
     use crate::spatial::Contact;
 
-    /// Fingers round a ball, softer along one tangent than the other, all sliding but one; commands change with the load factor.
+    /// Fingers round a ball, softer along one tangent than along the other; all but one finger slide, and commands change with the load factor.
     fn fingers(ratio: f64) -> Engine {
         let finger = |i: u8| {
             let (sin, cos) = (1.3 * f64::from(i)).sin_cos();

@@ -56,13 +56,14 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
         let slides_freely = rates.local(i).is_frictionless() || !site.springs.resists_tangentially();
         friction.push(if slides_freely { 0.0 } else { rates.local(i).cone().limit(1.0) });
     }
-    // In the plane nothing moves along the second tangent. With an entry of one on the diagonal friction along it opposes a motion of its own, and is zero.
+    // In the plane nothing moves along the second tangent. With an entry of one on the diagonal, friction along this tangent is coupled with no
+    // motion of the object, and is zero.
     let is_absent = |a: usize| a % 3 >= rates.space().axes();
     let products = matrix_of(columns.len(), columns.len(), &|a, b| {
         if a == b && is_absent(a) { 1.0 } else { columns[a].dot(&columns[b]) }
     });
     let driven = vector_of(columns.len(), &|a| columns[a].dot(&load));
-    // The plane has no solver of its own here: compiling one would take as long as that for space.
+    // Problems in the plane use the solver for space, too: compiling another solver would take as long again.
     let pushes = FrictionProblem::<3>::new(products, driven, friction).ok()?.solve();
     let pushes = pushes.solution()?;
     let motion = columns.iter().zip(pushes.r.iter()).fold(load.clone(), |v, (column, r)| v + column * *r);

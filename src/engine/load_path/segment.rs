@@ -1,5 +1,5 @@
-//! One leg of a load program, a ramp or a turn: the load changes linearly with the load factor or turns, and commands change linearly. While contacts
-//! keep their states, forces and motions change linearly or as harmonics of the angle, too.
+//! A segment is one leg of a load program, a ramp or a turn. The load changes linearly with the load factor or turns, and commands change linearly.
+//! While contacts keep their states, forces and motions change linearly or as harmonics of the angle, too.
 
 use nalgebra::{Matrix, SVector};
 
@@ -195,7 +195,7 @@ impl<'g> Segment<'g> {
         }
     }
 
-    /// Forces and twist at a load factor, solved there: extrapolation from another load factor would add the rounding of larger terms. If no spring
+    /// Forces and twist at a load factor, computed anew: extrapolation from another load factor would add the rounding of larger terms. If no spring
     /// resists some motion, the twist is the solution nearest to `near`. `None` if forces cannot balance the load.
     pub(super) fn state(&self, piece: &Piece, factor: f64, near: Option<&Vector>) -> Option<PieceState> {
         let wrench = self.course.at(factor);

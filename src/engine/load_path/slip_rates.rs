@@ -17,8 +17,8 @@ pub(super) const MOST_SLIDING: usize = MOST_UNKNOWNS - 1;
 /// A vector for each sliding contact, in the order of [`Slips::sliding`], followed by zero vectors.
 pub(super) type OfSliding = [SVector<f64, 3>; MOST_SLIDING];
 
-/// Sliding contacts with the responses to their slips. Forces and twist are a sum of terms. A state `at` is the list of their weights: 1, the load
-/// factor, and two tangential slips (m) of each sliding contact.
+/// Sliding contacts with the responses to their slips. Forces and twist are a sum of terms. A state `at` is the list of the weights of these terms:
+/// 1, the load factor, and two tangential slips (m) of each sliding contact.
 pub(super) struct Slips<'g> {
     pub(super) grasp: &'g Engine,
     pub(super) problem: Problem<'g>,

@@ -62,7 +62,7 @@ impl Slips<'_> {
         if start.iter().any(|value| *value <= 0.0) {
             return None;
         }
-        // A step is shortened at most twenty times because a sticking contact leaves its cone within it.
+        // A step within which a sticking contact leaves its cone is shortened at most twenty times.
         for _ in 0..20 {
             let mut event = None;
             if let Some(k) = first_crossing(&start, &end.values) {

@@ -51,8 +51,8 @@ pub(super) struct RestsAgain<'g> {
 }
 
 impl<'g> RestsAgain<'g> {
-    /// Moves the object from the twist `start`, at which forces do not balance, to one at which they nearly do, as with viscous contacts. `None` if
-    /// the motion exceeds the limits `small` or does not end, and with very many coordinates.
+    /// Moves the object from the twist `start`, at which forces do not balance, to a twist at which they nearly balance, as with viscous contacts.
+    /// `None` if the motion exceeds the limits `small` or does not end, or if there are very many coordinates.
     pub(super) fn near(
         grasp: &Engine,
         small: &SmallMotions,
@@ -69,10 +69,11 @@ impl<'g> RestsAgain<'g> {
         };
         let damping = tangent_stiffness(problem.sites, |i| damper(&problem, i));
         let none = vec![ContactResponse::open(); problem.len()];
-        // At the start rounding decides, too, whether a contact that slides with kinetic friction sticks and has static friction again.
+        // At the start only rounding would decide whether a contact that slides with kinetic friction sticks and has static friction again. So the
+        // present friction cones are restored.
         let cones = problem.cones.clone();
-        // At the start rounding decides whether a contact on the edge of its cone sticks. So all contacts count as open in the matrix of the first
-        // step, which has the dampers alone.
+        // At the start only rounding would decide whether a contact on the edge of its cone sticks. So all contacts count as open in the matrix of
+        // the first step, which has the dampers alone.
         let mut here =
             MovingObject { contacts: none.clone(), ..MovingObject::at(start.clone(), none, &mut problem) };
         problem.cones = cones;
@@ -156,8 +157,8 @@ const LONGER: f64 = 2.0;
 const SHORTER: f64 = 0.25;
 
 impl MovingObject {
-    /// The moving object at the twist `twist`. `contacts` are the last responses, from which the new ones are computed. The slip of each contact is
-    /// added to the slips in `problem`.
+    /// The moving object at the twist `twist`. `contacts` are the last responses, from which the new responses are computed. The slip of each contact
+    /// is added to the slips in `problem`.
     fn at(twist: Vector, mut contacts: Vec<ContactResponse>, problem: &mut Problem) -> Self {
         let left = problem.yield_to(&twist, &mut contacts);
         Self { twist, contacts, left }
@@ -235,7 +236,7 @@ impl<'g> Pieces<'g> {
     }
 
     /// The leg along which the remaining imbalance of `rests` is removed, at the constant load factor `factor`. Also the changes from the present
-    /// contact states to those of `rests`.
+    /// contact states to the states of `rests`.
     fn back_to_balance(&self, rests: RestsAgain<'g>, factor: f64) -> (Self, Vec<(usize, Change<3>)>) {
         let RestsAgain { problem, contacts, twist } = rests;
         let mut segment = self.segment.at_rest(factor);

@@ -1,7 +1,8 @@
 //! The test whether a contact whose slip has ended on an arc can neither stick nor slide from there.
 //!
 //! When the contact stops, sticking and sliding have the same rates, and differ only a little later. As a rule one of the two states continues. Near
-//! a maximum of the load both may fail: sticking leads its force out of the cone, and sliding would be a slip against friction. There the path ends.
+//! a maximum of the load both may fail: sticking leads its force out of the cone, and sliding would be a slip against friction. In that case the path
+//! ends.
 
 use super::flow::{Flow, Rule, StepGoal};
 use super::pieces::Pieces;

@@ -29,13 +29,13 @@ pub(super) const MOST_SNAPPING_STEPS: usize = 1000;
 
 /// The largest number of times that an object snaps over on one leg. If it would snap over once more, the equilibrium counts as lost.
 ///
-/// Steps of the load factor double if the object sticks and snaps over again and again. Twenty lead from the shortest step to the whole leg, and
-/// forty more to the load at which the object is lost. Each time takes as long as a whole verdict on a load, since the search for rates of forces and
-/// motion must fail first.
+/// Steps of the load factor double if the object sticks and snaps over again and again. Twenty doublings lead from the shortest step to the whole
+/// leg, and forty more to the load at which the object is lost. Each time takes as long as a whole verdict on a load, since the search for rates of
+/// forces and motion must fail first.
 pub(super) const MOST_SNAPS: usize = 64;
 
-/// While an object snaps over, a step in time is accepted if the imbalance after it differs from the expected one by at most this fraction of the
-/// imbalance before it.
+/// While an object snaps over, a step in time is accepted if the imbalance after it differs from the expected imbalance by at most this fraction of
+/// the imbalance before it.
 ///
 /// If smaller, there are more steps; if larger, a step passes over changes of contact states.
 pub(super) const AS_EXPECTED: f64 = 0.3;
@@ -51,8 +51,8 @@ pub(super) const FASTEST_GROWTH: f64 = 4.0;
 /// If smaller, steps are many when contacts chatter; if larger, the contacts overshoot.
 pub(super) const SHORTEST_SNAPPING_STEP: f64 = 0.25;
 
-/// Largest correction of an event's load factor by forces solved at the event, as a fraction of this load factor. A larger one means that the event
-/// itself is wrong.
+/// Largest correction of an event's load factor by means of forces that are solved for at the event, as a fraction of this load factor. A larger
+/// correction means that the event itself is wrong.
 ///
 /// If smaller, true corrections are thrown away; if larger, wrong events count as corrected.
 pub(super) const LARGEST_CORRECTION: f64 = 1e-6;
@@ -68,8 +68,9 @@ pub(super) const GATHERED_MARGIN: f64 = 1e-8;
 /// If smaller, rounding moves a grasp that holds; if larger, a slow motion counts as rest.
 pub(super) const NO_RIGID_MOTION: f64 = 1e-6;
 
-/// A contact force counts as constant if it changes by at most this fraction of the largest force in a unit of arclength. So does the load factor, as
-/// a fraction of the leg. A direction of sliding within this angle (rad) of its final direction counts as having reached it.
+/// A contact force counts as constant if it changes by at most this fraction of the largest force in a unit of arclength. The load factor counts as
+/// constant if it changes by at most this fraction of the leg. A direction of sliding within this angle (rad) of its final direction counts as having
+/// reached it.
 ///
 /// If smaller, rounding would seem to turn directions for ever; if larger, directions that still turn count as settled.
 pub(super) const STANDS_STILL: f64 = 1e-10;
@@ -80,7 +81,7 @@ pub(super) const STANDS_STILL: f64 = 1e-10;
 /// If smaller, friction follows directions that the steps have blurred; if larger, a contact that still presses counts as vanishing.
 pub(super) const VANISHING_NORMAL: f64 = 1e-7;
 
-/// Shortest step of a path followed in steps, as a fraction of a leg: a path that needs shorter ones ends there.
+/// Shortest step of a path followed in steps, as a fraction of a leg: a path that needs shorter steps ends there.
 ///
 /// If smaller, steps are made of rounding; if larger, paths end before an equilibrium that they could reach.
 pub(super) const SHORTEST_STEP: f64 = 1e-12;

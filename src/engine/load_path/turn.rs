@@ -66,7 +66,7 @@ impl<const C: usize> Turn<C> {
         self
     }
 
-    /// This turn, ending at the angle `angle` (rad). The angle must be positive, and may exceed any number of full revolutions.
+    /// This turn, ending at the angle `angle` (rad). The angle must be positive and at most 1e6 rad; it may be many revolutions.
     #[must_use]
     pub fn up_to(mut self, angle: f64) -> Self {
         self.angle = angle;

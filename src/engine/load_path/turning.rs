@@ -1,7 +1,7 @@
 //! Advances along an arc, on which directions of sliding turn on the round cone, step by step to the next event.
 //!
 //! Steps are in arclength, see [`super::flow`], and as long as the allowed error of the settings permits. An event is the place where one of these
-//! values vanishes. They are listed by the state of a contact; the last line is for the path as a whole:
+//! values vanishes. The first three lines are for a contact in the given state, the last line is for the path as a whole:
 //!
 //! ```text
 //! sticking  μ F_n - |F_t|, or F_n where friction is infinite or zero
@@ -109,7 +109,7 @@ impl<'g> Pieces<'g> {
             let dip = is_straight
                 .then(|| first_dip(&self.segment, &self.node.states, ends, (end.length, tolerance)))
                 .flatten();
-            // A step is shortened at most twenty times because a condition may be violated within it.
+            // A step within which a condition may be violated is shortened at most twenty times.
             let Some(part) = dip.filter(|_| looks < 20) else { return Some(end) };
             looks += 1;
             end = self.step(point, (part * end.length, 0), end.rule)?;
@@ -201,7 +201,7 @@ impl<'g> Pieces<'g> {
             let touches = ActiveSet::is_weightless(f, line.force_size);
             if state.slides() && !touches {
                 let turn = (f[1] * df[2] - f[2] * df[1]).abs() / (f[1] * f[1] + f[2] * f[2]);
-                // Along the first step no direction of friction turns by more than this angle, rad, by its rate at the start.
+                // Along the first step no direction of friction turns by more than this angle (rad), at its initial rate.
                 let first_turn = 0.3;
                 if turn.is_finite() && turn * length > first_turn {
                     length = first_turn / turn;

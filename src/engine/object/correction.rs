@@ -26,7 +26,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 pub(crate) struct Correction {
     pub(crate) forces: Vec<SVector<f64, 3>>,
-    /// The exact twist minus the given one, without components along motions that no spring resists.
+    /// The exact twist minus the given twist, without components along motions that no spring resists.
     pub(crate) twist: Vector,
     /// Uncertainty of the corrected forces, N: machine precision times the largest residual force. If refinement did not converge, the largest force
     /// of the last correction is added. It is large if the linear problem is nearly singular.

@@ -18,7 +18,7 @@ pub(super) struct Limited {
     is_rate: bool,
 }
 
-/// The directions in which a contact may slide, by the shape of its friction cone.
+/// The directions in which a contact may slide, according to the shape of its friction cone.
 enum Slides {
     Never,
     /// In the plane: indices of the facets of the friction cone whose friction force lies along -t and along +t. `None` without such a facet:

@@ -55,7 +55,7 @@ impl Imbalance {
 pub(super) type Response<'r> =
     dyn Fn(usize, &SVector<f64, 3>, &ContactResponse) -> ContactResponse + Sync + 'r;
 
-/// The response of a contact by its law in `problem`: the return map of its elastic force onto the friction cone.
+/// The response of a contact according to its law in `problem`: the return map of its elastic force onto the friction cone.
 pub(super) fn on_cones(
     problem: &Problem,
 ) -> impl Fn(usize, &SVector<f64, 3>, &ContactResponse) -> ContactResponse + Sync {
@@ -91,7 +91,7 @@ pub(crate) fn newton(
     contacts.clear();
     contacts.resize(problem.len(), ContactResponse::open());
     let mut response_at = respond(problem, (&twist, beside), contacts, response);
-    // The largest number of steps. As a rule Newton's method converges in a few, or not at all.
+    // The largest number of steps. As a rule Newton's method converges in a few steps, or not at all.
     for steps in 0..20 {
         let norm = response_at.left.norm();
         if norm <= settled * response_at.size {

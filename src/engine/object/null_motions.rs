@@ -97,8 +97,8 @@ impl NullMotions {
 }
 
 /// Groups null vectors of the tangent stiffness T = BᵀA, or of its transpose, by whether they stretch springs. `side` is A for null vectors of T, and
-/// B for those of its transpose; `other` is the other of these two matrices. The entries of `vectors` refer to columns of `side` that are scaled to
-/// length one. `None` if a vector that stretches springs is not a null vector to within rounding.
+/// B for null vectors of the transpose; `other` is the other of these two matrices. The entries of `vectors` refer to columns of `side` that are
+/// scaled to length one. `None` if a vector that stretches springs is not a null vector to within rounding.
 fn apart(
     band: &BandPiece,
     [side, other]: [&Side; 2],

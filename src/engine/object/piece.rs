@@ -5,7 +5,7 @@
 //! offset a_i, grasp map G_i and twist q.
 //!
 //! The scaled spring forces x_r = right_r · v satisfy `x = α - A q`, and balance the load W if `Bᵀx = -W`. Here A = right Gᵀ, B = left Gᵀ and α =
-//! right·a have a row for each spring. So x is an oblique projection of α (an orthogonal one when nothing slides). A and B are factorised by
+//! right·a have a row for each spring. So x is an oblique projection of α (an orthogonal projection if nothing slides). A and B are factorised by
 //! orthogonal transformations.
 
 use crate::numerics::{IntoList, Map, Size, Square, Vector, mapped};

@@ -43,7 +43,7 @@ pub(crate) struct Problem<'g> {
     pub(crate) wrench: Vector,
     /// Rounding error of `wrench`, exact minus rounded, from moving its moment to the centroid of the contacts. Zero in the rate problem.
     pub(crate) wrench_rest: Vector,
-    /// Whether a contact with infinite friction has friction-cone facets like one with a very large coefficient, so that it may slide.
+    /// Whether a contact with infinite friction has friction-cone facets like a contact with a very large coefficient, so that it may slide.
     pub(crate) infinite_friction_has_edges: bool,
     /// In space: the friction force is limited by the round cone, and the polygon only proposes contact states. Otherwise it is limited by the
     /// polygon.
@@ -227,7 +227,7 @@ impl<'g> Problem<'g> {
     }
 
     /// `states`, in which each contact that slides on the round cone gets the slide of its friction force, with λ = slip·friction/|friction|², at
-    /// least 0. The slip is that at `twist`. Without friction force the state stays.
+    /// least 0. The slip is computed at `twist`. Without friction force the state stays.
     pub(crate) fn slid_on(
         &self,
         states: &[State],

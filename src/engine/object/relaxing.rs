@@ -51,7 +51,7 @@ impl<'p, 'a> ViscousRelaxation<'p, 'a> {
         of.factors.is_regular().then_some(of)
     }
 
-    /// The distance of `twist` from the present twist of the path, divided by the distance of the present twist from the stuck one.
+    /// The distance of `twist` from the present twist of the path, divided by the distance of the present twist from the stuck twist.
     pub(crate) fn part_of_the_way(&self, twist: &Vector) -> f64 {
         (twist - &self.twist).norm() / (&self.twist - &self.stuck).norm()
     }

@@ -83,8 +83,8 @@ impl Piece {
             }
             let mut twist = PreciseTwist::new(self.size(), band.respond(x, &load.wrench));
             let respond = |x: &mut [f64], rest: &Vector| band.respond(x, rest);
-            // With band factors each correction is smaller than the last by a constant factor only. Refinement ends when a correction is at most this
-            // fraction of the largest force.
+            // With band factors each correction is smaller than the correction before by a constant factor only. Refinement ends when a correction is
+            // at most this fraction of the largest force.
             if self.refine(sites, (offsets, &load), (x, change, &mut twist), (respond, 1e-15)) {
                 state.twist = without(twist.value(), &self.free);
                 self.forces_into(&mut state.forces, x, offsets.len());
@@ -100,7 +100,7 @@ impl Piece {
             None => pushed + &loaded,
             Some((_, coupling)) => {
                 let (step, unreached) = coupling.solve(&(&pushed + &loaded));
-                // `pushed` and `loaded` may cancel; a remainder below the rounding of the larger one counts as zero.
+                // `pushed` and `loaded` may cancel; a remainder below the rounding of the larger of both counts as zero.
                 let known = NO_WORK * pushed.amax().max(loaded.amax());
                 if unreached > known && unreached > known * coupling.growth() {
                     return Err(Unbalanced { motion: None });

@@ -174,7 +174,7 @@ impl GivenLimits {
             if last == states && change <= 1e-4 {
                 break;
             }
-            // The first six iterations take the new limits; later ones take the mean with the previous limits, which stops oscillation.
+            // The first six iterations take the new limits; later iterations take the mean with the previous limits, which stops oscillation.
             let mean = |(next, last): (&f64, &f64)| if round < 6 { *next } else { 0.5 * (next + last) };
             self.limits = paired(&next, &self.limits, &mean);
             kept = kept.max(1e-4);

@@ -7,8 +7,8 @@ use super::problem::Problem;
 use crate::contact::State;
 
 impl Problem<'_> {
-    /// The factorised linear problem in which every contact sticks, except absent ones, which stay open. In the static problem it depends on contacts
-    /// and drives alone, not on load or commands. A grasp with at most 256 contacts and drives keeps it for later questions.
+    /// The factorised linear problem in which every contact sticks, except absent contacts, which stay open. In the static problem it depends on
+    /// contacts and drives alone, not on load or commands. A grasp with at most 256 contacts and drives keeps it for later questions.
     pub(crate) fn trial(&self) -> Arc<Piece> {
         let make = || Piece::new(self, &self.unjumped());
         match self.trial {

@@ -33,7 +33,7 @@ pub(crate) enum ProofStep {
 }
 
 /// Checks a proof without searching. Returns a factor: an equilibrium that rounding may have hidden from the proof is larger than the data by at
-/// least this factor (both measured in √J). `None` if the steps omit a case, or contradict one by less than the factor [`ESCAPE`].
+/// least this factor (both measured in √J). `None` if the steps omit a case, or contradict a case by less than the factor [`ESCAPE`].
 pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     let trial = problem.trial();
     let state = trial.solve(problem.sites, &problem.offsets, problem.load()).ok()?;

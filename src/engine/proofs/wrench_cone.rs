@@ -10,8 +10,8 @@
 //! is a **separating motion**: γ·v >= 0 for all generators (no admissible contact force does negative work along v) and W·v = |v|² > 0 (the load does
 //! positive work along v). Stiffness, commands and history play no part in this.
 //!
-//! A round cone has infinitely many generators, but the generator with the most work against a motion is known: with u = G_iᵀv it lies along `e_n - μ
-//! u_t/|u_t|`. This generator joins those that carry the load, until no generator does negative work along the residual.
+//! A round cone has infinitely many generators, but the generator that does the most negative work along a motion v is known: with u = G_iᵀv it lies
+//! along `e_n - μ u_t/|u_t|`. This generator joins those that carry the load, until no generator does negative work along the residual.
 
 use nalgebra::SVector;
 

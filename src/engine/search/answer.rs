@@ -135,7 +135,8 @@ pub(crate) enum Settled {
     FreeMotion(Vector),
     /// No equilibrium exists, since no admissible forces balance the load: this motion separates the load from the friction wrench cone.
     Separating(Vector),
-    /// No equilibrium exists: every combination of contact states, this many, violates a condition by more than rounding.
+    /// No equilibrium exists: every combination of contact states violates a condition by more than rounding. The field is the number of
+    /// combinations.
     NoneOf(usize),
     /// No equilibrium exists on the round cone: each of the cases of contact states was proved to have none. An equilibrium that rounding hides from
     /// this proof would be larger than the data by at least the factor `escape`.

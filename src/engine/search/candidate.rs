@@ -143,7 +143,7 @@ pub(crate) fn for_each_condition(
 }
 
 /// The norm of the imbalance `Σ G_i F_i + W` of contact forces and load, relative to the sum of the norms of its terms plus the largest force. If
-/// commands alone move a statically determinate grasp, its exact forces are zero and the computed ones are rounding errors. The largest force
+/// commands alone move a statically determinate grasp, its exact forces are zero and the computed forces are rounding errors. The largest force
 /// therefore counts as at least the fraction `NO_FORCE` of the least force that its springs could have.
 fn out_of_balance(problem: &Problem, forces: &[SVector<f64, 3>], twist: &Vector) -> f64 {
     let (left, carried) = problem.imbalance(forces);
@@ -161,7 +161,8 @@ fn slacks(problem: &Problem, states: &[State], at: &PieceState) -> (Vec<f64>, Ve
     (values, sizes)
 }
 
-/// The largest violation of an inequality by any contact or drive, relative to the size of its terms; zero if all hold, infinite if a value is NaN.
+/// The largest violation of an inequality by any contact or drive, relative to the size of its terms; zero if all inequalities hold, infinite if a
+/// value is NaN.
 fn violation(problem: &Problem, states: &[State], at: &PieceState) -> f64 {
     let mut worst = 0.0;
     for_each_condition(problem, states, &at.forces, &at.twist, |value, size| {

@@ -37,7 +37,8 @@ impl<'s, 'g> ElasticTrial<'s, 'g> {
         Self { problem, settings, unjumped, trial, state, proposing, with_edges }
     }
 
-    /// The problem for Lemke's method. Round cones are replaced by polygons, rotated so that a corner lies along the friction force of the elastic trial.
+    /// The problem for Lemke's method. Round cones are replaced by polygons, rotated so that a corner lies along the friction force of the elastic
+    /// trial.
     pub(super) fn proposing(&self) -> &Problem<'g> {
         if !self.problem.round {
             return self.problem;

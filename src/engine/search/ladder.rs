@@ -73,8 +73,8 @@ pub(super) const LADDER: [Rung; 9] = [
     Rung { name: "force form", applies: may_be_dense, climb: force_form, finds: Some(FoundBy::ForceForm) },
     Rung {
         name: "separating motion of few",
-        // It also runs with few contacts and many coordinates. There the augmented Lagrangian of `separating motion of many` takes small residuals
-        // for zero, which this method distinguishes from zero.
+        // This method also runs with few contacts and many coordinates. In that case the augmented Lagrangian of `separating motion of many` takes
+        // small residuals for zero, which this method distinguishes from zero.
         applies: |scene| !has_many_contacts(scene),
         climb: separating_motion_of_few,
         finds: None,
@@ -217,8 +217,8 @@ fn separating_motion_of_few(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attemp
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
 }
 
-/// Lemke's method on the kinematic form. With many coordinates it pivots first on the contacts that leave the elastic trial, then on the matrix of all
-/// contacts if that is affordable. The form with facets for infinite friction is tried last.
+/// Lemke's method on the kinematic form. With many coordinates it pivots first on the contacts that leave the elastic trial, then on the matrix of
+/// all contacts if that is affordable. The form with facets for infinite friction is tried last.
 fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     let of_the_leaving = |problem: &Problem, log: &mut Log| propose_of_the_leaving(scene, problem, log);
     let on_a_matrix = |problem: &Problem, log: &mut Log| {

@@ -85,7 +85,7 @@ pub(super) fn propose_near_a_similar_one(
     let leaving = breaking(problem, &base.states, &base.at);
     match leaving.len() {
         0 => Some(base.states),
-        // With more contacts that leave, their paths take longer than those from the elastic trial.
+        // If more contacts leave, the paths take longer than paths from the elastic trial.
         1..=24 => pivoted(problem, scene.settings, (base, leaving, 0), log),
         _ => None,
     }

@@ -1,4 +1,4 @@
-//! From a solution with polygonal friction cones to one with round cones: Newton's method on the return map, then the last digits.
+//! From a solution with polygonal friction cones to a solution with round cones: Newton's method on the return map, then the last digits.
 //!
 //! From the twist of the first solution a few steps of Newton's method ([`newton_on_cones`](crate::object::newton_on_cones)) lead to the states of
 //! the contacts on the round cone. Solving the linear problem of these states gives the last digits ([`super::round_pieces`]). Newton's method fails

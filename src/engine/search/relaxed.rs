@@ -129,7 +129,8 @@ impl BalanceEquation {
     }
 
     /// Moves `nearest` to the point nearest to f⁰ of the elastic trial in the cone that the generators of these hulls span. Each contact has one
-    /// hull. Returns whether the distance of this point from f⁰ contradicts the case.
+    /// hull. Returns [`Relaxed::Contradicted`] if the distance of this point from f⁰ contradicts the case, otherwise the stretches and forces at this
+    /// point.
     pub(super) fn relax(&self, hulls: &[impl AsRef<[HullRay]>], nearest: &mut NearestPoint<Tag>) -> Relaxed {
         let (mut column, mut projected) = (Vec::new(), Vec::new());
         nearest.move_to_closest(&self.target);

@@ -119,8 +119,8 @@ fn equilibrium_after(
     to: &mut SteppedState,
 ) -> Option<()> {
     let springs = problem.sites.iter().zip(&problem.offsets);
-    // Newton's method cannot reduce the imbalance below the rounding of spring forces. That is 1e-15 of the forces which the displacements would
-    // cause in the springs; `newton` multiplies the size given here by [`SOLVED_ROUNDING`].
+    // Newton's method cannot reduce the imbalance below the rounding of spring forces. This rounding is 1e-15 of the forces which the displacements
+    // would cause in the springs; `newton` multiplies the size given here by [`SOLVED_ROUNDING`].
     let rounded =
         1e-3 * springs.map(|(site, offset)| site.springs.stiffest() * site.span(offset, &near)).sum::<f64>();
     let answer = |i: usize, stretch: &SVector<f64, 3>, _: &ContactResponse| {

@@ -46,10 +46,10 @@ impl<'g> Steps<'g> {
             };
         };
         let part = self.part_of_what_is_allowed(&twice);
-        // The next step is at most twice as long as this one; right after a refused step it may not grow.
+        // The next step is at most twice as long as the present step; right after a refused step it may not grow.
         let fastest = if self.pace.refused { 1.0 } else { 2.0 };
         self.pace.refused = part > 1.0;
-        // The next step aims at 0.7 of the allowed error, and is no shorter than a fifth of this one.
+        // The next step aims at 0.7 of the allowed error, and is no shorter than a fifth of the present step.
         self.pace.step = length * (0.7 / part.sqrt()).clamp(0.2, fastest);
         if part > 1.0 {
             // If even so short a step is refused, rounding is larger than the allowed error.
@@ -75,7 +75,7 @@ impl<'g> Steps<'g> {
         // leg, the change of forces, and the change of forces that the motion would cause in sticking springs, both over the largest force. Errors in
         // the directions of friction decay while the last measure grows to one.
         let even = 0.5 * self.error * length.max(way).max(twice.force_change / largest);
-        // The allowed difference of a contact's force between this path and the second one (see `coarse`). It grows with `way`, the sum of the
+        // The allowed difference of a contact's force between this path and the second path (see `coarse`). It grows with `way`, the sum of the
         // changes of forces along the path, up to twice the allowed error. The error is about a third of this difference.
         let budget = self.error * (self.way + way).min(2.0);
         // Below this fraction of the largest force an error is rounding.
