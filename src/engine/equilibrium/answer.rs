@@ -60,9 +60,9 @@ pub struct Equilibrium<const C: usize> {
     /// The load that the contact forces balance; its moment is about the origin.
     pub load: Wrench<C>,
     /// Motion of the object from its place before load and commands: translation of the origin (m) and rotation (rad). If `free_motions` remain, the
-    /// twist has the least norm that gaps and slips allow; on a load path it is the twist nearest to the last place of the object. The norm refers to
+    /// twist has the least norm that gaps and slips allow. On a load path it is the twist nearest to the last place of the object. The norm refers to
     /// the motion of the centroid of the contact points. A rotation counts in radians times the root mean square distance of the points from the
-    /// centroid. The displacement of a joint counts times its reference length, which is a power of two near the largest motion of a contact per unit
+    /// centroid. The displacement of a joint counts times its reference length. This is a power of two near the largest motion of a contact per unit
     /// of the joint.
     pub twist: Twist<C>,
     /// The motion of each of [several bodies](crate::grasp::Bodies); `twist` is then the motion of the body on which loads act. Empty for one object.
@@ -115,8 +115,8 @@ pub struct Equilibrium<const C: usize> {
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub neutral_motions: Vec<Motion<C>>,
     /// On the round cone: the largest difference, N, between a contact force and its value on the polygonal cone with which the search started.
-    /// `None` if no polygon was used: if no contact slides, if Newton's method found the equilibrium, if the equilibrium is a state of a load path,
-    /// or if the answer itself refers to a polygonal cone.
+    /// `None` if no polygon was used: if no contact slides, or if Newton's method found the equilibrium. `None` also for a state of a load path, or
+    /// if the answer itself refers to a polygonal cone.
     #[cfg_attr(
         feature = "serde",
         serde(default, with = "AsComputed::<Option<f64>>", skip_serializing_if = "Option::is_none")

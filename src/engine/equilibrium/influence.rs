@@ -15,7 +15,7 @@ pub(crate) struct Influence {
 }
 
 impl Influence {
-    /// The change of a condition `row·F` on the contact force F under a force of 1 N along each coordinate axis at the point; zero if within
+    /// The change of a condition `row·F` on the contact force F under a force of 1 N along each coordinate axis at the point. Zero if within
     /// rounding.
     pub(crate) fn gradient_of(&self, row: &SVector<f64, 3>) -> SVector<f64, 3> {
         let gradient = self.of.tr_mul(row);

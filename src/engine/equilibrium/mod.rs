@@ -18,8 +18,8 @@
 //! friction decides. Proposed states are solved for again, and every condition is checked. Residuals are recomputed from the data of grasp and load
 //! before the answer is called an [`Equilibrium`].
 //!
-//! If no equilibrium is found, the answer is a [`Proof`] that none exists, or [`Undecided`], with the reason. There are four kinds of proof: a motion
-//! that nothing resists, a motion that separates the load from all admissible contact forces, all states tried, or all cases contradicted
+//! If no equilibrium is found, the answer is a [`Proof`] that none exists, or [`Undecided`], with the reason. A proof is a motion that nothing
+//! resists, or a motion that separates the load from all admissible contact forces. In other proofs all states were tried, or all cases contradicted
 //! ([`Refutation`]).
 
 mod accuracy;

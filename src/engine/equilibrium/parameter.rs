@@ -152,9 +152,9 @@ impl StickingResponse<'_> {
         Some(solved)
     }
 
-    /// The derivative of the grasp map of one contact with respect to the position of its point (per metre) or the direction of its normal (per
-    /// radian). `None` if the axis is out of range, and for the position of a contact of a hand. `None` also if a motion that is free at present
-    /// would be resisted in the changed geometry: the derivative of that motion is then not defined.
+    /// The derivative of one contact's grasp map with respect to the position of its point (per metre) or the direction of its normal (per radian).
+    /// `None` if the axis is out of range, and for the position of a contact of a hand. `None` also if a motion that is free at present would be
+    /// resisted in the changed geometry: the derivative of that motion is then not defined.
     fn map_change(&self, contact: usize, by: Parameter) -> Option<Map> {
         let site = &self.problem.sites[contact];
         let change = match by {
@@ -190,8 +190,8 @@ impl StickingResponse<'_> {
         self.problem.local(contact).edge(state).pull * force[0]
     }
 
-    /// The derivative of a contact's force with respect to its stiffness k along one axis at constant spring stretches v: (∂K/∂k) v, with the tangent
-    /// stiffness K.
+    /// The derivative of a contact's force with respect to its stiffness k along one axis, at constant spring stretches v. It is (∂K/∂k) v, with the
+    /// tangent stiffness K.
     fn by_stiffness(&self, contact: usize, axis: usize, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         let local = self.problem.local(contact);
         let state = &self.states[contact];

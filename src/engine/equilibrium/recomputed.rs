@@ -119,7 +119,7 @@ impl Engine {
         let largest =
             answers.iter().fold(load_force.norm().max(force_terms), |most, c| most.max(c.force.norm()));
         // The displacements of a contact that hardly moves may be rounding of larger displacements elsewhere. Their size is therefore taken as at
-        // least this fraction of the largest size of all contacts, and at least the stretch of the stiffest spring under the largest force.
+        // least this fraction of the largest size of all contacts. It is also at least the stretch of the stiffest spring under the largest force.
         let still = 1e-20 * travels.iter().copied().fold(0.0, f64::max);
         let still = still.max(problem.least_stretch(largest));
         for travel in &mut travels {
@@ -154,8 +154,8 @@ impl Engine {
         r
     }
 
-    /// The displacement of a contact due to the joints of its finger, along the coordinate axes, and the sum of the sizes of its terms, m. Both are
-    /// zero without a hand.
+    /// The displacement of a contact due to the joints of its finger, along the coordinate axes, m. Also the sum of the sizes of its terms, m. Both
+    /// are zero without a hand.
     fn displacement_by_joints(&self, contact: usize, twist: &Vector) -> (SVector<f64, 3>, f64) {
         let (mut sum, mut size) = (SVector::zeros(), 0.0);
         let Some(linkage) = self.linkage() else { return (sum, size) };

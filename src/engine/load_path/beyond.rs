@@ -41,10 +41,10 @@ pub enum Beyond<const C: usize> {
     Continues(Box<Continuation<C>>),
     /// No equilibrium exists just beyond: a limit load. A motion proves this or, in the plane and on polygonal friction cones, a trial of every
     /// combination of contact states. On the round cone there may be a proof only for a somewhat larger load. That load exceeds the load at the end
-    /// by at most a hundredth of the whole load, of all commands, or of the leg if there is no load yet.
+    /// by at most a hundredth of the whole load or of all commands; of the leg if there is no load yet.
     LimitLoad,
     /// This equilibrium ends here, but others exist at slightly larger loads. After a first slip, a load path decides whether the grasp snaps over to
-    /// one of them ([`Jump::snaps`](super::Jump::snaps)). At the end of a load path the answer is known: if the object moves as with viscous
+    /// one of them ([`Jump::snaps`](super::Jump::snaps)). At the end of a load path the answer is known. If the object moves as with viscous
     /// contacts, it reaches none of these equilibria by small motions.
     Snap,
     /// This equilibrium ends here: the complementarity problem for the rates of forces and motion has no solution. Whether other equilibria exist
@@ -175,7 +175,7 @@ fn from_scratch<'g>(
     forces: &[SVector<f64, 3>],
     settings: &Settings,
 ) -> Beyond<3> {
-    // Whether the search finds an equilibrium at the distance `part` whose forces differ from the forces at the end by more than on a continued path.
+    // Whether the search at the distance `part` finds an equilibrium whose forces differ from those at the end by more than on a continued path.
     let another = |part: &f64| match settle(&past(*part), settings).0 {
         Settled::Found(found, _) => !is_near(&found.forces, forces, *part),
         _ => false,
@@ -220,7 +220,7 @@ fn way_beyond(problem: &Problem, rates: &Problem) -> f64 {
     if way > ZERO_SLACK { way } else { 1.0 }
 }
 
-/// The change of the load factor that would build up the whole present load at its present rate, or all present offsets, whichever change is less.
+/// The change of the load factor that would build up the whole present load, or all present offsets, at present rates. The lesser change is returned.
 /// Zero if it is not finite.
 fn whole_way(problem: &Problem, rates: &Problem) -> f64 {
     let total = |offsets: &[SVector<f64, 3>]| summed(offsets, &nalgebra::Matrix::norm);

@@ -37,9 +37,9 @@ pub struct Event<const C: usize> {
     /// unless a contact that touches without force pushes the object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
-    /// Number of other ways in which the contacts on the edge of their cones could continue. `Some(0)` means that the continuation is unique: the
-    /// matrix of the complementarity problem for the rates is a P-matrix, or a trial of all states of few contacts found no other solution. `None`,
-    /// and not written, if neither test decides, as at the apex of a round cone.
+    /// Number of other ways in which the contacts on the edge of their cones could continue. `Some(0)` means that the continuation is unique. The
+    /// matrix of the complementarity problem for the rates is then a P-matrix, or a trial of all states of few contacts found no other solution.
+    /// `None`, and not written, if neither test decides, as at the apex of a round cone.
     ///
     /// The path prefers in this order: nothing changes; sliding contacts keep sliding and contacts at an edge slide; everything sticks; the solution
     /// of Lemke's method. If several motions belong to the same forces, the path takes a motion in which contacts without force do not drag the
@@ -239,7 +239,7 @@ pub enum LossKind {
     GivesWay,
     /// Motions cease to be [small](crate::Settings::small_motions) at this load. What follows is beyond the theory of small motions.
     TooFar,
-    /// A contact with infinite friction loses its normal force while it still carries a tangential force; or the whole lip of a suction cup is open,
+    /// A contact with infinite friction loses its normal force while it still carries a tangential force. Or the whole lip of a suction cup is open,
     /// and its vacuum is gone.
     LetsGo,
 }

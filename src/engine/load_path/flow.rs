@@ -92,8 +92,8 @@ pub(super) struct FlowStep {
     /// The state at the end of the step, with rates per unit of arclength.
     pub(super) point: PathPoint,
     pub(super) energy: LegEnergy,
-    /// Estimated relative error of the step, by [`Flow::error_size`]. It is roughly the larger of two ratios: of the error of forces to the largest
-    /// force, and of the error of the twist to the largest displacement. Zero for a straight step.
+    /// Estimated relative error of the step, by [`Flow::error_size`]. It is roughly the larger of two ratios: error of forces to largest force, and
+    /// error of the twist to largest displacement. Zero for a straight step.
     pub(super) error: f64,
     /// Whether, anywhere in the step, some contact slipped against its friction force, or the load factor decreased (unless the load turns).
     pub(super) backwards: bool,

@@ -55,7 +55,7 @@ impl<const C: usize> Leg<C> {
         Self { torques: LegGoal::To(torques.into_iter().list()), ..self }
     }
 
-    /// Refuses, with an error, torques of this leg if there is not one torque for each joint, or if a torque is not finite or too large. Also refuses
+    /// Refuses, with an error, torques of this leg if their number is not that of the joints, or if a torque is not finite or too large. Also refuses
     /// them while the load turns.
     pub(super) fn check_torques(&self, grasp: &Engine) -> Result<(), Error> {
         let (LegGoal::By(torques) | LegGoal::To(torques)) = &self.torques else { return Ok(()) };
@@ -84,8 +84,8 @@ impl<const C: usize> Leg<C> {
 pub(super) struct HeldTorques(Option<Arc<[Vec<f64>; 2]>>);
 
 impl HeldTorques {
-    /// Continues to the next leg, which begins with the torques at the end of the last leg or, if no leg has changed them, with the torques
-    /// `of_the_hand`. `goal` changes them along the new leg.
+    /// Continues to the next leg. It begins with the torques at the end of the last leg or, if no leg has changed them, with `of_the_hand`. `goal`
+    /// changes them along the new leg.
     pub(super) fn append(&mut self, of_the_hand: &[f64], goal: &LegGoal<Vec<f64>>) {
         if self.0.is_none() && *goal == LegGoal::Stay {
             return;

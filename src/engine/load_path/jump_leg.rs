@@ -262,8 +262,8 @@ impl<'g> Pieces<'g> {
     }
 }
 
-/// Whether any equilibrium solves `problem`, the static problem at the load at which a jump found no equilibrium, with kinetic friction of the
-/// contacts that slide: [`Beyond::Snap`] if an equilibrium is found, [`Beyond::LimitLoad`] if no equilibrium exists.
+/// Whether any equilibrium solves `problem`, the static problem at the load at which a jump found no equilibrium. Contacts that slide have kinetic
+/// friction. Returns [`Beyond::Snap`] if an equilibrium is found, [`Beyond::LimitLoad`] if no equilibrium exists.
 pub(super) fn beyond_a_jump(problem: &Problem<'_>, settings: &Settings) -> Beyond<3> {
     match settle(problem, settings).0 {
         Settled::Found(..) => Beyond::Snap,

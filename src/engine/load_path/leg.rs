@@ -16,7 +16,7 @@ use crate::prelude::*;
 
 /// One leg of a load program: the load, the commands, or both change linearly to their goals, or the load turns.
 ///
-/// A squeeze is a leg of commands, loading and unloading are legs of the load; a quantity that the leg does not mention keeps its value. Loads act on
+/// A squeeze is a leg of commands, loading and unloading are legs of the load. A quantity that the leg does not mention keeps its value. Loads act on
 /// the object (N, N m about the origin). Commands are displacements of the fingers in their contact frames (m), the normal part positive into the
 /// object. All points of a soft fingertip follow one command, unless there is one for each point. Loads and commands change in proportion to the
 /// fraction of the leg, from 0 to 1; this fraction is the load factor of the leg.
@@ -282,7 +282,7 @@ impl<const C: usize> LegLoad<C> {
 }
 
 impl<T: Copy + Add<Output = T>> LegGoal<Vec<T>> {
-    /// Replaces `commands`, the values at the beginning and at the end of the previous leg, by the values of the next leg, which has this goal.
+    /// Replaces `commands`, the values at the beginning and end of the previous leg, by the values of the next leg, which has this goal.
     pub(super) fn append(&self, commands: &mut [Vec<T>; 2]) {
         commands.swap(0, 1);
         let [from, to] = commands;

@@ -24,7 +24,7 @@
 //!
 //! **Load programs** ([`Grasp::follow`](crate::ask::Grasp::follow)). The path leads from event to event and remembers slip: `F_t = K_t (a_t - t·u_c -
 //! s)` with the earlier slip s. On polygons and in the plane every piece is straight, or turns with the load. On the round cone the direction of
-//! sliding turns along the way, `ds = γ F_t` with γ >= 0 and `|F_t| = μ F_n` at all times; slips are integrated with an estimate of the error.
+//! sliding turns along the way, `ds = γ F_t` with γ >= 0 and `|F_t| = μ F_n` at all times. Slips are then integrated with an estimate of the error.
 //!
 //! A [`Path`] stores the load program, the present place in it, and the end; the type of its items (events or steps) is a parameter.
 //!

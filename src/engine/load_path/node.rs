@@ -25,8 +25,7 @@ use crate::search::{
 /// The rate problem at a node (the complementarity problem for the rates of forces and motion), and `settled`, the outcome of the search for its
 /// solution.
 struct Decided<'g> {
-    /// The load factor whose rates of load and commands the problem has: the load factor of the node or, while the load turns, a load factor slightly
-    /// ahead.
+    /// The load factor whose rates of load and commands the problem has: that of the node or, while the load turns, one slightly ahead.
     ahead: f64,
     rates: Problem<'g>,
     settled: Settled,
@@ -49,8 +48,7 @@ pub(super) struct Node {
     /// Indices of contacts whose slip has ended at this node.
     pub(super) stopped: Vec<usize>,
     pub(super) at: PieceState,
-    /// The load factor whose rates of load and commands decided the continuation: the load factor of the node or, while the load turns, a load factor
-    /// slightly ahead.
+    /// The load factor whose rates of load and commands decided the continuation: that of the node or, while the load turns, one slightly ahead.
     pub(super) ahead: f64,
 }
 
@@ -156,7 +154,7 @@ impl Node {
         }
         match last {
             Some(last) if !segment.problem.round => last,
-            // The place of a node at the end of an arc has the error of the arc's steps, so rates at the node are as good as rates ahead.
+            // The place of a node at the end of an arc has the error of the arc's steps. So rates at the node are as good as rates ahead.
             _ => at(factor),
         }
     }

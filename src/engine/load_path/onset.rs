@@ -31,7 +31,7 @@ pub enum Onset<const C: usize> {
     GivesWay {
         /// The load factor up to which the grasp holds.
         factor: f64,
-        /// The reason why no equilibrium exists beyond; its work is the work of the rate of the load, J per unit of the load factor (J/rad for a
+        /// The reason why no equilibrium exists beyond. Its work is the work of the rate of the load, J per unit of the load factor (J/rad for a
         /// turn).
         reason: NoEquilibrium<C>,
     },
@@ -49,8 +49,8 @@ impl<const C: usize> Onset<C> {
         }
     }
 
-    /// The load factor up to which everything that touches sticks: the load factor of the event, or the load factor from which nothing resists the
-    /// load. Infinite for [`Self::Never`]. `None` without a sticking equilibrium to start from, or if the answer is undecided.
+    /// The load factor up to which everything that touches sticks: that of the event, or the load factor from which nothing resists the load.
+    /// Infinite for [`Self::Never`]. `None` without a sticking equilibrium to start from, or if the answer is undecided.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         match self {

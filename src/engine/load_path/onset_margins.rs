@@ -51,8 +51,8 @@ struct Margin {
 }
 
 impl<'g> OnsetMargins<'g> {
-    /// The margins at the onset `event`. `None` if a contact with friction closed before the onset, if a contact closes at the onset and slides, or
-    /// if the event has another number of contacts.
+    /// The margins at the onset `event`. `None` if a contact with friction closed before the onset, or closes at the onset and slides. `None` also if
+    /// the event has another number of contacts.
     pub(crate) fn new(grasp: &'g Engine, event: &OnsetEvent<3>) -> Option<Self> {
         let StickingState { found, slips, offset_rates, wrench_rate, leaving, .. } = &event.local;
         let found = found.found();
@@ -98,8 +98,8 @@ impl<'g> OnsetMargins<'g> {
         Some(mapped(&self.margins, &|margin| margin.factor_change(&change.forces, direct(margin))))
     }
 
-    /// The derivative of the load factor with respect to x at x = 0, if x times `load` is added to the load, for each contact or drive of
-    /// [`Self::leavers`]. If `load` is the load of the onset, this is the derivative with respect to a factor of the whole load, at the value 1.
+    /// The derivative of the load factor with respect to x at x = 0, if x times `load` is added to the load. It is computed for each contact or drive
+    /// of [`Self::leavers`]. If `load` is the load of the onset, this is the derivative with respect to a factor of the whole load, at the value 1.
     /// `None` if nothing resists `load` in the present contact states.
     #[must_use]
     pub fn by_load<const C: usize>(&self, load: &Wrench<C>) -> Option<Vec<f64>> {

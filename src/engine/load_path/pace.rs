@@ -8,7 +8,7 @@ const ERROR_ORDER: f64 = 8.0;
 /// The length of the next step is this fraction of the length that the error estimate allows. Its error is then a sixth of the allowed error: few
 /// steps are refused, and errors that add up have a reserve.
 const CAUTION: f64 = 0.8;
-/// Least ratio of the length of a step to the length of the step before, since the error estimate is only valid for small changes of the length.
+/// Least ratio of the length of a step to the length of the step before. The error estimate is only valid for small changes of the length.
 const LEAST_RATIO: f64 = 0.2;
 
 /// The data of the step control along an arc: the length and kind of the next step, and counters.

@@ -234,9 +234,8 @@ impl<const C: usize> LoadPath<'_, C> {
     /// each step is below [`Settings::step_error`] unless rounding forbids that. Zero if nothing had to be integrated, as in the plane and on
     /// polygonal friction cones. Small forces and margins that were set to zero where events accumulate are added, relative to the largest force.
     ///
-    /// The estimate is relative, the larger of two ratios: of the error of forces to the largest force of the step, and of the error of displacements
-    /// to the largest displacement. The error is usually smaller. The growth of an earlier error on later steps is not included; sliding damps most
-    /// of it.
+    /// The estimate is the larger of two ratios: error of forces to largest force of the step, and error of displacements to largest displacement.
+    /// The error is usually smaller. The growth of an earlier error on later steps is not included; sliding damps most of it.
     #[must_use]
     pub fn step_error(&self) -> f64 {
         self.0.step_error()
@@ -275,7 +274,7 @@ impl<const C: usize> LoadPath<'_, C> {
 
     /// The equilibrium at a fraction (0 to 1) of a leg (from 0) that the path has passed or has reached; `None` beyond. If an event lies exactly
     /// there, the state is the equilibrium before the event. If directions of sliding turn, the integration step is repeated up to this fraction with
-    /// the same error bound; `None` if that fails because of rounding.
+    /// the same error bound. `None` if that fails because of rounding.
     #[must_use]
     pub fn state_at(&self, leg: usize, fraction: f64) -> Option<Equilibrium<C>> {
         self.0.state_at(leg, fraction)

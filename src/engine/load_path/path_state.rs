@@ -188,10 +188,10 @@ impl Node {
         self.stopped.iter().find(leaves).copied().filter(|_| straight)
     }
 
-    /// Called when steps have become too short to advance. A contact whose force is nearly on the edge of its cone is treated as on the edge, and a
-    /// gap that is nearly closed as closed. All events within the error of steps then happen at one place. Returns the largest distance of such a
-    /// contact from the edge, relative to the size of its force or gap. Without such contacts it is zero if contacts slide on the round cone and the
-    /// load does not turn, else `None`.
+    /// Called when steps have become too short to advance. A force nearly on the edge of its cone is treated as on the edge, and a gap that is nearly
+    /// closed as closed. All events within the error of steps then happen at one place. Returns the largest distance of such a contact from the edge,
+    /// relative to the size of its force or gap. Without such contacts it is zero if contacts slide on the round cone and the load does not turn,
+    /// else `None`.
     pub(super) fn gather(&mut self, segment: &Segment<'_>, point: &PathPoint) -> Option<f64> {
         let mut apart: Option<f64> = None;
         for (i, (line, gap)) in point.lines.iter().zip(&point.gaps).enumerate() {

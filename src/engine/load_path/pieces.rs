@@ -287,7 +287,7 @@ impl<'g> Pieces<'g> {
         }))
     }
 
-    /// The equilibrium at the present place with the present contact states, which at an event are the states after it; `None` if it cannot be
+    /// The equilibrium at the present place with the present contact states; at an event these are the states after the event. `None` if it cannot be
     /// computed because of rounding.
     pub(super) fn present_state(&self, journey: &Journey<'g>) -> Option<Equilibrium<3>> {
         self.state_on(&self.present_stretch(journey)?, self.factor)

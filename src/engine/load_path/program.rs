@@ -77,7 +77,7 @@ impl Program {
         Ok(())
     }
 
-    /// Begins the leg with the index `leg`, with the values at the end of the leg before it; returns false if there is no such leg.
+    /// Begins the leg with the index `leg`, with the values at the end of the leg before it. Returns false if there is no such leg.
     pub(super) fn begin_leg(&mut self) -> bool {
         let Some(leg) = self.legs.get(self.leg - self.done) else { return false };
         (self.course, self.goal) = leg.load.course(&self.goal);
@@ -154,7 +154,7 @@ impl Program {
     }
 
     /// Two lists with an entry for each contact and drive. The first has the offsets (command minus clearance, m, without slip) at the beginning of
-    /// the present leg, the second their changes over the whole leg.
+    /// the present leg. The second has their changes over the whole leg.
     pub(super) fn offsets(&self, grasp: &Engine) -> [Vec<SVector<f64, 3>>; 2] {
         let mut offsets = [Vec::new(), Vec::new()];
         self.offsets_into(grasp, &mut offsets);

@@ -35,7 +35,7 @@ struct Turning {
     size: f64,
     /// The unit tangent d perpendicular to the friction force, towards which it can turn; zero for a contact without friction force.
     across: SVector<f64, 3>,
-    /// The derivative v of the rate of the contact force with respect to the angle of the friction force, N per radian and per unit of arclength.
+    /// The derivative v of the rate of the contact force with respect to the angle of the friction force, N per radian and unit of arclength.
     change: SVector<f64, 3>,
     /// The wrench `G v` on the object for the contact force v = `change`, with the grasp map G.
     push: Vector,
@@ -63,7 +63,7 @@ pub(super) struct Damped {
     /// changes them.
     bordered: PathFactors,
     /// For each sliding contact the divisor `e_i = |F_t,i| - h d_i·v_i` of the formulas in this file, N: its friction force minus a change in the
-    /// step. d_i is `Turning::across`, v_i is `Turning::change`, and h is `length`.
+    /// step. Here d_i is `Turning::across`, v_i is `Turning::change`, and h is `length`.
     sizes: Vec<f64>,
 }
 

@@ -71,7 +71,7 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
         return Some(motion.normalize());
     }
     // Near a limit load, contact forces almost balance the load, and the motion computed above is only rounding. The motion is then the component of
-    // the load in whose direction contacts at their friction limit slide, other pressing contacts stick, and no contact comes nearer.
+    // the load along which pressing contacts at their friction limit slide without coming nearer, and other pressing contacts stick.
     let largest = pushes.r.amax();
     for (k, &i) in touching.iter().enumerate() {
         let push = pushes.r.rows(3 * k, 3);

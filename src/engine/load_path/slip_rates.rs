@@ -89,7 +89,7 @@ impl Slips<'_> {
         directions
     }
 
-    /// For each sliding contact the derivatives of its margin `μ F_n - |F_t|`. The first derivative is with respect to the load factor, the others
+    /// For each sliding contact the derivatives of its margin `μ F_n - |F_t|`. The first derivative is with respect to the load factor. The others
     /// are with respect to the slip of each sliding contact along its friction force, in units of `unit`. They are the coefficients of the equations
     /// that keep these margins zero.
     pub(super) fn margin_rates(&self, directions: &OfSliding) -> [Equation; MOST_UNKNOWNS] {

@@ -19,7 +19,7 @@ pub(super) struct SlipStep {
     pub(super) values: Vec<f64>,
 }
 /// Index of the condition that the load factor grows. Each condition is a value that must stay positive. After the first three conditions come the
-/// slip rates along friction of the sliding contacts, their normal forces, and the margins `μ F_n - |F_t|` of the sticking contacts.
+/// slip rates of sliding contacts along friction, their normal forces, and the margins `μ F_n - |F_t|` of sticking contacts.
 pub(super) const GROWS: usize = 0;
 /// Index of the condition that the load factor is below the largest load factor to follow.
 pub(super) const GOES_ON: usize = 1;

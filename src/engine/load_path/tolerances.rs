@@ -34,8 +34,8 @@ pub(super) const MOST_SNAPPING_STEPS: usize = 1000;
 /// forces and motion must fail first.
 pub(super) const MOST_SNAPS: usize = 64;
 
-/// While an object snaps over, a step in time is accepted if the imbalance after it differs from the expected imbalance by at most this fraction of
-/// the imbalance before it.
+/// While an object snaps over, a step in time is accepted if the imbalance after it is nearly as expected: up to this fraction of the imbalance
+/// before it.
 ///
 /// If smaller, there are more steps; if larger, a step passes over changes of contact states.
 pub(super) const AS_EXPECTED: f64 = 0.3;
@@ -62,8 +62,8 @@ pub(super) const LARGEST_CORRECTION: f64 = 1e-6;
 /// If smaller, a path ends at an accumulation of events; if larger, it skips separate events.
 pub(super) const GATHERED_MARGIN: f64 = 1e-8;
 
-/// `rigid_motion` computes the velocity with which rigid bodies start to move under the load, with the identity as mass matrix. A velocity whose norm
-/// is below this fraction of the norm of the load counts as zero: contact forces then balance the load up to rounding.
+/// `rigid_motion` computes the velocity with which rigid bodies start to move under the load, with the identity as mass matrix. A velocity below this
+/// fraction of the norm of the load counts as zero: contact forces then balance the load up to rounding.
 ///
 /// If smaller, rounding moves a grasp that holds; if larger, a slow motion counts as rest.
 pub(super) const NO_RIGID_MOTION: f64 = 1e-6;

@@ -42,7 +42,7 @@ pub(super) fn change(
 /// P-matrix proves uniqueness. Otherwise all combinations of contact states are tried; `None` if they are too many, or with a contact at the apex of
 /// a round cone.
 pub(super) fn other_solutions(rates: &Problem, found: &Found) -> Option<usize> {
-    // At the apex of a round cone, the number of solutions with a polygonal cone may differ from the number with the round cone, which is not known.
+    // At the apex of a round cone, the number of solutions is not known: it may differ from the number with a polygonal cone.
     if rates.round {
         return None;
     }

@@ -153,8 +153,8 @@ impl<const C: usize> Turn<C> {
         Ok(())
     }
 
-    /// The turn of a force from three terms: its component along the axis, its other component at θ = 0, and this other component a quarter
-    /// revolution later. `wrench` applies each at its point.
+    /// The turn of a force from three terms: its component along the axis, its other component at θ = 0, and the latter a quarter revolution later.
+    /// `wrench` applies each at its point.
     fn of_forces(parts: [SVector<f64, C>; 3], wrench: impl Fn(SVector<f64, C>) -> Wrench<C>) -> Self {
         let [constant, cosine, sine] = parts.each(wrench);
         Self::new(constant, cosine, sine)

@@ -18,7 +18,7 @@ impl Segment<'_> {
     /// Whether the load turns along this leg and its rate vanishes at the load factor `factor`, where it turns back.
     pub(super) fn load_turns_back(&self, factor: f64) -> bool {
         let Trajectory::Turn { load, angle } = &self.course else { return false };
-        // A rate of the load below this fraction of its fastest rate counts as zero, since the angle is known to the rounding of a full revolution.
+        // A rate of the load below this fraction of its fastest rate counts as zero: the angle is known to the rounding of a full revolution.
         load.rate_at(angle * factor).norm() <= SOLVED_ROUNDING * (load.cosine.norm() + load.sine.norm())
     }
 

@@ -83,7 +83,7 @@ impl Bounded {
         let third = (a - b) * 2.0 + da + db;
         let second = b - a - da - third;
         // The interpolating cubic neglects the term of fourth order. It is estimated from above by the larger of the term of third order and 0.05
-        // times the term of second order: in accepted steps each term is at most 0.05 times the term of the order before.
+        // times the term of second order. In accepted steps each term is at most 0.05 times the term of the order before.
         let bend = third.norm().max(0.05 * second.norm()) * weight;
         Self { points: [a, a + da / 3.0, b - db / 3.0, b], cone, bend, nothing }
     }

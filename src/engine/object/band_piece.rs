@@ -9,7 +9,7 @@
 //! forces x at zero motion become x - A q at the twist q.
 //!
 //! T has an entry for every two coordinates that a contact couples; a suitable order puts these entries near its diagonal. LU factors of T take a few
-//! thousandths of the time of orthogonal factors of A and B, but lose twice as many digits if stiffnesses differ widely. Iterative refinement in
+//! thousandths of the time of orthogonal factors of A and B. But they lose twice as many digits if stiffnesses differ widely. Iterative refinement in
 //! twice the working precision restores the digits, or shows that it cannot. T may be singular along motions that stretch no spring, if the springs
 //! also leave equally many loads unbalanced. Every other nearly singular T is left to orthogonal factors.
 

@@ -27,8 +27,8 @@ pub(super) struct NullMotions {
     pub(super) neutral: Vec<Vector>,
     /// Left null vectors z of T with B z = 0: virtual motions along which no spring pushes. Orthonormal.
     pub(super) unbalanced: Vec<Vector>,
-    /// Left null vectors z of T along which springs push (B z ≠ 0), each with its vector B z, which has an entry for each spring. These vectors B z
-    /// are orthonormal.
+    /// Left null vectors z of T along which springs push (B z ≠ 0), each with its vector B z. These vectors, with an entry for each spring, are
+    /// orthonormal.
     without_response: Vec<(Vector, Vec<f64>)>,
 }
 

@@ -183,8 +183,8 @@ impl Piece {
 
     /// A virtual motion y with `Σ G_i C_iᵀG_iᵀ y = 0`, with the tangent stiffness C_i and the grasp map G_i of contact i. This is a left null vector
     /// of the tangent stiffness. Of the left null vectors along which no spring pushes, it is the one along which the load does the most work. If the
-    /// load does no work along any of these, it is a left null vector along which springs push, chosen by the work of offsets and load. `None` if
-    /// they do no work along any left null vector.
+    /// load does no work along any of these, springs push along the returned vector; offsets and load do work along it. `None` if they do no work
+    /// along any left null vector.
     pub(crate) fn motion_without_response(
         &self,
         offsets: &[SVector<f64, 3>],

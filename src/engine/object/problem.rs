@@ -5,8 +5,8 @@
 //! ```
 //!
 //! q is the twist of the object, G_i the grasp map of contact i, and W the load. In the static problem, the offset a_i is the commanded displacement
-//! minus clearance and slip, and each contact has its full law. In the rate problem, a_i and W are derivatives of offset and load along a path, and
-//! v_i, q and F_i are derivatives of stretch, twist and force. Each contact then has the law of the rates at its present state ([`Law`]).
+//! minus clearance and slip, and each contact has its full law. In the rate problem, a_i and W are derivatives of offset and load along a path; v_i,
+//! q and F_i are those of stretch, twist and force. Each contact then has the law of the rates at its present state ([`Law`]).
 
 use crate::numerics::{IntoList, Size, Vector, by_axis, indexed};
 use alloc::sync::Arc;
@@ -50,7 +50,7 @@ pub(crate) struct Problem<'g> {
     pub(crate) round: bool,
     /// Place where the grasp keeps the factorised elastic trial, in which all contacts stick, once it is computed; `None` in the rate problem.
     pub(crate) trial: Option<&'g Remembered>,
-    /// Contact states of a similar grasp, from which a search with many coordinates starts; empty in the rate problem, and if no such states are
+    /// Contact states of a similar grasp, from which a search with many coordinates starts. Empty in the rate problem, and if no such states are
     /// given.
     pub(crate) near: &'g [State],
 }

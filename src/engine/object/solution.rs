@@ -118,7 +118,7 @@ impl Piece {
     }
 
     /// Iterative refinement of `x` and `twist`, in at most [`MOST_CORRECTIONS`] steps. Returns whether it converged: whether the first correction was
-    /// at most the fraction [`NEARLY_CORRECTED`] of the largest force, or a later correction at most the fraction `sharp` of it.
+    /// at most the fraction [`NEARLY_CORRECTED`] of the largest force, or a later correction the fraction `sharp`.
     fn refine(
         &self,
         sites: &[Site],

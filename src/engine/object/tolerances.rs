@@ -2,7 +2,7 @@
 //!
 //! All of them are pure numbers. The tolerances are fractions of the forces, work or terms that are compared.
 
-/// The work of a load along a unit motion along which no spring pushes counts as zero up to this fraction of the norm of the load. Loads that were
+/// Along a unit motion along which no spring pushes, the work of a load counts as zero up to this fraction of the load's norm. Loads that were
 /// computed to balance carry rounding of about 1e-16.
 ///
 /// If smaller, a load that springs balance seems to move the object without resistance. If larger, a load that does move it without resistance counts

@@ -1,8 +1,8 @@
 //! A proof that no equilibrium exists near the point where an equilibrium was lost, for any slip history of the contacts.
 //!
 //! A virtual motion v of the object moves contact i by `u_i = G_iᵀv`, with the grasp map G_i. Equilibrium of the contact forces F_i under the load W
-//! gives `W·v = -Σ F_i·u_i`. The negative work of a contact along v is at most its [`Resistance`]: a coefficient c_i times the normal stretch if
-//! friction resists, or a row r_i times the stretch if only springs resist. So the negative work of all contacts has an upper bound h that depends
+//! gives `W·v = -Σ F_i·u_i`. The negative work of a contact along v is at most its [`Resistance`]. This is a coefficient c_i times the normal stretch
+//! if friction resists, or a row r_i times the stretch if only springs resist. So the negative work of all contacts has an upper bound h that depends
 //! only on the motion q of the object:
 //!
 //! ```text
@@ -32,8 +32,8 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
     let mut size = motion.norm() * problem.wrench.norm();
     let mut resisted = 0.0;
     let mut slope = Vector::zeros();
-    // For each contact that may open: the radius ρ at which it may first open, and the increase, beyond this radius, of the slope of the bound on the
-    // contacts' work.
+    // For each contact that may open: the radius ρ at which it may first open. Also the increase, beyond this radius, of the slope of the bound on
+    // the contacts' work.
     let mut openings = Vec::new();
     for (i, (site, local)) in problem.sites.iter().zip(problem.locals()).enumerate() {
         let stretch = problem.stretch(i, at);

@@ -1,8 +1,8 @@
 //! A separating motion in many coordinates: the part of the load that no admissible contact forces balance.
 //!
 //! Some sum of admissible contact forces comes nearest to balancing the load, and leaves the residual `v = Σ G_i f_i + W`. An augmented Lagrangian
-//! with penalty ρ finds this sum. Each contact responds to the motion v with a force f_i in its cone, which depends on a multiplier λ_i, the
-//! contact's force in the last round,
+//! with penalty ρ finds this sum. Each contact responds to the motion v with a force f_i in its cone. This force depends on a multiplier λ_i, the
+//! contact's force in the last round:
 //!
 //! ```text
 //! f_i = P_i(λ_i - ρ G_iᵀv),      v - Σ G_i f_i = W,      λ_i <- f_i,

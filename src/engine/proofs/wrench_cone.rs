@@ -10,7 +10,7 @@
 //! is a **separating motion**: γ·v >= 0 for all generators (no admissible contact force does negative work along v) and W·v = |v|² > 0 (the load does
 //! positive work along v). Stiffness, commands and history play no part in this.
 //!
-//! A round cone has infinitely many generators, but the generator that does the most negative work along a motion v is known: with u = G_iᵀv it lies
+//! A round cone has infinitely many generators. But the generator that does the most negative work along a motion v is known: with u = G_iᵀv it lies
 //! along `e_n - μ u_t/|u_t|`. This generator joins those that carry the load, until no generator does negative work along the residual.
 
 use nalgebra::SVector;
@@ -201,7 +201,7 @@ pub(crate) fn separates_from_here_on(problem: &Problem, motion: &Vector, rate: &
     gained > CLEAR_RESIDUAL && counts_from_here_on(here, here + data * gained, against, data)
 }
 
-/// The unit wrenches that generate the cones that are not round; `None` if a contact law is not a cone of forces, as in a rate problem.
+/// The unit wrenches that generate the cones that are not round. `None` if a contact law is not a cone of forces, as in a rate problem.
 pub(crate) fn straight_generators(problem: &Problem) -> Option<Vec<Generator>> {
     let mut list = Vec::new();
     for (contact, (local, site)) in problem.locals().zip(problem.sites).enumerate() {

@@ -49,8 +49,8 @@ pub enum Doubt {
     /// Contact states were found, but arms or stiffnesses of the grasp differ by more than the working precision resolves. Forces and twist cannot be
     /// computed accurately: residuals exceed 1e-10 (1e-12 on the round cone).
     Inaccurate,
-    /// Lemke's method reached its limit of pivots, broke down or would need too large a matrix, and there are too many contacts to try every
-    /// combination of states.
+    /// Lemke's method reached its limit of pivots, broke down or would need too large a matrix. There are too many contacts to try every combination
+    /// of states.
     OutOfPivots,
     /// On a load path: a leg needs more than [`Settings::most_steps`](crate::Settings::most_steps) steps along sliding arcs of the round cone, or
     /// more jumps from static to kinetic friction.

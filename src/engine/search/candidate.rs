@@ -161,7 +161,7 @@ fn slacks(problem: &Problem, states: &[State], at: &PieceState) -> (Vec<f64>, Ve
     (values, sizes)
 }
 
-/// The largest violation of an inequality by any contact or drive, relative to the size of its terms; zero if all inequalities hold, infinite if a
+/// The largest violation of an inequality by any contact or drive, relative to the size of its terms. Zero if all inequalities hold, infinite if a
 /// value is NaN.
 fn violation(problem: &Problem, states: &[State], at: &PieceState) -> f64 {
     let mut worst = 0.0;

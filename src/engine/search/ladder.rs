@@ -198,7 +198,7 @@ fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<Found> {
     another
 }
 
-/// Searches for a proof in a rate problem at a limit load: if all contacts on the edge of their cones slide, nothing resists a motion along which the
+/// Searches for a proof in a rate problem at a limit load. If all contacts on the edge of their cones slide, nothing resists a motion along which the
 /// rate of the load does work.
 fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     let proof = proofs::yields(scene.problem);

@@ -52,8 +52,8 @@ pub(super) fn at_the_least_motion(problem: &Problem, mut found: Found) -> Found 
     found
 }
 
-/// Of the motions that no spring resists, the shortest motion that closes, in the sense of least squares, the gaps of open contacts which touched
-/// before anything moved.
+/// The shortest motion that no spring resists and that closes, in the sense of least squares, the gaps of open contacts which touched before anything
+/// moved.
 fn to_what_touches(problem: &Problem, found: &Found, base: &Vector) -> Vector {
     let touches = |i: &usize| {
         let reach = problem.offsets[*i][0];

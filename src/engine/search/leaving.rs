@@ -55,7 +55,7 @@ pub(super) fn propose_of_the_leaving(
     log: &mut Log,
 ) -> Option<Vec<State>> {
     let leaving = breaking(problem, &scene.unjumped, &scene.state);
-    // If at least this many contacts leave the elastic trial, states from Tresca friction are computed first: a path costs the cube of the number of
+    // If at least this many contacts leave the elastic trial, states from Tresca friction are computed first. A path costs the cube of the number of
     // contacts that pivot.
     if leaving.len() >= 128
         && let Some(near) = states_by_tresca(problem).and_then(|near| regular(problem, near))

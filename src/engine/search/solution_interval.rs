@@ -15,7 +15,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// In the plane, the solution with the same forces in other states, which show the free motions: contacts on the edge of their cone slide, and
+/// In the plane, the solution with the same forces in other states, which show the free motions. Contacts on the edge of their cone then slide, and
 /// contacts without force are open. Returns `found` itself in space, and if these states break a condition, change forces or have no further free
 /// motion.
 pub(crate) fn on_the_solution_interval(problem: &Problem, found: Found) -> Found {

@@ -13,7 +13,7 @@ pub(super) const COVERING_VECTORS: usize = 3;
 /// If smaller, some grasps with few contacts get no proof; if larger, grasps with many contacts wait for a search that finds nothing.
 pub(super) const MANY_CONTACTS: usize = 32;
 
-/// From this many contacts on Newton's method comes first in the plane and on polygons, if there are no more coordinates than those of one object in
+/// From this many contacts on Newton's method comes first in the plane and on polygons. There must be no more coordinates than those of one object in
 /// space. With 8 to 20 contacts it then needs two thirds of the time of Lemke's method on a matrix. With more coordinates it often cycles.
 ///
 /// If smaller, Newton's method is often tried in vain; if larger, grasps by a dozen fingers take longer.
