@@ -1,7 +1,8 @@
 //! Block elimination of systems with one block row per contact. Contacts with few neighbours are eliminated first.
 //!
-//! In piles and stacks each contact is coupled with few others, so most blocks are zero and remain so. Pivots are diagonal blocks, and block rows are
-//! not exchanged for stability; a singular pivot ends the elimination.
+//! In piles and stacks each contact is coupled with few others, so most blocks are zero and remain so. Pivots are the diagonal blocks, without a
+//! search for larger pivots in other block rows. Usually the matrix W from forces to velocities is positive semidefinite, and these pivots are
+//! regular. If a pivot is singular, [`solve`] returns `None`.
 
 use super::blocks::{Blocks, ContactBlock};
 use super::problem::part;
@@ -24,7 +25,7 @@ pub(super) fn order<const C: usize>(blocks: &Blocks<C>) -> Vec<usize> {
 
 /// [`order`] from lists of the neighbours of each contact.
 fn by_degree(mut near: Vec<Vec<usize>>) -> Vec<usize> {
-    // Entries of the heap are pairs of degree and contact. Outdated degrees of a contact remain in the heap and are skipped.
+    // Entries of the heap are pairs of degree and contact. Outdated degrees of a contact remain in it and are skipped.
     let mut waiting = BinaryHeap::new();
     for (i, near) in near.iter_mut().enumerate() {
         near.sort_unstable();

@@ -13,7 +13,8 @@ use crate::search::FoundBy;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// Estimated errors of an equilibrium, relative to the exact one with the same contact states, and the condition number of its contact forces.
+/// Estimated errors of an equilibrium with respect to the exact equilibrium with the same contact states, and the condition number of its contact
+/// forces.
 ///
 /// The residuals of all conditions are evaluated in twice the working precision. Solving the linear problem with these residuals as right-hand side
 /// gives the errors. The condition number comes from varying all data at once, in a few patterns of signs (small-sample estimates, C. S. Kenney and
@@ -23,11 +24,12 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Accuracy {
-    /// Estimated error of the contact forces, N: the largest of all contacts. The data – points, contact frames, stiffnesses, friction, commands,
-    /// load – are taken as exact.
+    /// Estimated error of the contact forces, N: the largest error of all contacts. The data – points, contact frames, stiffnesses, friction,
+    /// commands, load – are taken as exact.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub force: f64,
-    /// Estimated error of the displacements of the body at the contacts, m: the largest of all contacts. Motions that nothing resists do not count.
+    /// Estimated error of the displacements of the body at the contacts, m: the largest error of all contacts. Errors along motions that nothing
+    /// resists do not count.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement: f64,
     /// Condition number of the contact forces: a relative error ε of all data causes errors of about `condition · ε` in the forces, relative to the
@@ -92,8 +94,9 @@ impl Engine {
 }
 
 /// A variation of all data: every number of grasp, commands and load changes by plus or minus its own value, to first order. The fields hold the
-/// resulting changes: of stretches (m) and friction forces (N) at each contact, and of the load.
+/// resulting changes at each contact and of the load.
 struct Variation {
+    /// Change of the stretch of each contact, m.
     stretches: Vec<SVector<f64, 3>>,
     load: Vector,
     /// Change of the friction forces due to the change of the coefficients of friction, N.

@@ -33,12 +33,12 @@ pub enum Outcome<const C: usize> {
     Equilibrium(Box<Equilibrium<C>>),
     /// No quasi-static equilibrium exists under this load, with the proof.
     NoEquilibrium(NoEquilibrium<C>),
-    /// No equilibrium was found, and none was ruled out.
+    /// No equilibrium was found, and no proof that none exists.
     Undecided(Undecided),
 }
 
 impl<const C: usize> Outcome<C> {
-    /// The equilibrium; `None` if there is none, or none was found.
+    /// The equilibrium; `None` if no equilibrium was found.
     #[must_use]
     pub fn equilibrium(&self) -> Option<&Equilibrium<C>> {
         match self {
@@ -59,10 +59,11 @@ impl<const C: usize> Outcome<C> {
 pub struct Equilibrium<const C: usize> {
     /// The load that the contact forces balance; its moment is about the origin.
     pub load: Wrench<C>,
-    /// Motion of the object from its place before load and commands: translation of the origin (m) and rotation (rad). If `free_motions` remain, it
-    /// has the least norm that gaps and slips allow; on a load path it is nearest to the last place of the object. The norm is about the centroid of
-    /// the contact points, with lengths in units of their root mean square distance from it. The displacement of a joint counts times its reference
-    /// length, a power of two near the largest motion of a contact per unit of the joint.
+    /// Motion of the object from its place before load and commands: translation of the origin (m) and rotation (rad). If `free_motions` remain, the
+    /// twist has the least norm that gaps and slips allow. On a load path it is the twist nearest to the last place of the object. The norm refers to
+    /// the motion of the centroid of the contact points. A rotation counts in radians times the root mean square distance of the points from the
+    /// centroid. The displacement of a joint counts times its reference length. This is a power of two near the largest motion of a contact per unit
+    /// of the joint.
     pub twist: Twist<C>,
     /// The motion of each of [several bodies](crate::grasp::Bodies); `twist` is then the motion of the body on which loads act. Empty for one object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
@@ -73,12 +74,12 @@ pub struct Equilibrium<const C: usize> {
     pub body_loads: Vec<BodyLoad<C>>,
     /// The motion that is farthest beyond [small motions](crate::Settings::small_motions). The theory keeps contact points and normals fixed, so such
     /// an answer solves the question as posed but says little about the object. For example, a wedge with a taper of only 1e-9 rad holds any load in
-    /// the theory, since the object may move any distance. `None` where all motions are small.
+    /// the theory, since the object may move any distance. `None` if all motions are small.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub too_far: Option<TooFar>,
     /// The contacts, in the order of the grasp; each point of a soft fingertip is one contact.
     pub contacts: Vec<ContactAnswer<C>>,
-    /// The soft fingertips, with the resultants of their points.
+    /// The soft fingertips, each with the resultant force and moment of its points.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub pads: Vec<PadAnswer<C>>,
     /// The joints of the [hand](crate::grasp::Hand) that holds the object, finger by finger; empty without a hand.
@@ -87,8 +88,8 @@ pub struct Equilibrium<const C: usize> {
     /// The tendons of the hand; empty without a hand.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub tendons: Vec<TendonAnswer>,
-    /// Suction cups whose lips are open all around. The answer still includes the pull of their vacuum, which such a cup would lose: it is not valid
-    /// for the real grasp.
+    /// Suction cups whose lips are open all around. The answer still includes the pull of their vacuum, which such a cup would lose: the answer is
+    /// not valid for the real grasp.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub open_cups: Vec<WholeContact>,
     /// The residuals of the conditions, recomputed from the question.
@@ -99,24 +100,23 @@ pub struct Equilibrium<const C: usize> {
     pub accuracy: Option<Accuracy>,
     /// The friction cone for which the answer was computed.
     pub cone: Cone,
-    /// The rule that found this equilibrium; there may be others, see
-    /// [`Grasp::equilibria`](crate::ask::Grasp::equilibria).
+    /// The rule that found this equilibrium; there may be other equilibria, see [`Grasp::equilibria`](crate::ask::Grasp::equilibria).
     pub rule: FoundBy,
-    /// Energy stored in the springs, those of joints included, `Σ ½ F²/k`, J.
+    /// Energy stored in the springs, including the springs of joints, `Σ ½ F²/k`, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub stored_energy: f64,
-    /// Unit motions that no contact resists in its present state, m and rad. They may be added to the twist in any amount, with either sign, and the
-    /// forces do not depend on them. Their length is one about the centroid of the contact points. A rotation counts in radians times the root mean
-    /// square distance of the points from it, and joints as in the norm of `twist`. Empty if every motion is resisted.
+    /// Unit motions that no contact resists in its present state, m and rad. Any multiple of them, of either sign, may be added to the twist, and the
+    /// forces do not depend on it. Their norm, defined as for `twist`, is one: the displacement of a joint, too, counts times its reference length.
+    /// Empty if every motion is resisted.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
-    /// Unit motions along which the object stays in equilibrium while its forces change: this equilibrium is one of a whole line. Lengths as for
-    /// `free_motions`. Empty except at loads at which friction just balances on a wedge.
+    /// Unit motions along which the object stays in equilibrium while its forces change: this equilibrium belongs to a whole line of equilibria.
+    /// Their norm is that of `free_motions`. Empty except at loads at which friction just balances on a wedge.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub neutral_motions: Vec<Motion<C>>,
     /// On the round cone: the largest difference, N, between a contact force and its value on the polygonal cone with which the search started.
-    /// `None` if no polygon was used: no contact slides, Newton's method found the equilibrium, it is a state of a load path, or its own friction
-    /// cone is a polygon.
+    /// `None` if no polygon was used: if no contact slides, or if Newton's method found the equilibrium. `None` also for a state of a load path, or
+    /// if the answer itself refers to a polygonal cone.
     #[cfg_attr(
         feature = "serde",
         serde(default, with = "AsComputed::<Option<f64>>", skip_serializing_if = "Option::is_none")
@@ -138,7 +138,7 @@ impl<const C: usize> Equilibrium<C> {
         self.too_far.is_some()
     }
 
-    /// The largest force among those of contacts and the load, N: the scale beside which a printed force is noticeable or negligible.
+    /// The largest of the contact forces and the force of the load, N: the scale beside which a printed force is noticeable or negligible.
     #[must_use]
     pub fn largest_force(&self) -> f64 {
         let load = self.load.components().iter().take(C).fold(0.0, |norm: f64, x| norm.hypot(*x));
@@ -204,7 +204,7 @@ pub struct WorkDone {
     pub combinations: usize,
 }
 
-/// No equilibrium was found, and none was ruled out.
+/// No equilibrium was found, and no proof that none exists.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

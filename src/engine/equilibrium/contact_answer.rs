@@ -31,9 +31,9 @@ pub struct ContactAnswer<const C: usize> {
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub gap: f64,
     /// Slip of the finger over the body in the contact frame, `s = a_t - t·u_c - F_t/k_t`, m. Here a_t is the finger's offset, u_c the body's
-    /// displacement and k_t the stiffness along the tangents. The normal component of the slip is zero. The slip is along F_t where the contact
-    /// slides, and zero where it sticks. On a load path it is the whole slip so far, which a sticking contact keeps. For a separated or frictionless
-    /// contact it is the displacement of the surfaces past each other.
+    /// displacement and k_t the stiffness along the tangents. The normal component of the slip is zero. The slip is along F_t if the contact slides,
+    /// and zero if it sticks. On a load path it is the whole slip so far, which a sticking contact keeps. For a separated or frictionless contact it
+    /// is the displacement of the surfaces past each other.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub slip: SVector<f64, C>,
     /// Friction in reserve of a sticking contact, N: `μ F_n - |F_t|` in the plane and on the round cone, on a polygonal cone the least of
@@ -42,13 +42,13 @@ pub struct ContactAnswer<const C: usize> {
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
     /// Whether working precision distinguishes the state from neighbouring states, such as sticking from sliding, see
-    /// [`Grasp::distinct`](crate::ask::Grasp::distinct). `None` where it was not computed; scenes that ask to `solve` compute it.
+    /// [`Grasp::distinct`](crate::ask::Grasp::distinct). `None` if this was not computed; scenes that ask to `solve` compute it.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub distinct: Option<bool>,
     /// Displacement u_c of the body's core at the contact, as part of the rigid object, along the coordinate axes, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub body_core: SVector<f64, C>,
-    /// Displacement u_d of the body's surface, coordinate axes, m; `None`, and omitted, if only the series stiffness is known.
+    /// Displacement u_d of the body's surface along the coordinate axes, m; `None`, and omitted, if only the series stiffness is known.
     #[cfg_attr(
         feature = "serde",
         serde(
@@ -59,7 +59,7 @@ pub struct ContactAnswer<const C: usize> {
     )]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub body_surface: Option<SVector<f64, C>>,
-    /// Displacement u_e of the finger's surface, coordinate axes, m; `None`, and omitted, if only the series stiffness is known.
+    /// Displacement u_e of the finger's surface along the coordinate axes, m; `None`, and omitted, if only the series stiffness is known.
     #[cfg_attr(
         feature = "serde",
         serde(
@@ -119,14 +119,14 @@ impl ContactAnswer<2> {
 pub enum ContactState<const C: usize> {
     /// Open, or touching without force: F = 0, gap >= 0.
     Separated,
-    /// Closed and stuck: gap = 0, no slip (on a load path no more than before), `|F_t| <= μ F_n`. The paper "Position Control for Multifingered Robot
+    /// Closed and stuck: gap = 0, no slip (on a load path no further slip), `|F_t| <= μ F_n`. The paper "Position Control for Multifingered Robot
     /// Hand" calls this state rolling; today that word is used for a fingertip that rolls. A bonded contact is always in this state, whatever its
     /// force.
     #[doc(alias = "rolling")]
     Sticking,
     /// Closed and on the edge of its cone: gap = 0, `|F_t| = μ F_n`, F_t along the slip.
     Sliding {
-        /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body in this direction.
+        /// Unit direction, along the coordinate axes, in which the finger slips over the body; friction pulls the body in this direction.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },

@@ -151,7 +151,7 @@ impl<const C: usize> Equilibrium<C> {
 }
 
 impl<const C: usize> ContactAnswer<C> {
-    /// The state of the contact in words: "sticks"; "touches" where it is closed without force.
+    /// The state of the contact in words: "sticks"; "touches" if it is closed without force.
     #[must_use]
     pub fn state_text(&self) -> &'static str {
         match self.state {

@@ -1,9 +1,9 @@
 //! Checks a case-by-case proof of no equilibrium ([`Refutation`](super::Refutation)) in exact rational arithmetic, on the numbers of the problem.
 //!
-//! The virtual contact forces of each case are first balanced exactly, by changing six of their components. The gain is the total work of the virtual
-//! forces and the virtual motion. In each case the contact law is relaxed to a convex cone, with polygons around arcs of friction directions, and
-//! each generator of this cone is tested. The work on a generator, divided by the square root of its energy, must not exceed the gain divided by
-//! [`ESCAPE`] and by the size of the data.
+//! The virtual contact forces of each case are first balanced exactly, by changing six of their components. The gain is the work of the virtual
+//! forces along the offsets of the contacts, minus the work of the load along the virtual motion. In each case the contact law is relaxed to a convex
+//! cone, with polygons around arcs of friction directions, and each generator of this cone is tested. The virtual work of a generator is divided by
+//! the square root of its energy. The result must not exceed the gain divided by [`ESCAPE`] and by the size of the data.
 
 use core::f64::consts::FRAC_PI_8;
 

@@ -35,11 +35,11 @@ pub struct JointAnswer {
     /// Torque of the joint's own drive, without constant torques, N m or N; zero without a drive.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub drive: f64,
-    /// Margin to the limit of the drive, the bound minus |drive|, N m or N; infinite without a limit.
+    /// Margin to the limit of the drive, N m or N: the limit minus |drive|; infinite without a limit.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
-    /// Displacement by which the joint's own drive has yielded beyond its spring, `θ - φ - drive/k`, rad or m, with the command θ, the joint's
-    /// displacement φ and the stiffness k: zero while it holds, apart from earlier slip of a clutch.
+    /// Displacement by which the joint's own drive has yielded beyond its spring, `θ - φ - drive/k`, rad or m. Here θ is the command, φ the joint's
+    /// displacement and k the stiffness. Zero while the drive holds, apart from earlier slip of a clutch.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub yielded: f64,
 }
@@ -149,8 +149,8 @@ impl Engine {
     }
 }
 
-/// The margin of a joint or tendon to the limit of its drive at the force `carried`, N m or N: bound minus magnitude. Zero while it yields, infinite
-/// without a limit.
+/// The margin of a joint or tendon to the limit of its drive, N m or N: the limit minus the magnitude of the force `carried`. Zero while the drive
+/// yields, infinite without a limit.
 fn margin(named: &Named, carried: f64, state: DriveState) -> f64 {
     match named.limit {
         None => f64::INFINITY,
@@ -159,8 +159,8 @@ fn margin(named: &Named, carried: f64, state: DriveState) -> f64 {
     }
 }
 
-/// State of a drive, and the displacement by which it has yielded, m, in the drive's contact frame. While it holds, this is only the earlier slip of
-/// a clutch.
+/// State of a drive, and the displacement by which it has yielded, m, in the drive's contact frame. While the drive holds, this displacement is only
+/// the earlier slip of a clutch.
 fn drive_state(
     drive: &Drive,
     state: &State,

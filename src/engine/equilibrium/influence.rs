@@ -1,4 +1,4 @@
-//! The change of each contact force by a force of any direction at a point, while contacts keep their states.
+//! The change of each contact force due to a force of any direction at a point, while contacts keep their states.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -15,7 +15,8 @@ pub(crate) struct Influence {
 }
 
 impl Influence {
-    /// The change of a condition `row·F` on the contact force F by 1 N along each coordinate axis at the point; zero if within rounding.
+    /// The change of a condition `row·F` on the contact force F under a force of 1 N along each coordinate axis at the point. Zero if within
+    /// rounding.
     pub(crate) fn gradient_of(&self, row: &SVector<f64, 3>) -> SVector<f64, 3> {
         let gradient = self.of.tr_mul(row);
         if gradient.norm() > ZERO_SLACK * row.norm() * self.size { gradient } else { SVector::zeros() }
@@ -23,8 +24,8 @@ impl Influence {
 }
 
 impl StickingResponse<'_> {
-    /// The influence matrix of each contact and drive for forces at a point. The error is a motion that nothing resists and on which one of the unit
-    /// forces does work.
+    /// The influence matrix of each contact and drive for forces at a point. The error is a motion that nothing resists and along which one of the
+    /// unit forces does work.
     pub(crate) fn influences(&self, point: &[f64; 3]) -> Result<Vec<Influence>, Motion<3>> {
         let mut influences = Vec::new();
         influences.resize_with(self.edges.len(), || Influence { of: SMatrix::zeros(), size: 0.0 });
@@ -73,7 +74,7 @@ mod tests {
         (-influence.gradient_of(&worst).normalize(), margin(&worst))
     }
 
-    /// Equilibria under forces of many other directions leave a larger margin, and the worst direction leaves exactly the computed one.
+    /// Equilibria under forces of many other directions leave a larger margin, and the worst direction leaves exactly the computed margin.
     #[test]
     fn no_equilibrium_leaves_less_at_the_thumb() {
         let (grasp, weight, point) =

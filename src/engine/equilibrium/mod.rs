@@ -1,7 +1,9 @@
 //! Equilibrium under a load: the conditions, the order of the methods that solve them, and the answer in physical quantities.
 //!
 //! Sought are the twist q and the contact forces that satisfy the law of the [crate page](crate#the-problem). With given states of all contacts, and
-//! given directions of slides, the conditions are linear. Contacts are then coupled by the object alone, through d equations:
+//! given directions of slides, the conditions are linear. Contacts are then coupled by the object alone, through d equations of equilibrium, one for
+//! each coordinate of the twist. Here `a` is a finger's offset, `u_c` the displacement of the body at the contact, and `g` the gap. `k_n`, `k_t` and
+//! K are the stiffnesses of the contact, n and t its normal and tangent, and G_i its grasp map:
 //!
 //! | state | force | must hold |
 //! |---|---|---|
@@ -11,13 +13,13 @@
 //!
 //! The states remain to be found. Several methods ([`FoundBy`]) propose them, in this order, the cheapest first: everything sticks; everything that
 //! touches sticks; Newton's method, in space and with many contacts; Lemke's method on the kinematic form, then on the force form (see
-//! [`forms`](crate::forms)); every combination of states, with few contacts. In space Newton's method goes to the round cone, from the trial state
-//! and then from proposals of Lemke's method on a polygonal cone. If both fail, branch and bound over states and directions of friction decides.
-//! Proposed states are solved for again, and every condition is checked. Residuals are recomputed from the data of grasp and load before the answer
-//! is called an [`Equilibrium`].
+//! [`forms`](crate::forms)); every combination of states, with few contacts. In space Newton's method solves for the round cone. It starts from the
+//! trial state, then from proposals of Lemke's method on a polygonal cone. If both starts fail, branch and bound over states and directions of
+//! friction decides. Proposed states are solved for again, and every condition is checked. Residuals are recomputed from the data of grasp and load
+//! before the answer is called an [`Equilibrium`].
 //!
-//! If no equilibrium is found, the answer is a [`Proof`] that none exists, or [`Undecided`], with the reason. A proof is one of four: a motion that
-//! nothing resists, a motion that separates the load from all admissible contact forces, all states tried, or all cases contradicted
+//! If no equilibrium is found, the answer is a [`Proof`] that none exists, or [`Undecided`], with the reason. A proof is a motion that nothing
+//! resists, or a motion that separates the load from all admissible contact forces. In other proofs all states were tried, or all cases contradicted
 //! ([`Refutation`]).
 
 mod accuracy;

@@ -25,22 +25,22 @@ pub struct NoEquilibrium<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Proof<const C: usize> {
-    /// No contact resists this unit motion in any state, and the load works on it.
+    /// No contact resists this unit motion in any state, and the load does work along it.
     FreeMotion {
-        /// The unit motion, signed so that the load does positive work on it; lengths as for
+        /// The unit motion, signed so that the load does positive work along it; its norm is that of
         /// [`Equilibrium::free_motions`](super::Equilibrium::free_motions).
         motion: Motion<C>,
-        /// Work of the load W on the unit motion q, `W·q` > 0, J.
+        /// Work of the load W along the unit motion q, `W·q` > 0, J.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         work: f64,
     },
-    /// The load lies outside the friction wrench cone: no admissible contact force works against this unit motion, and
-    /// the load drives it. Holds for any stiffness and any command.
+    /// The load lies outside the friction wrench cone. Along this unit motion no admissible contact force does negative work, and the load does
+    /// positive work. The proof holds for any stiffness and any command.
     SeparatingMotion {
-        /// The unit motion, signed so that the load does positive work on it; lengths as for
+        /// The unit motion, signed so that the load does positive work along it; its norm is that of
         /// [`Equilibrium::free_motions`](super::Equilibrium::free_motions).
         motion: Motion<C>,
-        /// Work of the load W on the unit motion q, `W·q` > 0, J.
+        /// Work of the load W along the unit motion q, `W·q` > 0, J.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         work: f64,
     },
@@ -56,8 +56,9 @@ pub enum Proof<const C: usize> {
     EveryCaseContradicted {
         /// Number of cases into which the contact states were divided.
         cases: usize,
-        /// Rounding might hide an equilibrium from the proof only if it is larger than the elastic trial state, in which every contact sticks, by at
-        /// least this factor. Both are measured by the square root of their energy: stretches and forces of all contacts together. At least 1e4.
+        /// Only an equilibrium larger than the elastic trial state, in which every contact sticks, by at least this factor might be hidden from the
+        /// proof by rounding. Both are measured by the square root of their energy: stretches and forces of all contacts together. The factor is at
+        /// least 1e4.
         escape: f64,
     },
 }

@@ -20,7 +20,7 @@ use crate::words::{LinkKind, Words};
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct PadAnswer<const C: usize> {
-    /// Label of the contact. In its index a soft fingertip counts as one contact, as in a scene.
+    /// Label of the contact. Its index counts a soft fingertip as one contact, as in a scene.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: ContactLabel,
     /// Index of the fingertip's first point in the list of contacts of the answer.
@@ -157,7 +157,7 @@ impl<const C: usize> WholeAnswer<'_, C> {
 }
 
 impl<const C: usize> Equilibrium<C> {
-    /// Contacts in order, with the points of each soft fingertip as one.
+    /// Contacts in order; the points of each soft fingertip are one contact.
     pub fn whole_contacts(&self) -> impl Iterator<Item = WholeAnswer<'_, C>> {
         let mut pads = self.pads.iter().peekable();
         self.contacts.iter().enumerate().filter_map(move |(i, contact)| {
@@ -211,7 +211,7 @@ impl Engine {
             };
             (0..axes).for_each(|a| add(a, force[a]));
             let arm = self.contacts()[i].point - about;
-            // The work of a force on a unit rotation about an axis is its moment about that axis.
+            // The work of a force along a unit rotation about an axis is its moment about that axis.
             for turn in 0..space.planes().len() {
                 let mut unit = Vector::zeros();
                 if space == Space::Planar {

@@ -1,7 +1,7 @@
-//! Exact derivatives of forces and motion by one datum, while contacts keep their states.
+//! Exact derivatives of forces and motion with respect to one datum, while contacts keep their states.
 //!
-//! In known states the contact law is linear, `F_i = K_i (a_i - G_iᵀq)`, where K_i depends on stiffness, friction and state. A small change of any
-//! datum z leads to one more solve with the same factors:
+//! In known states the contact law is linear, `F_i = K_i (a_i - G_iᵀq)`, where K_i depends on stiffness, friction and state. The derivative with
+//! respect to any datum z takes one more solve with the same factors:
 //!
 //! ```text
 //! dF_i = K_i (da_i - G_iᵀdq) + f_i,   f_i = (∂K_i/∂z) v_i,      Σ G_i dF_i + dW = 0
@@ -24,33 +24,33 @@ use crate::numerics::{Map, Vector, numbered};
 use crate::object::PieceState;
 use crate::prelude::*;
 
-/// One datum of a grasp or its load, by which forces and motions of an equilibrium are differentiated.
+/// One datum of a grasp or its load, with respect to which forces and motions of an equilibrium are differentiated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Parameter {
     /// Coefficient of friction of a contact.
     Friction {
-        /// The contact, from 0.
+        /// Index of the contact, from 0.
         contact: usize,
     },
     /// Series stiffness of a contact, N/m.
     Stiffness {
-        /// The contact, from 0.
+        /// Index of the contact, from 0.
         contact: usize,
         /// The axis of the contact's frame: 0 normal, then the tangents.
         axis: usize,
     },
     /// Finger command of a contact, m. (A clearance is a normal command of the opposite sign.)
     Command {
-        /// The contact, from 0.
+        /// Index of the contact, from 0.
         contact: usize,
         /// The axis of the contact's frame: 0 normal, then the tangents.
         axis: usize,
     },
-    /// Position of a contact, m, at a fixed frame. Commands and clearance stay along the axes of the frame. Not available for a grasp by a hand,
-    /// whose joints would move the contact differently.
+    /// Position of a contact, m, while its frame keeps its directions. Commands and clearance stay along the axes of the frame. Not available for a
+    /// grasp by a hand, whose joints would move the contact differently.
     Point {
-        /// The contact, from 0.
+        /// Index of the contact, from 0.
         contact: usize,
         /// The coordinate axis along which the point moves, from 0.
         axis: usize,
@@ -58,37 +58,37 @@ pub enum Parameter {
     /// Direction of the normal of a contact, rad: the whole frame turns about the contact point. Stiffness, command, clearance and slip keep their
     /// components along its axes, and so turn with it; commands of joints stay.
     Normal {
-        /// The contact, from 0.
+        /// Index of the contact, from 0.
         contact: usize,
-        /// The tangent towards which the normal tilts, by its axis in the contact frame: 1, in space also 2. In space 0 means a turn about the
-        /// normal, from t₁ to t₂.
+        /// The tangent towards which the normal tilts, given by its axis in the contact frame: 1, in space also 2. In space 0 means a rotation about
+        /// the normal, from t₁ to t₂.
         axis: usize,
     },
     /// Command of a joint of the hand or of a tendon, rad or m.
     JointCommand {
-        /// The joint, from 0, finger by finger; tendons follow.
+        /// Index of the joint, from 0, finger by finger; tendons follow.
         joint: usize,
     },
     /// Stiffness of the own spring of a joint or of a tendon, N m/rad or N/m.
     JointStiffness {
-        /// The joint, from 0, finger by finger; tendons follow.
+        /// Index of the joint, from 0, finger by finger; tendons follow.
         joint: usize,
     },
     /// Limit of a joint or of a tendon, N m or N.
     JointLimit {
-        /// The joint, from 0, finger by finger; tendons follow.
+        /// Index of the joint, from 0, finger by finger; tendons follow.
         joint: usize,
     },
     /// Component of the load on the object: forces first (N), then moments about the origin (N m).
     Load {
-        /// The component, from 0.
+        /// Index of the component, from 0.
         component: usize,
     },
 }
 
 impl StickingResponse<'_> {
-    /// The derivatives of forces and twist of an equilibrium by one datum, per unit of the datum; `None` if the grasp has no such datum, or if after
-    /// a small change of the datum no forces balance in the present contact states.
+    /// The derivatives of forces and twist of an equilibrium with respect to one datum, per unit of the datum. `None` if the grasp has no such datum,
+    /// or if after a small change of the datum no forces balance in the present contact states.
     pub(crate) fn derivative(&self, state: &PieceState, by: Parameter) -> Option<PieceState> {
         let PieceState { forces, twist } = state;
         let mut offsets = self.at_rest();
@@ -152,9 +152,9 @@ impl StickingResponse<'_> {
         Some(solved)
     }
 
-    /// The derivative of the grasp map of one contact by the position of its point (per metre) or the direction of its normal (per radian). `None` if
-    /// the axis is out of range, and for the position of a contact of a hand. `None` also if a motion that is free at present would be resisted in
-    /// the changed geometry: the derivative of that motion is then not defined.
+    /// The derivative of one contact's grasp map with respect to the position of its point (per metre) or the direction of its normal (per radian).
+    /// `None` if the axis is out of range, and for the position of a contact of a hand. `None` also if a motion that is free at present would be
+    /// resisted in the changed geometry: the derivative of that motion is then not defined.
     fn map_change(&self, contact: usize, by: Parameter) -> Option<Map> {
         let site = &self.problem.sites[contact];
         let change = match by {
@@ -180,7 +180,8 @@ impl StickingResponse<'_> {
         self.piece.free_motions().iter().all(stays_free).then_some(change)
     }
 
-    /// The change of a contact's force with its coefficient of friction at constant spring stretches v: (∂K/∂μ) v, with the tangent stiffness K.
+    /// The derivative of a contact's force with respect to its coefficient of friction at constant spring stretches v: (∂K/∂μ) v, with the tangent
+    /// stiffness K.
     fn by_friction(&self, contact: usize, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         let state = &self.states[contact];
         if !state.slides() {
@@ -189,7 +190,8 @@ impl StickingResponse<'_> {
         self.problem.local(contact).edge(state).pull * force[0]
     }
 
-    /// The change of a contact's force with its stiffness k along one axis at constant spring stretches v: (∂K/∂k) v, with the tangent stiffness K.
+    /// The derivative of a contact's force with respect to its stiffness k along one axis, at constant spring stretches v. It is (∂K/∂k) v, with the
+    /// tangent stiffness K.
     fn by_stiffness(&self, contact: usize, axis: usize, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         let local = self.problem.local(contact);
         let state = &self.states[contact];

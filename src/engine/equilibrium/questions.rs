@@ -71,8 +71,8 @@ impl Engine {
         for found in search.found {
             add(found, FoundBy::Enumeration, &effort);
         }
-        // The polygon lies inside the round cone. On the round cone there may be an equilibrium although the polygon has none, or one far from every
-        // equilibrium on the polygon.
+        // The polygon lies inside the round cone. On the round cone there may be an equilibrium although the polygon has none, or an equilibrium far
+        // from every equilibrium on the polygon.
         if problem.round
             && let (Settled::Found(found, rule), effort) = settle(&problem, settings)
         {
@@ -82,8 +82,8 @@ impl Engine {
         Ok(list)
     }
 
-    /// The equilibrium problem of this grasp under a load, with the friction cone of the settings. The error is an invalid load, or invalid limits of
-    /// small motions.
+    /// The equilibrium problem of this grasp under a load, with the friction cone of the settings. Returns an error if the load or the limits of
+    /// small motions are invalid.
     pub(super) fn problem_under(&self, load: &Wrench<3>, settings: &Settings) -> Result<Problem<'_>, Error> {
         settings.small_motions.check()?;
         let polygon = Polygon::shared(self.space(), &settings.cone);
@@ -135,7 +135,7 @@ impl Engine {
 
 /// Whether no residual exceeds the tolerance of an equilibrium: 1e-12 on the round cone, otherwise [`ACCURATE`].
 fn accurate(equilibrium: &Equilibrium<3>) -> bool {
-    // Largest allowed residual on the round cone; a larger one means that Newton's method has not converged.
+    // Largest allowed residual on the round cone; a larger residual means that Newton's method has not converged.
     let most = if equilibrium.cone == Cone::Round { 1e-12 } else { ACCURATE };
     equilibrium.residuals.worst() <= most
 }

@@ -1,4 +1,4 @@
-//! Residuals of an equilibrium, recomputed from the data of grasp, commands and load, not from those of the solver.
+//! Residuals of an equilibrium, recomputed from the data of grasp, commands and load, not from the solver's own data.
 
 use nalgebra::SVector;
 
@@ -22,19 +22,21 @@ struct SiteAnswer<'a> {
     slip: SVector<f64, 3>,
 }
 
-/// The law of one contact or drive, and the sizes of force and displacement by which its residuals are divided, N and m.
+/// The law of one contact or drive, and the sizes of force and displacement by which its residuals are divided.
 struct ContactLaw<'c> {
     site: &'c Site,
     friction: Coulomb,
     polygon: &'c Polygon,
     cone: Cone,
+    /// Size of forces by which residuals of force are divided, N.
     force_size: f64,
+    /// Size of displacements by which residuals of displacement are divided, m.
     travel: f64,
 }
 
 impl Residuals {
-    /// Raises each residual to that of one contact or drive, if that is larger. The residual of equilibrium is not a residual of a single contact,
-    /// and stays.
+    /// Raises each residual to that of one contact or drive, if the latter is larger. The residual of equilibrium does not belong to a single
+    /// contact, and stays unchanged.
     fn note(&mut self, law: &ContactLaw<'_>, site_answer: &SiteAnswer<'_>) {
         let ContactLaw { site, friction, polygon, cone, force_size, travel } = *law;
         let SiteAnswer { force: f, gap: g, separated, stretch, slip: s } = *site_answer;
@@ -116,8 +118,8 @@ impl Engine {
         }
         let largest =
             answers.iter().fold(load_force.norm().max(force_terms), |most, c| most.max(c.force.norm()));
-        // The displacements of a contact that hardly moves may be rounding of larger ones elsewhere. Their size is therefore taken as at least this
-        // fraction of the largest of all contacts, and as the stretch of the stiffest spring under the largest force.
+        // The displacements of a contact that hardly moves may be rounding of larger displacements elsewhere. Their size is therefore taken as at
+        // least this fraction of the largest size of all contacts. It is also at least the stretch of the stiffest spring under the largest force.
         let still = 1e-20 * travels.iter().copied().fold(0.0, f64::max);
         let still = still.max(problem.least_stretch(largest));
         for travel in &mut travels {
@@ -152,8 +154,8 @@ impl Engine {
         r
     }
 
-    /// The displacement of a contact by the joints of its finger, along the coordinate axes, and the sum of the sizes of its terms, m. Both are zero
-    /// without a hand.
+    /// The displacement of a contact due to the joints of its finger, along the coordinate axes, m. Also the sum of the sizes of its terms, m. Both
+    /// are zero without a hand.
     fn displacement_by_joints(&self, contact: usize, twist: &Vector) -> (SVector<f64, 3>, f64) {
         let (mut sum, mut size) = (SVector::zeros(), 0.0);
         let Some(linkage) = self.linkage() else { return (sum, size) };
@@ -226,7 +228,7 @@ impl Engine {
     }
 
     /// Relative imbalance of the forces and moments on the object: divided by the sum of the absolute values of its terms, plus `spring_force`, the
-    /// force that displacements could cause in a spring. The larger of the ratios for force and for moment.
+    /// force that displacements could cause in a spring. Returns the larger of the ratios for force and for moment.
     fn out_of_balance(&self, load: &Wrench<3>, answers: &[ContactAnswer<3>], spring_force: f64) -> f64 {
         let (space, axes) = (self.space(), self.space().axes());
         let mut sum = load.coordinates(space);
@@ -277,7 +279,7 @@ mod tests {
     use crate::object::Load;
     use crate::search::{Found, Settings};
 
-    /// A comparison with a bound must fail wherever anything is not finite.
+    /// A comparison of residuals with a bound must fail if any number of the answer is not finite.
     #[test]
     fn what_is_not_finite_holds_nowhere() -> Result<(), Box<dyn core::error::Error>> {
         let jaw = |side: f64| {

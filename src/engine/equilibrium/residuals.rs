@@ -7,32 +7,32 @@ use crate::serial::AsComputed;
 /// the round cone) is called an equilibrium.
 ///
 /// Residuals are recomputed from points, frames, stiffnesses, commands and load, not from data of the solver. Forces are divided by the largest
-/// contact force or load; without any force, by 1e-25 of the least force that a spring could have. Displacements of a contact are
-/// divided by the sum of the sizes of its own displacements, products by the product of both. On a load path a slip counts since the state of the
-/// contact was last decided.
+/// contact force or load; without any force, by 1e-25 of the least force that a spring could have. Displacements of a contact are divided by the sum
+/// of the sizes of its own displacements. Products of force and displacement are divided by the product of both sizes. On a load path only the slip
+/// since the state of the contact was last decided counts.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Residuals {
     /// Equilibrium: the imbalance `|Σ F_i + W|` of contact forces and load, divided by the sum of the sizes of its terms. To this sum is added the
-    /// least force that the displacements of a contact could cause in its spring. Moments are compared in the same way, with forces times the root
-    /// mean square distance of the contacts; the larger ratio counts.
+    /// least force that the displacements of a contact could cause in its spring. The imbalance of moments is divided likewise, by the sizes of all
+    /// moments plus those of all forces times the root mean square distance of the contacts. The larger of the two ratios counts.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub equilibrium: f64,
     /// Contact springs: `|F/k - (a - u_c + g - s)|` axis by axis, with the finger's offset a, the body's displacement u_c, the gap g along the normal
     /// and the slip s along the tangents.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub springs: f64,
-    /// Friction cone: `max(0, -F_n)`, and `max(0, |F_t| - μ F_n)` over 1 + μ. On a polygonal cone the largest `h·F_t` over the facet normals h takes
-    /// the place of |F_t|. Only for contacts whose force the cone limits, see [`Hold`](crate::grasp::Hold).
+    /// Friction cone: `max(0, -F_n)`, and `max(0, |F_t| - μ F_n)` divided by 1 + μ. On a polygonal cone the largest `h·F_t` over the facet normals h
+    /// takes the place of |F_t|. Only for contacts whose force the cone limits, see [`Hold`](crate::grasp::Hold).
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub cone: f64,
     /// Penetration: `max(0, -g)`; `|g|` of a bonded contact.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub gap: f64,
-    /// Complementarity: `|F_n g|` with the gap g, and `|μ F_n |s| - F_t·s|` over 1 + μ with the slip s, which is zero iff the slip follows the
-    /// friction force; `|s|` at contacts that may not slip.
+    /// Complementarity: `|F_n g|` with the gap g, and `|μ F_n |s| - F_t·s|` divided by 1 + μ, with the slip s. The second expression is zero iff
+    /// there is no slip, or friction is at its limit and along the slip. For contacts that may not slip this residual is `|s|`.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub complementarity: f64,
 }
@@ -47,7 +47,7 @@ impl Residuals {
         complementarity: f64::INFINITY,
     };
 
-    /// The largest residual; infinite if one is not a number.
+    /// The largest residual; infinite if a residual is not a number.
     #[must_use]
     pub fn worst(&self) -> f64 {
         [self.equilibrium, self.springs, self.cone, self.gap, self.complementarity]

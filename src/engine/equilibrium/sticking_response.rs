@@ -1,9 +1,9 @@
 //! The response of a grasp whose contacts keep their states. It is linear in loads, commands and small changes of data, so that one factorisation
 //! serves all of these sources.
 //!
-//! Each load, command or change of data gives forces of all contacts and drives, contacts first and then the drives of a hand. Where everything
-//! sticks, the columns of the response to unit loads are the influence matrix of the grasp. [`Edges`] are the conditions that a contact's force, any
-//! sum of these responses, must satisfy for the contact to keep its state.
+//! Each load, command or change of data gives forces of all contacts and drives, contacts first and then the drives of a hand. If everything sticks,
+//! the columns of the response to unit loads are the influence matrix of the grasp. [`Edges`] are the conditions that a contact's force, a sum of
+//! such responses, must satisfy for the contact to keep its state.
 
 use alloc::sync::Arc;
 
@@ -69,7 +69,7 @@ impl<'g> StickingResponse<'g> {
     }
 
     /// Forces of contacts and drives in the given contact states, at these finger offsets (commands minus clearances) and this load in the engine's
-    /// coordinates. The error is a motion that nothing resists and on which the load does work.
+    /// coordinates. The error is a motion that nothing resists and along which the load does work.
     pub(crate) fn forces(
         &self,
         offsets: &[SVector<f64, 3>],
@@ -100,7 +100,7 @@ impl<'g> StickingResponse<'g> {
 }
 
 impl Engine {
-    /// The least margin, N, of any contact to opening or sliding under a load, divided by the largest contact force. It is computed as if every
+    /// The least margin of any contact to opening or sliding under a load, as a fraction of the largest contact force. It is computed as if every
     /// contact stuck, and may be negative. `None` if the load is invalid, if nothing resists it, or if all contact forces are zero.
     pub(crate) fn sticking_margin(&self, load: &Wrench<3>, settings: &Settings) -> Option<f64> {
         let sticking = StickingResponse::new(self, settings);

@@ -30,14 +30,14 @@ use crate::words::{LinkKind, Words, printable};
 pub enum TooFar {
     /// A body turns too far.
     Turns {
-        /// The name of the body; `None` where there is one object.
+        /// The name of the body; `None` if there is only one object.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         body: Option<String>,
         /// The largest rotation that still counts as small, rad.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         limit: f64,
     },
-    /// A revolute joint turns too far behind a contact that is closed.
+    /// A revolute joint turns too far, and moves a contact that is closed.
     JointTurns {
         /// The joint that turns.
         joint: PartLabel,
@@ -101,7 +101,7 @@ impl TooFar {
 /// motion of the object, the forces and the commands.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct CountedMotion {
-    /// The vector of the rotation (rad) or slip (m). An opening has one component, along the normal, which counts where it is positive (m).
+    /// The vector of the rotation (rad) or slip (m). An opening (m) has one component, along the normal, which counts if it is positive.
     pub(crate) shift: SVector<f64, 3>,
     /// The largest length of a small motion, rad or m.
     pub(crate) limit: f64,
@@ -155,11 +155,12 @@ impl<'s> Standing<'s> {
 }
 
 impl Engine {
-    /// The root mean square distance of contact points from their centroid, for several bodies the largest; infinite if all points coincide.
+    /// The root mean square distance of contact points from their centroid; for several bodies the largest such distance. Infinite if all points
+    /// coincide.
     pub(crate) fn size_of_grasp(&self) -> f64 {
         let first = self.contacts()[0].point;
         let far = largest(self.contacts(), &|contact| contact.point.amax());
-        // Contact points coincide if their distances are below this fraction of their coordinates, the rounding of their centroid.
+        // Contact points coincide if their distances are below this fraction of their coordinates, which is the rounding of their centroid.
         if self.contacts().iter().all(|contact| (contact.point - first).amax() <= SOLVED_ROUNDING * far) {
             return f64::INFINITY;
         }
@@ -253,7 +254,7 @@ impl Engine {
         }
     }
 
-    /// The motion of an answer that is farthest beyond its limit; `None` where all motions are small.
+    /// The motion of an answer that is farthest beyond its limit; `None` if all motions are small.
     pub(super) fn farthest_beyond(&self, small: &SmallMotions, standing: &Standing<'_>) -> Option<TooFar> {
         let motions = self.counted_motions(small, standing);
         farthest(&motions).filter(|motion| motion.over_the_limit() > 1.0).map(|motion| self.too_far(motion))

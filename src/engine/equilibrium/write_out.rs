@@ -143,14 +143,15 @@ struct SolvedContact<'s> {
     force: SVector<f64, 3>,
     /// Commanded displacement minus clearance and minus the accumulated slip `memory`, m.
     offset: SVector<f64, 3>,
+    /// Slip accumulated along a load path so far, m.
     memory: SVector<f64, 3>,
-    /// Displacement of the body's core at the contact, minus that of the finger by its joints, in the contact frame, m.
+    /// Displacement of the body's core at the contact, minus the finger's displacement by its joints, in the contact frame, m.
     moved: SVector<f64, 3>,
 }
 
 impl SolvedContact<'_> {
-    /// State of the contact, and its slip beyond `memory`, m: zero where it sticks. For an open or frictionless contact this is the displacement of
-    /// the surfaces past each other.
+    /// State of the contact, and its slip beyond `memory`, m, which is zero if the contact sticks. For an open or frictionless contact this is the
+    /// displacement of the surfaces past each other.
     fn state(&self) -> (ContactState<3>, SVector<f64, 3>) {
         let slip = self.local.springs.slip(&(self.offset - self.moved), &self.force);
         match self.state {

@@ -80,8 +80,8 @@ pub(crate) fn force_states(problem: &Problem, form: &Form, basis: &Basis) -> Vec
     problem.locals().enumerate().map(state).list()
 }
 
-/// For each component of the twist, the unit by which it is scaled: a motion by one unit stores a spring energy of order one. Unit 1 where no spring
-/// resists.
+/// For each component of the twist, the unit by which it is scaled: a motion by one unit stores a spring energy of order one. The unit is 1 if no
+/// spring resists the component.
 fn twist_units(problem: &Problem) -> Vector {
     let mut sums = Vector::all_zero(problem.size());
     for site in problem.sites {
@@ -99,9 +99,9 @@ struct Builder<'p, 'g> {
     w_unit: Vec<f64>,
     /// For each contact, the index of its first complementary pair, a row of the matrix.
     first: Vec<usize>,
-    /// Stiffness `Σ G k Gᵀ` of the springs that act both ways, with grasp maps G and stiffnesses k. The next field, `W + Σ G k a`, is the load W plus
-    /// the forces of these springs at their offsets a.
+    /// Stiffness `Σ G k Gᵀ` of the springs that act both ways, with grasp maps G and stiffnesses k.
     stiffness: Square,
+    /// `W + Σ G k a`: the load W plus the forces of the springs that act both ways at their offsets a.
     load: Vector,
 }
 

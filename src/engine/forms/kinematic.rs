@@ -1,4 +1,4 @@
-//! The kinematic form (see [`super`]): jumps, gaps and slips, on top of the elastic trial state.
+//! The kinematic form (see [`super`]): jumps (gaps and slips) from the elastic trial state.
 //!
 //! With the grasp map G and the diagonal matrix K of all stiffnesses, the matrix P of the form contains the projection I - Q Qᵀ. It is computed by
 //! orthogonal factors Q and R, whose accuracy does not depend on stiffness ratios:
@@ -123,8 +123,8 @@ pub(crate) fn kinematic_form_among(
     })
 }
 
-/// Assembles the kinematic form from its jumps; `None` if a number overflows. `coupling(i, j)` returns by how much the unknown of jump j reduces the
-/// slack of jump i because the object gives way.
+/// Assembles the kinematic form from its jumps; `None` if a number overflows. `coupling(i, j)` returns by how much a unit of the unknown of jump j
+/// reduces the slack of jump i because the object gives way.
 fn form(
     problem: &Problem,
     state: &PieceState,

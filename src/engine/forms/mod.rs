@@ -16,7 +16,7 @@
 //! ray although an equilibrium exists, so a ray proves nothing.
 //!
 //! **Force form** ([`Grasp::force_form`](crate::ask::Grasp::force_form)). Forces are the unknowns, compliances are on the diagonal, the twist is
-//! free:
+//! free. The share of corner d_j in the friction force is β_j, and the size of the slip is λ:
 //!
 //! ```text
 //! 0 <= F_n ⟂ g      =  F_n/k_n - a_n + n·u_c                          >= 0

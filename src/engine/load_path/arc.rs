@@ -2,8 +2,9 @@
 //! point of an arc.
 //!
 //! Let a contact slide along p = F_t / |F_t| with `|F_t| = μ F_n`. Its tangent stiffness `C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ`, see [`Tangent`],
-//! depends on p alone: k_n is the normal stiffness, and κ the stiffness along the tangent d across the slip. Offsets a are affine in the load factor
-//! λ; the load W is affine in λ or turns with it. Twist q and load factor change together, with grasp maps G_i and a unit u of displacement:
+//! depends on p alone. Here k_n is the normal stiffness, `P = K_t p / (p·K_t p)` with the tangential stiffnesses K_t, and κ the stiffness along the
+//! tangent d across the slip. Offsets a are affine in the load factor λ; the load W is affine in λ or turns with it. Twist q and load factor change
+//! together, with grasp maps G_i and a unit u of displacement:
 //!
 //! ```text
 //! T q' = b λ',     T = Σ G_i C_i G_iᵀ,     b = Σ G_i C_i a_i' + W',     |q'|²/u² + λ'² = 1
@@ -149,7 +150,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.push_at(factor).norm()
     }
 
-    /// Tangent stiffness of a sliding contact that slides along this friction force; without friction force the direction is that of its state.
+    /// Tangent stiffness of a sliding contact that slides along this friction force; without friction force it slides in the direction stored in its
+    /// state.
     pub(super) fn tangent(&self, contact: usize, friction: &SVector<f64, 3>) -> Tangent {
         let local = self.segment.problem.local(contact);
         if tangential_norm(friction) == 0.0 {
@@ -170,7 +172,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.factored(stiffness, &push, across)
     }
 
-    /// The tangent stiffness T and the right-hand side b of `T q' = b λ'` at a load factor; `tangents` are those of the sliding contacts.
+    /// The tangent stiffness T and the right-hand side b of `T q' = b λ'` at a load factor; `tangents` are the tangent stiffnesses of the sliding
+    /// contacts.
     pub(super) fn balance(&self, tangents: &[Tangent], factor: f64) -> (PathStiffness, Vector) {
         let (mut t, mut push) = (self.fixed().stiffness.clone(), self.push_at(factor));
         for (&i, tangent) in self.sliding.iter().zip(tangents) {
@@ -202,8 +205,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         Some((bordered, scale))
     }
 
-    /// Multiplies the tangent stiffness `t` by the displacement u. Returns the largest entry of the result and of `push`, and, scaled by it, the
-    /// twist part of the last row of the bordered matrix.
+    /// Multiplies the tangent stiffness `t` by the displacement u. Returns the largest entry of the result and of `push`. Also returns the twist part
+    /// of the last row of the bordered matrix, scaled to this size.
     fn border(&self, t: &mut PathStiffness, push: &Vector, across: &Direction) -> (f64, Vector) {
         t.scale(self.unit);
         let scale = t.amax().max(push.amax());
@@ -282,7 +285,7 @@ impl<'s, 'g> Arc<'s, 'g> {
                 }
                 let mut change = self.unscaled(bordered.solve(&left, 0.0));
                 if across.keeps_the_factor() {
-                    // The exact change of the load factor is zero; the computed one is rounding.
+                    // The exact change of the load factor is zero; the computed change is rounding.
                     change.factor = 0.0;
                 }
                 twist += &change.twist;
@@ -325,7 +328,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         most
     }
 
-    /// Contact forces at a twist and a load factor: by the springs if a contact sticks, zero if it is open. The friction force of each sliding
+    /// Contact forces at a twist and a load factor: from the springs if a contact sticks, zero if it is open. The friction force of each sliding
     /// contact is on its cone, in the direction given in `frictions`.
     fn forces_at(&self, twist: &Vector, factor: f64, frictions: &[SVector<f64, 3>]) -> Vec<SVector<f64, 3>> {
         let offsets = self.segment.offsets(factor);
@@ -352,8 +355,8 @@ impl<'s, 'g> Arc<'s, 'g> {
 
 impl Segment<'_> {
     /// State and rates of a path at `factor`, on which contacts have the states `states` and slide on the round cone. The state is the equilibrium
-    /// near `at` with friction forces on their cones, or `at` itself if none is found. Rates are per unit of the load factor. Along motions that no
-    /// spring resists the object moves at the rates `pushed`.
+    /// near `at` with friction forces on their cones, or `at` itself if no such equilibrium is found. Rates are per unit of the load factor. Along
+    /// motions that no spring resists the object moves at the rates `pushed`.
     pub(super) fn tangent(
         &self,
         states: &[State],

@@ -12,8 +12,8 @@ use crate::numerics::{largest, least};
 use crate::prelude::*;
 
 impl Pieces<'_> {
-    /// Norm of the twist rate at the beginning of an arc, m per unit of the load factor. While the load turns, that of the rate a quarter turn later
-    /// is added in quadrature, since the present rate may be small. One if the result is zero.
+    /// Norm of the twist rate at the beginning of an arc, m per unit of the load factor. While the load turns, the norm of the rate a quarter
+    /// revolution later is added in quadrature, since the present rate may be small. If the result is zero, one is returned.
     pub(super) fn displacement_rate(&self, point: &PathPoint) -> f64 {
         let mut size = point.twist_rate.norm();
         if let Trajectory::Turn { angle, .. } = self.segment.course {

@@ -2,8 +2,8 @@
 //!
 //! A motion may prove that no equilibrium exists: a virtual motion at the end, or another motion that separates the load from all possible contact
 //! forces. In the plane, and in space with polygonal friction cones, every combination of contact states is tried. The load factor is `τ* + ε`, with
-//! τ* at the end and ε infinitesimal. A condition of a contact state holds there if its value at τ* is positive, or zero with a rate that is not
-//! negative. On the round cone an equilibrium slightly beyond the end is searched for without regard to the path.
+//! τ* at the end and ε infinitesimal. At this load factor a condition of a contact state holds if its value at τ* is positive, or zero with a rate
+//! that is not negative. On the round cone an equilibrium slightly beyond the end is searched for without regard to the path.
 
 use nalgebra::SVector;
 
@@ -40,18 +40,18 @@ pub enum Beyond<const C: usize> {
     /// as far as it continues.
     Continues(Box<Continuation<C>>),
     /// No equilibrium exists just beyond: a limit load. A motion proves this or, in the plane and on polygonal friction cones, a trial of every
-    /// combination of contact states. On the round cone there may be a proof only for a somewhat larger load. It exceeds the load at the end by at
-    /// most a hundredth of the whole load, of all commands, or of the leg if there is no load yet.
+    /// combination of contact states. On the round cone there may be a proof only for a somewhat larger load. That load exceeds the load at the end
+    /// by at most a hundredth of the whole load or of all commands; of the leg if there is no load yet.
     LimitLoad,
     /// This equilibrium ends here, but others exist at slightly larger loads. After a first slip, a load path decides whether the grasp snaps over to
-    /// one of them ([`Jump::snaps`](super::Jump::snaps)). At the end of a load path the answer is known: if the object moves as with viscous
-    /// contacts, it reaches none of them by small motions.
+    /// one of them ([`Jump::snaps`](super::Jump::snaps)). At the end of a load path the answer is known. If the object moves as with viscous
+    /// contacts, it reaches none of these equilibria by small motions.
     Snap,
     /// This equilibrium ends here: the complementarity problem for the rates of forces and motion has no solution. Whether other equilibria exist
     /// beyond is not known, and there is no proof that none exists. The grasp has too many contacts: more than 32 on the round cone, or else more
     /// combinations of contact states than [`Settings::most_states`].
     Ends {
-        /// The reason why no rates of forces and motion exist. Its work is that of the rate of the load, J per unit of the load factor.
+        /// The reason why no rates of forces and motion exist. Its work is the work of the rate of the load, J per unit of the load factor.
         reason: NoEquilibrium<C>,
     },
     /// The lips of these suction cups are open all around, and their vacuum is gone. What remains is another grasp, without their vacuum.
@@ -72,7 +72,7 @@ pub enum Beyond<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Continuation<const C: usize> {
-    /// The next state of every contact, in the order of the grasp. The direction of a sliding contact is that of its slip rate.
+    /// The next state of every contact, in the order of the grasp. The direction of a sliding contact is the direction of its slip rate.
     pub states: Vec<ContactState<C>>,
     /// Rates of the contact forces on the object in the contact frames, N for one unit of the load factor.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Vec<SVector<f64, C>>>"))]
@@ -105,13 +105,13 @@ pub(super) fn continuation(grasp: &Engine, rates: &Problem, found: Found, rule: 
 pub(super) struct EquilibriumEnd<'f> {
     pub(super) factor: f64,
     pub(super) forces: &'f [SVector<f64, 3>],
-    /// A virtual motion on which contact forces at the end can do no work, about the centroid of the contacts. It may prove that no equilibrium
-    /// exists beyond. `None` if none is known.
+    /// A virtual motion along which contact forces at the end can do no work, about the centroid of the contacts. It may prove that no equilibrium
+    /// exists beyond. `None` if no such motion is known.
     pub(super) motion: Option<Vector>,
 }
 
-/// The situation beyond the end of a path. `settled` is the outcome of a search for a solution of `rates`, the rate problem at the end: that none
-/// exists, or undecided.
+/// The situation beyond the end of a path. `settled` is the outcome of a search for a solution of `rates`, the rate problem at the end: that no
+/// solution exists, or undecided.
 pub(super) fn beyond_end(
     segment: &Segment<'_>,
     rates: &Problem,
@@ -169,19 +169,19 @@ pub(super) fn no_rates(rates: &Problem) -> bool {
 }
 
 /// Searches for an equilibrium slightly beyond the end of a path, where contact forces are `forces`. Contacts keep the slip so far, but their states
-/// need not continue the path. `past(part)` is the problem at the distance `part`.
+/// need not continue the path. `past(part)` is the problem at the distance `part` beyond the end, in the unit of [`way_beyond`].
 fn from_scratch<'g>(
     past: impl Fn(f64) -> Problem<'g>,
     forces: &[SVector<f64, 3>],
     settings: &Settings,
 ) -> Beyond<3> {
-    // Whether the search finds an equilibrium at the distance `part` whose forces differ from those at the end by more than on a continued path.
+    // Whether the search at the distance `part` finds an equilibrium whose forces differ from those at the end by more than on a continued path.
     let another = |part: &f64| match settle(&past(*part), settings).0 {
         Settled::Found(found, _) => !is_near(&found.forces, forces, *part),
         _ => false,
     };
     let mut why = Doubt::RayWithoutProof;
-    // Distances are tried in turn, since at a short one the search on the round cone may not decide.
+    // Distances are tried in turn, since at a short distance the search on the round cone may not decide.
     for part in [LITTLE_BEYOND, 1e-4, 1e-2] {
         match settle(&past(part), settings).0 {
             // At a larger distance the search would exceed the allowed number of pivots again.
@@ -191,7 +191,8 @@ fn from_scratch<'g>(
                 // If the forces found are nearly those at the end, shorter distances decide: only the forces of another equilibrium then stay
                 // different from those at the end.
                 let is_another = !is_near(&found.forces, forces, part) || [1e-8, 1e-10].iter().any(another);
-                // If the forces do not differ, the equilibrium found may be the one that ends here: rounding may let it exist a little further.
+                // If the forces do not differ, the equilibrium found may be the equilibrium that ends here: rounding may let it exist a little
+                // further.
                 return if is_another {
                     Beyond::Snap
                 } else {
@@ -204,23 +205,23 @@ fn from_scratch<'g>(
     Beyond::Undecided { doubt: why }
 }
 
-/// Whether `found` could be the forces of a continued path at the distance `part` beyond the end. The force of each contact then differs from that in
-/// `forces` by at most `√part`, or `√LITTLE_BEYOND` if less, times the largest force.
+/// Whether `found` could be the forces of a continued path at the distance `part` beyond the end. The force of each contact then differs from its
+/// force in `forces` by at most `√part`, or `√LITTLE_BEYOND` if less, times the largest force.
 fn is_near(found: &[SVector<f64, 3>], forces: &[SVector<f64, 3>], part: f64) -> bool {
     let largest = largest(forces, &nalgebra::Matrix::norm);
     let near = part.min(LITTLE_BEYOND).sqrt();
     found.iter().zip(forces).all(|(f, g)| (f - g).norm() <= near * largest)
 }
 
-/// The unit of distances beyond the end, as a change of the load factor: [`whole_way`], or 1, the whole leg, if this is nearly zero, since there is
-/// no load yet.
+/// The unit of distances beyond the end, as a change of the load factor: [`whole_way`]; or 1, the whole leg, if [`whole_way`] is nearly zero because
+/// there is no load yet.
 fn way_beyond(problem: &Problem, rates: &Problem) -> f64 {
     let way = whole_way(problem, rates);
     if way > ZERO_SLACK { way } else { 1.0 }
 }
 
-/// The change of the load factor that would build up the whole present load at its present rate, or all present offsets, whichever is less. Zero if
-/// this is not finite.
+/// The change of the load factor that would build up the whole present load, or all present offsets, at present rates. The lesser change is returned.
+/// Zero if it is not finite.
 fn whole_way(problem: &Problem, rates: &Problem) -> f64 {
     let total = |offsets: &[SVector<f64, 3>]| summed(offsets, &nalgebra::Matrix::norm);
     let load_way = problem.wrench.norm() / rates.wrench.norm();

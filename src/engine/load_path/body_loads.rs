@@ -14,7 +14,7 @@ pub(super) type BodyGoal<const C: usize> = (Arc<str>, LegGoal<Wrench<C>>);
 
 impl<const C: usize> Leg<C> {
     /// A leg along which the load on one of several bodies changes by `change`, N and N m about the origin. This load acts beside the load of the leg
-    /// and the permanent load of the body. Such loads are zero when a program starts, and loads that a leg does not mention stay.
+    /// and the permanent load of the body. Such loads are zero when a program starts, and loads that a leg does not mention stay constant.
     ///
     /// ```
     /// use grasp_lcp::planar::{Bodies, Body, Contact, Leg, Wrench};
@@ -86,7 +86,7 @@ impl<const C: usize> Leg<C> {
 }
 
 /// The loads of all bodies, beside their permanent loads, at the beginning and at the end of the present leg. `None` until a leg of the program
-/// changes one.
+/// changes a body load.
 #[derive(Debug, Clone, Default)]
 pub(super) struct BodyLoads(Option<Arc<[Vec<Wrench<3>>; 2]>>);
 
@@ -111,18 +111,18 @@ impl BodyLoads {
     }
 
     /// The generalised forces of the loads of all bodies on the coordinates of the grasp, at the beginning and at the end of the leg. `None` until a
-    /// leg changes one.
+    /// leg changes a body load.
     pub(super) fn inside(&self, grasp: &Engine) -> Option<[Vector; 2]> {
         let (loads, bodies) = self.0.as_ref().zip(grasp.bodies())?;
         Some([0, 1].each(|end| grasp.combine_wrenches(bodies, &loads[end])))
     }
 
-    /// The loads of all bodies at the beginning (`end` = 0) or the end (1) of the leg; empty until a leg changes one.
+    /// The loads of all bodies at the beginning (`end` = 0) or the end (1) of the leg; empty until a leg changes a body load.
     pub(super) fn at_end(&self, end: usize) -> &[Wrench<3>] {
         self.0.as_ref().map_or(&[], |loads| &loads[end])
     }
 
-    /// The grasp with its bodies under the loads that they have at a fraction of the leg. The grasp itself if no leg has changed one.
+    /// The grasp with its bodies under the loads that they have at a fraction of the leg. The grasp itself if no leg has changed a body load.
     pub(super) fn apply<'g>(&self, grasp: &'g Engine, fraction: f64) -> Cow<'g, Engine> {
         let Some(loads) = &self.0 else { return Cow::Borrowed(grasp) };
         let at = |(from, to): (&Wrench<3>, &Wrench<3>)| *from + (*to - *from) * fraction;

@@ -1,15 +1,16 @@
 //! Free motion of the object after a loss of equilibrium, until the gap of an open contact closes.
 //!
 //! If nothing resists the motion v of a loss, forces stay constant along it: no spring is stretched further, and friction is exhausted already. So
-//! the object is in balance under the load of the loss everywhere along the motion. The motion ends after the length δ v at which the first open
-//! contact closes, n_i being normals and G_i grasp maps. Contacts keep the slips that it causes:
+//! the object is in balance under the load of the loss everywhere along the motion. The motion ends after the displacement δ v at which the first
+//! open contact closes, with normals n_i and grasp maps G_i. Contacts keep the slips that the motion causes:
 //!
 //! ```text
 //! δ = min gap_i / (-n_i·G_iᵀv)
 //! ```
 //!
-//! From there the path continues at the same load. If kinetic friction is lower, contacts that begin to slide lose a part of their friction force. It
-//! is removed first, along a leg of its own ([`super::jump_leg`]) on which the gap may close. A motion too large for linear kinematics is not made.
+//! From there the path continues at the same load. If kinetic friction is lower, contacts that begin to slide lose a part of their friction force.
+//! This part is removed first, along a leg of its own ([`super::jump_leg`]) on which the gap may close. A motion too large for linear kinematics is
+//! not made.
 
 use super::event::{Change, Event, Loss, LossKind, PathEnd};
 use super::follower::Follower;
@@ -98,7 +99,7 @@ impl<'g> Pieces<'g> {
         is_small.then_some(FreeWay { length, closing, still })
     }
 
-    /// Makes contacts slide that are on the edge of their cones, and open those at the apex, unless they stay in place in the motion. Returns the
+    /// Makes contacts slide that are on the edge of their cones, and open those at the apex, unless they have no velocity in the motion. Returns the
     /// changes of contact states.
     fn yield_along(
         &mut self,

@@ -13,8 +13,8 @@ use crate::numerics::moved;
 use crate::prelude::*;
 
 impl Engine {
-    /// Separates changes of state of contacts from those of drives; a drive is labelled by its joint or tendon. Repeated changes of one part are
-    /// listed once.
+    /// Separates changes of state of contacts from changes of state of drives; a drive is labelled by its joint or tendon. Repeated changes of one
+    /// part are listed once.
     pub(super) fn contacts_and_drives(
         &self,
         changes: Vec<(usize, Change<3>)>,
@@ -58,7 +58,7 @@ impl Engine {
         (moved(contacts, &contact), drives.into_iter().filter_map(|i| self.part(i)).list())
     }
 
-    /// The joint or tendon of the drive with this index among contacts and drives; `None` for a drive without one.
+    /// The joint or tendon of the drive with this index among contacts and drives; `None` for a drive without a joint or tendon.
     fn part(&self, site: usize) -> Option<PartLabel> {
         let linkage = self.linkage()?;
         linkage.part(site - self.len()).map(|part| linkage.label(part))

@@ -1,4 +1,5 @@
-//! Steps along an arc, on which directions of sliding turn. They end where a condition of a contact state is just met (its value is zero).
+//! Steps along an arc, on which directions of sliding turn. Each step is shortened to the place where a condition of a contact state is just met (its
+//! value is zero).
 //!
 //! The last step is repeated from its start with other lengths, by Newton's method on the value of the condition, within a bracket. States of the
 //! path are never interpolated.
@@ -35,7 +36,7 @@ impl Pieces<'_> {
     }
 
     /// The index of the condition, among those violated at the end of a step, that vanishes first by linear interpolation between both ends. `None`
-    /// if none is violated.
+    /// if no condition is violated.
     pub(super) fn first_crossing(start: &[Watch], end: &StepEnd) -> Option<usize> {
         let part = |k: usize| {
             let (from, to) = (start[k].value.max(0.0), end.watches[k].value);
@@ -45,8 +46,8 @@ impl Pieces<'_> {
         violated.min_by(|&i, &j| part(i).total_cmp(&part(j)))
     }
 
-    /// Shortens the step `end`, which violates condition `k`, until it ends where a watched condition is just met and no other is violated. This is
-    /// `k`, or another one that is violated earlier. `None` if no such step is found.
+    /// Shortens the step `end`, which violates condition `k`, until it ends where a watched condition is just met and no other is violated. The
+    /// condition met is `k`, or another condition that is violated earlier. `None` if no such step is found.
     pub(super) fn locate(
         &self,
         point: &PathPoint,
@@ -61,7 +62,7 @@ impl Pieces<'_> {
         }
         // At most eighty steps are tried; bisection alone would need fifty.
         for trial in 0..80 {
-            // A secant step, every third time bisection, where Newton's method has no length inside the bracket.
+            // If Newton's method gives no length inside the bracket, a secant step is made, or every third time a bisection.
             let part = low.1 / (low.1 - high.1);
             // A secant step keeps at least this fraction of the bracket away from both of its ends.
             let inside = 1e-3;

@@ -22,7 +22,7 @@ pub(crate) struct Cycles<'g> {
     path: Following<'g, Pieces<'g>>,
     legs: Vec<Leg<3>>,
     base: Wrench<3>,
-    /// Number of cycles followed so far, including one that the path did not finish.
+    /// Number of cycles followed so far, including a cycle that the path did not finish.
     completed: usize,
 }
 
@@ -136,7 +136,7 @@ impl<'g> Cycles<'g> {
         self.path.end().filter(|end| !matches!(end, PathEnd::Completed))
     }
 
-    /// The motion on the path so far that first ceased to be small; `None` if all are small.
+    /// The motion on the path so far that first ceased to be small; `None` if all motions are small.
     pub(crate) fn too_far(&self) -> Option<TooFar> {
         self.path.end_of_small_motions().map(|end| end.what.clone())
     }
@@ -189,7 +189,7 @@ impl<'g> Cycles<'g> {
         Some(record)
     }
 
-    /// The state of the grasp at the present place, after the cycles so far. `None` without a path, where no equilibrium exists under the base load.
+    /// The state of the grasp at the present place, after the cycles so far. `None` without a path, if no equilibrium exists under the base load.
     pub(crate) fn cycle_state(&self) -> Option<CycleState> {
         let follower = self.path.follower.as_ref()?;
         let (at, segment) = (&follower.node.at, &follower.segment);
@@ -209,7 +209,7 @@ impl<'g> Cycles<'g> {
 }
 
 impl CycleState {
-    /// The friction cone of each contact or drive: kinetic where `weaker` is true, otherwise static. Empty if `weaker` is empty.
+    /// The friction cone of each contact or drive: kinetic if `weaker` is true, otherwise static. Empty if `weaker` is empty.
     fn cones(&self, grasp: &Engine) -> Vec<Coulomb> {
         let sites = grasp.sites().iter().zip(&self.weaker);
         sites.map(|(site, weaker)| site.kinetic.filter(|_| *weaker).unwrap_or(site.friction)).list()

@@ -1,4 +1,4 @@
-//! The kind of end of a load path where no rates of forces and motion satisfy the contact laws, from the state there.
+//! Determines the kind of an end of a load path, from the state there. At such an end no rates of forces and motion satisfy the contact laws.
 
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end, no_rates};
 use super::event::{Loss, LossKind, PathEnd};
@@ -10,12 +10,12 @@ use crate::object::{Piece, Problem};
 use crate::prelude::*;
 use crate::search::{Effort, Settings, Settled};
 
-/// The end of a path where no rates of forces and motion satisfy the contact laws, or the search `settled` for them is undecided. The result is
+/// The end of a path at which no rates of forces and motion satisfy the contact laws, or the search `settled` for rates is undecided. The result is
 /// `loss` with kind and motions.
 ///
 /// The object gives way if a motion meets no resistance. Otherwise the end is a corner: no combination of states of the contacts on the edge of their
-/// cones admits rates. If the search for rates was undecided, it is a corner only if a proof excludes rates, or an equilibrium beyond. Else the end
-/// is undecided.
+/// cones admits rates. If the search for rates was undecided, the end is a corner only if a proof excludes rates, or excludes an equilibrium beyond.
+/// Else the end is undecided.
 pub(super) fn end_of_path(
     edge: &StateAtEdge<'_>,
     (settled, effort): (Settled, &Effort),
@@ -29,7 +29,8 @@ pub(super) fn end_of_path(
     }
     let motions = leaving_motions(rates, &segment.course.at(loss.fraction), &rates.yielding());
     let [mut motion, mut against] = motions.map_or([None, None], |motions| motions.each(Some));
-    // If no contact carries a force, springs do not determine the motion with which the object leaves; this motion is then that of rigid bodies.
+    // If no contact carries a force, springs do not determine the motion with which the object leaves. This motion is then the motion of rigid
+    // bodies.
     if let Some(rigid) = rigid_motion(rates) {
         motion = Some(rigid);
         if let Settled::Separating(v) = &settled {
@@ -52,15 +53,16 @@ pub(super) fn end_of_path(
 /// Two unit motions while contacts have the states `states`: the motion with which the object leaves, and the virtual motion that proves the loss.
 /// `None` if nothing moves or no motion can be determined.
 ///
-/// The object leaves by a motion that changes no contact force, and on which the load works. The virtual motion is one on which no contact force of
-/// these states does work. Because of friction it differs from the motion: for a block that slides to the right, it points upwards along the edge of
-/// the cone. If rates exist in these states, both are the twist rate, reversed if contacts would slip against friction.
+/// The object leaves by a motion that changes no contact force, and along which the load does work. The virtual motion is one along which no contact
+/// force of these states does work. Because of friction it differs from the motion. For a block that slides to the right on a floor, it also points
+/// upwards, at a right angle to the contact force. If rates exist in these states, both are the twist rate, reversed if contacts would slip against
+/// friction.
 pub(super) fn leaving_motions(rates: &Problem, load: &Vector, states: &[State]) -> Option<[Vector; 2]> {
     let piece = Piece::new(rates, states);
     let solved = match piece.solve(rates.sites, &rates.offsets, &rates.wrench) {
         Err(unbalanced) => {
-            // No spring resists a motion along which friction is exhausted everywhere. Of several such motions, the one on which the rate of the load
-            // does the most work is taken. If only commands change, the load itself takes the place of its rate.
+            // No spring resists a motion along which friction is exhausted everywhere. Of several such motions, the one along which the rate of the
+            // load does the most work is taken. If only commands change, the load itself takes the place of its rate.
             let along = |motions: &[Vector], wrench: &Vector| {
                 let v = motions.iter().fold(Vector::zeros(), |sum, v| sum + v * v.dot(wrench));
                 (v.norm() > 0.0).then(|| v.normalize())

@@ -11,28 +11,29 @@ use crate::numerics::{Each, Harmonic, mapped};
 use crate::serial::AsComputed;
 
 /// Energies of one leg, J: `load_work + finger_work = stored + dissipated`. Along a straight piece forces and motions are affine, under a load that
-/// turns they are harmonics of its angle, and every integral is exact. Where contacts slide on the round cone, works are integrated along with the
+/// turns they are harmonics of its angle, and every integral is exact. If contacts slide on the round cone, works are integrated along with the
 /// slips.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct LegEnergy {
-    /// Work of the load W on the motion q of the object, `∫ W·dq`.
+    /// Work of the load W along the motion q of the object, `∫ W·dq`.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub load_work: f64,
-    /// Work of the fingers' drives, `Σ ∫ F·du_f` with the contact forces F and the finger displacements u_f, positive where a finger pushes forward.
+    /// Work of the fingers' drives, `Σ ∫ F·du_f` with the contact forces F and the finger displacements u_f, positive if a finger pushes forward.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub finger_work: f64,
     /// Change of the energy stored in the springs, `Δ Σ ½ F²/k`.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub stored: f64,
-    /// Heat from friction, `Σ ∫ F_t·ds` with the friction forces F_t and the slips s, plus the energy lost in [jumps](super::Jump), never negative.
+    /// Heat from friction, `Σ ∫ F_t·ds` with the friction forces F_t and the slips s, plus the energy lost in [jumps](super::Jump). It is never
+    /// negative.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub dissipated: f64,
     /// Sum of the absolute values of all contributions, piece by piece and contact by contact: the scale for the rounding of the balance, since works
-    /// cancel. Where directions of sliding turn on the round cone, the stored energies before and after each step are contributions, since their
-    /// change is a difference. Not serialised.
+    /// cancel. If directions of sliding turn on the round cone, the stored energies before and after each step are contributions, since their change
+    /// is a difference. Not serialised.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub turnover: f64,
 }
@@ -63,8 +64,8 @@ impl LegEnergy {
         self.turnover += part.turnover;
     }
 
-    /// Adds the energies of a piece of the path from the load factor `factor` on, over the change `step` of it. On it contacts keep their states, and
-    /// none slides on a round cone. `point` is the state at its beginning with rates.
+    /// Adds the energies of a piece of the path from the load factor `factor` on, over the change `step` of it. On this piece contacts keep their
+    /// states, and no contact slides on a round cone. `point` is the state at its beginning with rates.
     pub(super) fn add(
         &mut self,
         segment: &Segment,

@@ -19,10 +19,10 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Event<const C: usize> {
-    /// The leg, from 0.
+    /// Index of the leg, from 0.
     pub leg: usize,
-    /// Fraction of the leg already followed, from 0 to 1, exact up to rounding; where a contact slides on the round cone up to the error of the
-    /// steps, see [`LoadPath::step_error`](super::LoadPath::step_error).
+    /// Fraction of the leg already followed, from 0 to 1. It is exact up to rounding or, if a contact slides on the round cone, up to the error of
+    /// the steps, see [`LoadPath::step_error`](super::LoadPath::step_error).
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub fraction: f64,
     /// The load at the event.
@@ -30,23 +30,23 @@ pub struct Event<const C: usize> {
     /// Changes of contact states, contact by contact. Empty if only a motion has lost its resistance, or if contacts at the start of a leg keep their
     /// states although other continuations exist. Symmetric grasps change several contacts at once.
     pub changes: Vec<ContactChange<C>>,
-    /// Changes in the hand, if one holds the object: drives of joints and tendons that yield, hold, slacken or tighten.
+    /// Changes in the hand, if a hand holds the object: drives of joints and tendons that yield, hold, slacken or tighten.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub drives: Vec<PartChange>,
-    /// Unit motions that nothing resists from here on: they may be added to the twist in any amount. The path continues without moving along them,
+    /// Unit motions that nothing resists from here on: any multiple of them may be added to the twist. The path continues without moving along them,
     /// unless a contact that touches without force pushes the object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
-    /// Number of other ways in which the contacts on the edge of their cones could continue. `Some(0)` means that the continuation is unique: the
-    /// matrix of the complementarity problem for the rates is a P-matrix, or a trial of all states of few contacts found no other. `None`, and not
-    /// written, if neither test decides, as at the apex of a round cone.
+    /// Number of other ways in which the contacts on the edge of their cones could continue. `Some(0)` means that the continuation is unique. The
+    /// matrix of the complementarity problem for the rates is then a P-matrix, or a trial of all states of few contacts found no other solution.
+    /// `None`, and not written, if neither test decides, as at the apex of a round cone.
     ///
     /// The path prefers in this order: nothing changes; sliding contacts keep sliding and contacts at an edge slide; everything sticks; the solution
-    /// of Lemke's method. If several motions belong to the same forces, the path takes one in which contacts without force do not drag the object
-    /// along.
+    /// of Lemke's method. If several motions belong to the same forces, the path takes a motion in which contacts without force do not drag the
+    /// object along.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub other_continuations: Option<usize>,
-    /// The equilibrium at the event, with contact states before it (at the very start of a path those after it).
+    /// The equilibrium at the event, with the contact states before the event (at the very start of a path, the states after it).
     pub state: Equilibrium<C>,
     /// The jump at this load: a contact begins to slide with less friction than at rest, or the object moves freely until a gap closes. `None`
     /// without a jump.
@@ -79,7 +79,7 @@ pub struct ContactChange<const C: usize> {
 pub enum Change<const C: usize> {
     /// A sticking contact starts to slide, `|F_t| = μ F_n`.
     Slides {
-        /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body in this direction.
+        /// Unit direction, along the coordinate axes, in which the finger slips over the body; friction pulls the body in this direction.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
@@ -104,7 +104,7 @@ pub enum Change<const C: usize> {
     Closes,
     /// An open contact closes and slides from the start.
     ClosesSliding {
-        /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body in this direction.
+        /// Unit direction, along the coordinate axes, in which the finger slips over the body; friction pulls the body in this direction.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
@@ -123,7 +123,7 @@ pub enum PathEnd<const C: usize> {
     NoStart(Box<Outcome<C>>),
     /// The path could not be followed beyond this place, and it is not known whether an equilibrium continues it. Up to this place the path is valid.
     Undecided {
-        /// The leg, from 0.
+        /// Index of the leg, from 0.
         leg: usize,
         /// Fraction of the leg already followed, from 0 to 1.
         fraction: f64,
@@ -133,19 +133,19 @@ pub enum PathEnd<const C: usize> {
 }
 
 impl<const C: usize> PathEnd<C> {
-    /// The loss of equilibrium, if the path ended in one; `None` for every other end.
+    /// The loss of equilibrium, if the path ended in a loss; `None` for every other end.
     #[must_use]
     pub fn loss(&self) -> Option<&Loss<C>> {
         if let Self::Lost(loss) = self { Some(loss) } else { None }
     }
 
-    /// The leg on which the path ended, from 0; `None` where it was completed or had no start.
+    /// The index of the leg on which the path ended, from 0; `None` if the path was completed or had no start.
     #[must_use]
     pub fn leg(&self) -> Option<usize> {
         self.place().map(|(leg, _)| leg)
     }
 
-    /// The fraction of [`Self::leg`] at which the path ended, from 0 to 1; `None` where it was completed or had no start.
+    /// The fraction of [`Self::leg`] at which the path ended, from 0 to 1; `None` if the path was completed or had no start.
     #[must_use]
     pub fn fraction(&self) -> Option<f64> {
         self.place().map(|(_, fraction)| fraction)
@@ -166,7 +166,7 @@ impl<const C: usize> PathEnd<C> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Loss<const C: usize> {
-    /// The leg, from 0.
+    /// Index of the leg, from 0.
     pub leg: usize,
     /// Fraction of the leg already followed, from 0 to 1.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
@@ -184,11 +184,11 @@ pub struct Loss<const C: usize> {
     /// states do not determine a motion.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub motion: Option<Motion<C>>,
-    /// The jump of slip at this load: contacts whose friction falls from the static to the kinetic value, and how far each slides before no further
-    /// equilibrium exists. Empty if no friction fell.
+    /// The slips in a jump at this load that reaches no equilibrium. The jump begins when the friction of contacts falls from its static to its
+    /// kinetic value. Each entry is a contact that slides in the jump, with its slip until equilibrium is lost. Empty if no friction fell.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub jumped: Vec<JumpSlip<C>>,
-    /// A virtual motion against which contact forces can do little or no work at the loss, in the engine's coordinates. It may prove that no
+    /// A virtual motion along which contact forces can do little or no negative work at the loss, in the engine's coordinates. It may prove that no
     /// equilibrium exists beyond.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) against: Option<Coordinates>,
@@ -198,8 +198,8 @@ pub struct Loss<const C: usize> {
 }
 
 impl<const C: usize> Loss<C> {
-    /// The virtual motion that may prove the loss, about the centroid of the contacts: contact forces can do little or no work against it. `None` if
-    /// none is known.
+    /// The virtual motion that may prove the loss, about the centroid of the contacts: contact forces can do little or no negative work along it.
+    /// `None` if no such motion is known.
     pub(crate) fn virtual_motion(&self) -> Option<&Coordinates> {
         self.against.as_ref()
     }
@@ -235,11 +235,11 @@ pub enum LossKind {
     /// The object moves without bound while the load approaches the load of this loss and never reaches it. Directions of sliding have turned along
     /// this motion, and nothing else resists it.
     Asymptote,
-    /// From here on nothing resists some motion, and the change of the load does work on this motion.
+    /// From here on nothing resists some motion, and the change of the load does work along this motion.
     GivesWay,
     /// Motions cease to be [small](crate::Settings::small_motions) at this load. What follows is beyond the theory of small motions.
     TooFar,
-    /// A contact with infinite friction loses its normal force while it still carries a tangential one; or the whole lip of a suction cup is open,
+    /// A contact with infinite friction loses its normal force while it still carries a tangential force. Or the whole lip of a suction cup is open,
     /// and its vacuum is gone.
     LetsGo,
 }

@@ -12,9 +12,9 @@ use crate::numerics::{IntoList, chosen, mapped, moved, picked};
 use crate::prelude::*;
 
 impl<'g> Pieces<'g> {
-    /// Begins to keep the present friction cone of every contact, if some contact has lower kinetic friction. Contacts that slide at the start get
-    /// kinetic friction, which may cause a jump, reported as the first event. Changes nothing if the cones are kept already. The error is the end of
-    /// the path in that jump.
+    /// From here on stores the present friction cone of every contact, if some contact has lower kinetic friction. Contacts that slide at the start
+    /// get kinetic friction, which may cause a jump, reported as the first event. Changes nothing if the cones are stored already. The error is the
+    /// end of the path in that jump.
     pub(super) fn with_falling_friction(mut self, journey: &Journey<'g>) -> Result<Self, PathEnd<3>> {
         let grasp = journey.grasp;
         if self.friction_falls() || grasp.weaker_once_they_slide().next().is_none() {
@@ -44,13 +44,13 @@ impl<'g> Pieces<'g> {
         Ok(self)
     }
 
-    /// Whether some contact has kinetic friction below its static friction, so that the present friction cones are kept.
+    /// Whether some contact has kinetic friction below its static friction, so that the present friction cones are stored.
     pub(super) fn friction_falls(&self) -> bool {
         !self.segment.problem.cones.is_empty()
     }
 
-    /// Gives static friction again to contacts with kinetic friction that do not slide. Their forces are inside the wider static cone, so none of its
-    /// edges is active; a contact at the apex stays there.
+    /// Gives static friction again to contacts with kinetic friction that do not slide. Their forces are inside the wider static cone, so no edge of
+    /// it is active; a contact at the apex stays there.
     pub(super) fn friction_of_rest(&mut self) {
         let problem = &mut self.segment.problem;
         for (i, cone) in problem.cones.iter_mut().enumerate() {

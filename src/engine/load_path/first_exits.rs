@@ -9,7 +9,7 @@ pub(super) type ExitsReached = Vec<(usize, Vec<Exit>)>;
 /// The first place along a piece of the path at which the present state of a contact ends, and touches of cone edges before it.
 pub(super) struct FirstExits {
     /// The least step, a change of the load factor, at which the present state of a contact ends, with all contacts whose states end there. `None` if
-    /// none ends.
+    /// no state ends.
     pub(super) reached: Option<(f64, ExitsReached)>,
     /// While a load turns: contacts and drives whose force touches the edge of its cone before the step of `reached`, without crossing it. Each entry
     /// is the index and the angle, rad.

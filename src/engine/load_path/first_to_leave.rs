@@ -1,5 +1,5 @@
-//! The onset (first slip or opening) in the common case. Everything clearly sticks under the base load, and one contact leaves its cone before all
-//! others.
+//! The onset (first slip or opening) in a simple case, which is the most common. Everything clearly sticks under the base load, and one contact
+//! leaves its cone before all others.
 //!
 //! This case is cheap: one factorisation, solved for the base load and for its change, and a ratio test. One more solve at the onset makes the last
 //! digits of its load factor exact. [`super::sticking_path`] handles all other cases.
@@ -29,7 +29,8 @@ pub(super) struct FirstToLeave {
     pub(super) there: PieceState,
 }
 
-/// The first contact that stops sticking along a ramp. `None` if everything sticks for ever, or if the simple case of this file does not apply.
+/// The first contact that stops sticking along a ramp. `None` if everything sticks at every load factor, or if the simple case of this file does not
+/// apply.
 pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) -> Option<FirstToLeave> {
     let problem = &segment.problem;
     let piece = problem.trial();
@@ -175,8 +176,8 @@ struct First {
     line: Line,
 }
 
-/// The contact whose force leaves its cone at the least load factor; `None` if none leaves. Also `None` unless everything clearly sticks under the
-/// base load, and no other exit has nearly the same load factor.
+/// The contact whose force leaves its cone at the least load factor; `None` if no force leaves its cone. Also `None` unless everything clearly sticks
+/// under the base load, and no other exit has nearly the same load factor.
 fn first_exit(
     segment: &Segment<'_>,
     base: &PieceState,

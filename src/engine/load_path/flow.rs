@@ -1,4 +1,4 @@
-//! Steps along an arc, on which contacts keep their states and directions of sliding turn; their lengths are arclengths.
+//! Steps along an arc, on which contacts keep their states and directions of sliding turn; the lengths of steps are arclengths.
 //!
 //! Along an [`Arc`] twist q, load factor λ and friction forces F_t satisfy a differential equation whose right-hand side depends on the directions of
 //! sliding alone,
@@ -92,8 +92,8 @@ pub(super) struct FlowStep {
     /// The state at the end of the step, with rates per unit of arclength.
     pub(super) point: PathPoint,
     pub(super) energy: LegEnergy,
-    /// Estimated relative error of the step, by [`Flow::error_size`]. It is roughly that of forces by the largest force, or that of the twist by the
-    /// largest displacement, whichever is larger. Zero for a straight step.
+    /// Estimated relative error of the step, by [`Flow::error_size`]. It is roughly the larger of two ratios: error of forces to largest force, and
+    /// error of the twist to largest displacement. Zero for a straight step.
     pub(super) error: f64,
     /// Whether, anywhere in the step, some contact slipped against its friction force, or the load factor decreased (unless the load turns).
     pub(super) backwards: bool,
@@ -106,8 +106,8 @@ impl FlowStep {
 }
 
 impl<'s, 'g> Flow<'s, 'g> {
-    /// The differential equation that starts at the state `point` at the load factor `from`. Arclength is that of the curve (q/unit, λ), with the
-    /// twist q and the load factor λ.
+    /// The differential equation that starts at the state `point` at the load factor `from`. Arclength is measured along the curve (q/unit, λ), with
+    /// the twist q and the load factor λ.
     pub(super) fn new(
         segment: &'s Segment<'g>,
         states: &'s [State],
@@ -275,7 +275,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         turnover += fingers.abs() + worked.map(f64::abs).sum();
         out[works..].copy_from_slice(&[fingers, heat, worked.sum(), turnover]);
         let is_straight = matches!(segment.course, Trajectory::Straight { .. });
-        // A decrease of the load factor by less than this fraction of the arclength counts as none. Near a maximum the load factor itself then
+        // A decrease of the load factor by less than this fraction of the arclength does not count. Near a maximum the load factor itself then
         // changes by less than the square of this fraction, in units of the leg.
         Some(backwards > 0.0 || is_straight && way.factor < -1e-8)
     }

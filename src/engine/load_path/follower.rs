@@ -87,8 +87,8 @@ pub(crate) trait Follower<'g>: Debug {
         false
     }
 
-    /// The equilibrium at the fraction `_fraction` of the leg `_leg`, where [`Self::is_behind`] is true. `None` if rounding prevents its computation,
-    /// and always from a follower that does not store its past.
+    /// The equilibrium at the fraction `_fraction` of the leg `_leg`, for which [`Self::is_behind`] must be true. `None` if rounding prevents its
+    /// computation, and always from a follower that does not store its past.
     fn state_behind(&self, _leg: usize, _fraction: f64) -> Option<Equilibrium<3>> {
         None
     }
@@ -99,7 +99,8 @@ pub(crate) trait Follower<'g>: Debug {
         Vec::new()
     }
 
-    /// The place on the path at which a motion exceeded its limit of small motions. `None` if none has, or from a follower that does not check them.
+    /// The place on the path at which a motion exceeded its limit of small motions. `None` if no motion has, or from a follower that does not check
+    /// them.
     fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions> {
         None
     }

@@ -76,7 +76,7 @@ impl<'g, F: Follower<'g>> Following<'g, F> {
         }
     }
 
-    /// Calls `advance` on the follower and returns the event or step that it reaches. `None` if it reaches none: then the path has moved on, a new
+    /// Calls `advance` on the follower and returns the event or step that it reaches. `None` if it reaches neither: then the path has moved on, a new
     /// leg has begun, or the path has ended.
     pub(super) fn advance_with(
         &mut self,

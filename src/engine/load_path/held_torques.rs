@@ -55,8 +55,8 @@ impl<const C: usize> Leg<C> {
         Self { torques: LegGoal::To(torques.into_iter().list()), ..self }
     }
 
-    /// Refuses, with an error, torques of this leg that are not one for each joint, or not finite or too large. Also refuses them while the load
-    /// turns.
+    /// Refuses, with an error, torques of this leg if their number is not that of the joints, or if a torque is not finite or too large. Also refuses
+    /// them while the load turns.
     pub(super) fn check_torques(&self, grasp: &Engine) -> Result<(), Error> {
         let (LegGoal::By(torques) | LegGoal::To(torques)) = &self.torques else { return Ok(()) };
         let what = "torques of a leg";
@@ -84,8 +84,8 @@ impl<const C: usize> Leg<C> {
 pub(super) struct HeldTorques(Option<Arc<[Vec<f64>; 2]>>);
 
 impl HeldTorques {
-    /// Continues to the next leg, which begins with the torques at the end of the last leg, or with those of the hand. `goal` changes them along the
-    /// new leg.
+    /// Continues to the next leg. It begins with the torques at the end of the last leg or, if no leg has changed them, with `of_the_hand`. `goal`
+    /// changes them along the new leg.
     pub(super) fn append(&mut self, of_the_hand: &[f64], goal: &LegGoal<Vec<f64>>) {
         if self.0.is_none() && *goal == LegGoal::Stay {
             return;
@@ -96,8 +96,8 @@ impl HeldTorques {
         self.0 = Some(Arc::new(both));
     }
 
-    /// The torques that hold the joints, minus those of the hand before the program, at the beginning and at the end of the leg. They are generalised
-    /// forces on the coordinates of the grasp. `None` if no leg so far changes them.
+    /// The torques that hold the joints, minus the torques of the hand before the program, at the beginning and at the end of the leg. They are
+    /// generalised forces on the coordinates of the grasp. `None` if no leg so far changes them.
     pub(super) fn inside(&self, grasp: &Engine) -> Option<[Vector; 2]> {
         let (torques, linkage) = self.0.as_ref().zip(grasp.linkage())?;
         Some([0, 1].each(|end| {

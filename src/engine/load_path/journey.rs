@@ -32,7 +32,8 @@ pub(crate) struct Journey<'g> {
 }
 
 impl<'g> Journey<'g> {
-    /// A load program without legs yet, which starts under the load `start`. An error if this load or the limits of small motions are out of range.
+    /// A load program without legs yet, which starts under the load `start`. Returns an error if this load or the limits of small motions are out of
+    /// range.
     pub(super) fn new(grasp: &'g Engine, start: &Wrench<3>, settings: &Settings) -> Result<Self, Error> {
         grasp.load_alone(start, "start load")?;
         settings.small_motions.check()?;
@@ -52,7 +53,8 @@ impl<'g> Journey<'g> {
         self.problem(self.grasp.offsets(), &self.program.inside_course(self.grasp).at(0.0))
     }
 
-    /// The equilibrium from which the path starts, a solution of `problem`. If none is found, the error is the end of the path before its first leg.
+    /// The equilibrium from which the path starts, a solution of `problem`. If no equilibrium is found, the error is the end of the path before its
+    /// first leg.
     pub(super) fn start(&self, problem: &Problem<'g>) -> Result<Found, PathEnd<3>> {
         match self.rest.clone().unwrap_or_else(|| settle_at_rest(problem, &self.settings)) {
             (Settled::Found(found, _), _) => Ok(found),
@@ -118,7 +120,7 @@ impl<'g> Journey<'g> {
         PathEnd::Undecided { leg: self.program.leg, fraction, doubt }
     }
 
-    /// Appends legs to the program. If one is invalid, an error, and none is appended.
+    /// Appends legs to the program. If a leg is invalid, returns an error and appends none.
     pub(super) fn extend(&mut self, legs: &[Leg<3>]) -> Result<(), Error> {
         self.program.extend(self.grasp, legs)
     }

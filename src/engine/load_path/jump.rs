@@ -24,8 +24,8 @@ use crate::words::{Words, listed};
 /// Or nothing resists the object any more, and it moves until the gap of an open contact closes ([`Self::reaches`]). Every place on this motion is in
 /// balance under the same load. The speed of arrival plays no part.
 ///
-/// Or no equilibrium is left near the end of a path, and the object [snaps over](Self::snaps) to another one, as slowly as if every spring had a damper
-/// in proportion to it. The object does not overshoot here either.
+/// Or no equilibrium is left near the end of a path, and the object [snaps over](Self::snaps) to another equilibrium. It moves as slowly as if every
+/// spring had a damper in proportion to its stiffness. The object does not overshoot here either.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

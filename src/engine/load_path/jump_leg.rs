@@ -8,8 +8,9 @@
 //! ```
 //!
 //! The path follows such a leg like any other. If another contact leaves its static cone on the leg, the force that it loses is applied as well. The
-//! leg then begins anew from there. Either the leg reaches its end, or equilibrium is lost on it, with a complete [`Loss`]. The external force
-//! represents the damping of a motion that does not overshoot.
+//! leg then begins anew from there. If the leg reaches its end, the jump has led to an equilibrium without an external force. Otherwise equilibrium
+//! is lost on the leg, and the path ends with this [`Loss`]. The external force stands for the damping forces of an overdamped motion, in which the
+//! object does not overshoot the new equilibrium.
 
 use nalgebra::{Matrix, SVector};
 
@@ -53,8 +54,8 @@ impl<'g> JumpInProgress<'g> {
         Self { leg, record, changes: Vec::new(), reaches: Vec::new() }
     }
 
-    /// Follows the leg of the jump to its end, where the load is `goal`. Friction forces that further contacts lose on it are removed as well. Where
-    /// the equilibrium is lost, the object moves until a gap closes. The error is the end of the path, if no gap closes or forces are lost too often.
+    /// Follows the leg of the jump to its end, where the load is `goal`. Friction forces that further contacts lose on it are removed as well. If the
+    /// equilibrium is lost, the object moves until a gap closes. The error is the end of the path, if no gap closes or forces are lost too often.
     pub(super) fn run(&mut self, goal: &Vector, journey: &Journey<'g>) -> Result<(), PathEnd<3>> {
         // A lost force is removed at most sixteen times for each contact or drive. Each time energy is lost, so only rounding could make contacts
         // stick and slide again more often.
@@ -79,8 +80,8 @@ impl<'g> JumpInProgress<'g> {
         }
     }
 
-    /// Advances along the leg towards its next event and returns an empty list, or decides at an event how the leg continues. Then returns the
-    /// contacts that begin to slide with lower kinetic friction. `None` at the end of the leg.
+    /// Advances along the leg towards its next event and returns an empty list, or decides at an event how the leg continues. In the second case
+    /// returns the contacts that begin to slide with lower kinetic friction. `None` at the end of the leg.
     fn advance_to_node(&mut self, journey: &Journey<'g>) -> Result<Option<Vec<usize>>, PathEnd<3>> {
         let leg = &mut self.leg;
         if !core::mem::take(&mut leg.at_node) {
@@ -167,8 +168,8 @@ impl<'g> Pieces<'g> {
         Ok(Some(leg))
     }
 
-    /// Makes the jump that follows when the contacts `begin` start to slide with kinetic friction. `None` if there are none, or if they have no force
-    /// to lose. The error is the end of the path, if no equilibrium is reached.
+    /// Makes the jump that follows when the contacts `begin` start to slide with kinetic friction. `None` if the list is empty, or if these contacts
+    /// have no force to lose. The error is the end of the path, if no equilibrium is reached.
     pub(super) fn jump(
         &mut self,
         journey: &Journey<'g>,
@@ -203,8 +204,8 @@ impl<'g> Pieces<'g> {
         self.end_jump(journey, &goal, jump).map(Some)
     }
 
-    /// Moves this path to the end of the jump `jump`, under the load `goal`, and returns the jump for the caller. An error if the state there is not
-    /// accurate enough.
+    /// Moves this path to the end of the jump `jump`, under the load `goal`, and returns the jump for the caller. Returns an error if the state there
+    /// is not accurate enough.
     pub(super) fn end_jump(
         &mut self,
         journey: &Journey<'g>,
@@ -261,8 +262,8 @@ impl<'g> Pieces<'g> {
     }
 }
 
-/// Whether any equilibrium solves `problem`, the static problem at the load at which a jump found none, with kinetic friction of the contacts that
-/// slide: [`Beyond::Snap`] if one is found, [`Beyond::LimitLoad`] if none exists.
+/// Whether any equilibrium solves `problem`, the static problem at the load at which a jump found no equilibrium. Contacts that slide have kinetic
+/// friction. Returns [`Beyond::Snap`] if an equilibrium is found, [`Beyond::LimitLoad`] if no equilibrium exists.
 pub(super) fn beyond_a_jump(problem: &Problem<'_>, settings: &Settings) -> Beyond<3> {
     match settle(problem, settings).0 {
         Settled::Found(..) => Beyond::Snap,

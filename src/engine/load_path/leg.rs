@@ -16,10 +16,10 @@ use crate::prelude::*;
 
 /// One leg of a load program: the load, the commands, or both change linearly to their goals, or the load turns.
 ///
-/// A squeeze is a leg of commands, loading and unloading are legs of the load; a quantity that the leg does not mention stays. Loads act on the
-/// object (N, N m about the origin). Commands are displacements of the fingers in their contact frames (m), the normal part positive into the object.
-/// All points of a soft fingertip follow one command, unless there is one for each point. Loads and commands change in proportion to the fraction of
-/// the leg, from 0 to 1; this fraction is the load factor of the leg.
+/// A squeeze is a leg of commands, loading and unloading are legs of the load. A quantity that the leg does not mention keeps its value. Loads act on
+/// the object (N, N m about the origin). Commands are displacements of the fingers in their contact frames (m), the normal part positive into the
+/// object. All points of a soft fingertip follow one command, unless there is one for each point. Loads and commands change in proportion to the
+/// fraction of the leg, from 0 to 1; this fraction is the load factor of the leg.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
@@ -108,13 +108,13 @@ impl<const C: usize> Leg<C> {
         Self { load: LegLoad::Turn(*turn), ..Self::STAY }
     }
 
-    /// A leg along which the finger commands change by `change`: one displacement a contact, each in its contact frame (m).
+    /// A leg along which the finger commands change by `change`: one displacement for each contact, each in its contact frame (m).
     #[must_use]
     pub fn commands_by(change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         Self { commands: LegGoal::By(vectors(change)), ..Self::STAY }
     }
 
-    /// A leg at whose end the finger commands are `commands`: one displacement a contact, each in its contact frame (m).
+    /// A leg at whose end the finger commands are `commands`: one displacement for each contact, each in its contact frame (m).
     #[must_use]
     pub fn commands_to(commands: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         Self { commands: LegGoal::To(vectors(commands)), ..Self::STAY }
@@ -132,13 +132,13 @@ impl<const C: usize> Leg<C> {
         Self { load: LegLoad::Straight(LegGoal::To(load)), ..self }
     }
 
-    /// This leg, along which the finger commands also change by `change`: one displacement a contact, each in its contact frame, m.
+    /// This leg, along which the finger commands also change by `change`: one displacement for each contact, each in its contact frame, m.
     #[must_use]
     pub fn and_commands_by(self, change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         Self { commands: LegGoal::By(vectors(change)), ..self }
     }
 
-    /// This leg, at whose end the finger commands are also `commands`: one displacement a contact, each in its contact frame, m.
+    /// This leg, at whose end the finger commands are also `commands`: one displacement for each contact, each in its contact frame, m.
     #[must_use]
     pub fn and_commands_to(self, commands: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         Self { commands: LegGoal::To(vectors(commands)), ..self }
@@ -222,7 +222,7 @@ impl<const C: usize> Leg<C> {
 
 impl Leg<3> {
     /// This leg with one command for each contact point: the command of a soft fingertip is repeated for all of its points. Links between bodies,
-    /// which have no entry in the commands, keep their pretension. An error if the number of commands is wrong.
+    /// which have no entry in the commands, keep their pretension. Returns an error if the number of commands is wrong.
     pub(super) fn of_points(&self, grasp: &Engine) -> Result<Self, Error> {
         let (what, none) = ("commands of a leg", SVector::zeros());
         let of_points = |rows: &Vec<_>, at_links: &dyn Fn(usize) -> SVector<f64, 3>| {
@@ -282,7 +282,7 @@ impl<const C: usize> LegLoad<C> {
 }
 
 impl<T: Copy + Add<Output = T>> LegGoal<Vec<T>> {
-    /// Replaces `commands`, the values at the beginning and at the end of the previous leg, by those of the next leg, which has this goal.
+    /// Replaces `commands`, the values at the beginning and end of the previous leg, by the values of the next leg, which has this goal.
     pub(super) fn append(&self, commands: &mut [Vec<T>; 2]) {
         commands.swap(0, 1);
         let [from, to] = commands;

@@ -1,5 +1,5 @@
-//! A node of the load path, the place of an event. It has for each contact the edges of its cone on which its force lies (its active set). Here the
-//! continuation of the path is decided.
+//! A node of the load path is the place of an event. It has for each contact the edges of its cone on which its force lies (its active set). At a
+//! node the continuation of the path is decided.
 
 use nalgebra::{Matrix, SVector};
 
@@ -25,7 +25,7 @@ use crate::search::{
 /// The rate problem at a node (the complementarity problem for the rates of forces and motion), and `settled`, the outcome of the search for its
 /// solution.
 struct Decided<'g> {
-    /// The load factor whose rates of load and commands the problem has: that of the node, or one slightly ahead while the load turns.
+    /// The load factor whose rates of load and commands the problem has: that of the node or, while the load turns, one slightly ahead.
     ahead: f64,
     rates: Problem<'g>,
     settled: Settled,
@@ -48,7 +48,7 @@ pub(super) struct Node {
     /// Indices of contacts whose slip has ended at this node.
     pub(super) stopped: Vec<usize>,
     pub(super) at: PieceState,
-    /// The load factor whose rates of load and commands decided the continuation: that of the node, or one a little ahead while the load turns.
+    /// The load factor whose rates of load and commands decided the continuation: that of the node or, while the load turns, one slightly ahead.
     pub(super) ahead: f64,
 }
 
@@ -61,7 +61,7 @@ pub(super) struct NextPiece {
 
 impl Node {
     /// Solves the rate problem at the load factor `factor`. The solution decides the states of all contacts on the edge of their cones, and so how
-    /// the path continues. If there is none, the error is the end of the path.
+    /// the path continues. If there is no solution, the error is the end of the path.
     pub(super) fn continue_path(
         &mut self,
         segment: &mut Segment<'_>,
@@ -120,7 +120,7 @@ impl Node {
     ///
     /// While the load turns, a slip may stop, or a force may touch the edge of its cone, exactly at the node. The rates at the node then do not show
     /// whether the slip reverses or the force leaves the cone; rates slightly ahead do. The load rates for which given states hold form a convex
-    /// cone. So states that hold for the rates at the node and for those ahead also hold in between.
+    /// cone. So states that hold for the rates at the node and for the rates ahead also hold in between.
     fn decided<'g>(&self, segment: &Segment<'g>, factor: f64, settings: &Settings) -> Decided<'g> {
         let laws = segment.laws_of_rates(&self.active_sets, &self.states);
         let at = |ahead: f64| {
@@ -154,13 +154,13 @@ impl Node {
         }
         match last {
             Some(last) if !segment.problem.round => last,
-            // The place of a node at the end of an arc has the error of the arc's steps, so rates at the node are as good as those ahead.
+            // The place of a node at the end of an arc has the error of the arc's steps. So rates at the node are as good as rates ahead.
             _ => at(factor),
         }
     }
 
-    /// Tries the usual solutions of the rate problem `rates`: all contacts keep their states, or contacts on the edge of their cones slide.
-    /// [`Judged::Holds`] with the first that meets all conditions.
+    /// Tries the usual solutions of the rate problem `rates`: all contacts keep their states, or contacts on the edge of their cones slide. Returns
+    /// [`Judged::Holds`] with the first solution that meets all conditions.
     fn guess(&self, segment: &Segment<'_>, factor: f64, rates: &Problem) -> Judged {
         // Only at the start of a leg may nothing change: within a leg the present state of some contact has just stopped being valid.
         let as_before =
@@ -169,8 +169,8 @@ impl Node {
             return holds;
         }
         let sliding = rates.yielding();
-        // For a contact at the apex of its cone no state is more likely than another. On the round cone it is tried open; then Newton's method starts
-        // from sticking and from sliding.
+        // For a contact at the apex of its cone no state is more likely than another. On the round cone it is first tried open; then Newton's method
+        // starts from sticking and from sliding.
         let at_the_apex = |i: usize| matches!(rates.laws[i], Law::Cone { .. });
         if (0..rates.len()).any(at_the_apex) {
             if !rates.round {
@@ -189,11 +189,11 @@ impl Node {
     }
 
     /// Opens contacts in the solution `found` of the rate problem that touch and gain no force, so that they do not drag the object along. They open
-    /// if a solution without them exists in which the object moves less. If no contact gains a force, and one would slide on the round cone, all
-    /// contacts that may open do.
+    /// if a solution without them exists in which the object moves less. If no contact gains a force, and a contact would slide on the round cone,
+    /// all contacts that may open are opened.
     fn without_dragging(&self, rates: &Problem, found: Found) -> Found {
         let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
-        // On the round cone the direction of sliding is that of the friction force, which a zero force does not have.
+        // On the round cone a contact slides along its friction force, and a zero force has no direction.
         let slides = rates.round && found.twist.norm() > 0.0 && found.states.iter().any(State::slides);
         let nothing = slides && forces_are_rounding(rates, &found.forces, &found.twist);
         let state = |i: usize| {
@@ -213,8 +213,8 @@ impl Node {
         if nothing && (0..states.len()).all(comes_no_nearer) {
             return Found { forces: vec![SVector::zeros(); states.len()], states, ..found };
         }
-        // Motions whose lengths differ by less than this fraction are equal up to rounding. Of equal motions, the one without sliding contacts that
-        // carry no force is chosen, since the direction of such a slide would be rounding.
+        // Motions whose lengths differ by less than this fraction are equal up to rounding. Of equal motions, the motion without sliding contacts
+        // that carry no force is chosen, since the direction of such a slide would be rounding.
         let rubs = rates.round && (0..states.len()).any(|i| states[i].is_open() && found.states[i].slides());
         let most = if rubs { 1.0 + NEGLIGIBLE } else { 1.0 - NEGLIGIBLE };
         match try_states(rates, states) {

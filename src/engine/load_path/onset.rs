@@ -21,7 +21,7 @@ use crate::serial::AsComputed;
 pub enum Onset<const C: usize> {
     /// The first contact stops sticking at the load factor of this event.
     At(Box<OnsetEvent<C>>),
-    /// Everything keeps sticking at every load factor; for a turn, up to its last angle.
+    /// Everything keeps sticking at every load factor; for a turn, at every angle up to the last angle.
     Never,
     /// A contact slides already at load factor 0: the equilibrium there. (A contact on the edge of its cone sticks, and may leave at load factor 0.)
     AlreadySliding(Box<Equilibrium<C>>),
@@ -31,7 +31,8 @@ pub enum Onset<const C: usize> {
     GivesWay {
         /// The load factor up to which the grasp holds.
         factor: f64,
-        /// The reason why no equilibrium exists beyond; its work is that of the rate of the load, J per unit of the load factor (J/rad for a turn).
+        /// The reason why no equilibrium exists beyond. Its work is the work of the rate of the load, J per unit of the load factor (J/rad for a
+        /// turn).
         reason: NoEquilibrium<C>,
     },
     /// The search for the equilibrium at load factor 0 was undecided, or the path to the onset depends on rounding.
@@ -48,8 +49,8 @@ impl<const C: usize> Onset<C> {
         }
     }
 
-    /// The load factor up to which everything that touches sticks: that of the event, or that from which nothing resists the load;
-    /// infinite for [`Self::Never`]. `None` without a sticking equilibrium to start from, or if the answer is undecided.
+    /// The load factor up to which everything that touches sticks: that of the event, or the load factor from which nothing resists the load.
+    /// Infinite for [`Self::Never`]. `None` without a sticking equilibrium to start from, or if the answer is undecided.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         match self {
@@ -137,7 +138,7 @@ impl Leaving<3> {
     }
 
     /// As [`Self::new`], from the edges of its cone that the force has reached: the contact slides outwards across them. At the apex it opens, or
-    /// would have to pull. Used where no continuation determines the direction of its slip.
+    /// would have to pull. Used if no continuation determines the direction of its slip.
     pub(super) fn driven_out(
         site: usize,
         active: &ActiveSet,
@@ -181,7 +182,7 @@ pub struct Leaving<const C: usize> {
 pub enum Departure<const C: usize> {
     /// The contact slides, `|F_t| = μ F_n`.
     Slides {
-        /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body in this direction.
+        /// Unit direction, along the coordinate axes, in which the finger slips over the body; friction pulls the body in this direction.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },

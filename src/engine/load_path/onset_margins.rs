@@ -1,5 +1,5 @@
-//! The margins m that vanish at an onset, and the derivatives of its load factor τ by the data: `dτ = -dm / m'`, with the rate m' of the margin along
-//! the ramp.
+//! The margins m that vanish at an onset, and the derivatives of its load factor τ with respect to the data: `dτ = -dm / m'`, with the rate m' of the
+//! margin along the ramp.
 
 use nalgebra::SVector;
 
@@ -21,8 +21,9 @@ pub enum Leaver {
     Drive(HandPart),
 }
 
-/// The margins that vanish at an onset, and the derivatives of its load factor τ by the data of grasp and load: `dτ = -dm / m'`. The vanishing margin
-/// is m = `μ F_n - |F_t|` (F_n where a contact opens), and m' its rate along the ramp. For a load that turns they are derivatives of the angle.
+/// The margins that vanish at an onset, and the derivatives of its load factor τ with respect to the data of grasp and load: `dτ = -dm / m'`. The
+/// vanishing margin is m = `μ F_n - |F_t|` (F_n if a contact opens), and m' its rate along the ramp. For a load that turns they are derivatives of
+/// the angle of the onset.
 ///
 /// A change of a point or a normal moves or turns the contact frame, and thus changes the grasp map. With contact stiffness K, motion q and forces F:
 ///
@@ -40,7 +41,7 @@ pub struct OnsetMargins<'g> {
 }
 
 /// The margin of a contact or drive that stops sticking, linearised in its force F: `row·F` is `μ F_n - h·F_t` with a facet normal h (on the round
-/// cone along F_t), or F_n alone where friction is absent or unlimited.
+/// cone along F_t), or F_n alone if friction is absent or unlimited.
 struct Margin {
     leaver: Leaver,
     site: usize,
@@ -50,8 +51,8 @@ struct Margin {
 }
 
 impl<'g> OnsetMargins<'g> {
-    /// The margins at the onset `event`. `None` if a contact with friction closed before the onset, if one closes there and slides, or if the event
-    /// has another number of contacts.
+    /// The margins at the onset `event`. `None` if a contact with friction closed before the onset, or closes at the onset and slides. `None` also if
+    /// the event has another number of contacts.
     pub(crate) fn new(grasp: &'g Engine, event: &OnsetEvent<3>) -> Option<Self> {
         let StickingState { found, slips, offset_rates, wrench_rate, leaving, .. } = &event.local;
         let found = found.found();
@@ -76,15 +77,15 @@ impl<'g> OnsetMargins<'g> {
     }
 
     /// The contacts and drives that stop sticking at the onset, in the order of the derivatives of [`Self::by`]. Each has a load factor at which its
-    /// margin vanishes; the onset is the least of them. So the one-sided derivative of the onset along a change of the data is the least of their
-    /// derivatives.
+    /// margin vanishes; the onset is the least of these load factors. So the one-sided derivative of the onset along a change of the data is the
+    /// least of their derivatives.
     #[must_use]
     pub fn leavers(&self) -> Vec<Leaver> {
         mapped(&self.margins, &|margin| margin.leaver)
     }
 
-    /// The derivative of the load factor by one datum, for each contact or drive of [`Self::leavers`]. Its unit is the inverse of the datum's unit,
-    /// for the base load 1/N and 1/(N m). `None` if [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative of the forces.
+    /// The derivative of the load factor with respect to one datum, for each contact or drive of [`Self::leavers`]. Its unit is the inverse of the
+    /// datum's unit, for the base load 1/N and 1/(N m). `None` if [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative of the forces.
     #[must_use]
     pub fn by(&self, parameter: Parameter) -> Option<Vec<f64>> {
         let change = self.response.derivative(&self.state, parameter)?;
@@ -97,8 +98,9 @@ impl<'g> OnsetMargins<'g> {
         Some(mapped(&self.margins, &|margin| margin.factor_change(&change.forces, direct(margin))))
     }
 
-    /// The derivative of the load factor by x at x = 0, if x times `load` is added to the load, for each of [`Self::leavers`]. With the load of the
-    /// onset as `load` it is the derivative by a factor on the whole load, at the value 1. `None` if `load` is refused.
+    /// The derivative of the load factor with respect to x at x = 0, if x times `load` is added to the load. It is computed for each contact or drive
+    /// of [`Self::leavers`]. If `load` is the load of the onset, this is the derivative with respect to a factor of the whole load, at the value 1.
+    /// `None` if nothing resists `load` in the present contact states.
     #[must_use]
     pub fn by_load<const C: usize>(&self, load: &Wrench<C>) -> Option<Vec<f64>> {
         let change = self.response.by_load(&inside(load)).ok()?;

@@ -1,4 +1,4 @@
-//! Memory that the computation of one onset leaves to that of the next.
+//! Memory that the computation of one onset leaves to the computation of the next onset.
 
 use alloc::sync::Arc;
 
@@ -23,11 +23,13 @@ pub(super) struct OnsetMemory {
     pub(super) change: Vec<SVector<f64, 3>>,
     polygon: Option<((Space, PolygonCone), Arc<Polygon>)>,
     pub(super) solution: SolutionMemory,
-    /// Contact forces and twist under the base load. Then `rate`, their derivatives by the load factor, and `there`, forces and twist at the onset,
-    /// with the offsets of all contacts there in `offsets`.
+    /// Contact forces and twist under the base load.
     pub(super) base: PieceState,
+    /// Derivatives of contact forces and twist with respect to the load factor.
     pub(super) rate: PieceState,
+    /// Contact forces and twist at the onset.
     pub(super) there: PieceState,
+    /// Offsets of all contacts at the onset.
     pub(super) offsets: Vec<SVector<f64, 3>>,
     pub(super) states: Vec<State>,
     pub(super) active_sets: Vec<ActiveSet>,
@@ -36,6 +38,7 @@ pub(super) struct OnsetMemory {
     pub(super) sites: Vec<usize>,
     /// Memory for the coordinates beyond those of one object (of joints and further bodies) of three vectors: twist, load and load rate at the onset.
     pub(super) coordinates: [Vec<f64>; 3],
+    /// The box of an event that the caller no longer needs, for the next event.
     place: Option<Box<OnsetEvent<3>>>,
     /// The result of the search for the equilibrium under the base load; `None` if the last onset was found without this search.
     pub(super) rest: Option<Rest>,

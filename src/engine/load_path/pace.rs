@@ -5,10 +5,10 @@ use crate::prelude::*;
 
 /// The estimated error of a step is proportional to this power of its length.
 const ERROR_ORDER: f64 = 8.0;
-/// The length of the next step is this fraction of the length that the error estimate allows. Its error is then a sixth of the allowed one: few steps
-/// are refused, and errors that add up have a reserve.
+/// The length of the next step is this fraction of the length that the error estimate allows. Its error is then a sixth of the allowed error: few
+/// steps are refused, and errors that add up have a reserve.
 const CAUTION: f64 = 0.8;
-/// Least ratio of the length of a step to that before it, since the error estimate is only valid for small changes of the length.
+/// Least ratio of the length of a step to the length of the step before. The error estimate is only valid for small changes of the length.
 const LEAST_RATIO: f64 = 0.2;
 
 /// The data of the step control along an arc: the length and kind of the next step, and counters.
@@ -18,15 +18,16 @@ pub(super) struct Pace {
     pub(super) length: Option<f64>,
     /// The displacement, m, that counts in arclength as much as the whole leg of the load program; `None` before the first step from a node.
     pub(super) unit: Option<f64>,
-    /// Number of steps refused since the last accepted one.
+    /// Number of steps refused since the last accepted step.
     refused: u8,
     /// Whether steps are implicit, because directions of friction turn much faster than the object moves.
     pub(super) stiff: bool,
-    /// Number of explicit steps still to be made before implicit ones are considered.
+    /// Number of explicit steps still to be made before implicit steps are considered.
     patience: u8,
     pub(super) steps: usize,
+    /// Number of times that the allowed error was raised since the last node.
     loosened: u8,
-    /// The factor by which the allowed error of a step exceeds that of the settings.
+    /// The factor by which the allowed error of a step exceeds the allowed error of the settings.
     pub(super) looser: f64,
 }
 
@@ -67,7 +68,7 @@ impl Pace {
     /// Records an accepted step of arclength `length`, with the fraction `part` of the allowed error, and chooses the next length. A step that was
     /// shortened (`cut`) to end at an event does not reduce the next length.
     pub(super) fn accept(&mut self, length: f64, part: f64, cut: bool) {
-        // Largest ratio of the length of a step to that of the step before. After a refused step no growth is allowed.
+        // Largest ratio of the length of a step to the length of the step before. After a refused step no growth is allowed.
         let longest = if self.refused > 0 { 1.0 } else { 5.0 };
         let next = length * (CAUTION * part.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, longest);
         self.length = Some(if cut { next.max(self.length.unwrap_or(0.0)) } else { next });
@@ -78,15 +79,15 @@ impl Pace {
 
     /// Whether steps have been explicit for a while, and the rest of the leg `rest` is more than fifty times `stable`, the longest stable step.
     pub(super) fn is_cramped(&self, stable: f64, rest: f64) -> bool {
-        // An implicit step costs as much as a few explicit ones, and may be as long as hundreds of them.
+        // An implicit step costs as much as a few explicit steps, and may be as long as hundreds of them.
         self.patience == 0 && stable * 50.0 < rest
     }
 
-    /// Records a refused step of arclength `length`, with `times` times the allowed error, and chooses a shorter one.
+    /// Records a refused step of arclength `length`, with `times` times the allowed error, and chooses a shorter length.
     pub(super) fn refuse(&mut self, length: f64, times: f64) {
         self.length = Some(length * (CAUTION * times.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, CAUTION));
         self.refused += 1;
-        // If this many implicit steps in a row are refused, explicit ones are tried for a while.
+        // If this many implicit steps in a row are refused, explicit steps are tried for a while.
         if self.stiff && self.refused >= 4 {
             (self.stiff, self.patience) = (false, 64);
         }

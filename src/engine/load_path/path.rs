@@ -18,8 +18,8 @@ use crate::grasp::{Face, outside};
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// A load program being followed: an iterator over its events or steps. The caller can inspect each of these, and stop after any. When the iterator
-/// has ended, [`end`](Self::end) says how the path ended.
+/// A load program being followed: an iterator over its events or steps. The caller can inspect each event or step, and stop after it. When the
+/// iterator has ended, [`end`](Self::end) says how the path ended.
 ///
 /// The method of following determines the type `T` of the items, events or steps, and how many contacts are affordable: [`LoadPath`] or
 /// [`SteppedPath`]. The law is the same for both: contacts stick, slide with memory of their slip, open and close again.
@@ -179,7 +179,7 @@ impl<'g, const C: usize, T> Path<'g, C, T> {
 
     /// The equilibrium at the present place, with residuals recomputed from the grasp, the load and the slip so far. `None` if the path had no
     /// equilibrium to start from, or if the state cannot be computed because of rounding. The state is returned whatever its residuals are: check
-    /// them. Where an event lies exactly here, the contact states may be those before or after it.
+    /// them. If an event lies exactly here, the contact states may be those before or after the event.
     #[must_use]
     pub fn state(&self) -> Option<Equilibrium<C>> {
         self.0.state()
@@ -234,15 +234,15 @@ impl<const C: usize> LoadPath<'_, C> {
     /// each step is below [`Settings::step_error`] unless rounding forbids that. Zero if nothing had to be integrated, as in the plane and on
     /// polygonal friction cones. Small forces and margins that were set to zero where events accumulate are added, relative to the largest force.
     ///
-    /// The estimate is relative: of forces to the largest force of the step, of displacements to the largest one, whichever is worse. The error is
-    /// usually smaller. The growth of an earlier error on later steps is not included; sliding damps most of it.
+    /// The estimate is the larger of two ratios: error of forces to largest force of the step, and error of displacements to largest displacement.
+    /// The error is usually smaller. The growth of an earlier error on later steps is not included; sliding damps most of it.
     #[must_use]
     pub fn step_error(&self) -> f64 {
         self.0.step_error()
     }
 
     /// The place where motions cease to be small by [`Settings::small_motions`], on the part of the path followed so far. Beyond it the answers are
-    /// those for the undeformed geometry and say little about the object. `None` if all motions are small.
+    /// computed for the undeformed geometry and say little about the object. `None` if all motions are small.
     #[must_use]
     pub fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions> {
         self.0.end_of_small_motions()
@@ -266,15 +266,15 @@ impl<const C: usize> LoadPath<'_, C> {
         self.0.all_slide_from(until)
     }
 
-    /// Energies of each leg entered so far, J; those of the present leg up to the present place.
+    /// Energies of each leg entered so far, J; for the present leg, the energies up to the present place.
     #[must_use]
     pub fn energies(&self) -> &[LegEnergy] {
         self.0.energies()
     }
 
-    /// The equilibrium at a fraction (0 to 1) of a leg (from 0) that the path has passed or has reached; `None` beyond. Where an event lies exactly
-    /// there, the state is the one before it. Where directions of sliding turn, the integration step is repeated up to this fraction with the same
-    /// error bound; `None` if that fails because of rounding.
+    /// The equilibrium at a fraction (0 to 1) of a leg (from 0) that the path has passed or has reached; `None` beyond. If an event lies exactly
+    /// there, the state is the equilibrium before the event. If directions of sliding turn, the integration step is repeated up to this fraction with
+    /// the same error bound. `None` if that fails because of rounding.
     #[must_use]
     pub fn state_at(&self, leg: usize, fraction: f64) -> Option<Equilibrium<C>> {
         self.0.state_at(leg, fraction)
@@ -283,8 +283,8 @@ impl<const C: usize> LoadPath<'_, C> {
 
 impl<const C: usize> SteppedPath<'_, C> {
     /// Estimated error of the forces, relative to the largest force, everywhere on the path so far. It is the distance to a second path, which makes
-    /// each step at once where the first path makes it in two halves. An estimate of the errors that both paths have in common is added, for contacts
-    /// that stop, open or close. The error is usually a third of the estimate.
+    /// each step at once, whereas the first path makes it in two halves. An estimate of the errors that both paths have in common is added, for
+    /// contacts that stop, open or close. The error is usually a third of the estimate.
     #[must_use]
     pub fn step_error(&self) -> f64 {
         self.0.step_error()

@@ -19,7 +19,7 @@ use crate::prelude::*;
 use crate::search::Found;
 
 /// Whether load and all contact forces are as small as the force that rounding of the displacements causes in the softest spring. Rounding alone
-/// would then decide which contacts press, so none counts as pressing. In a rate problem the test applies to rates.
+/// would then decide which contacts press, so no contact counts as pressing. In a rate problem the test applies to rates.
 pub(super) fn forces_are_rounding(problem: &Problem<'_>, forces: &[SVector<f64, 3>], twist: &Vector) -> bool {
     let largest = forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
     let spans = (0..problem.len()).map(|contact| problem.span(contact, twist));
@@ -61,7 +61,7 @@ impl Node {
     }
 
     /// Forces, twist, gaps and their rates at a load factor, in the contact states of this node. Along motions that no spring resists the twist rate
-    /// is that of `pushed`. An error if forces cannot balance.
+    /// equals `pushed`. Returns an error if forces cannot balance.
     pub(super) fn point_at(
         &self,
         segment: &Segment<'_>,
@@ -174,7 +174,7 @@ impl Node {
     }
 
     /// Returns a contact that has stopped sliding at this node and that, sticking, leaves its cone along a tangent. On a straight piece it can
-    /// neither stick nor slide on, since it would slip against friction. `None` if there is none, on arcs, and while the load turns.
+    /// neither stick nor slide on, since it would slip against friction. `None` if there is no such contact, on arcs, and while the load turns.
     pub(super) fn neither_slides_nor_sticks(
         &self,
         segment: &Segment<'_>,
@@ -188,8 +188,8 @@ impl Node {
         self.stopped.iter().find(leaves).copied().filter(|_| straight)
     }
 
-    /// Called when steps have become too short to advance. Treats contacts whose force is nearly on the edge of its cone, or whose gap is nearly
-    /// closed, as there. All events within the error of steps then happen at one place. Returns the largest distance of such a contact from the edge,
+    /// Called when steps have become too short to advance. A force nearly on the edge of its cone is treated as on the edge, and a gap that is nearly
+    /// closed as closed. All events within the error of steps then happen at one place. Returns the largest distance of such a contact from the edge,
     /// relative to the size of its force or gap. Without such contacts it is zero if contacts slide on the round cone and the load does not turn,
     /// else `None`.
     pub(super) fn gather(&mut self, segment: &Segment<'_>, point: &PathPoint) -> Option<f64> {

@@ -13,11 +13,12 @@ use crate::numerics::{
 use crate::object::uses_band;
 use crate::prelude::*;
 
-/// An order of the coordinates in which coordinates coupled by a contact are near each other: `numbers` has the position of each, and `reach` the
-/// half width of the band.
+/// An order of the coordinates in which coordinates coupled by a contact are near each other.
 #[derive(Debug)]
 pub(super) struct NarrowOrder {
+    /// The position of each coordinate in this order.
     numbers: Vec<usize>,
+    /// The half width of the band.
     reach: usize,
 }
 
@@ -59,7 +60,8 @@ impl PathStiffness {
         }
     }
 
-    /// Adds a stiffness matrix with the entries `entry(row, column)`, nonzero only for coordinates in `ranges`, such as that of a contact.
+    /// Adds a stiffness matrix with the entries `entry(row, column)`, nonzero only for coordinates in `ranges`. An example is the term of one
+    /// contact.
     #[inline(always)]
     pub(super) fn add(&mut self, ranges: &[Range<usize>; 2], entry: impl Fn(usize, usize) -> f64) {
         match self {

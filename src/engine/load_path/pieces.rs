@@ -1,10 +1,11 @@
-//! Follows a load program piece by piece, from event to event, each with its exact load: for up to some hundreds of contacts.
+//! Follows a load program piece by piece, from event to event, and finds the exact load of each event. This is affordable for up to some hundreds of
+//! contacts. A leg is a part of the program along which load and commands change linearly, or the load turns.
 //!
 //! While every contact keeps its state, forces and motions are affine in the fraction of the leg, and a ratio test gives the next event. Under a
-//! turning load they are harmonics of its angle, and the next event is a root (see [`super::straight`], [`super::turning_load`]). A contact that
-//! slides on a round cone changes its direction of sliding along the piece, an arc (see [`super::turning`]). At an event some contacts are on an edge
-//! of their cone, at its apex or at a closed gap. The rates of forces and motion solve a complementarity problem for these contacts. Its solution
-//! determines the next piece; without a solution the path ends.
+//! turning load they are harmonics of its angle, and the next event is a root (see [`super::straight`], [`super::turning_load`]). If a contact slides
+//! on a round cone, its direction of sliding turns along the piece, which is then called an arc (see [`super::turning`]). At an event some contacts
+//! are on an edge of their cone, at its apex or at a closed gap. The rates of forces and motion solve a complementarity problem for these contacts.
+//! Its solution determines the next piece; without a solution the path ends.
 
 use nalgebra::SVector;
 
@@ -62,7 +63,7 @@ pub(crate) struct Pieces<'g> {
     pub(super) first: Option<Box<Event<3>>>,
     /// The static problem at the load of a jump that found no equilibrium, with slips and friction at the end of the jump.
     pub(super) failed_jump: Option<Problem<'g>>,
-    /// The place on the path at which a motion exceeded its limit of small motions; `None` if none has so far.
+    /// The place on the path at which a motion exceeded its limit of small motions; `None` if no motion has done so far.
     pub(super) end_of_small_motions: Option<EndOfSmallMotions>,
     /// The largest ratio of a rotation, slip or opening to its limit of small motions, at the ends of all pieces so far.
     pub(super) farthest: f64,
@@ -179,7 +180,7 @@ impl<'g> Follower<'g> for Pieces<'g> {
 }
 
 impl<'g> Pieces<'g> {
-    /// The follower at the start of its path, at an equilibrium that solves `problem`. If none is found, the error is the end of the path.
+    /// The follower at the start of its path, at an equilibrium that solves `problem`. If no equilibrium is found, the error is the end of the path.
     pub(super) fn at_start(journey: &Journey<'g>, problem: &Problem<'g>) -> Result<Self, PathEnd<3>> {
         let found = journey.start(problem)?;
         // The path has not begun: load and commands have no rates yet.
@@ -226,7 +227,7 @@ impl<'g> Pieces<'g> {
     }
 
     /// The first stored piece that contains this place of the path. `None` if the path has not passed it. Also `None` between the load factor at
-    /// which the object snaps over and the slightly larger one at which it rests again.
+    /// which the object snaps over and the slightly larger load factor at which it rests again.
     pub(super) fn stretch_behind(&self, leg: usize, fraction: f64) -> Option<&Stretch<'g>> {
         self.behind.iter().find(|s| s.leg == leg && fraction >= s.from && fraction <= s.to)
     }
@@ -242,7 +243,7 @@ impl<'g> Pieces<'g> {
     }
 
     /// Decides the continuation of the path from the present node. Returns an event if a contact or drive changes its state, or a motion loses its
-    /// resistance. Also if the continuation at the start of a leg is not unique.
+    /// resistance. Also returns an event if the continuation at the start of a leg is not unique.
     fn decide(&mut self, journey: &Journey<'g>) -> Result<Option<Event<3>>, PathEnd<3>> {
         if let Some(first) = self.first.take() {
             self.at_node = true;
@@ -260,7 +261,7 @@ impl<'g> Pieces<'g> {
         self.pace = self.pace.at_node();
         let jump = if self.friction_falls() { self.friction_after(journey, &next.changes)? } else { None };
         let (changes, drives) = grasp.contacts_and_drives(next.changes);
-        // At the start of a leg an event is returned if several continuations exist, even if the chosen one changes nothing.
+        // At the start of a leg an event is returned if several continuations exist, even if the chosen continuation changes nothing.
         let branches = self.factor == 0.0 && next.other_continuations.is_some_and(|others| others > 0);
         if changes.is_empty() && drives.is_empty() && !(set_free && before.is_some()) && !branches {
             return Ok(None);
@@ -286,8 +287,8 @@ impl<'g> Pieces<'g> {
         }))
     }
 
-    /// The equilibrium at the present place with the present contact states, those after an event; `None` if it cannot be computed because of
-    /// rounding.
+    /// The equilibrium at the present place with the present contact states; at an event these are the states after the event. `None` if it cannot be
+    /// computed because of rounding.
     pub(super) fn present_state(&self, journey: &Journey<'g>) -> Option<Equilibrium<3>> {
         self.state_on(&self.present_stretch(journey)?, self.factor)
     }

@@ -31,11 +31,13 @@ pub(super) struct Program {
     pub(super) commands: [Vec<SVector<f64, 3>>; 2],
     /// Commands of joints, then tendons, at the beginning and at the end of the present leg, rad or m.
     joints: [Vec<f64>; 2],
-    /// Names of the bodies, if there are several, else empty; `bodies` has their own loads at both ends of the present leg.
+    /// Names of the bodies, if there are several, else empty.
     names: Vec<Arc<str>>,
+    /// The bodies' own loads at both ends of the present leg.
     pub(super) bodies: BodyLoads,
-    /// The torques that hold the joints of the hand before the program. `torques` has them at both ends of the present leg, if a leg changes them.
+    /// The torques that hold the joints of the hand before the program.
     held: Vec<f64>,
+    /// The torques that hold the joints at both ends of the present leg, if a leg so far changes them.
     pub(super) torques: HeldTorques,
 }
 
@@ -59,7 +61,7 @@ impl Program {
         }
     }
 
-    /// Appends legs. If one is invalid, an error, and none is appended.
+    /// Appends legs. If a leg is invalid, returns an error and appends none.
     pub(super) fn extend(&mut self, grasp: &Engine, legs: &[Leg<3>]) -> Result<(), Error> {
         // All legs are checked first, so that either all or none are appended.
         for leg in legs {
@@ -75,7 +77,7 @@ impl Program {
         Ok(())
     }
 
-    /// Begins the leg with the index `leg`, where the one before it ended; returns false if there is none.
+    /// Begins the leg with the index `leg`, with the values at the end of the leg before it. Returns false if there is no such leg.
     pub(super) fn begin_leg(&mut self) -> bool {
         let Some(leg) = self.legs.get(self.leg - self.done) else { return false };
         (self.course, self.goal) = leg.load.course(&self.goal);
@@ -86,8 +88,8 @@ impl Program {
         true
     }
 
-    /// Checks that load, commands, body loads and joint torques at the end of the program are those at its beginning. They may differ by the fraction
-    /// `part` of their largest component along the program.
+    /// Checks that load, commands, body loads and joint torques at the end of the program equal those at its beginning. They may differ by the
+    /// fraction `part` of their largest component along the program.
     ///
     /// # Errors
     /// [`Error::NotClosed`] naming the quantity that differs at the end.
@@ -145,14 +147,14 @@ impl Program {
         self.leg - self.done < self.legs.len()
     }
 
-    /// Completes the present leg and begins the next one; returns false if there is none.
+    /// Completes the present leg and begins the next leg; returns false if there is no next leg.
     pub(super) fn next_leg(&mut self) -> bool {
         self.leg += 1;
         self.begin_leg()
     }
 
-    /// For each contact and drive the offset (command minus clearance, m, without slip) at the beginning of the present leg. Then its change over the
-    /// whole leg.
+    /// Two lists with an entry for each contact and drive. The first has the offsets (command minus clearance, m, without slip) at the beginning of
+    /// the present leg. The second has their changes over the whole leg.
     pub(super) fn offsets(&self, grasp: &Engine) -> [Vec<SVector<f64, 3>>; 2] {
         let mut offsets = [Vec::new(), Vec::new()];
         self.offsets_into(grasp, &mut offsets);
@@ -189,13 +191,13 @@ impl Program {
         }
     }
 
-    /// Loads beside the program's load: on single bodies, and by torques that hold joints. Each at the beginning and at the end of the present leg;
-    /// `None` if no leg so far changes it.
+    /// Loads beside the program's load: on single bodies, and by torques that hold joints. Each is given at the beginning and at the end of the
+    /// present leg; `None` if no leg so far changes it.
     fn other_loads(&self, grasp: &Engine) -> [Option<[Vector; 2]>; 2] {
         [self.bodies.inside(grasp), self.torques.inside(grasp)]
     }
 
-    /// The index of the present leg and `fraction`; the end of the last leg, at fraction 1, once all are complete.
+    /// The index of the present leg and `fraction`; the end of the last leg, at fraction 1, once all legs are complete.
     pub(super) fn place(&self, fraction: f64) -> (usize, f64) {
         if self.has_leg() || self.leg == 0 { (self.leg, fraction) } else { (self.leg - 1, 1.0) }
     }

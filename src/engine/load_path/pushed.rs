@@ -1,5 +1,5 @@
-//! The component of the twist along motions that no spring resists. No force determines it, so it stays as near as possible to the previous one. It
-//! changes only where contacts that touch without force push the object.
+//! The component of the twist along motions that no spring resists. No force determines this component, so it stays as near as possible to its
+//! previous value. It changes only if contacts that touch without force push the object.
 
 use super::segment::Segment;
 use crate::numerics::Vector;

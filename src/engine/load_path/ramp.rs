@@ -31,14 +31,15 @@ pub struct Ramp<const C: usize> {
 }
 
 impl<const C: usize> Ramp<C> {
-    /// A ramp of the load, with constant finger commands. Base in N and N m, direction in N and N m per unit of the load factor.
+    /// A ramp of the load, with constant finger commands. `base` is in N and N m, `direction` in N and N m per unit of the load factor.
     #[must_use]
     pub fn load(base: Wrench<C>, direction: Wrench<C>) -> Self {
         Self { base, direction, command_change: None, joint_change: None }
     }
 
-    /// A ramp of the finger commands, with a constant load. `change` has one displacement a contact per unit of the load factor, in its contact frame
-    /// (m), the normal part positive into the object. All points of a soft fingertip follow one displacement, unless there is one for each point.
+    /// A ramp of the finger commands, with a constant load. `change` has one displacement for each contact per unit of the load factor, in its
+    /// contact frame (m), the normal part positive into the object. All points of a soft fingertip follow one displacement, unless there is one for
+    /// each point.
     #[must_use]
     pub fn commands(load: Wrench<C>, change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         Self::load(load, Wrench::ZERO).with_commands(change)
@@ -109,8 +110,8 @@ impl<const C: usize> Ramp<C> {
 }
 
 impl Ramp<3> {
-    /// For each contact and drive of a grasp the rate of its offset (command minus clearance), m per unit of the load factor. An error if the changes
-    /// do not fit the grasp.
+    /// For each contact and drive of a grasp the rate of its offset (command minus clearance), m per unit of the load factor. Returns an error if the
+    /// changes do not fit the grasp.
     pub(crate) fn offset_changes(&self, grasp: &Engine) -> Result<Vec<SVector<f64, 3>>, Error> {
         let mut changes = Vec::new();
         self.offset_changes_into(grasp, &mut changes)?;

@@ -1,5 +1,5 @@
-//! The derivative J, by the friction forces of sliding contacts, of the rates of a [`Flow`](super::flow::Flow) along an arc. Implicit steps use it:
-//! friction forces turn towards the directions of slip, often fast.
+//! The derivative J of the rates of a [`Flow`](super::flow::Flow) along an arc with respect to the friction forces of sliding contacts. Implicit
+//! steps use it: friction forces turn towards the directions of slip, often fast.
 //!
 //! A friction force along p that turns by the angle φ towards d changes the tangent stiffness C of its contact. So it changes the rate `r = C s` of
 //! its own force, with the rate s of the stretch. The balance of forces then changes the rates of the twist q of the object and of the load factor λ,
@@ -11,8 +11,8 @@
 //! T δq - b δλ = Σ G_i v_i φ_i,      (δq, δλ) across the path
 //! ```
 //!
-//! For D coordinates of the twist, J is a diagonal matrix plus a matrix of rank D + 1. So is the inverse of 1 - hJ for a step of length h. With c =
-//! Cᵀ d
+//! For D coordinates of the twist, J is a diagonal matrix plus a matrix of rank D + 1. The inverse of 1 - hJ for a step of length h has the same
+//! form. With c = Cᵀ d
 //!
 //! ```text
 //! (1 - hJ) Δ = g:     φ_i = (d_i·g_i + h c_i·s_i') / e_i,     e_i = |F_t,i| - h d_i·v_i
@@ -27,7 +27,7 @@ use crate::contact::{Tangent, tangential_norm};
 use crate::numerics::{Each, IntoList, Vector};
 use crate::prelude::*;
 
-/// A sliding contact at the start of a step, with the derivatives by the angle of its friction force.
+/// A sliding contact at the start of a step, with the derivatives with respect to the angle of its friction force.
 struct Turning {
     contact: usize,
     tangent: Tangent,
@@ -35,17 +35,17 @@ struct Turning {
     size: f64,
     /// The unit tangent d perpendicular to the friction force, towards which it can turn; zero for a contact without friction force.
     across: SVector<f64, 3>,
-    /// The derivative v of the rate of the contact force by the angle of the friction force, N per radian and per unit of arclength.
+    /// The derivative v of the rate of the contact force with respect to the angle of the friction force, N per radian and unit of arclength.
     change: SVector<f64, 3>,
     /// The wrench `G v` on the object for the contact force v = `change`, with the grasp map G.
     push: Vector,
-    /// The derivative c = Cᵀd of the force component along d = `across` by the stretch of the contact along each axis, N/m.
+    /// The derivative c = Cᵀd of the force component along d = `across` with respect to the stretch of the contact along each axis, N/m.
     gradient: SVector<f64, 3>,
     /// The wrench `G c` on the object for the vector c = `gradient` in place of a contact force.
     pull: Vector,
 }
 
-/// The matrix J of this file at the start of a step: the derivative of the rates along an arc by the friction forces.
+/// The matrix J of this file at the start of a step: the derivative of the rates along an arc with respect to the friction forces.
 pub(super) struct Relaxation<'f, 's, 'g> {
     arc: &'f Arc<'s, 'g>,
     contacts: Vec<Turning>,
@@ -62,8 +62,8 @@ pub(super) struct Damped {
     /// LU factors of the matrix `[T' | -b']` of this file, with one more row transverse to the path. T' and b' are T and b as the implicit step
     /// changes them.
     bordered: PathFactors,
-    /// For each sliding contact its friction force minus a change by the step, `e_i = |F_t,i| - h d_i·v_i`, N: a divisor in this file. d_i is
-    /// `Turning::across`, v_i is `Turning::change`, and h is `length`.
+    /// For each sliding contact the divisor `e_i = |F_t,i| - h d_i·v_i` of the formulas in this file, N: its friction force minus a change in the
+    /// step. Here d_i is `Turning::across`, v_i is `Turning::change`, and h is `length`.
     sizes: Vec<f64>,
 }
 
@@ -108,7 +108,7 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
         Self { arc, contacts, stiffness, load, way }
     }
 
-    /// The factors of 1 - hJ for the step length h = `length`, with the matrix J of this file. `None` where the bordered matrix is singular.
+    /// The factors of 1 - hJ for the step length h = `length`, with the matrix J of this file. `None` if the bordered matrix is singular.
     pub(super) fn damped(&self, length: f64) -> Option<Damped> {
         let (mut stiffness, mut load) = (self.stiffness.clone(), self.load.clone());
         let mut sizes = Vec::with_capacity(self.contacts.len());
@@ -168,7 +168,7 @@ mod tests {
     use crate::object::Load;
     use crate::spatial::Contact;
 
-    /// Fingers round a ball, softer along one tangent than the other, all sliding but one; commands change with the load factor.
+    /// Fingers round a ball, softer along one tangent than along the other; all but one finger slide, and commands change with the load factor.
     fn fingers(ratio: f64) -> Engine {
         let finger = |i: u8| {
             let (sin, cos) = (1.3 * f64::from(i)).sin_cos();

@@ -1,5 +1,5 @@
-//! The motion with which bodies leave while no contact carries a force. It is that of rigid bodies under the load, with Coulomb friction at contacts
-//! that touch.
+//! The motion with which bodies leave while no contact carries a force. It is the motion of rigid bodies under the load, with Coulomb friction at
+//! contacts that touch.
 //!
 //! Springs then do not determine the motion, and the elastic trial, in which all contacts stick, turns about an arbitrary point. A rigid body that
 //! the load W drives away starts with the velocity v under contact forces r_i
@@ -21,8 +21,9 @@ use crate::prelude::*;
 /// Largest number of coordinates, and of touching contacts, for which the motion is computed. With more it would take too long.
 const MOST_RIGID: usize = 64;
 
-/// The unit motion with which the object leaves if no contact presses and nothing balances the rate of the load in `rates`. `None` if a contact
-/// presses or never opens or slides, if a command changes, if the motion is zero, or in large problems.
+/// The unit motion with which the object leaves if no contact presses and nothing balances the rate of the load in `rates`. `None` if no contact
+/// touches, or if a contact presses, is kept closed, or touches and never slides. Also `None` if a command changes, if the motion is zero, or in
+/// large problems.
 pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     if rates.wrench.as_slice().len() > MOST_RIGID || rates.offsets.iter().any(|offset| offset.norm() > 0.0) {
         return None;
@@ -55,21 +56,22 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
         let slides_freely = rates.local(i).is_frictionless() || !site.springs.resists_tangentially();
         friction.push(if slides_freely { 0.0 } else { rates.local(i).cone().limit(1.0) });
     }
-    // In the plane nothing moves along the second tangent. With an entry of one on the diagonal friction along it opposes a motion of its own, and is zero.
+    // In the plane nothing moves along the second tangent. With an entry of one on the diagonal, friction along this tangent is coupled with no
+    // motion of the object, and is zero.
     let is_absent = |a: usize| a % 3 >= rates.space().axes();
     let products = matrix_of(columns.len(), columns.len(), &|a, b| {
         if a == b && is_absent(a) { 1.0 } else { columns[a].dot(&columns[b]) }
     });
     let driven = vector_of(columns.len(), &|a| columns[a].dot(&load));
-    // The plane has no solver of its own here: compiling one would take as long as that for space.
+    // Problems in the plane use the solver for space, too: compiling another solver would take as long again.
     let pushes = FrictionProblem::<3>::new(products, driven, friction).ok()?.solve();
     let pushes = pushes.solution()?;
     let motion = columns.iter().zip(pushes.r.iter()).fold(load.clone(), |v, (column, r)| v + column * *r);
     if motion.norm() > NO_RIGID_MOTION * load.norm() {
         return Some(motion.normalize());
     }
-    // Near a limit load, contact forces almost balance the load, and the motion computed above is only rounding. The motion is then the one along the
-    // load in which contacts at their friction limit slide, other pressing contacts stick, and no contact comes nearer.
+    // Near a limit load, contact forces almost balance the load, and the motion computed above is only rounding. The motion is then the component of
+    // the load along which pressing contacts at their friction limit slide without coming nearer, and other pressing contacts stick.
     let largest = pushes.r.amax();
     for (k, &i) in touching.iter().enumerate() {
         let push = pushes.r.rows(3 * k, 3);

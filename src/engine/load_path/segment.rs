@@ -1,5 +1,5 @@
-//! One leg of a load program, a ramp or a turn: the load changes linearly with the load factor or turns, and commands change linearly. While contacts
-//! keep their states, forces and motions change linearly or as harmonics of the angle, too.
+//! A segment is one leg of a load program, a ramp or a turn. The load changes linearly with the load factor or turns, and commands change linearly.
+//! While contacts keep their states, forces and motions change linearly or as harmonics of the angle, too.
 
 use nalgebra::{Matrix, SVector};
 
@@ -25,11 +25,11 @@ pub(super) struct Segment<'g> {
     pub(super) change: Vec<SVector<f64, 3>>,
     /// The sum of all loads as a function of the load factor, with moments about the centroid of the contacts.
     pub(super) course: Trajectory<Vector>,
-    /// The largest contact force or load on the path so far, N, to which rounding errors are proportional where all forces vanish together.
+    /// The largest contact force or load on the path so far, N, to which rounding errors are proportional if all forces vanish together.
     pub(super) largest: f64,
 }
 
-/// Forces, twist and gaps of the grasp at a load factor, with their rates. These are per unit of the load factor on a straight piece, per unit of
+/// Forces, twist and gaps of the grasp at a load factor, with their rates. The rates are per unit of the load factor on a straight piece, per unit of
 /// arclength along an arc.
 #[derive(Debug, Clone)]
 pub(super) struct PathPoint {
@@ -38,16 +38,16 @@ pub(super) struct PathPoint {
     pub(super) twist_rate: Vector,
     /// Rate of the load factor: one on a straight piece; per unit of arclength, and at most one, along an arc.
     pub(super) factor_rate: f64,
-    /// Orthonormal motions that stretch no spring in the present contact states; `neutral_motions` are those along which forces change but stay in
-    /// balance.
+    /// Orthonormal motions that stretch no spring in the present contact states.
     pub(super) free_motions: Vec<Vector>,
+    /// Orthonormal motions along which forces change but stay in balance.
     pub(super) neutral_motions: Vec<Vector>,
     /// The factorised linear problem for forces and twist while contacts keep their states.
     pub(super) piece: alloc::sync::Arc<Piece>,
     pub(super) gaps: Vec<GapLine>,
-    /// Largest force (N) and displacement (m) among the terms that add up to the state; `rate_sizes` are the same for its rates. Rounding errors are
-    /// proportional to these sizes.
+    /// Largest force (N) and displacement (m) among the terms that add up to the state. Rounding errors of the state are proportional to these sizes.
     pub(super) sizes: [f64; 2],
+    /// Largest rate of a force and of a displacement among the terms that add up to the rates, to which their rounding errors are proportional.
     pub(super) rate_sizes: [f64; 2],
     /// While the load turns, the state as harmonic functions of its angle. `None` if rates are constant, or if only the present rates are known.
     pub(super) turned: Option<alloc::sync::Arc<TurningState>>,
@@ -82,8 +82,8 @@ impl PathPoint {
 
 impl<'g> Segment<'g> {
     /// Forces, twist, gaps and their rates at the load factor `factor`, while contacts have the states `states`. If no spring resists some motion,
-    /// the twist is the solution nearest to `near`, and its rate the one nearest to `pushed`. So a contact that touches without force may push the
-    /// object. An error if forces cannot balance the load or its rate.
+    /// the twist is the solution nearest to `near`, and its rate the solution nearest to `pushed`. So a contact that touches without force may push
+    /// the object. Returns an error if forces cannot balance the load or its rate.
     pub(super) fn point_at(
         &self,
         states: &[State],
@@ -112,7 +112,7 @@ impl<'g> Segment<'g> {
         Ok(self.point_with_rates(piece, factor, at, (&rate, 1.0), (0.0, &base)))
     }
 
-    /// The state `at` on an arc, at the load factor `factor`. Its rates `rate`, and `factor_rate`, that of the load factor, are per unit of
+    /// The state `at` on an arc, at the load factor `factor`. Its rates `rate`, and the rate `factor_rate` of the load factor, are per unit of
     /// arclength.
     pub(super) fn point_on_arc(
         &self,
@@ -125,7 +125,7 @@ impl<'g> Segment<'g> {
         self.point_with_rates(piece.clone(), factor, at.clone(), (rate, factor_rate), (factor, at))
     }
 
-    /// The reason for a loss of equilibrium beyond a load factor: nothing resists the motion `motion`, on which the rate of the load does work.
+    /// The reason for a loss of equilibrium beyond a load factor: nothing resists the motion `motion`, along which the rate of the load does work.
     pub(super) fn unbalanced(&self, factor: f64, motion: Option<Vector>) -> NoEquilibrium<3> {
         let v = motion.unwrap_or_else(Vector::zeros);
         let work = v.dot(&self.course.rate_at(factor));
@@ -134,7 +134,7 @@ impl<'g> Segment<'g> {
     }
 
     /// The state `at` at the load factor `factor` with its rates. The sizes for rounding errors are those of the state `base` at the load factor
-    /// `since`, and of the change from there to `factor`. The sum of both may vanish.
+    /// `since` plus those of the change from `since` to `factor`. The state itself may be the small difference of both.
     pub(super) fn point_with_rates(
         &self,
         piece: alloc::sync::Arc<Piece>,
@@ -195,7 +195,7 @@ impl<'g> Segment<'g> {
         }
     }
 
-    /// Forces and twist at a load factor, solved there: extrapolation from another load factor would add the rounding of larger terms. If no spring
+    /// Forces and twist at a load factor, computed anew: extrapolation from another load factor would add the rounding of larger terms. If no spring
     /// resists some motion, the twist is the solution nearest to `near`. `None` if forces cannot balance the load.
     pub(super) fn state(&self, piece: &Piece, factor: f64, near: Option<&Vector>) -> Option<PieceState> {
         let wrench = self.course.at(factor);

@@ -1,4 +1,4 @@
-//! Derivatives of an equilibrium by one datum of the grasp or of the load.
+//! Derivatives of an equilibrium with respect to one datum of the grasp or of the load.
 
 use nalgebra::SVector;
 
@@ -7,8 +7,8 @@ use crate::grasp::{Engine, Motion, Twist};
 use crate::object::PieceState;
 use crate::prelude::*;
 
-/// Derivatives of twist, joints and contact forces of an equilibrium by one parameter, as long as every contact keeps its state. Units of the
-/// parameter: friction 1, stiffness N/m, command and position m, direction of a normal rad, load N or N m.
+/// Derivatives of twist, joints and contact forces of an equilibrium with respect to one parameter, as long as every contact keeps its state. Units
+/// of the parameter: friction 1, stiffness N/m, command and position m, direction of a normal rad, load N or N m.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Derivative<const C: usize> {

@@ -17,8 +17,8 @@ pub(super) const MOST_SLIDING: usize = MOST_UNKNOWNS - 1;
 /// A vector for each sliding contact, in the order of [`Slips::sliding`], followed by zero vectors.
 pub(super) type OfSliding = [SVector<f64, 3>; MOST_SLIDING];
 
-/// Sliding contacts with the responses to their slips. Forces and twist are a sum of terms. A state `at` is the list of their weights: 1, the load
-/// factor, and two tangential slips (m) of each sliding contact.
+/// Sliding contacts with the responses to their slips. Forces and twist are a sum of terms. A state `at` is the list of the weights of these terms:
+/// 1, the load factor, and two tangential slips (m) of each sliding contact.
 pub(super) struct Slips<'g> {
     pub(super) grasp: &'g Engine,
     pub(super) problem: Problem<'g>,
@@ -26,8 +26,9 @@ pub(super) struct Slips<'g> {
     /// Contact forces of all terms, one term after the other. The terms are the state at load factor 0, and its rate with the load factor. Then
     /// follow the responses to a unit slip of each sliding contact along both tangents.
     pub(super) forces: Vec<SVector<f64, 3>>,
-    /// Twists of the object in the terms, in the same order as `forces`. `sliding` has the indices of the sliding contacts.
+    /// Twists of the object in the terms, in the same order as `forces`.
     pub(super) twists: Vec<Vector>,
+    /// Indices of the sliding contacts.
     pub(super) sliding: Vec<usize>,
     /// The largest contact force at the first slip, N.
     pub(super) largest: f64,
@@ -88,8 +89,9 @@ impl Slips<'_> {
         directions
     }
 
-    /// For each sliding contact the derivatives of its margin `μ F_n - |F_t|`, first by the load factor. Then by the slip of each sliding contact
-    /// along its friction force, in units of `unit`. They are the coefficients of the equations by which these margins stay zero.
+    /// For each sliding contact the derivatives of its margin `μ F_n - |F_t|`. The first derivative is with respect to the load factor. The others
+    /// are with respect to the slip of each sliding contact along its friction force, in units of `unit`. They are the coefficients of the equations
+    /// that keep these margins zero.
     pub(super) fn margin_rates(&self, directions: &OfSliding) -> [Equation; MOST_UNKNOWNS] {
         let mut rates = [[0.0; MOST_UNKNOWNS + 1]; MOST_UNKNOWNS];
         for ((row, i), p) in rates.iter_mut().zip(&self.sliding).zip(directions) {

@@ -18,11 +18,12 @@ pub(super) struct SlipStep {
     /// The values at the end of the step of the conditions that must stay positive, in the order described at [`GROWS`].
     pub(super) values: Vec<f64>,
 }
-/// Indices of the conditions that must stay positive: the load factor grows and is below the largest one to follow (`GOES_ON`), and motions are
-/// small. After these come the slip rates along friction of the sliding contacts, their normal forces, and the margins `μ F_n - |F_t|` of the
-/// sticking contacts.
+/// Index of the condition that the load factor grows. Each condition is a value that must stay positive. After the first three conditions come the
+/// slip rates of sliding contacts along friction, their normal forces, and the margins `μ F_n - |F_t|` of sticking contacts.
 pub(super) const GROWS: usize = 0;
+/// Index of the condition that the load factor is below the largest load factor to follow.
 pub(super) const GOES_ON: usize = 1;
+/// Index of the condition that all motions are small.
 pub(super) const SMALL: usize = 2;
 impl Slips<'_> {
     /// A step of this arclength from the state `at` with the rates `rates`; `None` if rates are not unique somewhere in it.
@@ -49,8 +50,8 @@ impl Slips<'_> {
         Some(SlipStep { length, at, rates: there, error, values })
     }
 
-    /// The step `end` from the state and rates `from`, shortened to the place where the first condition becomes zero. Also the index of that
-    /// condition. Without one the whole step. `None` if several conditions become zero together, or if the place is not found.
+    /// The step `end` from the state and rates `from`, shortened to the place where the first condition becomes zero, and the index of that
+    /// condition. If no condition becomes zero, the whole step. `None` if several conditions become zero together, or if the place is not found.
     pub(super) fn up_to_an_event(
         &self,
         from: (&[f64], &[f64]),
@@ -61,7 +62,7 @@ impl Slips<'_> {
         if start.iter().any(|value| *value <= 0.0) {
             return None;
         }
-        // A step is shortened at most twenty times because a sticking contact leaves its cone within it.
+        // A step within which a sticking contact leaves its cone is shortened at most twenty times.
         for _ in 0..20 {
             let mut event = None;
             if let Some(k) = first_crossing(&start, &end.values) {
@@ -77,9 +78,9 @@ impl Slips<'_> {
         None
     }
 
-    /// The step that ends where condition `k` becomes zero, or another one that becomes zero before it, with the index of that condition. `None` if
-    /// thirty trials do not find it. Each trial ends at the root of the cubic through values and slopes at both ends of a bracket. Mostly the first
-    /// trial is close enough.
+    /// The step that ends where condition `k` becomes zero, or another condition that becomes zero before it, with the index of this condition.
+    /// `None` if thirty trials do not find it. Each trial ends at the root of the cubic through values and slopes at both ends of a bracket. Mostly
+    /// the first trial is close enough.
     fn located(
         &self,
         from: (&[f64], &[f64]),
@@ -135,8 +136,8 @@ impl Slips<'_> {
         (rest.abs() <= NEGLIGIBLE * length).then_some(end)
     }
 
-    /// The derivative of the value of condition `k` by arclength, from a difference over a millionth of `length`. `None` if the rates are not unique
-    /// there.
+    /// The derivative of the value of condition `k` with respect to arclength, from a difference over a millionth of `length`. `None` if the rates
+    /// are not unique there.
     fn slope(&self, k: usize, (at, rates): (&[f64], &[f64]), length: f64) -> Option<f64> {
         // The length of the difference. With a slope this accurate each Newton iteration gains six digits.
         let little = 1e-6 * length;
@@ -147,7 +148,7 @@ impl Slips<'_> {
     }
 
     /// A fraction of the step `end` at which a sticking contact is clearly outside its cone, although it may be inside again at the end. It is the
-    /// least one found over the contacts. One half for a contact for which this is not decided; `None` if all forces stay inside.
+    /// least such fraction found over the contacts. A contact for which this is not decided counts with one half. `None` if all forces stay inside.
     fn first_dip(&self, (at, rates): (&[f64], &[f64]), end: &SlipStep, tolerance: f64) -> Option<f64> {
         let mut first: Option<f64> = None;
         for i in self.sticking() {
@@ -186,7 +187,7 @@ impl Slips<'_> {
     }
 
     /// Arclength of the first step. At the present rates no direction of friction turns by more than 0.3 rad. No normal force of a sliding contact
-    /// falls to less than half. The load factor does not exceed the largest one.
+    /// falls to less than half. The load factor does not exceed the largest load factor to follow.
     pub(super) fn first_length(&self, at: &[f64], rates: &[f64]) -> f64 {
         let mut length = (self.most - at[1]) / rates[1];
         for i in &self.sliding {
@@ -206,8 +207,8 @@ fn between(low: (f64, f64, f64), high: (f64, f64, f64), to: f64) -> f64 {
     low.1 + part * (rise + (1.0 - part) * ((1.0 - part) * before + part * behind))
 }
 
-/// The index of the condition, among those violated at the end of a step, that vanishes first by linear interpolation between both ends. `None` if
-/// none is violated.
+/// The index of the condition, among those violated at the end of a step, that vanishes first by linear interpolation between both ends. `None` if no
+/// condition is violated.
 fn first_crossing(start: &[f64], end: &[f64]) -> Option<usize> {
     let part = |k: usize| start[k] / (start[k] - end[k]);
     (0..start.len()).filter(|k| end[*k] < 0.0).min_by(|a, b| part(*a).total_cmp(&part(*b)))

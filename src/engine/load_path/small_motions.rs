@@ -25,7 +25,7 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct EndOfSmallMotions {
-    /// The leg, from 0.
+    /// Index of the leg, from 0.
     pub leg: usize,
     /// Fraction of the leg already followed, from 0 to 1.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
@@ -117,7 +117,7 @@ impl<'g> Stretch<'g> {
     }
 
     /// The first place on a piece along which the load turns where a motion exceeds its limit. Each motion is a harmonic function of the angle, which
-    /// its values at three angles determine. `None` if none does, and on every other piece.
+    /// its values at three angles determine. `None` if no motion exceeds its limit, or if the load does not turn along the piece.
     fn turns_too_far(&self, grasp: &'g Engine, small: &SmallMotions) -> Option<Place> {
         let turned = self.here.turned.as_ref()?;
         let at = |angle: f64| {

@@ -8,10 +8,10 @@
 //! Σ G_i K_i G_iᵀ dq/dt = R(q),      R(q) = Σ G_i F_i(a_i - s_i - G_iᵀq) + W
 //! ```
 //!
-//! A step in time of length h solves `(T + D/h) Δq = R`, where D is the matrix on the left and T the tangent stiffness. Then the slip of every
-//! contact is added to its slip memory s_i. Steps grow as long as the imbalance after them is nearly the expected one, D Δq/h. Once forces nearly
-//! balance, the rest of R is removed along a leg of its own, as in [`super::jump_leg`], and the path continues from there. If the motion would exceed
-//! the limits of small motions it is not made, and the equilibrium counts as lost.
+//! A step in time of length h solves `(T + D/h) Δq = R`, where D is the matrix `Σ G_i K_i G_iᵀ` and T the tangent stiffness. Then the slip of every
+//! contact is added to its slip memory s_i. Steps grow as long as the imbalance after them is nearly the expected imbalance D Δq/h. Once forces
+//! nearly balance, the rest of R is removed along a leg of its own, as in [`super::jump_leg`], and the path continues from there. A motion that would
+//! exceed the limits of small motions is not made, and the equilibrium counts as lost.
 
 use nalgebra::SVector;
 
@@ -44,16 +44,15 @@ struct MovingObject {
 
 /// The state in which the object rests again after it has snapped over, with forces in balance up to a small remainder.
 pub(super) struct RestsAgain<'g> {
-    /// The static problem with the slips after the motion. Its load is the one that the contact forces balance exactly, which nearly is the load of
-    /// the leg.
+    /// The static problem with the slips after the motion. Its load is exactly what the contact forces balance, and nearly the load of the leg.
     problem: Problem<'g>,
     contacts: Vec<ContactResponse>,
     twist: Vector,
 }
 
 impl<'g> RestsAgain<'g> {
-    /// Moves the object from the twist `start`, at which forces do not balance, to one at which they nearly do, as with viscous contacts. `None` if
-    /// the motion exceeds the limits `small` or does not end, and with very many coordinates.
+    /// Moves the object from the twist `start`, at which forces do not balance, to a twist at which they nearly balance, as with viscous contacts.
+    /// `None` if the motion exceeds the limits `small` or does not end, or if there are very many coordinates.
     pub(super) fn near(
         grasp: &Engine,
         small: &SmallMotions,
@@ -70,10 +69,11 @@ impl<'g> RestsAgain<'g> {
         };
         let damping = tangent_stiffness(problem.sites, |i| damper(&problem, i));
         let none = vec![ContactResponse::open(); problem.len()];
-        // At the start rounding decides, too, whether a contact that slides with kinetic friction sticks and has static friction again.
+        // At the start only rounding would decide whether a contact that slides with kinetic friction sticks and has static friction again. So the
+        // present friction cones are restored.
         let cones = problem.cones.clone();
-        // At the start rounding decides whether a contact on the edge of its cone sticks. So all contacts count as open in the matrix of the first
-        // step, which has the dampers alone.
+        // At the start only rounding would decide whether a contact on the edge of its cone sticks. So all contacts count as open in the matrix of
+        // the first step, which has the dampers alone.
         let mut here =
             MovingObject { contacts: none.clone(), ..MovingObject::at(start.clone(), none, &mut problem) };
         problem.cones = cones;
@@ -134,7 +134,7 @@ pub(super) struct Snapped {
     count: usize,
     /// Load factor at which the object rested again after it last snapped over.
     at: f64,
-    /// The load factor at which the object last rested again, minus that of the loss from which it snapped over there.
+    /// The load factor at which the object last rested again, minus the load factor of the loss from which it snapped over.
     step: f64,
 }
 
@@ -151,14 +151,14 @@ fn is_small(grasp: &Engine, small: &SmallMotions, moved: &Vector) -> bool {
     turns_little && grasp.sites()[..grasp.len()].iter().all(|site| site.map.tr_mul(moved).norm() <= most)
 }
 
-/// Factor by which the length of a step grows after an accepted step, both for steps in time and for steps of the load factor. `SHORTER` is the
-/// factor after a refused step.
+/// Factor by which the length of a step grows after an accepted step, both for steps in time and for steps of the load factor.
 const LONGER: f64 = 2.0;
+/// Factor by which the length of a step is multiplied after a refused step.
 const SHORTER: f64 = 0.25;
 
 impl MovingObject {
-    /// The moving object at the twist `twist`. `contacts` are the last responses, from which the new ones are computed. The slip of each contact is
-    /// added to the slips in `problem`.
+    /// The moving object at the twist `twist`. `contacts` are the last responses, from which the new responses are computed. The slip of each contact
+    /// is added to the slips in `problem`.
     fn at(twist: Vector, mut contacts: Vec<ContactResponse>, problem: &mut Problem) -> Self {
         let left = problem.yield_to(&twist, &mut contacts);
         Self { twist, contacts, left }
@@ -167,7 +167,7 @@ impl MovingObject {
 
 impl<'g> Pieces<'g> {
     /// The event that replaces the loss `loss`: the object snaps over to another equilibrium at a slightly larger load factor, from which the path
-    /// continues. `None` if it comes to rest nowhere near, or for a loss, grasp or place for which this is not tried.
+    /// continues. `None` if it comes to rest nowhere near, or for a loss, grasp or place on the path for which this is not tried.
     pub(super) fn snaps_over(&mut self, journey: &Journey<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         let ends_in_balance = !matches!(loss.kind, LossKind::LetsGo | LossKind::TooFar | LossKind::GivesWay);
         // The model keeps the pull of a vacuum even if its cup opens during the motion, so grasps with cups are excluded.
@@ -229,14 +229,14 @@ impl<'g> Pieces<'g> {
     }
 
     /// The state in which the object, moving from its present twist, rests again under the load at the factor `beyond`, slightly past this loss.
-    /// `None` if it does not.
+    /// `None` if it does not come to rest.
     fn rests_again(&self, beyond: f64) -> Option<RestsAgain<'g>> {
         let Segment { grasp, answer_for, .. } = &self.segment;
         RestsAgain::near(grasp, &answer_for.small, self.segment.problem_at(beyond), &self.node.at.twist)
     }
 
     /// The leg along which the remaining imbalance of `rests` is removed, at the constant load factor `factor`. Also the changes from the present
-    /// contact states to those of `rests`.
+    /// contact states to the states of `rests`.
     fn back_to_balance(&self, rests: RestsAgain<'g>, factor: f64) -> (Self, Vec<(usize, Change<3>)>) {
         let RestsAgain { problem, contacts, twist } = rests;
         let mut segment = self.segment.at_rest(factor);

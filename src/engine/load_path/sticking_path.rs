@@ -49,7 +49,7 @@ impl StickingPath<'_> {
                 let stays = |found: &Found| {
                     at_edge.iter().all(|&(i, _)| {
                         let state = &found.states[i];
-                        // A contact that carries no force under the base load and opens at once does not count as one that stops sticking.
+                        // A contact that carries no force under the base load and opens at once does not count as a contact that stops sticking.
                         state.is_sticking() || state.is_open() && (at_base || states[i].is_open())
                     })
                 };
@@ -152,8 +152,8 @@ impl StickingPath<'_> {
     }
 }
 
-/// For every contact its active set, the edges of its cone that its force has reached by the exits in `at_edge`. Empty for contacts not listed there.
-/// A listed contact without exits touches without force and is at the apex.
+/// For every contact its active set, the edges of its cone that its force has reached according to the exits in `at_edge`. Empty for contacts not
+/// listed in `at_edge`. A listed contact without exits touches without force and is at the apex.
 fn active_sets_after(
     axes: usize,
     states: &[State],

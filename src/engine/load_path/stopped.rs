@@ -1,7 +1,8 @@
 //! The test whether a contact whose slip has ended on an arc can neither stick nor slide from there.
 //!
 //! When the contact stops, sticking and sliding have the same rates, and differ only a little later. As a rule one of the two states continues. Near
-//! a maximum of the load both may fail: sticking leads its force out of the cone, and sliding would be a slip against friction. There the path ends.
+//! a maximum of the load both may fail: sticking leads its force out of the cone, and sliding would be a slip against friction. In that case the path
+//! ends.
 
 use super::flow::{Flow, Rule, StepGoal};
 use super::pieces::Pieces;
@@ -17,7 +18,7 @@ impl Pieces<'_> {
     }
 
     /// Whether a contact in the state `state` clearly violates the condition of this state after three trial steps, ever shorter, with errors up to
-    /// `tolerance`. False if it does not after one of them.
+    /// `tolerance`. False if the condition is not clearly violated after one of these steps.
     fn fails_at_once(&self, contact: usize, state: State, tolerance: f64) -> bool {
         let mut states = self.node.states.clone();
         states[contact] = state;
@@ -31,7 +32,7 @@ impl Pieces<'_> {
         let mut length = (1.0 - self.factor) / point.factor_rate;
         let mut failures = 0;
         for _ in 0..40 {
-            // The first trial step is a quarter of the rest of the leg, and each further one a quarter of the one before.
+            // The first trial step is a quarter of the rest of the leg, and each further step a quarter of the step before.
             length *= 0.25;
             let reached = flow.step(length, StepGoal::after(1.0, 0), Rule::Explicit);
             let Some(reached) = reached.filter(|reached| reached.error <= tolerance) else { continue };

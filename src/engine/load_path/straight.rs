@@ -44,8 +44,8 @@ impl<'g> Pieces<'g> {
         // to the other, such steps would never end.
         let uncertain = reached.iter().any(|(_, exits)| exits.iter().any(|exit| step <= exit.uncertainty));
         self.stalls = if to > self.factor && (leg_done || !uncertain) { 0 } else { self.stalls + 1 };
-        // Up to this many steps in a row, each no longer than its own rounding error, may be events at one place. More mean that rounding makes the
-        // path cycle.
+        // Up to this many steps in a row, each no longer than its own rounding error, may be events at one place. More such steps mean that rounding
+        // makes the path cycle.
         let piled_up = self.stalls > 64;
         if piled_up && !self.runs_out(&reached) {
             // The path alternates between continuations, so its further course depends on rounding.
@@ -67,15 +67,15 @@ impl<'g> Pieces<'g> {
         Ok(leg_done)
     }
 
-    /// Forces and twist after the change `step` of the load factor along the present piece, which begins at `point`. Solved there, or extrapolated if
-    /// that fails.
+    /// Forces and twist after the change `step` of the load factor along the present piece, which begins at `point`. The state is solved for at the
+    /// new load factor, or extrapolated if that fails.
     pub(super) fn state_after(&self, point: &PathPoint, step: f64) -> PieceState {
         let near = point.after(step);
         self.segment.state(&point.piece, self.factor + step, Some(&near.twist)).unwrap_or(near)
     }
 
-    /// The step `step` to the exits `reached`, corrected from the state solved there. A step that is only extrapolated has the rounding error of the
-    /// present state. A correction that is too large is not made.
+    /// The step `step` to the exits `reached`, corrected by means of the state that is solved for at its end. A step that is only extrapolated has
+    /// the rounding error of the present state. A correction that is too large is not made.
     fn corrected(&self, point: &PathPoint, step: f64, reached: &ExitsReached) -> f64 {
         let mut clearest: Option<(usize, &Exit)> = None;
         for (i, exits) in reached {

@@ -24,10 +24,11 @@ pub(super) struct Stretch<'g> {
     pub(super) leg: usize,
     pub(super) from: f64,
     pub(super) to: f64,
-    /// The static problem at fraction 0 of the leg, with the slips accumulated up to this piece. Then the rates of its offsets in `change`, and its
-    /// load as a function of the fraction in `course`.
+    /// The static problem at fraction 0 of the leg, with the slips accumulated up to this piece.
     pub(super) problem: Problem<'g>,
+    /// The rates of the offsets of `problem`, m per unit of the fraction.
     pub(super) change: Vec<SVector<f64, 3>>,
+    /// The load of `problem` as a function of the fraction of the leg.
     pub(super) course: Trajectory<Vector>,
     /// The caller's load as a function of the fraction of the leg.
     pub(super) load: Trajectory<Wrench<3>>,
@@ -183,7 +184,7 @@ impl<'g> Stretch<'g> {
     fn part_of_a_step(&self, arc_step: &ArcStep, segment: &Segment<'g>, fraction: f64) -> Option<PieceState> {
         let (mut from, mut point, mut states) = (self.from, self.here.clone(), self.states.clone());
         let mut length = arc_step.length;
-        // A step that cannot be made as a whole is divided into at most sixty parts, each half as long as the one before.
+        // A step that cannot be made as a whole is divided into at most sixty parts, each half as long as the part before.
         for _ in 0..60 {
             let flow = Flow::new(segment, &states, from, &point, arc_step.unit);
             if let Some(reached) = flow.step_to_factor(fraction, length, arc_step.rule) {

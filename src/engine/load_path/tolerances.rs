@@ -17,7 +17,7 @@ pub(super) const LITTLE_BEYOND: f64 = 1e-6;
 /// If smaller, an object without force at the end of its path is tried under the same load again and again. If larger, a later event decides.
 pub(super) const LEAST_FORCE: f64 = 1e-3;
 
-/// An object that snaps over has come to rest where the imbalance of contact forces and load is at most this fraction of the initial imbalance. The
+/// An object that snaps over has come to rest once the imbalance of contact forces and load is at most this fraction of the initial imbalance. The
 /// remaining imbalance is removed along a leg of its own.
 ///
 /// If smaller, slow motions take more steps; if larger, the object is still moving.
@@ -27,48 +27,50 @@ pub(super) const AT_REST_AGAIN: f64 = 1e-3;
 /// moves slowly away from the end of its path counts as lost: an object that turns about a stop takes two hundred.
 pub(super) const MOST_SNAPPING_STEPS: usize = 1000;
 
-/// The largest number of times that an object snaps over on one leg. Where it would do so once more, the equilibrium counts as lost.
+/// The largest number of times that an object snaps over on one leg. If it would snap over once more, the equilibrium counts as lost.
 ///
-/// Steps of the load factor double where the object sticks and snaps over again and again. Twenty lead from the shortest step to the whole leg, and
-/// forty more to the load at which the object is lost. Each time takes as long as a whole verdict on a load, since the search for rates of forces and
-/// motion must fail first.
+/// Steps of the load factor double if the object sticks and snaps over again and again. Twenty doublings lead from the shortest step to the whole
+/// leg, and forty more to the load at which the object is lost. Each time takes as long as a whole verdict on a load, since the search for rates of
+/// forces and motion must fail first.
 pub(super) const MOST_SNAPS: usize = 64;
 
-/// While an object snaps over, a step in time is accepted if the imbalance after it is as expected up to this fraction of that before it.
+/// While an object snaps over, a step in time is accepted if the imbalance after it is nearly as expected: up to this fraction of the imbalance
+/// before it.
 ///
 /// If smaller, there are more steps; if larger, a step passes over changes of contact states.
 pub(super) const AS_EXPECTED: f64 = 0.3;
 
 /// While an object snaps over, the largest allowed ratio of the norms of the imbalances after and before a step in time.
 ///
-/// If smaller, steps are many where the motion becomes faster; if larger, an implicit step goes back to an equilibrium that is not stable.
+/// If smaller, steps are many when the motion becomes faster; if larger, an implicit step goes back to an equilibrium that is not stable.
 pub(super) const FASTEST_GROWTH: f64 = 4.0;
 
 /// While an object snaps over, a step in time of at most this length is accepted in any case. The unit is the time constant of the springs with their
 /// dampers, while all contacts stick.
 ///
-/// If smaller, steps are many where contacts chatter; if larger, the contacts overshoot.
+/// If smaller, steps are many when contacts chatter; if larger, the contacts overshoot.
 pub(super) const SHORTEST_SNAPPING_STEP: f64 = 0.25;
 
-/// Largest correction of an event's load factor by forces solved at the event, as a fraction of this load factor. A larger one means that the event
-/// itself is wrong.
+/// Largest correction of an event's load factor by means of forces that are solved for at the event, as a fraction of this load factor. A larger
+/// correction means that the event itself is wrong.
 ///
 /// If smaller, true corrections are thrown away; if larger, wrong events count as corrected.
 pub(super) const LARGEST_CORRECTION: f64 = 1e-6;
 
-/// Where close events make steps too short to advance, margins and gaps up to this fraction of the size of their terms count as zero.
+/// If close events make steps too short to advance, margins and gaps up to this fraction of the size of their terms count as zero.
 ///
-/// If smaller, a path ends where events accumulate; if larger, it skips separate events.
+/// If smaller, a path ends at an accumulation of events; if larger, it skips separate events.
 pub(super) const GATHERED_MARGIN: f64 = 1e-8;
 
-/// In `rigid_motion` a velocity below this fraction of the load, with unit mass, counts as zero: contact forces balance the load, up to their
-/// rounding.
+/// `rigid_motion` computes the velocity with which rigid bodies start to move under the load, with the identity as mass matrix. A velocity below this
+/// fraction of the norm of the load counts as zero: contact forces then balance the load up to rounding.
 ///
-/// If smaller, rounding moves a grasp that holds; if larger, a slow motion counts as none.
+/// If smaller, rounding moves a grasp that holds; if larger, a slow motion counts as rest.
 pub(super) const NO_RIGID_MOTION: f64 = 1e-6;
 
-/// A contact force counts as constant if it changes by at most this fraction of the largest force in a unit of arclength. So does the load factor, as
-/// a fraction of the leg. A direction of sliding within this angle of its final one, rad, counts as having reached it.
+/// A contact force counts as constant if it changes by at most this fraction of the largest force in a unit of arclength. The load factor counts as
+/// constant if it changes by at most this fraction of the leg. A direction of sliding within this angle (rad) of its final direction counts as having
+/// reached it.
 ///
 /// If smaller, rounding would seem to turn directions for ever; if larger, directions that still turn count as settled.
 pub(super) const STANDS_STILL: f64 = 1e-10;
@@ -79,7 +81,7 @@ pub(super) const STANDS_STILL: f64 = 1e-10;
 /// If smaller, friction follows directions that the steps have blurred; if larger, a contact that still presses counts as vanishing.
 pub(super) const VANISHING_NORMAL: f64 = 1e-7;
 
-/// Shortest step of a path followed in steps, as a fraction of a leg: a path that needs shorter ones ends there.
+/// Shortest step of a path followed in steps, as a fraction of a leg: a path that needs shorter steps ends there.
 ///
 /// If smaller, steps are made of rounding; if larger, paths end before an equilibrium that they could reach.
 pub(super) const SHORTEST_STEP: f64 = 1e-12;

@@ -38,11 +38,11 @@ pub(super) fn change(
     }
 }
 
-/// Number of solutions of the rate problem `rates` with other rates of forces than `found`, or other twist rates, apart from free motions. Zero if a
+/// Number of solutions of the rate problem `rates` that differ from `found` in rates of forces, or in twist rates other than free motions. Zero if a
 /// P-matrix proves uniqueness. Otherwise all combinations of contact states are tried; `None` if they are too many, or with a contact at the apex of
 /// a round cone.
 pub(super) fn other_solutions(rates: &Problem, found: &Found) -> Option<usize> {
-    // At the apex of a round cone, the number of solutions with a polygonal cone is not that with the round cone, so it is not known.
+    // At the apex of a round cone, the number of solutions is not known: it may differ from the number with a polygonal cone.
     if rates.round {
         return None;
     }
@@ -90,8 +90,8 @@ struct FewRows {
     many: bool,
 }
 
-/// The kinematic form of the rate problem `rates`, which has `rows` complementary pairs. `None` without any, with more than 64, or if there is no
-/// such form.
+/// The kinematic form of the rate problem `rates`, which has `rows` complementary pairs. `None` if there are no pairs or more than 64, or if the form
+/// cannot be computed.
 fn few_rows(rates: &Problem, rows: usize) -> Option<FewRows> {
     // With more complementary pairs than this, testing for a P-matrix costs more than all other work at the event.
     if rows == 0 || rows > 64 {

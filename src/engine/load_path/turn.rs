@@ -32,7 +32,7 @@ use crate::serial::AsComputed;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Turn<const C: usize> {
     pub(super) load: Harmonic<Wrench<C>>,
-    /// Angle of the turn, rad.
+    /// Last angle of the turn, at which it ends, rad.
     pub(super) angle: f64,
     /// The axis about which the bodies of a scene are tilted under their own weight, which then takes the place of `load`. Only the scene knows this
     /// weight. `None` otherwise.
@@ -46,7 +46,7 @@ impl<const C: usize> From<&Self> for Turn<C> {
 }
 
 impl<const C: usize> Turn<C> {
-    /// A load that turns by one full turn, from its constant term and its coefficients of cos θ and sin θ (N, N m).
+    /// A load that turns by one revolution, from its constant term and its coefficients of cos θ and sin θ (N, N m).
     #[must_use]
     pub fn new(constant: Wrench<C>, cosine: Wrench<C>, sine: Wrench<C>) -> Self {
         Self { load: Harmonic { constant, cosine, sine }, angle: TAU, tilts_bodies_about: None }
@@ -66,7 +66,7 @@ impl<const C: usize> Turn<C> {
         self
     }
 
-    /// This turn, ended at the angle `angle` (rad). The angle must be positive; it may exceed one or several full revolutions.
+    /// This turn, ending at the angle `angle` (rad). The angle must be positive and at most 1e6 rad; it may be many revolutions.
     #[must_use]
     pub fn up_to(mut self, angle: f64) -> Self {
         self.angle = angle;
@@ -90,7 +90,7 @@ impl<const C: usize> Turn<C> {
         self
     }
 
-    /// Angle of the turn, rad.
+    /// Last angle of the turn, at which it ends, rad.
     #[must_use]
     pub fn angle(&self) -> f64 {
         self.angle
@@ -125,7 +125,7 @@ impl<const C: usize> Turn<C> {
         Trajectory::Turn { load, angle: self.angle }
     }
 
-    /// The angle of the turn, rad, but at most a full turn, along which every load of the turn occurs.
+    /// The angle of the turn (rad), but at most one revolution, in which every load of the turn occurs.
     pub(crate) fn whole_angle(&self) -> f64 {
         self.angle.min(TAU)
     }
@@ -153,8 +153,8 @@ impl<const C: usize> Turn<C> {
         Ok(())
     }
 
-    /// The turn of a force from three terms: its component along the axis, its other component at θ = 0, and that a quarter turn later. `wrench`
-    /// applies each at its point.
+    /// The turn of a force from three terms: its component along the axis, its other component at θ = 0, and the latter a quarter revolution later.
+    /// `wrench` applies each at its point.
     fn of_forces(parts: [SVector<f64, C>; 3], wrench: impl Fn(SVector<f64, C>) -> Wrench<C>) -> Self {
         let [constant, cosine, sine] = parts.each(wrench);
         Self::new(constant, cosine, sine)
@@ -259,8 +259,8 @@ pub struct EdgeTouch {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum EdgeOf {
-    /// A contact: its friction cone.
+    /// A contact, whose limit is its friction cone.
     Contact(ContactLabel),
-    /// A joint or a tendon: the limit of its drive.
+    /// A joint or a tendon, whose limit is that of its drive.
     Drive(PartLabel),
 }

@@ -1,7 +1,7 @@
 //! Advances along an arc, on which directions of sliding turn on the round cone, step by step to the next event.
 //!
-//! Steps are in arclength, see [`super::flow`], and as long as the allowed error of the settings permits. An event is where one of these values, for
-//! a contact in each state or for the path, vanishes,
+//! Steps are in arclength, see [`super::flow`], and as long as the allowed error of the settings permits. An event is the place where one of these
+//! values vanishes. The first three lines are for a contact in the given state, the last line is for the path as a whole:
 //!
 //! ```text
 //! sticking  μ F_n - |F_t|, or F_n where friction is infinite or zero
@@ -32,8 +32,8 @@ use crate::prelude::*;
 use crate::search::Doubt;
 
 impl<'g> Pieces<'g> {
-    /// Tries one step along the arc, up to an event if one comes first; a refused step only changes the next length. Returns whether the leg is
-    /// complete. The error is the end of the path.
+    /// Tries one step along the arc, which ends early if an event comes first; a refused step only changes the next length. Returns whether the leg
+    /// is complete. The error is the end of the path.
     pub(super) fn advance_along_arc(&mut self, journey: &Journey<'g>) -> Result<bool, PathEnd<3>> {
         let Some(point) = self.point.take() else {
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
@@ -109,7 +109,7 @@ impl<'g> Pieces<'g> {
             let dip = is_straight
                 .then(|| first_dip(&self.segment, &self.node.states, ends, (end.length, tolerance)))
                 .flatten();
-            // A step is shortened at most twenty times because a condition may be violated within it.
+            // A step within which a condition may be violated is shortened at most twenty times.
             let Some(part) = dip.filter(|_| looks < 20) else { return Some(end) };
             looks += 1;
             end = self.step(point, (part * end.length, 0), end.rule)?;
@@ -201,7 +201,7 @@ impl<'g> Pieces<'g> {
             let touches = ActiveSet::is_weightless(f, line.force_size);
             if state.slides() && !touches {
                 let turn = (f[1] * df[2] - f[2] * df[1]).abs() / (f[1] * f[1] + f[2] * f[2]);
-                // Along the first step no direction of friction turns by more than this angle, rad, by its rate at the start.
+                // Along the first step no direction of friction turns by more than this angle (rad), at its initial rate.
                 let first_turn = 0.3;
                 if turn.is_finite() && turn * length > first_turn {
                     length = first_turn / turn;
@@ -259,7 +259,7 @@ impl<'g> Pieces<'g> {
                 }
                 // At the end of a leg a slip rate of this leg does not matter any more.
                 _ if leg_done => {}
-                // Where the load itself turns back, all slips stop. The rates of the load slightly ahead then decide which contacts slide on.
+                // If the load itself turns back here, all slips stop. The rates of the load slightly ahead then decide which contacts slide on.
                 _ if self.segment.load_turns_back(to) => stops = true,
                 _ => sticks.push(contact),
             }

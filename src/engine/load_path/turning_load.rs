@@ -1,4 +1,4 @@
-//! The state of a path under a load that turns, by three linear solves. They also give forces, stretches and twist from there on as harmonic
+//! The state of a path under a load that turns, by three linear solves. They also give forces, stretches and twist from this state on as harmonic
 //! functions of the load's angle.
 
 use alloc::sync::Arc;
@@ -18,12 +18,12 @@ impl Segment<'_> {
     /// Whether the load turns along this leg and its rate vanishes at the load factor `factor`, where it turns back.
     pub(super) fn load_turns_back(&self, factor: f64) -> bool {
         let Trajectory::Turn { load, angle } = &self.course else { return false };
-        // A rate of the load below this fraction of its fastest rate counts as zero, since the angle is known to the rounding of a full turn.
+        // A rate of the load below this fraction of its fastest rate counts as zero: the angle is known to the rounding of a full revolution.
         load.rate_at(angle * factor).norm() <= SOLVED_ROUNDING * (load.cosine.norm() + load.sine.norm())
     }
 
     /// Forces, twist, gaps and their rates at a load factor, and forces, stretches and twist from there on as harmonic functions of the load's angle.
-    /// An error if forces cannot balance the load. `near` is as for [`Self::point_at`].
+    /// Returns an error if forces cannot balance the load. `near` is as for [`Self::point_at`].
     pub(super) fn point_on_turn(
         &self,
         piece: &Arc<Piece>,

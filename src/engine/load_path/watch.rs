@@ -69,8 +69,8 @@ pub(super) fn has_vanished(line: &Line) -> bool {
     line.force[0] < 0.0 && line.force[0] >= -VANISHING_NORMAL * line.force_size
 }
 
-/// The conditions that must hold along an arc while contacts keep the states `states`, evaluated at its state `point` at the load factor `factor`.
-/// For each state they are listed in the head of `turning`.
+/// The conditions that must hold along an arc while contacts keep the states `states`. They are evaluated at the state `point` of the arc, at the
+/// load factor `factor`. The head of `turning` lists the conditions for each contact state.
 pub(super) fn watch(
     segment: &Segment<'_>,
     states: &[State],

@@ -26,23 +26,23 @@ pub struct WholeChange<const C: usize> {
 pub enum PadChange<const C: usize> {
     /// A point contact changes its state.
     Point(Change<C>),
-    /// The first points of a fingertip slide; before, none did, and others still stick.
+    /// The first points of a fingertip slide, and others still stick; before, no point slid.
     BeginsToSlide,
-    /// All closed points of a fingertip slide; before, some did not.
+    /// All closed points of a fingertip slide; before, some of them did not.
     SlidesEverywhere,
-    /// Some points of a fingertip stick, others slide on; before, all closed ones slid.
+    /// Some points of a fingertip stick, others slide on; before, all closed points slid.
     SticksInPart,
     /// No point of a fingertip slides any more, but some still touch.
     SticksAgain,
     /// All sliding points of a fingertip reverse their direction of sliding.
     SlidesBack,
-    /// The first points of a fingertip open; before, all touched.
+    /// The first points of a fingertip open; before, all points touched.
     BeginsToOpen,
-    /// The last points of a fingertip open, so that none touches.
+    /// The last points of a fingertip open, so that no point touches.
     Opens,
-    /// The first points of a fingertip touch; before, none did.
+    /// The first points of a fingertip touch; before, no point touched.
     Touches,
-    /// The last points of a fingertip touch, so that none is open.
+    /// The last points of a fingertip touch, so that no point is open.
     TouchesEverywhere,
     /// The contact is kept closed and would have to pull on the object, which its friction does not allow.
     WouldPull,
@@ -216,7 +216,8 @@ impl PointState {
         }
     }
 
-    /// The states of a point before and after `change`. `state` is the one before the change; at the very start of a path it is the one after it.
+    /// The states of a point before and after `change`. `state` is the state before the change; at the very start of a path it is the state after the
+    /// change.
     fn change<const C: usize>(change: &Change<C>, state: Self) -> [Self; 2] {
         match change {
             Change::Slides { .. } => [Self::Sticks, Self::Slides],
@@ -230,7 +231,7 @@ impl PointState {
     }
 }
 
-/// Numbers of points of a fingertip that are closed, that slide (closed ones, too), and that are open.
+/// Numbers of points of a fingertip that are closed, that slide (also counted as closed), and that are open.
 #[derive(Debug, Clone, Copy, Default)]
 struct PadCount {
     closed: usize,

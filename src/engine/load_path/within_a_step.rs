@@ -29,8 +29,8 @@ pub(super) struct Bounded {
 }
 
 /// A fraction of a step at which a sticking or open contact clearly violates its condition, although the condition may hold again at the end. It is
-/// the least one found over the contacts. One half for a contact for which the step is too long for a decision; `None` if all conditions hold within
-/// the step. Rates at both ends are per unit of arclength, and `length` is that of the step.
+/// the least such fraction found over the contacts. A contact for which the step is too long for a decision counts with one half. `None` if all
+/// conditions hold within the step. Rates at both ends are per unit of arclength, and `length` is the arclength of the step.
 pub(super) fn first_dip(
     segment: &Segment<'_>,
     states: &[State],
@@ -83,7 +83,7 @@ impl Bounded {
         let third = (a - b) * 2.0 + da + db;
         let second = b - a - da - third;
         // The interpolating cubic neglects the term of fourth order. It is estimated from above by the larger of the term of third order and 0.05
-        // times that of second order: in accepted steps each term is at most 0.05 times the one of the order before.
+        // times the term of second order. In accepted steps each term is at most 0.05 times the term of the order before.
         let bend = third.norm().max(0.05 * second.norm()) * weight;
         Self { points: [a, a + da / 3.0, b - db / 3.0, b], cone, bend, nothing }
     }

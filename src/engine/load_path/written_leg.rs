@@ -62,7 +62,7 @@ struct WrittenLeg<const C: usize> {
 }
 
 impl<T: Clone> LegGoal<T> {
-    /// The goal of the quantity `name` from its fields `…_by` and `…_to`, [`LegGoal::Stay`] without either; an error if both are given.
+    /// The goal of the quantity `name` from its fields `…_by` and `…_to`, [`LegGoal::Stay`] if neither is given, and an error if both are given.
     fn read(by: Option<T>, to: Option<T>, name: &str) -> Result<Self, String> {
         match (by, to) {
             (None, None) => Ok(Self::Stay),

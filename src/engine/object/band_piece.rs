@@ -8,10 +8,10 @@
 //! The tangent stiffness T is the sum over the contacts of their tangent stiffnesses C_i, with the grasp maps G_i. Under the load W, scaled spring
 //! forces x at zero motion become x - A q at the twist q.
 //!
-//! T has an entry where a contact couples two coordinates; a suitable order puts these entries near its diagonal. LU factors of T cost a few
-//! thousandths of orthogonal factors of A and B, but lose twice as many digits where stiffnesses differ widely. Iterative refinement in twice the
-//! working precision restores the digits, or shows that it cannot. T may be singular along motions that stretch no spring, if the springs also leave
-//! equally many loads unbalanced. Every other nearly singular T is left to orthogonal factors.
+//! T has an entry for every two coordinates that a contact couples; a suitable order puts these entries near its diagonal. LU factors of T take a few
+//! thousandths of the time of orthogonal factors of A and B. But they lose twice as many digits if stiffnesses differ widely. Iterative refinement in
+//! twice the working precision restores the digits, or shows that it cannot. T may be singular along motions that stretch no spring, if the springs
+//! also leave equally many loads unbalanced. Every other nearly singular T is left to orthogonal factors.
 
 use crate::numerics::{
     Band, BandFactors, Size, Vector, generic, mapped, moved, narrow_order, numbered, summed, widest,
@@ -65,7 +65,7 @@ pub(super) struct Side {
     /// The entries of each row of the matrix, spring after spring, in the order of [`SpringLists`]: one for each coordinate in the contact's grasp
     /// map.
     rows: Vec<f64>,
-    /// For each coordinate, in the narrow order, the factor that scales its column to length one; one for a zero column.
+    /// For each coordinate, in the narrow order, the factor that scales its column to length one. The factor of a zero column is one.
     units: Vec<f64>,
     /// Euclidean length of the longest row: the largest scaled stretch of a spring under a unit motion.
     pub(super) longest: f64,
@@ -179,8 +179,8 @@ impl BandPiece {
         sum
     }
 
-    /// Factor by which relative rounding errors grow in a solution: the norm of the oblique projection `A T⁻¹ Bᵀ` of spring forces, with T = BᵀA. It
-    /// is twice an estimate by four steps of the power method, and exactly 1 if no contact slides.
+    /// Factor by which relative rounding errors grow in a solution: the norm of the oblique projection `A T⁻¹ Bᵀ` of spring forces, with T = BᵀA. The
+    /// norm is estimated by four steps of the power method, and the estimate is doubled. The result is exactly 1 if no contact slides.
     pub(super) fn growth(&self) -> f64 {
         let Some(left) = &self.left else { return 1.0 };
         let springs: usize = self.springs.counts.iter().sum();

@@ -1,4 +1,4 @@
-//! The error of given contact forces and twist: the exact solution with the same contact states, minus them.
+//! The error of given contact forces and twist: the exact solution with the same contact states, minus the given values.
 //!
 //! The residuals of the contact law and of equilibrium are evaluated in twice the working precision. The linear problem is then solved with these
 //! residuals as right-hand side:
@@ -10,7 +10,7 @@
 //! For contact i, with offset a_i, grasp map G_i, stiffness K_i and force F_i, w_i is the residual displacement at the twist q. Spring r of the
 //! contact is stretched along right_r, a vector with the square root of its stiffness, and e_r is its scaled residual. W is the load, and ρ the
 //! imbalance. At the solution w is zero along a spring that resists; its other components are gaps and slips. Solving with the residuals gives the
-//! error itself, not only a bound. On the round cone this is the error to first order, which suffices where Newton's method has converged.
+//! error itself, not only a bound. On the round cone this is the error to first order, which is enough if Newton's method has converged.
 
 use nalgebra::SVector;
 
@@ -26,10 +26,10 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 pub(crate) struct Correction {
     pub(crate) forces: Vec<SVector<f64, 3>>,
-    /// The exact twist minus the given one, without components along motions that no spring resists.
+    /// The exact twist minus the given twist, without components along motions that no spring resists.
     pub(crate) twist: Vector,
     /// Uncertainty of the corrected forces, N: machine precision times the largest residual force. If refinement did not converge, the largest force
-    /// of the last correction is added. It is large where the linear problem is nearly singular.
+    /// of the last correction is added. It is large if the linear problem is nearly singular.
     pub(crate) doubt: f64,
 }
 

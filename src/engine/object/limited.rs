@@ -18,7 +18,7 @@ pub(super) struct Limited {
     is_rate: bool,
 }
 
-/// The directions in which a contact may slide, by the shape of its friction cone.
+/// The directions in which a contact may slide, according to the shape of its friction cone.
 enum Slides {
     Never,
     /// In the plane: indices of the facets of the friction cone whose friction force lies along -t and along +t. `None` without such a facet:
@@ -45,8 +45,9 @@ struct AtLimit {
 /// Contact force, tangent stiffness and contact state at a stretch of a contact with a given friction limit.
 pub(super) struct LimitedAnswer {
     pub(super) force: SVector<f64, 3>,
-    /// Tangent stiffness, the derivative of `force` by the stretch, N/m. `gives` is the rest of the spring stiffness, lost by sliding or opening.
+    /// Tangent stiffness, the derivative of `force` with respect to the stretch, N/m.
     pub(super) holds: SMatrix<f64, 3, 3>,
+    /// The rest of the spring stiffness, which is lost due to sliding or opening, N/m.
     pub(super) gives: SMatrix<f64, 3, 3>,
     pub(super) state: Mode<u16>,
 }

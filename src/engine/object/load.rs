@@ -5,11 +5,13 @@ use crate::numerics::Vector;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 
-/// A load: moments about the centroid of the contacts, lever arms in the engine's unit of length, and the forces of joints and bodies. `rest` is the
-/// rounding error of the caller's moments in `wrench`, exact minus rounded.
+/// A load in the engine's coordinates: moments about the centroid of the contacts, with lever arms in the engine's unit of length. It includes the
+/// loads on joints and further bodies.
 #[derive(Debug, Clone)]
 pub(crate) struct Load {
+    /// The load, rounded to working precision.
     pub(crate) wrench: Vector,
+    /// The rounding error of the caller's moments in `wrench`: exact minus rounded.
     pub(crate) rest: Vector,
 }
 

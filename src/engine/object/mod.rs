@@ -6,14 +6,11 @@
 //! | file | idea |
 //! |---|---|
 //! | `problem` | laws, offsets and load: the static problem and the rate problem that the engine solves |
-//! | `piece` | the linear problem in known contact states, by orthogonal factors; `trial`: the one in which everything sticks |
+//! | `piece` | the linear problem in known contact states, by orthogonal factors; `trial`: the linear problem in which everything sticks |
 //! | `band_piece` | the same linear problem for 36 or more coordinates, by the tangent stiffness as a band matrix |
 //! | `null_motions` | null vectors of the tangent stiffness, if it is a band matrix |
 //! | `solution` | contact forces and twist that solve the linear problem, by iterative refinement |
 //! | `free_motions` | motions that no spring resists |
-//! | `energy_coordinates` | contacts scaled by the square roots of their stiffnesses, so that stiffness ratios cancel |
-//! | `sums` | the equations of equilibrium in energy coordinates, as sums over contacts that are updated contact by contact |
-//! | `lazy_pricing` | a queue that skips contacts which cannot reach the end of their state within a step |
 //! | `tangent` | the tangent stiffness, and equilibrium by Newton steps on it |
 //! | `newton` | Newton's method for equilibrium, in which each contact's force is explicit in the twist; `relaxing`: a start for it |
 //! | `correction` | the error of given contact forces and twist in given contact states |

@@ -1,14 +1,14 @@
 //! Newton's method for equilibrium. The force of each contact is a function of its own stretch alone, and so of the twist of the object.
 //!
 //! The twist q gives each contact its stretch `a_i - G_iᵀq`, from the offset a_i and the grasp map G_i. The stretch gives the contact force F_i and
-//! the contact state. So equilibrium under the load W is d piecewise smooth equations:
+//! the contact state. Equilibrium under the load W thus amounts to d piecewise smooth equations, one for each coordinate of the twist:
 //!
 //! ```text
 //! R(q) = Σ G_i F_i(a_i - G_iᵀq) + W = 0,      dR = -T dq,   T = Σ G_i C_i G_iᵀ
 //! ```
 //!
 //! with the tangent stiffness C_i of each contact. A few Newton steps suffice for any number of contacts. But the method may cycle, most often with
-//! few contacts, where Lemke's method does not.
+//! few contacts; Lemke's method does not.
 
 use core::ops::Range;
 
@@ -21,10 +21,12 @@ use crate::numerics::tolerances::SUFFICIENT_DECREASE;
 use crate::numerics::{Vector, in_halves};
 use crate::prelude::*;
 
-/// `left`: the residual wrench `R = Σ G_i F_i + W`. `size`: the sum of the norms of forces, N, to which the rounding error of R is proportional.
+/// The imbalance of contact forces and load.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Imbalance {
+    /// The residual wrench `R = Σ G_i F_i + W`.
     pub(crate) left: Vector,
+    /// The sum of the norms of forces, N, to which the rounding error of R is proportional.
     pub(crate) size: f64,
 }
 
@@ -48,12 +50,12 @@ impl Imbalance {
     }
 }
 
-/// The law by which a contact responds: force and state from the contact's index, its stretch, and its last response. From the last one an iteration
-/// may start.
+/// The law by which a contact responds: force and state from the contact's index, its stretch, and its last response. An iteration may start from the
+/// last response.
 pub(super) type Response<'r> =
     dyn Fn(usize, &SVector<f64, 3>, &ContactResponse) -> ContactResponse + Sync + 'r;
 
-/// The response of a contact by its law in `problem`: the return map of its elastic force onto the friction cone.
+/// The response of a contact according to its law in `problem`: the return map of its elastic force onto the friction cone.
 pub(super) fn on_cones(
     problem: &Problem,
 ) -> impl Fn(usize, &SVector<f64, 3>, &ContactResponse) -> ContactResponse + Sync {
@@ -89,7 +91,7 @@ pub(crate) fn newton(
     contacts.clear();
     contacts.resize(problem.len(), ContactResponse::open());
     let mut response_at = respond(problem, (&twist, beside), contacts, response);
-    // The largest number of steps. As a rule Newton's method converges in a few, or not at all.
+    // The largest number of steps. As a rule Newton's method converges in a few steps, or not at all.
     for steps in 0..20 {
         let norm = response_at.left.norm();
         if norm <= settled * response_at.size {

@@ -5,8 +5,8 @@
 //! ```text
 //! A n = 0             the motion n stretches no spring: free
 //! A n ≠ 0, T n = 0    forces change along n but stay in balance: neutral
-//! B z = 0             no spring balances a load that works on the motion z
-//! B z ≠ 0, Tᵀz = 0    no motion changes the springs' work on z: offsets and loads that work on z have no solution
+//! B z = 0             no spring balances a load that does work along the motion z
+//! B z ≠ 0, Tᵀz = 0    no motion changes the work of the springs along z: if offsets and load do work along z, there is no solution
 //! ```
 
 use super::band_piece::{BandPiece, Side};
@@ -21,25 +21,27 @@ use crate::prelude::*;
 /// All four lists are empty if T is regular.
 #[derive(Debug, Clone)]
 pub(super) struct NullMotions {
-    /// Motions n with A n = 0: they stretch no spring. Next `neutral`, motions with T n = 0 along which forces change but stay in balance, and
-    /// `unbalanced`, motions z with B z = 0. Each list is orthonormal, and `neutral` also orthogonal to `free`.
+    /// Null vectors n of T with A n = 0: motions that stretch no spring. Orthonormal.
     pub(super) free: Vec<Vector>,
+    /// Null vectors n of T with A n ≠ 0: motions along which forces change but stay in balance. Orthonormal, and orthogonal to `free`.
     pub(super) neutral: Vec<Vector>,
+    /// Left null vectors z of T with B z = 0: virtual motions along which no spring pushes. Orthonormal.
     pub(super) unbalanced: Vec<Vector>,
-    /// Motions z with Tᵀz = 0 along which springs push (B z ≠ 0), each with its vector B z, an entry for each spring. These vectors B z are
+    /// Left null vectors z of T along which springs push (B z ≠ 0), each with its vector B z. These vectors, with an entry for each spring, are
     /// orthonormal.
     without_response: Vec<(Vector, Vec<f64>)>,
 }
 
-/// Null vectors in two lists: motions that stretch no spring, and the others. Each of the others has the stretches of all springs, scaled to norm
-/// one.
+/// Null vectors in two lists.
 struct Apart {
+    /// Null vectors that stretch no spring.
     unstretched: Vec<Vector>,
+    /// All other null vectors, each with the stretches of all springs, scaled so that these stretches have norm one.
     stretched: Vec<(Vector, Vec<f64>)>,
 }
 
 impl NullMotions {
-    /// The null motions of the tangent stiffness T, from its LU factors as a band matrix; empty if T is regular. `None` where T is nearly, but not
+    /// The null motions of the tangent stiffness T, from its LU factors as a band matrix; empty if T is regular. `None` if T is nearly, but not
     /// exactly, singular.
     pub(super) fn of(band: &BandPiece) -> Option<Self> {
         let nothing = Self {
@@ -69,8 +71,8 @@ impl NullMotions {
         Some(found)
     }
 
-    /// The sum of the motions in `without_response`, each weighted by the work that offsets and load do on it. `None` if each of them is zero. The
-    /// slice `x` has the scaled stretch `right·a` of each spring by the offsets alone.
+    /// The sum of the left null vectors in `without_response`, each weighted by the work that offsets and load do along it. `None` if all this work
+    /// is zero. `x` holds the scaled stretch `right·a` of each spring due to the contact offsets a at zero twist.
     pub(super) fn motion_of_work(&self, x: &[f64], load: &Vector) -> Option<Vector> {
         let mut sum = Vector::zeros();
         for (z, stretches) in &self.without_response {
@@ -79,8 +81,9 @@ impl NullMotions {
         (sum.norm() > 0.0).then_some(sum)
     }
 
-    /// Whether offsets and load do more work on a motion in `without_response` than rounding explains; forces then cannot balance. The slice `x` has
-    /// the scaled stretch of each spring by the offsets alone. `growth` is the factor by which the LU factors amplify rounding.
+    /// Whether contact offsets and load are an inconsistent right-hand side: along a left null vector in `without_response` they do more work than
+    /// rounding explains. Forces then cannot balance. `x` holds the scaled stretch of each spring due to the offsets of the contacts at zero twist.
+    /// `growth` is the factor by which the LU factors amplify rounding.
     pub(super) fn are_out_of_reach(&self, x: &[f64], load: &Vector, growth: impl Fn() -> f64) -> bool {
         self.without_response.iter().any(|(z, stretches)| {
             let sizes = |terms: &mut dyn Iterator<Item = f64>| terms.fold(0.0, |sum, term| sum + term.abs());
@@ -94,8 +97,8 @@ impl NullMotions {
 }
 
 /// Groups null vectors of the tangent stiffness T = BᵀA, or of its transpose, by whether they stretch springs. `side` is A for null vectors of T, and
-/// B for those of its transpose. The entries of `vectors` refer to columns of `side` that are scaled to length one. `None` if a vector with stretches
-/// is no null vector beyond rounding.
+/// B for null vectors of the transpose; `other` is the other of these two matrices. The entries of `vectors` refer to columns of `side` that are
+/// scaled to length one. `None` if a vector that stretches springs is not a null vector to within rounding.
 fn apart(
     band: &BandPiece,
     [side, other]: [&Side; 2],

@@ -5,7 +5,7 @@
 //! offset a_i, grasp map G_i and twist q.
 //!
 //! The scaled spring forces x_r = right_r · v satisfy `x = α - A q`, and balance the load W if `Bᵀx = -W`. Here A = right Gᵀ, B = left Gᵀ and α =
-//! right·a have a row for each spring. So x is an oblique projection of α (an orthogonal one when nothing slides). A and B are factorised by
+//! right·a have a row for each spring. So x is an oblique projection of α (an orthogonal projection if nothing slides). A and B are factorised by
 //! orthogonal transformations.
 
 use crate::numerics::{IntoList, Map, Size, Square, Vector, mapped};
@@ -132,8 +132,8 @@ impl Piece {
         Some(self.band.as_ref()?.0.displacements_under(contact, &self.along_springs(contact, pushes)[..]))
     }
 
-    /// The sum of the scaled stretches of a contact's springs for the changes `displacements` of the coordinates, in the band's order. Each is
-    /// weighted by the entry of `times` for the spring's axis. Zero without a band.
+    /// The sum of the scaled stretches of a contact's springs for the changes `displacements` of the coordinates, in the band's order. Each stretch
+    /// is weighted by the entry of `times` for the spring's axis. Zero without a band.
     pub(crate) fn weighted_stretch(
         &self,
         contact: usize,
@@ -181,9 +181,10 @@ impl Piece {
         motions
     }
 
-    /// A virtual motion y with `Σ G_i C_iᵀG_iᵀ y = 0`, with the tangent stiffness C_i and the grasp map G_i of contact i. It is the one on which the
-    /// load does the most work among those along which no spring pushes. Only if the load does none on these, it is one of the others, chosen by the
-    /// work of offsets and load. `None` if there is no work on any.
+    /// A virtual motion y with `Σ G_i C_iᵀG_iᵀ y = 0`, with the tangent stiffness C_i and the grasp map G_i of contact i. This is a left null vector
+    /// of the tangent stiffness. Of the left null vectors along which no spring pushes, it is the one along which the load does the most work. If the
+    /// load does no work along any of these, springs push along the returned vector; offsets and load do work along it. `None` if they do no work
+    /// along any left null vector.
     pub(crate) fn motion_without_response(
         &self,
         offsets: &[SVector<f64, 3>],
@@ -217,7 +218,7 @@ impl Piece {
         }
     }
 
-    /// Whether the load does no work, up to rounding, on any motion along which no spring pushes. Otherwise the springs cannot balance it.
+    /// Whether the load does no work, up to rounding, along any motion along which no spring pushes. Otherwise the springs cannot balance the load.
     pub(crate) fn resists(&self, wrench: &Vector) -> bool {
         motion_of_work(&self.unbalanced, wrench).is_none()
     }

@@ -6,7 +6,7 @@
 //!
 //! q is the twist of the object, G_i the grasp map of contact i, and W the load. In the static problem, the offset a_i is the commanded displacement
 //! minus clearance and slip, and each contact has its full law. In the rate problem, a_i and W are derivatives of offset and load along a path; v_i,
-//! q and F_i those of stretch, twist and force. Each law is then that of the rates at the present contact state ([`Law`]).
+//! q and F_i are those of stretch, twist and force. Each contact then has the law of the rates at its present state ([`Law`]).
 
 use crate::numerics::{IntoList, Size, Vector, by_axis, indexed};
 use alloc::sync::Arc;
@@ -31,8 +31,8 @@ pub(crate) struct Problem<'g> {
     /// For each contact its friction polygon, with a corner along the contact's friction force in the elastic trial, in which all contacts stick. If
     /// the list is empty, contacts use their own polygon, or `polygon`.
     pub(crate) turned: Vec<Polygon>,
-    /// The friction cone of each contact now: that of the lower kinetic coefficient if it slides, else that of static friction. If the list is empty,
-    /// every contact has static friction.
+    /// The present friction cone of each contact: the cone of the lower kinetic coefficient if the contact slides, else the cone of static friction.
+    /// If the list is empty, every contact has static friction.
     pub(crate) cones: Vec<Coulomb>,
     pub(crate) laws: Vec<Law>,
     /// For each contact the commanded displacement minus clearance and accumulated slip, m, in its contact frame; in the rate problem the rate of
@@ -43,18 +43,19 @@ pub(crate) struct Problem<'g> {
     pub(crate) wrench: Vector,
     /// Rounding error of `wrench`, exact minus rounded, from moving its moment to the centroid of the contacts. Zero in the rate problem.
     pub(crate) wrench_rest: Vector,
-    /// Whether a contact with infinite friction has friction-cone facets like one with a very large coefficient, so that it may slide.
+    /// Whether a contact with infinite friction has friction-cone facets like a contact with a very large coefficient, so that it may slide.
     pub(crate) infinite_friction_has_edges: bool,
     /// In space: the friction force is limited by the round cone, and the polygon only proposes contact states. Otherwise it is limited by the
     /// polygon.
     pub(crate) round: bool,
     /// Place where the grasp keeps the factorised elastic trial, in which all contacts stick, once it is computed; `None` in the rate problem.
     pub(crate) trial: Option<&'g Remembered>,
-    /// States near which the search begins, if it has many coordinates; empty in rates, and if there are none.
+    /// Contact states of a similar grasp, from which a search with many coordinates starts. Empty in the rate problem, and if no such states are
+    /// given.
     pub(crate) near: &'g [State],
 }
 
-/// Three lists of a [`Problem`] with an entry for each contact. They are passed in so that a new problem reuses the memory of an earlier one.
+/// Three lists of a [`Problem`] with an entry for each contact. They are passed in so that a new problem reuses the memory of an earlier problem.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Lists {
     pub(crate) laws: Vec<Law>,
@@ -162,14 +163,14 @@ impl<'g> Problem<'g> {
         self.sites.len()
     }
 
-    /// The polygon that replaces the round cone of this contact: the turned one, else the contact's own one, else the common one.
+    /// The polygon that replaces the round cone of this contact: the turned polygon, else the contact's own polygon, else the common polygon.
     #[inline]
     pub(crate) fn polygon(&self, contact: usize) -> &Polygon {
         let own = || self.sites[contact].polygon.as_ref().unwrap_or(&self.polygon);
         self.turned.get(contact).unwrap_or_else(|| own())
     }
 
-    /// The present friction cone of a contact: that of static friction, unless the contact slides with a lower kinetic coefficient.
+    /// The present friction cone of a contact: the cone of static friction, unless the contact slides with a lower kinetic coefficient.
     #[inline]
     pub(crate) fn cone(&self, contact: usize) -> Coulomb {
         self.cones.get(contact).copied().unwrap_or(self.sites[contact].friction)
@@ -226,7 +227,7 @@ impl<'g> Problem<'g> {
     }
 
     /// `states`, in which each contact that slides on the round cone gets the slide of its friction force, with λ = slip·friction/|friction|², at
-    /// least 0. The slip is that at `twist`. Without friction force the state stays.
+    /// least 0. The slip is computed at `twist`. Without friction force the state stays.
     pub(crate) fn slid_on(
         &self,
         states: &[State],

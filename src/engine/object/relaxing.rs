@@ -1,6 +1,6 @@
 //! Relaxation of a stuck grasp: contacts beyond their friction cones slip, and the object moves as it would with viscous contacts.
 //!
-//! With Coulomb friction a grasp may have several equilibria; in an extreme one the object lies beside the fingers. Steps of the twist q with the
+//! With Coulomb friction a grasp may have several equilibria; in an extreme case the object lies beside the fingers. Steps of the twist q with the
 //! stiffness T of the stuck grasp,
 //!
 //! ```text
@@ -24,7 +24,7 @@ use crate::prelude::*;
 ///
 /// It iterates over twists at which the object has nearly relaxed. The estimated remaining path is a hundredth of the path covered, then a hundredth
 /// of that, and so on. The last twist comes after `RELAXING_STEPS` steps, or once R is zero. Short steps indicate an equilibrium, or a place where a
-/// stable one has just vanished. If Newton's method finds none there, the caller asks for the next twist.
+/// stable equilibrium has just vanished. If Newton's method finds no equilibrium from such a twist, the caller asks for the next twist.
 pub(crate) struct ViscousRelaxation<'p, 'a> {
     problem: &'p Problem<'a>,
     factors: TangentFactors,
@@ -35,7 +35,7 @@ pub(crate) struct ViscousRelaxation<'p, 'a> {
     /// Factor, at least 1, by which the last step was longer than `T⁻¹R`.
     pace: f64,
     steps: usize,
-    /// The next twist is returned where the estimated remaining length of the path is at most this fraction of its distance from the stuck twist.
+    /// The next twist is returned once the estimated remaining length of the path is at most this fraction of its distance from the stuck twist.
     nearly: f64,
 }
 
@@ -51,7 +51,7 @@ impl<'p, 'a> ViscousRelaxation<'p, 'a> {
         of.factors.is_regular().then_some(of)
     }
 
-    /// The distance of `twist` from the present twist of the path, divided by the distance of the present twist from the stuck one.
+    /// The distance of `twist` from the present twist of the path, divided by the distance of the present twist from the stuck twist.
     pub(crate) fn part_of_the_way(&self, twist: &Vector) -> f64 {
         (twist - &self.twist).norm() / (&self.twist - &self.stuck).norm()
     }

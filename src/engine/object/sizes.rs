@@ -27,8 +27,8 @@ pub(crate) fn largest_force(
     forces: impl Iterator<Item = f64>,
 ) -> f64 {
     let largest = forces.fold(load, f64::max);
-    // The least spring force of all contacts is at most that of the first contact. If that of the first is below the largest force, the others need
-    // not be evaluated.
+    // The least spring force of all contacts is at most that of the first contact. If the spring force of the first contact is below the largest
+    // force, the others need not be evaluated.
     let least_of = |count: usize| {
         let norm = twist.norm();
         let spans = sites.iter().zip(offsets).map(|(site, a)| site.span_moved(a, norm));
@@ -84,7 +84,7 @@ impl Problem<'_> {
         self.at_moved((contact, force), twist, self.size_of_motion(twist, largest), largest)
     }
 
-    /// [`Self::at`], where `norm` is the norm of `twist`, which the caller has computed once for all contacts.
+    /// [`Self::at`] with the norm `norm` of `twist`, which the caller has computed once for all contacts.
     #[inline]
     pub(crate) fn at_moved<'s>(
         &self,
@@ -97,7 +97,7 @@ impl Problem<'_> {
         SpringState { stretch: self.stretch(contact, twist), force, span, largest }
     }
 
-    /// The norm of the imbalance `Σ G_i F_i + W` of contact forces and load, and the sum of the norms |F_i|, without that of the load.
+    /// The norm of the imbalance `Σ G_i F_i + W` of contact forces and load, and the sum of the norms |F_i|, without the norm of the load.
     pub(crate) fn imbalance(&self, forces: &[SVector<f64, 3>]) -> (f64, f64) {
         let Imbalance { left, size } = Imbalance::of(self.sites, forces, &self.wrench, 0.0);
         (left.norm(), size)

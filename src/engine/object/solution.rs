@@ -24,7 +24,7 @@ use crate::prelude::*;
 pub(crate) struct PieceState {
     /// The contact force F_i of each contact in its contact frame, N.
     pub(crate) forces: Vec<SVector<f64, 3>>,
-    /// The twist, of least norm where motions stretch no spring; about the centroid of the contacts, with arms in the engine's unit of length.
+    /// The twist about the centroid of the contacts, with arms in the engine's unit of length; of least norm if some motions stretch no spring.
     pub(crate) twist: Vector,
 }
 
@@ -50,8 +50,8 @@ pub(crate) struct Unbalanced {
 }
 
 impl Piece {
-    /// Contact forces and the twist of least norm under these offsets and this load; [`Unbalanced`] if there are none. `sites` are the contacts and
-    /// drives from which this [`Piece`] was made.
+    /// Contact forces and the twist of least norm under these offsets and this load; [`Unbalanced`] if no forces balance. `sites` are the contacts
+    /// and drives from which this [`Piece`] was made.
     pub(crate) fn solve(
         &self,
         sites: &[Site],
@@ -83,8 +83,8 @@ impl Piece {
             }
             let mut twist = PreciseTwist::new(self.size(), band.respond(x, &load.wrench));
             let respond = |x: &mut [f64], rest: &Vector| band.respond(x, rest);
-            // With band factors each correction is smaller than the last by a constant factor only. Refinement ends when one is at most this fraction
-            // of the largest force.
+            // With band factors each correction is smaller than the correction before by a constant factor only. Refinement ends when a correction is
+            // at most this fraction of the largest force.
             if self.refine(sites, (offsets, &load), (x, change, &mut twist), (respond, 1e-15)) {
                 state.twist = without(twist.value(), &self.free);
                 self.forces_into(&mut state.forces, x, offsets.len());
@@ -100,7 +100,7 @@ impl Piece {
             None => pushed + &loaded,
             Some((_, coupling)) => {
                 let (step, unreached) = coupling.solve(&(&pushed + &loaded));
-                // `pushed` and `loaded` may cancel; a remainder below the rounding of the larger one counts as zero.
+                // `pushed` and `loaded` may cancel; a remainder below the rounding of the larger of both counts as zero.
                 let known = NO_WORK * pushed.amax().max(loaded.amax());
                 if unreached > known && unreached > known * coupling.growth() {
                     return Err(Unbalanced { motion: None });
@@ -118,7 +118,7 @@ impl Piece {
     }
 
     /// Iterative refinement of `x` and `twist`, in at most [`MOST_CORRECTIONS`] steps. Returns whether it converged: whether the first correction was
-    /// at most [`NEARLY_CORRECTED`] of the largest force, or a later one the fraction `sharp` of it.
+    /// at most the fraction [`NEARLY_CORRECTED`] of the largest force, or a later correction the fraction `sharp`.
     fn refine(
         &self,
         sites: &[Site],
@@ -188,8 +188,8 @@ impl Piece {
         }
     }
 
-    /// Contact forces after the object has moved until they balance the load, from given stretches of the contacts before this motion. A component of
-    /// the load that springs cannot balance is ignored.
+    /// Contact forces after the object has moved until forces balance the load. `stretches` are the stretches of the contacts before this motion. A
+    /// component of the load that springs cannot balance is ignored.
     pub(crate) fn forces_of(&self, stretches: &[SVector<f64, 3>], load: &Vector) -> Vec<SVector<f64, 3>> {
         let mut x = self.stretched(|contact| stretches[contact]);
         self.respond(&mut x, load);

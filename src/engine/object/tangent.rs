@@ -1,12 +1,12 @@
-//! The tangent stiffness T of the object. It follows from the tangent stiffness C_i of each contact, the derivative of its force by its stretch in
-//! its present state.
+//! The tangent stiffness T of the object. It follows from the tangent stiffness C_i of each contact, the derivative of its force with respect to its
+//! stretch in its present state.
 //!
 //! ```text
 //! R = Σ G_i F_i + W,     T = Σ G_i C_i G_iᵀ,     dq = T⁻¹R,     F_i -= C_i G_iᵀ dq
 //! ```
 //!
 //! Here dq is a Newton step of the twist for the imbalance R. The forces are corrected, not recomputed from the twist: the force of a very stiff
-//! spring follows from equilibrium, not from its tiny stretch. After a step R is mere rounding, so that a few steps give the last digits where T is
+//! spring follows from equilibrium, not from its tiny stretch. After a step R is mere rounding, so that a few steps give the last digits if T is
 //! regular. For a singular T see [`super::Piece`].
 
 use crate::numerics::{Each, Square, Vector};
@@ -23,14 +23,14 @@ use crate::grasp::{Site, size_of};
 use crate::numerics::{Factors, PartialPivoting, in_halves};
 use crate::prelude::*;
 
-/// LU factors of the tangent stiffness T; those of a band matrix from 36 coordinates on.
+/// LU factors of the tangent stiffness T; from 36 coordinates on T is factorised as a band matrix.
 pub(crate) enum TangentFactors {
     Whole(Factors),
     Band(Box<BandPiece>),
 }
 
 impl TangentFactors {
-    /// A solution y of `T y = b` with the tangent stiffness T. Where T is singular, a component of b outside the range of T is ignored.
+    /// A solution y of `T y = b` with the tangent stiffness T. If T is singular, a component of b outside the range of T is ignored.
     pub(crate) fn solve(&self, b: &Vector) -> Vector {
         match self {
             Self::Whole(factors) => factors.solve(b),
@@ -79,7 +79,7 @@ impl Problem<'_> {
     }
 }
 
-/// The tangent stiffness C_i of a contact, N/m: the derivative of its force by its stretch, in its contact frame.
+/// The tangent stiffness C_i of a contact, N/m: the derivative of its force with respect to its stretch, in its contact frame.
 pub(crate) type SpringTangent = SMatrix<f64, 3, 3>;
 
 /// The tangent stiffness `T = Σ G_i C_i G_iᵀ` of the object, summed over the contacts and drives `sites`; `springs(i)` returns C_i of contact i.
@@ -109,9 +109,9 @@ fn add_tangent(t: &mut Square, site: &Site, springs: &SpringTangent) {
     }
 }
 
-/// Corrects the forces and twist of `state` by at most three Newton steps. They end where the norm of the imbalance is at most the fraction `part` of
-/// the sum of the norms of contact forces and load. Returns the sum over the steps of the largest change of a contact force, N; `None` if the steps
-/// do not suffice.
+/// Corrects the forces and twist of `state` by at most three Newton steps. They end when the norm of the imbalance is at most the fraction `part` of
+/// the sum of the norms of contact forces and load. Returns the sum over the steps of the largest change of a contact force, N; `None` if the
+/// imbalance is still larger after these steps.
 pub(crate) fn balance(
     sites: &[Site],
     springs: &[SpringTangent],
@@ -121,7 +121,7 @@ pub(crate) fn balance(
     part: f64,
 ) -> Option<f64> {
     let mut moved = 0.0_f64;
-    // At most four imbalances are computed. One or two steps are enough where T is well conditioned.
+    // At most four imbalances are computed. One or two steps are enough if T is well conditioned.
     for _ in 0..4 {
         let Imbalance { left, size } = Imbalance::of(sites, &state.forces, wrench, wrench.norm());
         if left.norm() <= part * size {

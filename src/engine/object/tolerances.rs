@@ -2,36 +2,36 @@
 //!
 //! All of them are pure numbers. The tolerances are fractions of the forces, work or terms that are compared.
 
-/// The work of a load on a unit motion that no spring can balance counts as zero up to this fraction of the norm of the load. Loads that were
+/// Along a unit motion along which no spring pushes, the work of a load counts as zero up to this fraction of the load's norm. Loads that were
 /// computed to balance carry rounding of about 1e-16.
 ///
 /// If smaller, a load that springs balance seems to move the object without resistance. If larger, a load that does move it without resistance counts
 /// as balanced.
 pub(super) const NO_WORK: f64 = 1e-13;
 
-/// Forces below this fraction of those that displacements could cause in the springs are rounding. A statically determinate grasp may carry no force
-/// at all. Three projections then leave 1e-45 of the forces that its springs could have from displacements of this size. With this fraction such
-/// noise is not compared with itself.
+/// Forces below this fraction of the forces that displacements could cause in the springs are rounding. A statically determinate grasp may carry no
+/// force at all. Three projections then leave 1e-45 of the forces that its springs could have from displacements of this size. With this fraction
+/// such noise is not compared with itself.
 ///
 /// If smaller, rounding errors count as forces; if larger, small forces beside large displacements do not count.
 pub(crate) const NO_FORCE: f64 = 1e-25;
 
-/// Refinement ends at the first correction of the spring forces if it changes none by more than this fraction of the largest force. The next
+/// Refinement ends at the first correction of the spring forces if it changes no force by more than this fraction of the largest force. The next
 /// correction would be smaller by about the same factor.
 ///
 /// If smaller, well-conditioned problems take another correction; if larger, forces miss digits that one more correction would give.
 pub(super) const NEARLY_CORRECTED: f64 = 1e-8;
 
-/// The largest number of refinement steps. Where the exact force is zero, each step leaves about 1e-16 of the force before it.
+/// The largest number of refinement steps. If the exact force is zero, each step leaves about 1e-16 of the force before it.
 pub(super) const MOST_CORRECTIONS: usize = 4;
 
 /// Largest number of steps of `relaxing`, from the stuck grasp towards the equilibrium to which it relaxes; ten to thirty suffice as a rule. With
 /// fewer, Newton's method may return to an unstable equilibrium which the steps have passed.
 pub(super) const RELAXING_STEPS: usize = 300;
 
-/// The object has nearly relaxed where the estimated remaining length of its path is below this fraction of its distance from the stuck twist.
+/// The object has nearly relaxed once the estimated remaining length of its path is below this fraction of its distance from the stuck twist.
 /// Newton's method completes the path. With a fraction twenty times as large, Newton's method finds a different equilibrium in one of 240 random
-/// scenes (test `needed_amounts`). With a smaller one there are more steps.
+/// scenes (test `needed_amounts`). With a smaller fraction there are more steps.
 pub(super) const NEARLY_RELAXED: f64 = 1e-2;
 
 /// Cosine of the angle between two steps of the relaxation from which on they have nearly the same direction. The factor by which steps are made

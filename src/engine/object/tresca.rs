@@ -2,15 +2,15 @@
 //! force.
 //!
 //! If the friction limits r_i do not depend on normal forces, each contact force F_i is the gradient of a convex energy φ_i of the stretch. The
-//! stretch is `a_i - G_iᵀq`, with the offset a_i and the grasp map G_i. Under the load W forces balance where the twist q minimises an energy:
+//! stretch is `a_i - G_iᵀq`, with the offset a_i and the grasp map G_i. Under the load W forces balance at the twist q that minimises an energy:
 //!
 //! ```text
 //! Σ G_i F_i(a_i - G_iᵀq) + W = 0      where  Σ φ_i(a_i - G_iᵀq) - W·q  is least
 //! ```
 //!
-//! and Newton's method finds its minimum from any start. As regularisation the Newton matrix keeps a fraction of the stiffness of yielding springs,
-//! which decreases as a rule. Then new limits μ F_n follow from the normal forces, until no contact changes its state, in at most 30 rounds. The
-//! states are a proposal: some may be wrong.
+//! and Newton's method finds its minimum from any start. As regularisation the Newton matrix keeps a fraction of the stiffness of yielding springs;
+//! as a rule this fraction decreases. From the normal forces of the minimum follow new limits μ F_n, and the minimum is computed again. This is
+//! repeated until no contact changes its state, in at most 30 rounds. The states are a proposal: some may be wrong.
 //!
 //! Source: J. Haslinger, I. Hlaváček, J. Nečas, Numerical methods for unilateral problems in solid mechanics, Handbook of Numerical Analysis IV
 //! (1996): friction as a fixed point of problems with given friction.
@@ -174,7 +174,7 @@ impl GivenLimits {
             if last == states && change <= 1e-4 {
                 break;
             }
-            // The first six iterations take the new limits; later ones take the mean with the previous limits, which stops oscillation.
+            // The first six iterations take the new limits; later iterations take the mean with the previous limits, which stops oscillation.
             let mean = |(next, last): (&f64, &f64)| if round < 6 { *next } else { 0.5 * (next + last) };
             self.limits = paired(&next, &self.limits, &mean);
             kept = kept.max(1e-4);
@@ -189,7 +189,7 @@ impl GivenLimits {
         self.contacts.iter().zip(answers).map(|(contact, answer)| contact.limit(answer.force[0])).list()
     }
 
-    /// Newton's method from the twist `q` to the least energy with the given friction limits. It ends where the imbalance is at most `enough`, or
+    /// Newton's method from the twist `q` to the least energy with the given friction limits. It ends when the imbalance is at most `enough`, or
     /// after ten steps. `None` if the stiffness matrix is not positive definite.
     fn least_energy(&mut self, q: &mut Vec<f64>, (kept, enough): (&mut f64, f64)) -> Option<Answers> {
         let mut present = self.answers(q);

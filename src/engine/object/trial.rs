@@ -7,8 +7,8 @@ use super::problem::Problem;
 use crate::contact::State;
 
 impl Problem<'_> {
-    /// The factorised linear problem in which every contact sticks, except absent ones, which stay open. In the static problem it depends on contacts
-    /// and drives alone, not on load or commands. A grasp with at most 256 contacts and drives keeps it for later questions.
+    /// The factorised linear problem in which every contact sticks, except absent contacts, which stay open. In the static problem it depends on
+    /// contacts and drives alone, not on load or commands. A grasp with at most 256 contacts and drives keeps it for later questions.
     pub(crate) fn trial(&self) -> Arc<Piece> {
         let make = || Piece::new(self, &self.unjumped());
         match self.trial {
@@ -18,8 +18,8 @@ impl Problem<'_> {
         }
     }
 
-    /// The factorised linear problem with these contact states. In the states of the elastic trial it is that of `trial`, which the grasp may have
-    /// kept.
+    /// The factorised linear problem with these contact states. For the states of the elastic trial it is the linear problem of `trial`, which the
+    /// grasp may have kept.
     pub(crate) fn piece(&self, states: &[State]) -> Arc<Piece> {
         let unjumped = || self.locals().zip(states).all(|(local, state)| local.unjumped() == *state);
         if self.trial.is_some() && unjumped() { self.trial() } else { Arc::new(Piece::new(self, states)) }

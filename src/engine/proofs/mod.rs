@@ -1,5 +1,5 @@
-//! Proofs that a grasp has no equilibrium under a load. Each rests on virtual motions of the object: the load works on them more than the contacts
-//! can work against them.
+//! Proofs that a grasp has no equilibrium under a load. Each rests on virtual motions of the object along which the positive work of the load exceeds
+//! the negative work that contact forces can do.
 //!
 //! No proof solves for the forces of all combinations of contact states; the search for such solutions is in `search`.
 //!
@@ -9,7 +9,7 @@
 //! | `separating_many` | the same proof with many coordinates, by narrow band matrices |
 //! | `escape` | the margin of a proof: rounding may hide only forces far larger than the data |
 //! | `refutation` | case by case on the round cone, as a certificate that can be checked |
-//! | `nothing_near` | a radius around a lost equilibrium within which no other exists |
+//! | `nothing_near` | a radius around a lost equilibrium within which no other equilibrium exists |
 //! | `opening_cases` | a linear problem for each choice of open contacts, with friction of any direction |
 
 mod escape;

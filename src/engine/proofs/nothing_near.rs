@@ -1,15 +1,16 @@
-//! A proof that no equilibrium exists near the point where one was lost, for any slip history of the contacts.
+//! A proof that no equilibrium exists near the point where an equilibrium was lost, for any slip history of the contacts.
 //!
 //! A virtual motion v of the object moves contact i by `u_i = G_iᵀv`, with the grasp map G_i. Equilibrium of the contact forces F_i under the load W
-//! gives `W·v = -Σ F_i·u_i`. No contact works against v by more than its [`Resistance`]. This has a coefficient c_i for the normal stretch where
-//! friction resists, or a row r_i for the springs. So the work of all contacts has an upper bound h that depends only on the motion q of the object:
+//! gives `W·v = -Σ F_i·u_i`. The negative work of a contact along v is at most its [`Resistance`]. This is a coefficient c_i times the normal stretch
+//! if friction resists, or a row r_i times the stretch if only springs resist. So the negative work of all contacts has an upper bound h that depends
+//! only on the motion q of the object:
 //!
 //! ```text
 //! W·v  <=  h(q) = Σ c_i (a_n,i - n·G_iᵀq)₊  +  Σ r_i·(a_i - G_iᵀq)
 //! ```
 //!
-//! Here a_i are the commanded offsets and n is the contact normal. At the lost equilibrium, with motion q*, contact i has the stretch v_i and the
-//! normal stretch x_i. Since `x₊ = x + (-x)₊`, the bound at the motion `q* + δ` satisfies
+//! Here a_i are the commanded offsets, n is the contact normal, and x₊ stands for max(x, 0). At the lost equilibrium, with motion q*, contact i has
+//! the stretch v_i and the normal stretch x_i. Since `x₊ = x + (-x)₊`, the bound at the motion `q* + δ` satisfies
 //!
 //! ```text
 //! h  <=  Σ c_i x_i + Σ r_i·v_i  +  |(Σ c_i G_i n + Σ G_i r_i)·δ|  +  Σ c_i (|G_i n·δ| - x_i)₊
@@ -31,8 +32,8 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
     let mut size = motion.norm() * problem.wrench.norm();
     let mut resisted = 0.0;
     let mut slope = Vector::zeros();
-    // For each contact that may open: the radius ρ at which it may first open, and the increase of the slope of the bound on the contacts' work
-    // beyond it.
+    // For each contact that may open: the radius ρ at which it may first open. Also the increase, beyond this radius, of the slope of the bound on
+    // the contacts' work.
     let mut openings = Vec::new();
     for (i, (site, local)) in problem.sites.iter().zip(problem.locals()).enumerate() {
         let stretch = problem.stretch(i, at);

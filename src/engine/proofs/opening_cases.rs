@@ -27,7 +27,7 @@ use crate::prelude::*;
 pub(crate) fn nothing_holds(here: &Problem, past: &Problem) -> bool {
     let free: Vec<usize> = chosen(here.len(), &|&i| here.local(i).may_open());
     let whole = !here.locals().any(|local| local.is_absent() || local.is_on_an_edge());
-    // With more contacts that may open the 2ⁿ choices of open ones would take too long.
+    // If more contacts may open, the 2ⁿ choices of open contacts would take too long.
     whole
         && free.len() <= 8
         && (0..1_usize << free.len()).all(|choice| {
@@ -39,8 +39,8 @@ pub(crate) fn nothing_holds(here: &Problem, past: &Problem) -> bool {
         })
 }
 
-/// Whether a contact may open or has friction, and so has an inequality in the linear system. There the equations of equilibrium come first, then
-/// these inequalities in the order of contacts.
+/// Whether a contact may open or has friction, and so has an inequality in the linear system. In this system the equations of equilibrium come first,
+/// then these inequalities in the order of contacts.
 fn has_row(local: &LocalLaw<'_>) -> bool {
     local.pairs() > 0
 }
@@ -49,8 +49,8 @@ fn rows(problem: &Problem) -> usize {
     problem.size().count() + problem.locals().filter(has_row).count()
 }
 
-/// Number of axes along which the force of a closed contact follows from its springs: all of a bonded contact, otherwise the normal alone. Friction
-/// is then a separate unknown.
+/// Number of axes along which the force of a closed contact follows from its springs: all axes of a bonded contact, otherwise the normal alone.
+/// Friction is then a separate unknown.
 fn springs(local: &LocalLaw<'_>) -> usize {
     if local.is_bonded() { local.springs.axes() } else { 1 }
 }

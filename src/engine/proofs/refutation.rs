@@ -25,15 +25,15 @@ use crate::prelude::*;
 /// of its first.
 #[derive(Debug, Clone)]
 pub(crate) enum ProofStep {
-    /// The present case is divided into two. In each the label of this contact, which restricts its state, is one of the `halves`; together they
-    /// allow what its label did.
+    /// The present case is divided into two. In each case the label of this contact, which restricts its state, is one of the `halves`. Together the
+    /// halves allow all states that the contact's label allowed before.
     Divided { contact: usize, halves: [Label; 2] },
     /// The present case is contradicted by a virtual motion and virtual forces.
     Contradicted { motion: Vector, forces: Vec<SVector<f64, 3>> },
 }
 
 /// Checks a proof without searching. Returns a factor: an equilibrium that rounding may have hidden from the proof is larger than the data by at
-/// least this factor (both measured in √J). `None` if the steps omit a case, or contradict one by less than the factor [`ESCAPE`].
+/// least this factor (both measured in √J). `None` if the steps omit a case, or contradict a case by less than the factor [`ESCAPE`].
 pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     let trial = problem.trial();
     let state = trial.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
@@ -65,8 +65,8 @@ pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
 }
 
 /// Searches for a proof, with a single case, that no contact forces balance offsets and load. Returns the factor of [`check`]; `None` without a
-/// proof. In a rate problem let every contact that may slide or open do so. Then a virtual motion y may be in the left null space of the tangent
-/// stiffness: the virtual forces `-C_iᵀG_iᵀy` balance one another. In any other contact state, the contacts do no more work against y.
+/// proof. In a rate problem let every contact that may slide or open do so. The tangent stiffness may then have a left null vector, a virtual motion
+/// y for which the virtual forces `-C_iᵀG_iᵀy` balance one another. In any other contact state, the contacts do no more negative work along y.
 pub(crate) fn yields(problem: &Problem) -> Option<f64> {
     let states = problem.yielding();
     let motion = Piece::new(problem, &states).motion_without_response(&problem.offsets, &problem.wrench)?;
@@ -80,8 +80,8 @@ pub(crate) fn yields(problem: &Problem) -> Option<f64> {
     [-1.0, 1.0].into_iter().find_map(|sign| check(problem, &[step(sign)]))
 }
 
-/// The least size that an equilibrium of one case must have if rounding hides it from the contradiction, in √J: of stretches and forces of all
-/// contacts together. `None` if there is no contradiction.
+/// The least size that an equilibrium of one case must have if rounding hides it from the contradiction. The size, in √J, is that of stretches and
+/// forces of all contacts together. `None` if there is no contradiction.
 fn escape(problem: &Problem, labels: &[Label], motion: &Vector, forces: &[SVector<f64, 3>]) -> Option<f64> {
     if forces.len() != problem.len() {
         return None;

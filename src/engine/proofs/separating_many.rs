@@ -1,7 +1,8 @@
 //! A separating motion in many coordinates: the part of the load that no admissible contact forces balance.
 //!
 //! Some sum of admissible contact forces comes nearest to balancing the load, and leaves the residual `v = Σ G_i f_i + W`. An augmented Lagrangian
-//! finds it. Each contact responds to a motion by a force in its cone, shifted by a multiplier λ_i, its force in the last round,
+//! with penalty ρ finds this sum. Each contact responds to the motion v with a force f_i in its cone. This force depends on a multiplier λ_i, the
+//! contact's force in the last round:
 //!
 //! ```text
 //! f_i = P_i(λ_i - ρ G_iᵀv),      v - Σ G_i f_i = W,      λ_i <- f_i,
@@ -24,7 +25,7 @@ use crate::numerics::{
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The round friction cone of a contact, or one generator of a cone that is not round. In the augmented Lagrangian it responds to a motion by a
+/// The round friction cone of a contact, or one generator of a cone that is not round. In the augmented Lagrangian it responds to a motion with a
 /// force.
 struct Pushing {
     /// The coordinates with entries in the contact's map, and these entries, scaled to length one.
@@ -72,6 +73,7 @@ struct PushedBack {
     /// The load, scaled to length one.
     load: Vec<f64>,
     band: PositiveBand,
+    /// The penalty ρ.
     stiffness: f64,
 }
 

@@ -8,7 +8,7 @@ pub(crate) const ESCAPE: f64 = 1e4;
 /// Rounding error of the work of a generator (a unit wrench on the edge of a friction cone) along a unit motion. Smaller computed works are replaced
 /// by it.
 ///
-/// If smaller, rounded work makes contradictions seem clear; if larger, clear ones are refused.
+/// If smaller, rounded work makes contradictions seem clear; if larger, clear contradictions are refused.
 pub(crate) const LEAST_WORK: f64 = 1e-15;
 
 /// A residual below this fraction of the load is no proof: the load is on the boundary, up to rounding.

@@ -7,11 +7,11 @@
 //! min |Σ γ β + W|,  β >= 0,       v = Σ γ β + W
 //! ```
 //!
-//! is a **separating motion**: γ·v >= 0 for all generators (no admissible contact force works against it) and W·v = |v|² > 0
-//! (the load drives it). Stiffness, commands and history play no part in this.
+//! is a **separating motion**: γ·v >= 0 for all generators (no admissible contact force does negative work along v) and W·v = |v|² > 0 (the load does
+//! positive work along v). Stiffness, commands and history play no part in this.
 //!
-//! A round cone has infinitely many generators, but the generator with the most work against a motion is known: with u = G_iᵀv it lies along
-//! `e_n - μ u_t/|u_t|`. It joins the generators that carry the load, until none works against the residual.
+//! A round cone has infinitely many generators. But the generator that does the most negative work along a motion v is known: with u = G_iᵀv it lies
+//! along `e_n - μ u_t/|u_t|`. This generator joins those that carry the load, until no generator does negative work along the residual.
 
 use nalgebra::SVector;
 
@@ -40,8 +40,8 @@ impl Generator {
         Self { contact, force: force / size, wrench: wrench / size }
     }
 
-    /// Work of the generator against a motion, per unit of its normal force. Generators have unit wrenches. With large friction they are mostly
-    /// tangential, so that a normal force as large as the load needs a large multiple of a generator.
+    /// Negative work of the generator along a motion, per unit of its normal force. Generators have unit wrenches. With large friction they are
+    /// mostly tangential, so that a normal force as large as the load needs a large multiple of a generator.
     fn works_against(&self, motion: &Vector) -> f64 {
         let normal = self.force[0] / self.force.norm();
         -self.wrench.dot(motion) / if normal > 0.0 { normal } else { 1.0 }
@@ -50,16 +50,16 @@ impl Generator {
 
 /// The sum of admissible forces whose wrench is nearest to a target wrench.
 pub(crate) struct NearestForces {
-    /// The wrench of the sum minus the target, as a motion: no generator works against it, except for rounding.
+    /// The wrench of the sum minus the target, as a motion: no generator does negative work along it, except for rounding.
     pub(crate) motion: Vector,
-    /// The most work of any generator, a unit wrench, against the motion.
+    /// The most negative work of any generator, a unit wrench, along the motion.
     pub(crate) against: f64,
     /// The generators that carry the sum, with their coefficients β.
     pub(crate) shares: Vec<(Generator, f64)>,
 }
 
 /// The sum of generators nearest to a target. `straight` lists the generators of polygonal or one-dimensional cones. For a motion, `round` returns
-/// the generator of each round cone that works most against it.
+/// the generator of each round cone that does the most negative work along this motion.
 pub(crate) fn nearest_forces(
     size: Size,
     straight: &[Generator],
@@ -69,7 +69,7 @@ pub(crate) fn nearest_forces(
     let mut target = target.clone();
     target.grow(size);
     let mut nearest = NearestPoint::new(target.as_slice());
-    // Generators of round cones that have been added to the sum. Their tags, the numbers by which `nearest` identifies generators, follow those of
+    // Generators of round cones that have been added to the sum. Their tags, the numbers by which `nearest` identifies generators, follow the tags of
     // `straight`.
     let mut joined: Vec<Generator> = Vec::new();
     // The largest number of generators that are added: two hundred, and four more for each coordinate. Cones that are not round rarely need as many
@@ -88,7 +88,7 @@ pub(crate) fn nearest_forces(
             }
         }
         let Some((tag, generator, work)) = worst else { break (v, 0.0) };
-        // A generator is not added if its work against the residual is below this fraction of the norm of the residual.
+        // A generator is not added if its negative work along the residual is below this fraction of the norm of the residual.
         let joins = work < -1e-13 * v.norm() && v.norm() > CLEAR_RESIDUAL && !nearest.has(tag);
         if !joins
             || joins_left == 0
@@ -147,12 +147,13 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
 }
 
 /// A unit motion that clearly separates the load from all admissible contact forces, in the engine's coordinates. It is computed from the admissible
-/// forces nearest to the load. `None` without a clear one.
+/// forces nearest to the load. `None` if no motion separates them clearly.
 pub(crate) fn separating_motion_of_few(problem: &Problem) -> Option<Vector> {
     LoadAndCones::of(problem)?.separating_motion()
 }
 
-/// A unit motion that clearly separates the load from all admissible contact forces, in the engine's coordinates; `None` without a clear one.
+/// A unit motion that clearly separates the load from all admissible contact forces, in the engine's coordinates; `None` if no motion separates them
+/// clearly.
 ///
 /// With many coordinates the augmented Lagrangian searches for it. If its residual proves nothing, the nearest forces decide, for at most
 /// [`MOST_COORDINATES`] coordinates.
@@ -175,7 +176,7 @@ fn squeeze(problem: &Problem) -> f64 {
     problem.sites.iter().zip(&problem.offsets).map(pushed).sum()
 }
 
-/// For every contact with a round cone, the generator (a unit wrench) with the most work against a motion.
+/// For every contact with a round cone, the generator (a unit wrench) that does the most negative work along a motion.
 pub(crate) fn round_generators(problem: &Problem, v: &Vector) -> impl Iterator<Item = Generator> {
     let contacts = problem.locals().zip(problem.sites).enumerate();
     contacts.filter(|(_, (local, _))| local.is_round()).map(move |(contact, (local, site))| {
@@ -188,19 +189,19 @@ pub(crate) fn round_generators(problem: &Problem, v: &Vector) -> impl Iterator<I
 
 /// Whether a unit motion proves that a load which grows at this rate cannot be balanced any more.
 ///
-/// Three conditions make it a proof for any forces in any state. No admissible contact force works against the motion, the load does not work against
-/// it, and the load's rate works along it.
+/// Three conditions make it a proof for any forces in any state. Along the motion, no admissible contact force does negative work, the load does no
+/// negative work, and the load's rate does positive work.
 pub(crate) fn separates_from_here_on(problem: &Problem, motion: &Vector, rate: &Vector) -> bool {
     let Some(straight) = straight_generators(problem) else { return false };
     let all = straight.into_iter().chain(round_generators(problem, motion));
     let against = all.map(|g| g.works_against(motion)).fold(0.0, f64::max);
-    // `counts_from_here_on` compares the work of two loads: the present one, and one that has grown by `data` along the rate.
+    // `counts_from_here_on` compares the work of two loads: the present load, and a load that has grown by `data` along the rate.
     let data = problem.wrench.norm() + squeeze(problem);
     let (here, gained) = (problem.wrench.dot(motion), rate.dot(motion) / rate.norm());
     gained > CLEAR_RESIDUAL && counts_from_here_on(here, here + data * gained, against, data)
 }
 
-/// The unit wrenches that generate the cones that are not round; `None` where a contact law is not a cone of forces, as in a rate problem.
+/// The unit wrenches that generate the cones that are not round. `None` if a contact law is not a cone of forces, as in a rate problem.
 pub(crate) fn straight_generators(problem: &Problem) -> Option<Vec<Generator>> {
     let mut list = Vec::new();
     for (contact, (local, site)) in problem.locals().zip(problem.sites).enumerate() {

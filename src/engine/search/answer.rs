@@ -21,7 +21,8 @@ pub enum FoundBy {
     /// Lemke's method on the kinematic form, whose unknowns are gaps and slips. Its path starts at the elastic trial state.
     KinematicForm,
     /// Newton's method for the motion of the object, of which each contact force is a function. With few contacts and round cones it starts near the
-    /// equilibrium to which the stuck grasp relaxes. If several equilibria exist, it finds that one. Otherwise it starts at the elastic trial state.
+    /// equilibrium to which the stuck grasp relaxes. If several equilibria exist, Newton's method finds this equilibrium. In all other cases it
+    /// starts at the elastic trial state.
     Newton,
     /// Lemke's method on the force form, whose unknowns are contact forces. Its path starts from zero forces.
     ForceForm,
@@ -48,7 +49,8 @@ pub enum Doubt {
     /// Contact states were found, but arms or stiffnesses of the grasp differ by more than the working precision resolves. Forces and twist cannot be
     /// computed accurately: residuals exceed 1e-10 (1e-12 on the round cone).
     Inaccurate,
-    /// Lemke's method reached its limit of pivots, broke down or would need too large a matrix, with too many contacts to try every combination.
+    /// Lemke's method reached its limit of pivots, broke down or would need too large a matrix. There are too many contacts to try every combination
+    /// of states.
     OutOfPivots,
     /// On a load path: a leg needs more than [`Settings::most_steps`](crate::Settings::most_steps) steps along sliding arcs of the round cone, or
     /// more jumps from static to kinetic friction.
@@ -64,10 +66,10 @@ pub(crate) struct Found {
     pub(crate) free_motions: Vec<Vector>,
     pub(crate) neutral_motions: Vec<Vector>,
     /// On a load path the solution is a sum of changes along the path. These are the sizes of the summed forces, N, and displacements, m, which scale
-    /// its rounding where terms cancel. Both are zero for a solution that was not reached along a path.
+    /// its rounding if terms cancel. Both are zero for a solution that was not reached along a path.
     pub(crate) sizes: [f64; 2],
-    /// On the round cone, the largest difference of a contact force from that of the solution on polygonal cones from which Newton's method started,
-    /// N. `None` if there was no such solution.
+    /// On the round cone, the largest difference, N, between a contact force and its value in the solution on polygonal cones from which Newton's
+    /// method started. `None` if there was no such solution.
     pub(crate) from_polygon: Option<f64>,
 }
 
@@ -129,11 +131,12 @@ impl Kept {
 #[derive(Debug, Clone)]
 pub(crate) enum Settled {
     Found(Found, FoundBy),
-    /// No equilibrium exists: the load works on this motion, which no spring resists when every contact sticks.
+    /// No equilibrium exists: the load does work along this motion, which no spring resists if every contact sticks.
     FreeMotion(Vector),
     /// No equilibrium exists, since no admissible forces balance the load: this motion separates the load from the friction wrench cone.
     Separating(Vector),
-    /// No equilibrium exists: every combination of contact states, this many, violates a condition by more than rounding.
+    /// No equilibrium exists: every combination of contact states violates a condition by more than rounding. The field is the number of
+    /// combinations.
     NoneOf(usize),
     /// No equilibrium exists on the round cone: each of the cases of contact states was proved to have none. An equilibrium that rounding hides from
     /// this proof would be larger than the data by at least the factor `escape`.

@@ -47,7 +47,7 @@ pub(super) struct Refused {
 }
 
 /// Checks every inequality for `at`, the solution of the linear problem `piece` with these contact states. If the solution is not unique and breaks
-/// one, another solution that satisfies all is returned where there is one.
+/// an inequality, another solution that satisfies all inequalities is returned, if one exists.
 pub(super) fn admit(
     problem: &Problem,
     states: Vec<State>,
@@ -68,7 +68,8 @@ pub(super) fn admit(
     // An inequality may be violated by this fraction of its size, times the factor by which the linear problem amplifies rounding errors. In
     // symmetric grasps ties are normal: a slack that is exactly zero comes out as a few roundings of 1e-16.
     if exceeds(worst, ZERO_SLACK) && !(free_motions.is_empty() && neutral_motions.is_empty()) {
-        // In these states the solution is not unique. The one of least norm violates an inequality, but another one may satisfy all.
+        // In these states the solution is not unique. The solution of least norm violates an inequality, but another solution may satisfy all
+        // inequalities.
         let mut motions = mapped(&free_motions, &|v| (v.clone(), vec![SVector::zeros(); problem.len()]));
         motions.extend(mapped(&neutral_motions, &|v| (v.clone(), piece.forces_along(problem, v))));
         let (values, sizes) = slacks(problem, &states, &at);
@@ -142,7 +143,7 @@ pub(crate) fn for_each_condition(
 }
 
 /// The norm of the imbalance `Σ G_i F_i + W` of contact forces and load, relative to the sum of the norms of its terms plus the largest force. If
-/// commands alone move a statically determinate grasp, its exact forces are zero and the computed ones are rounding errors. The largest force
+/// commands alone move a statically determinate grasp, its exact forces are zero and the computed forces are rounding errors. The largest force
 /// therefore counts as at least the fraction `NO_FORCE` of the least force that its springs could have.
 fn out_of_balance(problem: &Problem, forces: &[SVector<f64, 3>], twist: &Vector) -> f64 {
     let (left, carried) = problem.imbalance(forces);
@@ -160,7 +161,8 @@ fn slacks(problem: &Problem, states: &[State], at: &PieceState) -> (Vec<f64>, Ve
     (values, sizes)
 }
 
-/// The largest violation of an inequality by any contact or drive, relative to the size of its terms; zero if all hold, infinite if a value is NaN.
+/// The largest violation of an inequality by any contact or drive, relative to the size of its terms. Zero if all inequalities hold, infinite if a
+/// value is NaN.
 fn violation(problem: &Problem, states: &[State], at: &PieceState) -> f64 {
     let mut worst = 0.0;
     for_each_condition(problem, states, &at.forces, &at.twist, |value, size| {
@@ -173,8 +175,8 @@ fn worse(worst: f64, value: f64, size: f64) -> f64 {
     if value.is_nan() { f64::INFINITY } else { worst.max(-value / size) }
 }
 
-/// The coefficients τ of least norm, one for each motion, for which every inequality holds after the object has moved along the motions. `None` if
-/// there are none. The motions are orthonormal in the engine's coordinates; each comes with its change of forces.
+/// The coefficients τ of least norm, one for each motion, for which every inequality holds after the object has moved along the motions. `None` if no
+/// coefficients do so. The motions are orthonormal in the engine's coordinates; each comes with its change of forces.
 fn least_admissible_shift(
     problem: &Problem,
     states: &[State],

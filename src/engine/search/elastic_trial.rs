@@ -37,7 +37,8 @@ impl<'s, 'g> ElasticTrial<'s, 'g> {
         Self { problem, settings, unjumped, trial, state, proposing, with_edges }
     }
 
-    /// The problem for Lemke's method. Round cones are replaced by polygons, rotated so that a corner lies along the friction force of the elastic trial.
+    /// The problem for Lemke's method. Round cones are replaced by polygons, rotated so that a corner lies along the friction force of the elastic
+    /// trial.
     pub(super) fn proposing(&self) -> &Problem<'g> {
         if !self.problem.round {
             return self.problem;
@@ -45,8 +46,8 @@ impl<'s, 'g> ElasticTrial<'s, 'g> {
         self.proposing.get_or_init(|| on_polygons(self.problem, self.settings.cone, &self.state.forces))
     }
 
-    /// The problem of [`Self::proposing`] with friction-cone facets for infinite friction, `None` unless some contact has infinite friction. Such a
-    /// contact loses its tangential force when it opens. In the complementarity problem only facets can express this.
+    /// The problem of [`Self::proposing`] with friction-cone facets for contacts with infinite friction; `None` if no contact has infinite friction.
+    /// Such a contact loses its tangential force when it opens. In the complementarity problem only facets can express this.
     pub(super) fn with_edges(&self) -> Option<&Problem<'g>> {
         let infinite = || self.problem.locals().any(|local| local.never_slides());
         let make =

@@ -13,7 +13,7 @@ pub(crate) fn combinations(problem: &Problem) -> f64 {
     problem.locals().map(|local| local.states().len() as f64).product()
 }
 
-/// Visits every combination of states in a fixed order, the one in which everything sticks first, until `visit` returns `true`.
+/// Visits every combination of states in a fixed order until `visit` returns `true`. The first combination is that in which everything sticks.
 pub(crate) fn for_each_combination(problem: &Problem, visit: &mut dyn FnMut(Vec<State>) -> bool) {
     let choices = problem.each(|local| local.states());
     let mut at = vec![0; choices.len()];
@@ -39,8 +39,8 @@ pub(crate) struct Enumerated {
     pub(crate) doubtful: bool,
 }
 
-/// Tries all combinations of contact states; with `first_only` only up to the first equilibrium. On the round cone each is the start of Newton's
-/// method.
+/// Tries all combinations of contact states; with `first_only` only up to the first equilibrium. On the round cone each combination is the start of
+/// Newton's method.
 pub(crate) fn search(problem: &Problem, first_only: bool) -> Enumerated {
     search_among(problem, first_only, &|_| true)
 }

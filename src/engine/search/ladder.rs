@@ -1,4 +1,4 @@
-//! The ladder: methods that find an equilibrium or prove that none exists, called rungs. They are tried in order until one decides.
+//! The ladder: methods, called rungs, that find an equilibrium or prove that none exists. They are tried in order until a method decides.
 //!
 //! Below the first rung stands the elastic trial, in which everything sticks. A rung costs more than those below it, or decides less often.
 
@@ -32,7 +32,7 @@ pub(super) struct Rung {
     pub(super) name: &'static str,
     pub(super) applies: fn(&ElasticTrial<'_, '_>) -> bool,
     pub(super) climb: fn(&ElasticTrial<'_, '_>, &mut Log) -> Attempt,
-    /// The [`FoundBy`] of its equilibria; `None` for a method that can only prove that no equilibrium exists.
+    /// The [`FoundBy`] of the method's equilibria; `None` for a method that can only prove that no equilibrium exists.
     finds: Option<FoundBy>,
 }
 
@@ -73,8 +73,8 @@ pub(super) const LADDER: [Rung; 9] = [
     Rung { name: "force form", applies: may_be_dense, climb: force_form, finds: Some(FoundBy::ForceForm) },
     Rung {
         name: "separating motion of few",
-        // It also runs with few contacts and many coordinates. There the augmented Lagrangian of `separating motion of many` takes small residuals
-        // for zero, which this method distinguishes from zero.
+        // This method also runs with few contacts and many coordinates. In that case the augmented Lagrangian of `separating motion of many` takes
+        // small residuals for zero, which this method distinguishes from zero.
         applies: |scene| !has_many_contacts(scene),
         climb: separating_motion_of_few,
         finds: None,
@@ -137,7 +137,7 @@ fn seldom_cycles(scene: &ElasticTrial<'_, '_>) -> bool {
     has_many_contacts(scene) || several()
 }
 
-/// Whether the problem is one of rates with contacts on the edge of their cone.
+/// Whether the problem is a rate problem with contacts on the edge of their cone.
 fn is_on_an_edge(scene: &ElasticTrial<'_, '_>) -> bool {
     scene.problem.locals().any(|local| local.is_on_an_edge())
 }
@@ -164,7 +164,7 @@ fn touching_contacts_stick(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt
 }
 
 /// Newton's method for the motion of the object, of which each contact force is a function. It starts at points of the relaxation of the stuck grasp,
-/// then at the elastic trial, and last at the twist by Tresca friction.
+/// then at the elastic trial, and last at the twist from Tresca friction.
 fn newton(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     if !has_round_cones(scene.problem) {
         let propose = |problem: &Problem, _: &mut Log| {
@@ -178,13 +178,13 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     // With many contacts the steps of relaxation would take longer than Newton's method from the elastic trial.
     let relaxed = if has_many_contacts(scene) { None } else { where_it_relaxes_to(scene) };
     let found = relaxed.or_else(|| from(scene.state.twist.clone()));
-    // With many coordinates the twist by Tresca friction is nearer to the solution than that of the elastic trial.
+    // With many coordinates the twist from Tresca friction is nearer to the solution than the twist of the elastic trial.
     Attempt::of(found.or_else(|| twist_by_tresca(scene.problem).and_then(from)))
 }
 
 /// The equilibrium to which the grasp relaxes from the elastic trial, with the contacts taken as viscous (`ViscousRelaxation`). Newton's method
-/// starts from points of this relaxation. An equilibrium far from the starting point is returned only if Newton's method never ends at a near one.
-/// `None` if it ends at none.
+/// starts from points of this relaxation. An equilibrium far from the starting point is returned only if Newton's method never ends at a near
+/// equilibrium. `None` if it ends at no equilibrium.
 fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<Found> {
     let mut way = ViscousRelaxation::from_stuck(scene.problem, &scene.state.twist)?;
     let mut another = None;
@@ -198,8 +198,8 @@ fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<Found> {
     another
 }
 
-/// Searches for a proof in a rate problem at a limit load: if all contacts on the edge of their cones slide, nothing resists a motion on which the
-/// load works.
+/// Searches for a proof in a rate problem at a limit load. If all contacts on the edge of their cones slide, nothing resists a motion along which the
+/// rate of the load does work.
 fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     let proof = proofs::yields(scene.problem);
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(Settled::Contradicted { cases: 1, escape }))
@@ -217,8 +217,8 @@ fn separating_motion_of_few(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attemp
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
 }
 
-/// Lemke's method on the kinematic form. With many coordinates it pivots first on the contacts that leave the elastic trial, then on the matrix of all
-/// contacts if that is affordable. The form with facets for infinite friction is tried last.
+/// Lemke's method on the kinematic form. With many coordinates it pivots first on the contacts that leave the elastic trial, then on the matrix of
+/// all contacts if that is affordable. The form with facets for infinite friction is tried last.
 fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     let of_the_leaving = |problem: &Problem, log: &mut Log| propose_of_the_leaving(scene, problem, log);
     let on_a_matrix = |problem: &Problem, log: &mut Log| {

@@ -1,9 +1,9 @@
 //! The position of the object in the solution if no spring resists some motion: of all admissible positions the nearest to q₀ (defined below).
 //!
 //! Forces do not depend on free motions, the columns of V. Any position `q = q₀ + V z` is a solution as long as gaps and slips keep their signs.
-//! These are conditions `c + g·z >= 0` on the amounts z of the free motions. The position q₀ closes the gaps of contacts that touched before anything
-//! moved, in the sense of least squares. From q₀ the position of least |z| is unique. It depends neither on the method that found the states nor on
-//! the frame.
+//! These are conditions `c + g·z >= 0` on the coefficients z of the free motions. The position q₀ closes the gaps of contacts that touched before
+//! anything moved, in the sense of least squares. The position with the least |z|, counted from q₀, is unique. It depends neither on the method that
+//! found the states nor on the frame.
 
 use nalgebra::SVector;
 
@@ -52,8 +52,8 @@ pub(super) fn at_the_least_motion(problem: &Problem, mut found: Found) -> Found 
     found
 }
 
-/// Of the motions that no spring resists, the shortest one that closes, in the sense of least squares, the gaps of open contacts which touched before
-/// anything moved.
+/// The shortest motion that no spring resists and that closes, in the sense of least squares, the gaps of open contacts which touched before anything
+/// moved.
 fn to_what_touches(problem: &Problem, found: &Found, base: &Vector) -> Vector {
     let touches = |i: &usize| {
         let reach = problem.offsets[*i][0];

@@ -1,7 +1,7 @@
-//! Lemke's method for many contacts, of which few leave the state of the elastic trial: only these pivot.
+//! Lemke's method for many contacts, of which few leave the state of the elastic trial: only these few contacts pivot.
 //!
 //! A contact that breaks a condition enters the pivoting set; all others keep their states. The new states may make other contacts break a condition.
-//! These enter, too, until no contact breaks a condition. If many contacts leave the trial, the start is instead a set of states from Tresca
+//! These contacts enter, too, until no contact breaks a condition. If many contacts leave the trial, the start is instead a set of states from Tresca
 //! friction, in which few contacts break a condition.
 
 use crate::numerics::IntoList;
@@ -47,15 +47,15 @@ impl Base {
     }
 }
 
-/// Contact states in which no contact breaks a condition, from Lemke's method on the contacts that break one in the elastic trial. `None` if it finds
-/// no such states.
+/// Contact states in which no contact breaks a condition, from Lemke's method on the contacts that break a condition in the elastic trial. `None` if
+/// it finds no such states.
 pub(super) fn propose_of_the_leaving(
     scene: &ElasticTrial<'_, '_>,
     problem: &Problem,
     log: &mut Log,
 ) -> Option<Vec<State>> {
     let leaving = breaking(problem, &scene.unjumped, &scene.state);
-    // If at least this many contacts leave the elastic trial, states by Tresca friction are computed first: a path costs the cube of the number of
+    // If at least this many contacts leave the elastic trial, states from Tresca friction are computed first. A path costs the cube of the number of
     // contacts that pivot.
     if leaving.len() >= 128
         && let Some(near) = states_by_tresca(problem).and_then(|near| regular(problem, near))
@@ -65,7 +65,7 @@ pub(super) fn propose_of_the_leaving(
         if among.is_empty() {
             return Some(base.states);
         }
-        // Starting from the states by Tresca friction, at most 400 contacts pivot, neighbours included.
+        // Starting from the states of Tresca friction, at most 400 contacts pivot, neighbours included.
         if let Some(states) = pivoted(problem, scene.settings, (base, among, 400), log) {
             return Some(states);
         }
@@ -74,7 +74,8 @@ pub(super) fn propose_of_the_leaving(
     pivoted(problem, scene.settings, (Base { states, piece, at }, leaving, 0), log)
 }
 
-/// Contact states in which no contact breaks a condition, from those of a similar grasp, if few contacts leave these.
+/// Contact states in which no contact breaks a condition, from Lemke's method that starts at the states of a similar grasp. `None` if it finds no
+/// such states, or if many contacts leave the states of the similar grasp.
 pub(super) fn propose_near_a_similar_one(
     scene: &ElasticTrial<'_, '_>,
     problem: &Problem,
@@ -84,13 +85,14 @@ pub(super) fn propose_near_a_similar_one(
     let leaving = breaking(problem, &base.states, &base.at);
     match leaving.len() {
         0 => Some(base.states),
-        // With more contacts that leave, their paths take longer than those from the elastic trial.
+        // If more contacts leave, the paths take longer than paths from the elastic trial.
         1..=24 => pivoted(problem, scene.settings, (base, leaving, 0), log),
         _ => None,
     }
 }
 
-/// States from Lemke's path on the contacts `among`. If a path finds no solution, their neighbours pivot as well, up to `most` contacts altogether.
+/// States from Lemke's path on the contacts `among`. If a path finds no solution, the neighbours of these contacts pivot as well, up to `most`
+/// contacts altogether.
 fn pivoted(
     problem: &Problem,
     settings: &Settings,
@@ -104,7 +106,7 @@ fn pivoted(
         base = base.sticking_at(problem, &among, &mut moved)?;
         let form = kinematic_form_among(problem, &base.piece, &base.at, &among, &mut moved)?;
         // The factor 20 allows each path this multiple of the usual number of multiplications, if the caller sets no limit on pivots. That takes some
-        // seconds, where every other method takes minutes.
+        // seconds; every other method would then take minutes.
         let proposed = propose_dense(
             problem,
             settings,
@@ -146,7 +148,7 @@ fn beside(problem: &Problem, among: &[usize]) -> Vec<usize> {
 }
 
 /// Makes further contacts stick until the tangent stiffness is regular. For each motion in its null space, the contact that moves most is made to
-/// stick, among those that do not stick yet. `None` if it is still singular after all rounds.
+/// stick, among those that do not stick yet. `None` if the tangent stiffness is still singular after all rounds.
 fn regular(problem: &Problem, mut states: Vec<State>) -> Option<Vec<State>> {
     // Further contacts are made to stick in at most eight rounds.
     for _ in 0..8 {

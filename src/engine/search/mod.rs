@@ -2,12 +2,12 @@
 //!
 //! | file | idea |
 //! |---|---|
-//! | `answer` | the end of a search, and its effort |
+//! | `answer` | the result of a search, and its effort |
 //! | `settings` | limits and tolerances that the caller may set |
 //! | `record` | which rung decides each search, for the report `rungs` |
 //! | `elastic_trial` | input and result of a rung |
 //! | `ladder` | the methods that find an equilibrium or a proof, in the order in which they are tried |
-//! | `leaving` | with many contacts: Lemke's method on those that leave the elastic trial |
+//! | `leaving` | with many contacts: Lemke's method on the contacts that leave the elastic trial |
 //! | `touching` | the equilibrium in which all closed contacts stick |
 //! | `proposals` | contact states proposed by Lemke's method |
 //! | `candidate` | proposed contact states, solved and checked |

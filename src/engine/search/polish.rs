@@ -1,4 +1,4 @@
-//! From a solution with polygonal friction cones to one with round cones: Newton's method on the return map, then the last digits.
+//! From a solution with polygonal friction cones to a solution with round cones: Newton's method on the return map, then the last digits.
 //!
 //! From the twist of the first solution a few steps of Newton's method ([`newton_on_cones`](crate::object::newton_on_cones)) lead to the states of
 //! the contacts on the round cone. Solving the linear problem of these states gives the last digits ([`super::round_pieces`]). Newton's method fails
@@ -60,8 +60,8 @@ pub(super) fn polish_from(problem: &Problem, twist: Vector) -> Option<Found> {
     RoundPieces::by_newton(problem, twist)?.solve(problem)
 }
 
-/// The solution with round friction cones near the one with polygonal cones and these contact states, started from the twist, then from the states.
-/// `None` if Newton's method does not converge.
+/// The solution with round friction cones near `near`, the solution with polygonal cones and these contact states. Newton's method starts from the
+/// twist of `near` and, if that fails, from the contact states. `None` if it does not converge.
 pub(crate) fn polish(problem: &Problem, states: &[State], near: &PieceState) -> Option<Found> {
     let found = RoundPieces::by_newton(problem, near.twist.clone())
         .and_then(|arrived| arrived.solve(problem))

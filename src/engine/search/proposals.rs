@@ -26,10 +26,10 @@ pub(super) fn enumerable(problem: &Problem, settings: &Settings) -> bool {
     combinations(problem) <= settings.most_states as f64
 }
 
-/// A method that proposes contact states, or `None` if it finds none.
+/// A method that proposes contact states, or returns `None` if it finds no states to propose.
 type Propose<'p> = dyn Fn(&Problem, &mut Log) -> Option<Vec<State>> + 'p;
 
-/// Proposes contact states by `propose`, solves the linear problem with them and checks the solution; on the round cone Newton's method continues
+/// Lets `propose` propose contact states, solves the linear problem with them and checks the solution; on the round cone Newton's method continues
 /// from there. `None` if no solution passes.
 pub(super) fn climb(problem: &Problem, propose: &Propose<'_>, log: &mut Log) -> Option<Found> {
     let proposed = propose(problem, log)?;

@@ -15,7 +15,7 @@
 //! y·f⁰ = |y|² > 0,      y·(e + P (f - e)) <= δ    for every generator (e, f)
 //! ```
 //!
-//! and contradicts every equilibrium whose shares sum up to less than `|y|²/δ`.
+//! where δ is the largest of these products, nearly zero. It contradicts every equilibrium whose shares sum up to less than `|y|²/δ`.
 
 use nalgebra::SVector;
 
@@ -43,15 +43,15 @@ pub(super) struct BalanceEquation {
 
 /// The result of relaxing every contact's law to its convex hull in one case.
 pub(super) enum Relaxed {
-    /// The case is not contradicted: stretches (m) and forces (N) of the contacts that solve the relaxed equations, or come nearest to a solution.
-    /// Where the relaxation does not determine stretches and forces, they are one choice of many.
+    /// The case is not contradicted: stretches (m) and forces (N) of the contacts that solve the relaxed equations, or come nearest to a solution. If
+    /// the relaxation does not determine stretches and forces, these are one choice of many.
     Met(Vec<SVector<f64, 3>>, Vec<SVector<f64, 3>>),
-    /// The case has no equilibrium, except perhaps one that is larger than the data by at least this factor, which rounding could hide.
+    /// The case has no equilibrium, except perhaps an equilibrium that is larger than the data by at least this factor, which rounding could hide.
     Contradicted { escape: f64 },
 }
 
 impl BalanceEquation {
-    /// The equation of a problem with the solution of its elastic trial; `None` where the elastic trial carries no force.
+    /// The equation of a problem with the solution of its elastic trial; `None` if the elastic trial carries no force.
     pub(super) fn new(problem: &Problem, trial: &Piece, state: &PieceState) -> Option<Self> {
         let size = 3 * problem.len();
         let roots: Vec<_> = mapped(problem.sites, &|site| site.springs.root());
@@ -112,7 +112,7 @@ impl BalanceEquation {
         }
     }
 
-    /// The scalar product of y with the column of each generator: that of `(1 - P) y` with its stretch plus that of `P y` with its force.
+    /// The scalar product of y with the column of each generator: `(1 - P) y` times the generator's stretch, plus `P y` times its force.
     fn works_of_generators<'r>(
         y: &'r [f64],
         projected: &'r [f64],
@@ -129,7 +129,8 @@ impl BalanceEquation {
     }
 
     /// Moves `nearest` to the point nearest to f⁰ of the elastic trial in the cone that the generators of these hulls span. Each contact has one
-    /// hull. Returns whether its distance contradicts the case.
+    /// hull. Returns [`Relaxed::Contradicted`] if the distance of this point from f⁰ contradicts the case, otherwise the stretches and forces at this
+    /// point.
     pub(super) fn relax(&self, hulls: &[impl AsRef<[HullRay]>], nearest: &mut NearestPoint<Tag>) -> Relaxed {
         let (mut column, mut projected) = (Vec::new(), Vec::new());
         nearest.move_to_closest(&self.target);
@@ -215,8 +216,7 @@ impl BalanceEquation {
         (motion, forces.list())
     }
 
-    /// The norm, in energy units, of the difference of two forces at a contact. It is a fraction of the norm of all contact forces of the elastic
-    /// trial.
+    /// The norm, in energy units, of the difference of two forces at a contact, divided by the norm of all contact forces of the elastic trial.
     pub(super) fn part(&self, contact: usize, difference: &SVector<f64, 3>) -> f64 {
         let root = &self.roots[contact];
         let square: f64 = (0..3)

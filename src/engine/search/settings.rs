@@ -20,7 +20,7 @@ pub struct Settings {
     /// The polygonal friction cone in space: 8 facets, inscribed. Lemke's method pivots on it. For equilibria on the round cone each contact's
     /// polygon is rotated: a corner then lies along the friction force of the elastic trial, and more facets only cost time. For equilibria on the
     /// polygon itself more facets come closer to the round cone, at the cost of more pivots. With m facets, the error of the onset load falls like
-    /// 1/m², and that of a state with sliding contacts like 1/m. Ignored in the plane.
+    /// 1/m², and the error of a state with sliding contacts like 1/m. Ignored in the plane.
     pub cone: PolygonCone,
     /// In space, whether equilibria and load paths are computed with the round cone (the default) or with the polygon itself. Ignored in the plane.
     pub round: bool,
@@ -29,10 +29,10 @@ pub struct Settings {
     /// The quadratic programs of [`energy`](crate::energy), whose matrices are dense, may take some ten seconds.
     pub max_pivots: Option<usize>,
     /// If Lemke's method finds no equilibrium, all combinations of contact states are tried, provided that there are at most this many. The default
-    /// is 20 000, a few hundredths of a second: 7 contacts in the plane, 3 on 8 facets in space. On the round cone branch and bound divides the
-    /// states and friction directions of up to 32 contacts into cases. A case of n contacts counts as n³/400 combinations, but at least as five: the
-    /// default allows 4 000 cases for up to 12 contacts. A smaller number is faster where no equilibrium exists; 0 omits this search, and with it
-    /// proofs by trying all states. A larger number gives proofs for more contacts.
+    /// is 20 000, a few hundredths of a second: 7 contacts in the plane, or 3 contacts with 8 facets in space. On the round cone branch and bound
+    /// divides the states and friction directions of up to 32 contacts into cases. A case of n contacts counts as n³/400 combinations, but at least
+    /// as five: the default allows 4 000 cases for up to 12 contacts. A smaller number is faster if no equilibrium exists; 0 omits this search, and
+    /// with it proofs by trying all states. A larger number gives proofs for more contacts.
     pub most_states: usize,
     /// On a load path on the round cone, the largest estimated error of one step along a sliding arc: of forces relative to the largest force, of
     /// slips relative to the largest displacement. The default is 1e-9. Step lengths scale with the eighth root of the error: 1e-13 takes about three
@@ -43,14 +43,14 @@ pub struct Settings {
     /// jumps from static to kinetic friction (default 20 000). A path that needs more ends [undecided](crate::load_path::PathEnd::Undecided) at the
     /// point reached.
     pub most_steps: usize,
-    /// The multiple of the load asked about up to which [`hold`](crate::ask::Grasp::hold) searches for the loss of the grasp (default 100). With a
-    /// value of at most 1 the search stops at this load itself.
+    /// [`hold`](crate::ask::Grasp::hold) searches for the loss of the grasp up to this multiple of the load asked about (default 100). With a value
+    /// of at most 1 the search stops at this load itself.
     pub most_load: f64,
     /// Largest number of cycles of a repeated load that are followed (default 1 000), see [`shake`](crate::ask::Grasp::shake).
     pub most_cycles: usize,
     /// Limits of small motions: by default a tenth of a radian, and slips of a tenth of the grasp's size.
     pub small_motions: SmallMotions,
-    /// Whether searches for an equilibrium at rest leave out the last method, which tries every case and takes longest where nothing rests.
+    /// Whether searches for an equilibrium at rest leave out the last method, which tries every case and takes longest if no equilibrium exists.
     pub(crate) is_quick: bool,
 }
 
@@ -79,7 +79,7 @@ impl Settings {
         self
     }
 
-    /// These settings, with equilibria and load paths on the polygonal cone instead of the round one.
+    /// These settings, with equilibria and load paths on the polygonal cone instead of the round cone.
     #[must_use]
     pub fn on_the_polygon(mut self) -> Self {
         self.round = false;

@@ -18,8 +18,8 @@ pub struct SmallMotions {
     /// No body turns by more than this angle, rad (default 0.1), nor does a revolute joint behind a closed contact.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub rotation: f64,
-    /// No contact slips or opens farther than this fraction of the grasp's size (default 0.1): the root mean square distance of contact points
-    /// from their centroid. A grasp at a single point has no size, and no limit of this kind.
+    /// No contact slips or opens farther than this fraction of the grasp's size (default 0.1). The size is the root mean square distance of contact
+    /// points from their centroid. A grasp at a single point has no size, and no limit of this kind.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub slip: f64,
 }

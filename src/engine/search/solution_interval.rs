@@ -1,7 +1,8 @@
 //! If a solution is one end of an interval of solutions, adds the free motion along that interval.
 //!
 //! If friction is exhausted at every contact that could resist a motion, forces do not determine the object's position along it. States in which one
-//! of these contacts sticks belong to the end of the interval at which it has not slipped: they satisfy every condition, but have no free motion.
+//! of these contacts sticks belong to the end of the interval at which that contact has not slipped. They satisfy every condition, but have no free
+//! motion.
 
 use nalgebra::{Matrix, SVector};
 
@@ -14,10 +15,12 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// In the plane, the same forces in other states, which show the free motions: contacts on the edge of their cone slide, and contacts without force
-/// are open. Returns `found` itself in space, and if these states break a condition, change forces or have no further free motion.
+/// In the plane, the solution with the same forces in other states, which show the free motions. Contacts on the edge of their cone then slide, and
+/// contacts without force are open. Returns `found` itself in space, and if these states break a condition, change forces or have no further free
+/// motion.
 pub(crate) fn on_the_solution_interval(problem: &Problem, found: Found) -> Found {
-    // In space the springs perpendicular to the slip resist, so that no motion stays free. Quick searches, near states that are given, report none.
+    // In space the springs perpendicular to the slip resist, so that no motion stays free. Searches that start near given states do not report such
+    // motions.
     if problem.space() == Space::Spatial || !problem.near.is_empty() {
         return found;
     }

@@ -1,6 +1,7 @@
 //! Limits that several methods of the search for an equilibrium share: numbers of contacts, paths and multiplications.
 
-/// Covering vectors tried after a ray, where all combinations of states are tried next. Each path costs as much as the first.
+/// Number of covering vectors that Lemke's method tries after it has ended on a ray, if all combinations of states are tried next. Each path costs as
+/// much as the first.
 ///
 /// If smaller, equilibria that a second path finds are missed; if larger, a search that fails takes longer.
 pub(super) const COVERING_VECTORS: usize = 3;
@@ -9,11 +10,11 @@ pub(super) const COVERING_VECTORS: usize = 3;
 /// cycles; with many hardly ever, unless stiffnesses and friction lie decades apart. Above this number a linear program hardly finds a proof
 /// that the search has missed.
 ///
-/// If smaller, some grasps with few contacts get no proof; if larger, those with many wait for a search that finds nothing.
+/// If smaller, some grasps with few contacts get no proof; if larger, grasps with many contacts wait for a search that finds nothing.
 pub(super) const MANY_CONTACTS: usize = 32;
 
-/// From this many contacts on Newton's method comes first in the plane and on polygons if there are no more coordinates than those of one object in space.
-/// With 8 to 20 contacts it then needs two thirds of the time of Lemke's method on a matrix. With more coordinates it often cycles.
+/// From this many contacts on Newton's method comes first in the plane and on polygons. There must be no more coordinates than those of one object in
+/// space. With 8 to 20 contacts it then needs two thirds of the time of Lemke's method on a matrix. With more coordinates it often cycles.
 ///
 /// If smaller, Newton's method is often tried in vain; if larger, grasps by a dozen fingers take longer.
 pub(super) const SEVERAL_CONTACTS: usize = 8;
@@ -25,6 +26,6 @@ pub(super) const MOST_WORK: usize = 500_000_000;
 /// The stuck grasp relaxes along a path towards an equilibrium (`ViscousRelaxation`), and Newton's method continues from its end. If Newton's method
 /// ends within this fraction of the path's length, it has found that equilibrium.
 ///
-/// If smaller, equilibria are refused where relaxation is slow and the rest of the path is longer than its steps suggest. If larger, equilibria count
-/// as found that lie elsewhere, and that only a jump of Newton's method reaches.
+/// If smaller, equilibria are refused if relaxation is slow and the rest of the path is longer than its steps suggest. If larger, equilibria count as
+/// found that lie elsewhere, and that only a jump of Newton's method reaches.
 pub(super) const BESIDE_THE_WAY: f64 = 0.3;

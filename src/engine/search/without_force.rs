@@ -1,7 +1,7 @@
 //! Contacts that touch without force neither stick nor slide: they count as open, with a gap of zero.
 //!
 //! Whether the search finds such a contact sticking, sliding or open depends on the rounding of its force. Friction without normal force holds
-//! nothing. Hence the solution with all such contacts open has the same forces, and it is the one that is always returned.
+//! nothing. Hence the solution with all such contacts open has the same forces, and this solution is always returned.
 
 use nalgebra::Matrix;
 

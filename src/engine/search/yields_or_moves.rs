@@ -1,4 +1,4 @@
-//! Tests of [`yields`], the proof that no forces balance offsets and load if everything yields. Where the proof succeeds, no combination of contact
+//! Tests of [`yields`], the proof that no forces balance offsets and load if everything yields. If the proof succeeds, no combination of contact
 //! states may be an equilibrium.
 
 use core::f64::consts::TAU;

@@ -1,8 +1,8 @@
 //! Convex hull of all stretches and forces that the contact law allows if only part of the state is known: a convex cone with few generators.
 //!
-//! The law is positively homogeneous: with a stretch v and a force F the law also allows every positive multiple of both. This remains true if a
-//! label restricts the states. A label fixes whether the contact is open or closed, whether it sticks or slides, and between which angles its
-//! friction points. In force units `ξ = K v`, with p on the unit circle, the hull is spanned by
+//! The law is positively homogeneous: with a stretch v and a force F it also allows every positive multiple of both. This remains true if a label
+//! restricts the states. A label fixes whether the contact is open or closed, whether it sticks or slides, and between which angles its friction
+//! points. In force units `ξ = K v`, with p on the unit circle, the hull is spanned by
 //!
 //! ```text
 //!                   ξ            F
@@ -11,8 +11,8 @@
 //! slides            e_n + μ p    e_n + μ p           K_t p   0
 //! ```
 //!
-//! A polygon circumscribed about the arc of allowed directions p replaces them. The hull thus contains all stretches and forces that the law allows,
-//! and slightly more. If no equilibrium exists with the hulls of all contacts, no equilibrium exists with the law.
+//! A polygon circumscribed about the arc replaces the directions p. The hull thus contains all stretches and forces that the law allows, and slightly
+//! more. If no equilibrium exists with the hulls of all contacts, none exists with the law.
 
 use crate::numerics::{Each, IntoList, by_axis};
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI, TAU};
@@ -25,7 +25,7 @@ use super::tolerances::NARROWEST_ARC;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::prelude::*;
 
-/// A sector of friction directions, from the angle `from` to the larger angle `to`, rad. The angles differ by at most a full turn.
+/// A sector of friction directions, from one angle to a larger one, rad. The angles differ by at most a full turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Sector {
     pub(crate) from: f64,
@@ -106,7 +106,7 @@ impl Sector {
         [Self { to: middle, ..*self }, Self { from: middle, ..*self }]
     }
 
-    /// Vertices of a polygon that encloses the arc of the sector: the ends of the arc, and intersections of tangents to the arc.
+    /// Vertices of a polygon that encloses the arc: its ends, and the intersections of tangents between them.
     fn around(&self) -> Vec<[f64; 2]> {
         // The enclosing polygon has one vertex for every piece of at most this angle.
         let pieces = self.pieces(FRAC_PI_8);
@@ -128,7 +128,7 @@ impl Sector {
         (0..=pieces).map(move |k| on_circle(from + step * f64::from(k)))
     }
 
-    /// The angle from the start of the sector to a direction; for a direction outside the sector, the angle to the nearer end.
+    /// The angle of a direction from the start of the sector; for a direction outside, the angle of the nearer end.
     fn inside(&self, angle: f64) -> f64 {
         let (along, width) = ((angle - self.from).rem_euclid(TAU), self.width());
         if along <= width {
@@ -234,8 +234,9 @@ impl LocalLaw<'_> {
         rays
     }
 
-    /// Two narrower labels that together allow the same states as `label`. `stretch` and `force` lie in the hull of `label`. The sector of friction
-    /// directions is cut where `stretch` and `force` violate the contact law. `None` if the label cannot be divided.
+    /// Two narrower labels that together allow the same states as `label`. `stretch` and `force` lie in the hull of `label`, but may violate the
+    /// contact law, which requires friction along the slip. A sector of friction directions is therefore cut between the directions of the friction
+    /// force and of the slip, or halved if it is wide. `None` if the label cannot be divided.
     pub(crate) fn divide(
         &self,
         label: &Label,

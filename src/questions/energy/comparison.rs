@@ -57,7 +57,7 @@ pub struct Difference {
     /// The largest magnitude of a contact force in the equilibrium, N.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub force_size: f64,
-    /// The energy stored in the springs in the equilibrium, J.
+    /// The size to which the difference `energy` is compared: the energy stored in the springs in the equilibrium, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub energy_size: f64,
 }

@@ -57,11 +57,12 @@ impl SteppedState {
 #[derive(Debug)]
 pub(super) struct StepProblem<'g> {
     pub(super) problem: Problem<'g>,
-    /// For each contact the command minus clearance at the beginning of the leg, m, and the change of it over the whole leg.
+    /// Two lists: for each contact the command minus clearance at the beginning of the leg, m, and its change over the whole leg.
     offsets: [Vec<SVector<f64, 3>>; 2],
     pub(super) course: Trajectory<Vector>,
-    /// Stretches of the contacts at the beginning of a step, m; `answers` has the force and state of each contact at its end.
+    /// Stretches of the contacts at the beginning of a step, m.
     before: Vec<SVector<f64, 3>>,
+    /// Force and state of each contact at the end of a step.
     answers: Vec<ContactResponse>,
 }
 
@@ -118,8 +119,8 @@ fn equilibrium_after(
     to: &mut SteppedState,
 ) -> Option<()> {
     let springs = problem.sites.iter().zip(&problem.offsets);
-    // Newton's method cannot reduce the imbalance below the rounding of spring forces. That is 1e-15 of the forces which the displacements would
-    // cause in the springs; `newton` multiplies the size given here by [`SOLVED_ROUNDING`].
+    // Newton's method cannot reduce the imbalance below the rounding of spring forces. This rounding is 1e-15 of the forces which the displacements
+    // would cause in the springs; `newton` multiplies the size given here by [`SOLVED_ROUNDING`].
     let rounded =
         1e-3 * springs.map(|(site, offset)| site.springs.stiffest() * site.span(offset, &near)).sum::<f64>();
     let answer = |i: usize, stretch: &SVector<f64, 3>, _: &ContactResponse| {

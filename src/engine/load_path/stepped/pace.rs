@@ -13,13 +13,14 @@ pub(super) struct StepPace {
     pub(super) rate: Option<Vector>,
     /// Growing speeds of the object along the leg, each with its place.
     pub(super) speeds: Speeds,
-    /// Largest change of a contact force in the last step, divided by the largest that the object's motion would cause if all contacts stuck.
+    /// Largest change of a contact force in the last step, divided by the largest change that the object's motion would cause if all contacts stuck.
     pub(super) changed: f64,
     /// Length of the next step, as a fraction of the leg; at most `longest` of it is made.
     pub(super) step: f64,
-    /// Longest step, as a fraction of the leg: the whole leg, or a quarter turn of the load. After a full turn the load would seem unchanged.
+    /// Longest step, as a fraction of the leg: the whole leg, or a quarter revolution of the load. After a full revolution the load would seem
+    /// unchanged.
     pub(super) longest: f64,
-    /// Whether the last step was refused: the step length then does not grow after the next one.
+    /// Whether the last step was refused: the step length then does not grow after the next step.
     pub(super) refused: bool,
     /// Number of steps tried on the leg so far, refused ones included.
     pub(super) tried: usize,

@@ -12,7 +12,7 @@
 
 use crate::prelude::*;
 
-/// Pairs of a place on a leg, as a fraction of it, and the speed of the object there. Each speed is more than twice the one before.
+/// Pairs of a place on a leg, as a fraction of it, and the speed of the object there. Each speed is more than twice the speed before.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Speeds(Vec<[f64; 2]>);
 
@@ -25,7 +25,7 @@ impl Speeds {
     /// Records the speed of the object in a step that has ended at this fraction of the leg. The speed is the force that its motion would cause in
     /// sticking springs, N per unit of the fraction.
     pub(super) fn note(&mut self, fraction: f64, speed: f64) {
-        // A speed is recorded if it is more than twice the last recorded one.
+        // A speed is recorded if it is more than twice the last recorded speed.
         if self.0.last().is_none_or(|[_, fastest]| speed > 2.0 * fastest) {
             self.0.push([fraction, speed]);
         }

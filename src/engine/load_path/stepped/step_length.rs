@@ -25,8 +25,8 @@ struct Twice {
 }
 
 impl<'g> Steps<'g> {
-    /// Tries a step and chooses the length of the next one. Returns the step if its error is within the allowed one, or `OnTheWay` if a shorter step
-    /// is to be tried next. The error is the end of the path, if steps become too short or too many.
+    /// Tries a step and chooses the length of the next step. Returns the step if its error is at most the allowed error, or `OnTheWay` if a shorter
+    /// step is to be tried next. The error is the end of the path, if steps become too short or too many.
     pub(super) fn try_step(&mut self, journey: &Journey<'g>) -> Result<Advance<Step<3>>, PathEnd<3>> {
         let from = self.present.fraction;
         if self.pace.tried == journey.settings.most_steps {
@@ -46,10 +46,10 @@ impl<'g> Steps<'g> {
             };
         };
         let part = self.part_of_what_is_allowed(&twice);
-        // The next step is at most twice as long as this one; right after a refused step it may not grow.
+        // The next step is at most twice as long as the present step; right after a refused step it may not grow.
         let fastest = if self.pace.refused { 1.0 } else { 2.0 };
         self.pace.refused = part > 1.0;
-        // The next step aims at 0.7 of the allowed error, and is no shorter than a fifth of this one.
+        // The next step aims at 0.7 of the allowed error, and is no shorter than a fifth of the present step.
         self.pace.step = length * (0.7 / part.sqrt()).clamp(0.2, fastest);
         if part > 1.0 {
             // If even so short a step is refused, rounding is larger than the allowed error.
@@ -75,7 +75,7 @@ impl<'g> Steps<'g> {
         // leg, the change of forces, and the change of forces that the motion would cause in sticking springs, both over the largest force. Errors in
         // the directions of friction decay while the last measure grows to one.
         let even = 0.5 * self.error * length.max(way).max(twice.force_change / largest);
-        // The allowed difference of a contact's force between this path and the second one (see `coarse`). It grows with `way`, the sum of the
+        // The allowed difference of a contact's force between this path and the second path (see `coarse`). It grows with `way`, the sum of the
         // changes of forces along the path, up to twice the allowed error. The error is about a third of this difference.
         let budget = self.error * (self.way + way).min(2.0);
         // Below this fraction of the largest force an error is rounding.
@@ -92,8 +92,8 @@ impl<'g> Steps<'g> {
         used.max(twice.unseen / (0.1 * self.error).max(rounding))
     }
 
-    /// Makes a step over the fraction `length` of the leg both in two halves and at once, into `places`. `None` if one of them finds no equilibrium,
-    /// or only one to which the object would have to jump.
+    /// Makes a step over the fraction `length` of the leg both in two halves and at once, into `places`. `None` if one of these steps finds no
+    /// equilibrium, or only an equilibrium to which the object would have to jump.
     fn twice(&mut self, length: f64) -> Option<Twice> {
         let Self { along, present: from, places: Places { middle, to, at_once, .. }, .. } = self;
         let rate = self.pace.rate.clone().unwrap_or_else(Vector::zeros);

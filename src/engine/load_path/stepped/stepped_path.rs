@@ -49,7 +49,7 @@ pub(crate) struct Steps<'g> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Step<const C: usize> {
-    /// The leg, from 0.
+    /// Index of the leg, from 0.
     pub leg: usize,
     /// Fraction of the leg at the end of the step, up to 1.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
@@ -60,7 +60,7 @@ pub struct Step<const C: usize> {
     pub sliding: usize,
     /// Number of contacts that are open at the end of the step.
     pub open: usize,
-    /// Estimated error of the forces from this step, over the largest force.
+    /// Estimated error of the forces due to this step, divided by the largest force.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub error: f64,
 }
