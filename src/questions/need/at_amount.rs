@@ -17,7 +17,7 @@ impl<const C: usize> Grasp<C> {
     ///
     /// The amount is in the unit of the sought [`Quantity`](super::Quantity); it may be the [`Amount::bound`](super::Amount::bound) of an answer. The
     /// use of friction is the largest `|f_t| / (|f_t| + margin)` of closed contacts. For a load that turns, 180 equal steps and its end are compared.
-    /// If an angle is sought, the state is that at the end of the turn. `None` where no load is held.
+    /// If an angle is sought, the equilibrium at the end of the turn is returned. `None` if no load is held.
     ///
     /// ```
     /// use grasp_lcp::need::Need;

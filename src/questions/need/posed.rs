@@ -67,7 +67,7 @@ pub(super) enum Sought {
     Squeeze,
     /// The squeeze where no command presses, but contacts overlap, as in a press fit.
     Overlaps,
-    /// The contact points whose coefficient is sought; `None` for all with friction.
+    /// The contact points whose coefficient is sought; `None` for all contact points with friction.
     Friction {
         contacts: Option<Vec<usize>>,
     },
@@ -163,7 +163,7 @@ impl Posed {
         of_loads.max(force(&self.base))
     }
 
-    /// Whether an angle in the plane is one of an anticlockwise tilt. In coordinates of the tilted grasp the load turns the other way.
+    /// Whether the sought angle in the plane is an anticlockwise tilt of the grasp. In coordinates of the tilted grasp the load turns the other way.
     pub(super) fn tilts_anticlockwise(&self, space: Space) -> Option<bool> {
         let Sought::Angle { turn } = &self.sought else { return None };
         let [_, cosine, sine] = turn.parts().map(|part| part.force_part());
@@ -281,7 +281,7 @@ impl Need<3> {
         Ok(posed)
     }
 
-    /// The contacts whose friction is sought; `None` for all.
+    /// The contacts whose coefficient is sought; `None` for all contacts.
     fn meant(&self) -> Result<Option<Vec<usize>>, Error> {
         match (self.contact, &self.contacts) {
             (Some(_), Some(_)) => Err(wrong("contacts", "are given beside a contact, must be one of them")),

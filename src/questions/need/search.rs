@@ -16,16 +16,17 @@ use crate::prelude::*;
 pub(super) struct Tries<'t> {
     /// Full trials, which include the enumeration of contact states in the search for equilibria.
     pub(super) whole: TrialOf<'t>,
-    /// The same, but loads beyond those asked about are not followed, so that the distance of a sufficient amount from the bound stays unknown.
+    /// Like `whole`, but load paths end at the loads asked about. The distance of a sufficient amount from the bound then stays unknown.
     pub(super) short: TrialOf<'t>,
-    /// A quick trial leaves out the enumeration of many contact states, which is slowest where no equilibrium exists; such a trial is undecided. With
-    /// `true` it is short, too.
+    /// Quick trials leave out the enumeration of many contact states, which is slowest if no equilibrium exists. If only the enumeration can decide,
+    /// the trial is undecided. With the flag `true`, load paths also end at the loads asked about, as in `short`.
     pub(super) quick: &'t dyn Fn(f64, bool) -> Result<Trial, Error>,
     /// Whether the contact states at rest differ between two amounts with full trials.
     pub(super) rests_otherwise: &'t dyn Fn(f64, f64) -> bool,
     /// An estimate of the amount, between a sufficient and an insufficient one, at which the first contact at rest changes its state.
     pub(super) rest_ends: &'t dyn Fn(f64, f64) -> Option<f64>,
-    /// Whether full trials may find directions of a force that later quick trials include.
+    /// Whether full trials may find new directions in which a force of any direction is not carried. Later quick trials then include these
+    /// directions.
     pub(super) learns: bool,
     /// Whether the grasp is planar. Contact states then change at amounts that are exact to rounding.
     pub(super) is_planar: bool,
@@ -42,6 +43,7 @@ impl Tries<'_> {
 /// The result of a search.
 #[derive(Debug)]
 pub(super) enum Searched {
+    /// The bracket of the bound.
     Threshold(Threshold),
     /// All amounts that were tried suffice; this is the last amount tried.
     All(f64),
@@ -49,7 +51,7 @@ pub(super) enum Searched {
     Nothing(Vec<(f64, Trial)>),
 }
 
-/// The estimate of the bound of the sufficient amounts from the part c of the load that is carried with an amount x. At the bound c is 1.
+/// How the bound of the sufficient amounts is estimated from the part c of the load that is carried with an amount x. At the bound c is 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Guess {
     /// The bound of the sufficient amounts is about `x c`, because the load itself is the sought quantity. Here x is the tried amount and c the
@@ -65,11 +67,15 @@ pub(super) enum Guess {
 /// The quantity that a search seeks, its range, and its effort.
 #[derive(Debug)]
 pub(super) struct SearchPlan {
+    /// The first amount to try, if forces can balance the loads with it.
     pub(super) start: f64,
     /// The least and the greatest amount tried.
     pub(super) limits: [f64; 2],
+    /// The amounts that proofs leave.
     pub(super) range: Range,
+    /// Whether the least sufficient amount is sought, otherwise the greatest.
     pub(super) is_least: bool,
+    /// How the bound is estimated from a carried part of the load.
     pub(super) guess: Guess,
     /// Whether it is known that all easier amounts suffice if one does. Easier amounts are larger where the least amount is sought, and smaller where
     /// the greatest is sought.
@@ -115,18 +121,20 @@ impl SearchPlan {
         self.contains(guess).then_some(guess)
     }
 
-    /// Whether an amount lies beyond another one, where less suffices: below it if the least amount is sought.
+    /// Whether the amount `one` demands more of the grasp than `other`: it is smaller if the least amount is sought, else larger.
     fn is_harder(&self, one: f64, other: f64) -> bool {
         if self.is_least { one < other } else { one > other }
     }
 
-    /// The amount at this relative distance beyond the proved end of the range, if that end lies beyond a sufficient amount.
+    /// The amount at the relative distance `part` beyond the proved end of the range on the harder side; inside the range if `part` is negative.
+    /// `None` if no such end is known, or if it is easier than the amount `does`.
     fn beside_the_end(&self, does: f64, part: f64) -> Option<f64> {
         let end = self.end(!self.is_least).filter(|end| self.is_harder(*end, does))?;
         Some(if self.is_least { end * (1.0 - part) } else { end * (1.0 + part) })
     }
 
-    /// Guesses of the bound, in the order in which they are tried: from the carried part at both ends of a bracket, then beside the proved end.
+    /// Guesses of the bound, in the order in which they are tried. First come those from the carried part at both ends of a bracket, then those
+    /// beside the proved end and the likely bound.
     fn guesses(
         &self,
         (does, trial): (f64, &Trial),
@@ -139,7 +147,8 @@ impl SearchPlan {
         let from_beyond = |part: f64| does_not.and_then(|(at, trial)| beyond(*at, trial, part));
         let [nearest, near_enough, nearby] = NEAR_AN_END;
         let likely = |part: f64| self.range.likely.filter(|_| self.is_least).map(|at| at * part);
-        // Offset of the trials beside the estimate of least friction. If smaller than the error of that estimate, both would fall on one side.
+        // Offset of the trials beside the estimate of least friction. If smaller than the error of that estimate, both trials would fall on one side
+        // of the bound.
         let off = 3e-12;
         let near = |part: f64| self.beside_the_end(does, part);
         let guesses = [
@@ -157,7 +166,8 @@ impl SearchPlan {
         guesses.into_iter().flatten()
     }
 
-    /// The first amount tried: the start if forces can balance it, or else one inside the range. Between two ends that is the middle.
+    /// The first amount tried: the start if forces can balance the loads with it, or else an amount inside the range. Between two ends this is the
+    /// middle.
     pub(super) fn begin(&self) -> f64 {
         match (self.range.low, self.range.high) {
             _ if self.contains(self.start) => self.start,
@@ -206,8 +216,8 @@ pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]
     // With a larger ratio than 2, narrow intervals of sufficient amounts would be missed.
     let factor = if plan.everywhere { 2.0 } else { FAR_APART };
     let begin = first.0;
-    // If the start fails because a squeeze moves the part too far, a smaller one may suffice. So smaller amounts are tried, too, where the least is
-    // sought.
+    // If the start fails because its squeeze moves the part too far, a smaller squeeze may suffice. So smaller amounts are tried, too, if the least
+    // is sought.
     let may_be_less = plan.everywhere && (plan.is_least || !plan.is_monotone);
     for (up, is_asked) in [(more, true), (!more, may_be_less)] {
         if is_asked && let Some(does) = walk(tries, plan, (begin, up, factor), &mut vain)? {

@@ -113,7 +113,7 @@ impl Trial {
 pub(super) struct Trials {
     pub(super) held: Option<Trial>,
     pub(super) sticks: Option<Trial>,
-    /// `None` where nothing rests or it is not known.
+    /// The contact states at rest; `None` if no equilibrium at rest exists or is known.
     pub(super) at_rest: Option<AtRest>,
 }
 
@@ -128,17 +128,17 @@ impl Trials {
     }
 }
 
-/// The loads that refuted earlier amounts. As a rule the same load refutes the next amount, so it is applied first.
+/// The loads that refuted earlier amounts, i.e. were not carried with them. As a rule the same load refutes the next amount, so it is applied first.
 #[derive(Debug, Default)]
 pub(super) struct Refuting {
     /// Index of the load that refuted the last insufficient amount, or was carried least with the last sufficient one.
     pub(super) first: Cell<usize>,
-    /// Directions of a force of any direction that refuted an amount, or were carried least. Quick trials are confined to them.
+    /// Directions of a force of any direction that refuted an amount, or in which least was carried. Quick trials are confined to these directions.
     pub(super) directions: RefCell<Vec<[f64; 3]>>,
 }
 
 impl Refuting {
-    /// Puts a direction first. The list keeps the last six, so that it takes a small part of the time of all directions.
+    /// Puts a direction first. The list keeps the last six directions, so that their trials take a small part of the time of all directions.
     pub(super) fn add(&self, direction: [f64; 3]) {
         let mut list = self.directions.borrow_mut();
         list.retain(|other| *other != direction);
