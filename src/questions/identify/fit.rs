@@ -10,7 +10,8 @@ use crate::error::Error;
 use crate::numerics::{IntoList, Singular, mapped, matrix_of, vector_of};
 use crate::prelude::*;
 
-/// The result of a search for the unknowns with the least loss; `linear` has predictions and derivatives there, if all slips are predicted.
+/// The result of a search for the unknowns with the least loss. `linear` has the predictions and derivatives at the result, if all slips are
+/// predicted.
 pub(super) struct Fitted {
     pub(super) logs: Vec<f64>,
     pub(super) linear: Option<Linear>,
@@ -189,17 +190,19 @@ pub(super) fn rank(linear: &Linear) -> usize {
     values.iter().filter(|value| **value > INDISTINCT * most).count()
 }
 
-/// The linearised least-squares problem at one point, decomposed by singular values, from which damped steps follow.
+/// The linearised least-squares problem at one point, as a singular value decomposition, from which damped steps follow.
 struct Steps {
-    /// Singular values of the weighted derivatives, and their right singular vectors as columns.
+    /// Singular values of the weighted derivatives.
     values: Vec<f64>,
+    /// Right singular vectors of the weighted derivatives, as columns.
     directions: DMatrix<f64>,
     /// Components of the weighted residuals along the left singular vectors.
     along: Vec<f64>,
 }
 
 impl Steps {
-    /// The linearised least-squares problem at the point of `linear`. Each observation has the weight of its scatter and of the size of its residual.
+    /// The linearised least-squares problem at the point of `linear`. Each observation is weighted by its scatter and by Huber's weight of its
+    /// residual.
     fn of(model: &Model<'_>, linear: &Linear, scatter: &Scatter) -> Self {
         let row = |(k, (r, sigma)): (usize, (&f64, &f64))| model.weight(k, r / sigma).sqrt() / sigma;
         let weights: Vec<_> = linear.residuals.iter().zip(&scatter.rows).enumerate().map(row).list();
@@ -230,7 +233,7 @@ impl Steps {
 }
 
 /// The singular values of the matrix of weighted derivatives, its right singular vectors as columns, and the components of the weighted residuals
-/// along the left singular vectors. There is one of each for every unknown.
+/// along the left singular vectors. Each of the three lists has one entry for every unknown.
 pub(super) fn singular(
     jacobian: &DMatrix<f64>,
     residuals: &[f64],

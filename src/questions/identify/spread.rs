@@ -78,10 +78,13 @@ pub(super) fn identified(model: &Model<'_>, fit: &Fitted) -> Identified {
 
 /// The errors at the solution, as variances and covariances of the logarithms of the unknowns, and the data for them.
 struct Spread {
-    /// Singular values of the weighted derivatives, the largest first, and their right singular vectors as columns.
+    /// Singular values of the weighted derivatives, the largest first.
     values: Vec<f64>,
+    /// Right singular vectors of the weighted derivatives, as columns.
     directions: DMatrix<f64>,
+    /// Number of combinations of unknowns that slips and known sums determine.
     rank: usize,
+    /// Degrees of freedom: the number of observations minus `rank`.
     degrees: usize,
     scatter: Scatter,
     /// Mean square of the residuals divided by the given scatter, outliers clamped; `None` if the scatter was not given or no degrees of freedom
@@ -91,7 +94,7 @@ struct Spread {
     grouped: Option<Grouped>,
 }
 
-/// The group of each slip, by slip; `None` unless every slip has one.
+/// The number of the group of each slip; `None` unless every slip is in a group.
 fn groups(model: &Model<'_>) -> Option<Vec<usize>> {
     model.asked.slips.iter().map(|slip| slip.group).collect()
 }

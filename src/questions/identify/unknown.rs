@@ -24,7 +24,7 @@ pub enum UnknownKind {
     Stiffness,
 }
 
-/// An unknown number of the grasp, the same for all its contacts, in all layouts or in one.
+/// An unknown number of the grasp: one value for all its contacts, in all layouts or in one layout.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -185,8 +185,8 @@ impl Unknown {
         }
     }
 
-    /// Puts a value of the unknown into the contacts of a layout. A carried force also adds its load to `base`. A squeeze of all contacts is not put
-    /// in here.
+    /// Puts a value of the unknown into the contacts of a layout. A carried force also adds its load to `base`. The caller applies a squeeze of all
+    /// contacts.
     pub(super) fn put(&self, layout: usize, value: f64, contacts: &mut [Contact<3>], base: &mut Wrench<3>) {
         for (_, contact) in contacts.iter_mut().enumerate().filter(|(i, _)| self.is_of(layout, *i)) {
             match self.kind {

@@ -10,11 +10,12 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// The units in which states between cycles are compared. For forces it is the largest contact force of the cycle, N; for gaps and slips the stretch
-/// of the softest spring under that force, m.
+/// The units in which states between cycles are compared.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Scale {
+    /// Unit of forces, N: the largest contact force of the cycle.
     pub(super) force: f64,
+    /// Unit of gaps and slips, m: the stretch of the softest spring under `force`.
     pub(super) stretch: f64,
 }
 

@@ -158,7 +158,7 @@ impl<'g> Shaking<'g, '_> {
         walked_out.unwrap_or_else(|| self.answer(Repeats::Undecided { doubt: None }, (change, 0.0), None))
     }
 
-    /// Continues the followed cycles from `state`, which the grasp reaches `passed` cycles after the present state.
+    /// Continues with the cycles from `state`, which the grasp reaches `passed` cycles after the present state.
     fn restart_from(&mut self, state: CycleState, passed: usize) {
         self.places = vec![state];
         self.round = Round::new();
@@ -213,8 +213,8 @@ impl<'g> Shaking<'g, '_> {
         }
     }
 
-    /// The cycle that begins at the limit of the states. `None` if the states have no limit, that cycle does not repeat itself, or one of its gaps
-    /// shrinks.
+    /// The cycle that begins at the limit of the states. `None` if the states have no limit, or if this cycle does not repeat itself or one of its
+    /// gaps shrinks.
     fn limit(&mut self, recurrence: &Recurrence<'_>, last: &Cycle) -> Option<Cycle> {
         self.followed += 1;
         let there = recurrence.fixed_point().filter(|_| recurrence.ratio() < 1.0)?;
@@ -241,7 +241,7 @@ impl<'g> Shaking<'g, '_> {
         self.slid.iter_mut().enumerate().for_each(|(i, slid)| *slid |= cycle.slides(i));
     }
 
-    /// The behaviour where the load path ends within the cycle of this number: the loss, or undecided.
+    /// The behaviour if the load path ends within the cycle of this number: the loss, or undecided.
     fn repeats_at_end(&self, cycle: usize) -> Repeats<3> {
         match self.cycles.end() {
             Some(PathEnd::Lost(loss)) => {
@@ -302,17 +302,24 @@ impl<'g> Shaking<'g, '_> {
 
 /// The result of an extrapolation over cycles with the same events.
 enum Ahead<'g> {
-    /// The cycles converge to `limit`, which repeats itself up to `error`; `ratio` is the factor per cycle.
+    /// The states between cycles converge, and a cycle from their limit repeats itself.
     To {
+        /// The cycle that begins at the limit.
         limit: Box<Cycle>,
+        /// The factor by which differences of successive states shrink per cycle.
         ratio: f64,
+        /// The largest change of forces and gaps within `limit`.
         error: f64,
     },
-    /// The events stay the same for `passed` cycles and in `cycle`, the one after them.
+    /// The limit is not reached yet, but all cycles up to `cycle` have the same events.
     Further {
+        /// The cycle after the skipped ones, computed to confirm the extrapolation.
         cycle: Box<Cycle>,
+        /// The load path after `cycle`.
         cycles: Box<Cycles<'g>>,
+        /// Number of cycles between the present state and the beginning of `cycle`, which need not be followed.
         passed: usize,
     },
+    /// All extrapolations failed.
     NotKnown,
 }

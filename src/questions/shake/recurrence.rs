@@ -15,8 +15,9 @@ use crate::prelude::*;
 
 /// The last states between cycles, and the linear combination of earlier differences of successive states that gives the last difference.
 pub(super) struct Recurrence<'p> {
-    /// The last states between cycles, in order. `changes` holds the difference of each two neighbouring ones, so it has one entry less.
+    /// The last states between cycles, in order.
     places: &'p [CycleState],
+    /// The differences of neighbouring entries of `places`, one entry fewer.
     changes: Vec<DVector<f64>>,
     /// Coefficients c of the combination: the last entry of `changes` is the sum of all entries before it, each multiplied by its coefficient.
     coefficients: Vec<f64>,

@@ -28,8 +28,8 @@ pub struct Shaken<const C: usize> {
     /// Number of cycles whose load path was computed, trials included. Of many cycles with the same events a few are enough.
     pub followed: usize,
     /// The largest change from the beginning to the end of the last cycle or period: of forces relative to the largest contact force, of gaps
-    /// relative to the softest spring's stretch under it. Apart from rounding and step errors it is zero, unless the verdict is undecided, lost, or a
-    /// walk with changing forces.
+    /// relative to the stretch of the softest spring under this force. Apart from rounding and step errors it is zero, unless the verdict is
+    /// undecided, lost, or a walk with changing forces.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub change: f64,
     /// The factor by which the difference of successive states shrinks per cycle, if the verdict is that of an extrapolated limit; else zero.
@@ -99,7 +99,7 @@ pub enum Repeats<const C: usize> {
         leg: usize,
         /// The load at which the object is lost, N and N m.
         load: Wrench<C>,
-        /// The loss; its factor is the fraction of the leg at which it comes.
+        /// The loss; its factor is the fraction of the leg at which the object is lost.
         lost: Box<Lost<C>>,
     },
     /// The grasp does not hold even the base load.
@@ -149,7 +149,7 @@ impl<const C: usize> Shaken<C> {
         }
     }
 
-    /// Whether the object stays: the grasp rests, or contacts slide to and fro under it for ever; `None` if it is not known.
+    /// Whether the object stays: the grasp comes to rest, or contacts slide to and fro for ever; `None` if it is not known.
     #[must_use]
     pub fn stays(&self) -> Option<bool> {
         match self.repeats {
