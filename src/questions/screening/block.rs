@@ -6,7 +6,7 @@ use super::lanes::Packed;
 pub(super) const MOST_SCREENED: usize = 5;
 /// The most contact points of a grasp in a [`PointBatch`](super::PointBatch).
 pub(super) const MOST_POINTS: usize = 64;
-/// The number of contacts, limited to [`MOST_POINTS`], the length of arrays, so that no index exceeds it.
+/// The number of contacts, limited to the length [`MOST_POINTS`] of the arrays, so that no index exceeds their length.
 #[inline(always)]
 pub(super) fn count(contacts: usize) -> usize {
     contacts.min(MOST_POINTS)
@@ -44,12 +44,15 @@ pub(super) struct Commanded<'a, const C: usize, X: Packed> {
     pub(super) sheared: [&'a [X]; C],
 }
 
-/// Sums of the absolute values of terms, by which the rounding of contact forces is bounded: those due to the commands, to a unit moment and to a
-/// unit force. They are zero with [`Method::Motions`](super::method::Method::Motions).
+/// Sums of the absolute values of the terms of contact forces, which bound the rounding of these forces. They are zero with
+/// [`Method::Motions`](super::method::Method::Motions).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sizes<X: Packed> {
+    /// The sum of the terms due to the commands.
     pub(super) commands: X,
+    /// The sum of the terms due to a unit moment.
     pub(super) moment: X,
+    /// The sum of the terms due to a unit force.
     pub(super) force: X,
 }
 

@@ -56,8 +56,8 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
         Kernels::get().pull.ask(&self.grasp, pull)
     }
 
-    /// Derivatives of the load factor at first slip by all data of the grasp and the load. There is one gradient for each contact that stops sticking
-    /// there, in rising order; none if [`Self::onset`] has no load factor.
+    /// Derivatives of the load factor at first slip with respect to all data of the grasp and the load. There is one gradient for each contact that
+    /// stops sticking at first slip, in rising order of contacts. There is none if [`Self::onset`] has no load factor.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Fingers, Pull, Wrench};

@@ -32,7 +32,7 @@ pub enum ScreeningVerdict {
     /// Not every contact sticks at load factor zero: one would slide or be open, or there may be no equilibrium.
     /// [`Grasp::onset`](crate::ask::Grasp::onset) decides which.
     NotSticking,
-    /// The base load or the growing load works on a motion that no contact resists.
+    /// The base load or the growing load does positive work along a motion that no contact resists.
     GivesWay,
     /// Screening cannot decide, because of rounding or missing friction. [`Grasp::onset`](crate::ask::Grasp::onset) can.
     ///

@@ -16,7 +16,7 @@ impl Screened {
     }
 
     /// The positive load factor, the multiple of the load direction, at which the first contact stops sticking. `None` for every verdict but
-    /// [`ScreeningVerdict::Leaves`], so also where no contact ever leaves.
+    /// [`ScreeningVerdict::Leaves`], so also if no contact ever leaves.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         self.0.factor()
@@ -28,7 +28,7 @@ impl Screened {
         self.0.holds_up_to(factor)
     }
 
-    /// The contacts that stop sticking at [`Self::factor`], counted from 0, in rising order. They are several if their load factors agree to twelve
+    /// The contacts that stop sticking at [`Self::factor`], counted from 0, in rising order. There are several if their load factors agree to twelve
     /// digits, and none unless the verdict is [`ScreeningVerdict::Leaves`].
     pub fn leaving(&self) -> impl Iterator<Item = usize> + use<> {
         self.0.leaving()

@@ -22,7 +22,7 @@ pub enum SqueezeVerdict {
     Suffices,
     /// With no factor of the commands all contacts stick under all loads.
     NoFactor,
-    /// A load works on a motion that no contact resists, however much the fingers press.
+    /// A load does positive work along a motion that no contact resists, however much the fingers press.
     GivesWay,
     /// Screening cannot decide, because of rounding or missing friction. [`Grasp::least_squeeze`](crate::ask::Grasp::least_squeeze) can.
     ///
@@ -56,8 +56,8 @@ impl ScreenedSqueeze {
         (self.verdict() == SqueezeVerdict::Suffices).then_some(self.code)
     }
 
-    /// The contact at the edge of its cone with this factor, and the index of the load under which the contact is there; both count from 0. If there
-    /// are several, the first is returned. `None` where the factor is zero or there is none.
+    /// The contact at the edge of its cone with this factor, and the index of the load under which it is at this edge. Both count from 0. If there
+    /// are several such contacts, the first is returned. `None` if the factor is zero, or if there is no factor.
     #[must_use]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // it is a small whole number
     pub fn binding(&self) -> Option<(usize, usize)> {

@@ -93,8 +93,8 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         }
     }
 
-    /// Writes the rotation of the object under commands and a load into `moved`, at least; else as [`Self::moved`]. For [`Method::Motions`] `forces`
-    /// has the rotation already.
+    /// Writes at least the rotation of the object under commands and a load into `moved`. With [`Method::Motions`] it is copied from `forces`; with
+    /// the other method the whole motion is computed as by [`Self::moved`].
     #[inline(always)]
     pub(super) fn turned<V: Vectors>(
         &self,

@@ -41,15 +41,17 @@ pub(super) const N: usize = 3;
 pub(super) struct Triangle<const C: usize, X: Packed> {
     pub(super) edge: [[X; C]; N],
     pub(super) centre: [X; C],
-    /// The normal `m = e_1 × e_2` of the triangle, m², and in the next field `|m|⁻²`.
+    /// The normal `m = e_1 × e_2` of the triangle, m².
     pub(super) across: [X; C],
+    /// `|m|⁻²`.
     pub(super) one_over_square: X,
-    /// The products `n_i·e_j` and, in the next field, `n_i·e_k` of the normal of contact i with the edges that end and begin there.
+    /// The products `n_i·e_j` of the normal of contact i with the edge that ends at the contact.
     ends: [X; N],
+    /// The products `n_i·e_k` of the normal of contact i with the edge that begins at the contact.
     begins: [X; N],
-    /// Contributions of the tangential compliances to the stretch of the edges: `pushed` if all contacts have the same unit force along the edge,
-    /// `turned` if contact i has the force `P_i = e_i`.
+    /// Contributions of the tangential compliances to the stretch of the edges, if all contacts have the same unit force along the edge.
     pushed: [X; N],
+    /// Contributions of the tangential compliances to the stretch of the edges, if contact i has the force `P_i = e_i`.
     turned: [X; N],
     pub(super) factors: LaneFactors<N, X>,
 }

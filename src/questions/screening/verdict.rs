@@ -10,14 +10,15 @@ pub(super) struct Start<X: Packed> {
     margin: X,
     /// The least value of a contact's margin less the bound of its rounding, N; contacts whose squared forces over- or underflow are left out.
     sure: X,
-    /// Minus infinity where squared forces of some contact over- or underflow, so that the verdict is unclear; else zero.
+    /// Minus infinity if squared forces of some contact over- or underflow, so that the verdict is unclear; else zero.
     lost: X,
-    /// Positive if the load at the start works on a motion that no contact resists.
+    /// Positive if the load at load factor zero does positive work along a motion that no contact resists.
     pub(super) free: X,
 }
 
 impl<X: Packed> Start<X> {
-    /// The margins before any contact has been added: infinite. `free` is positive if the load there works on a motion that no contact resists.
+    /// The margins before any contact has been added: infinite. `free` is positive if the load at load factor zero does positive work along a motion
+    /// that no contact resists.
     #[inline(always)]
     pub(super) fn new(free: X) -> Self {
         let infinite = X::all(f64::INFINITY);

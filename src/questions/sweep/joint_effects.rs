@@ -64,8 +64,8 @@ impl OffTogether {
             let force = beyond(&margin.fails_at);
             // If the point of failure is nearer than one standard deviation, a division by its squared distance would only amplify rounding.
             let bend = force * (2.0 / dot(&margin.fails_at, &margin.fails_at).max(1.0));
-            // C holds the second derivatives of a force component by two different data. For random signs v, the mean square of `vᵀCv` is twice the
-            // sum of the squares of C.
+            // C is the matrix of mixed second derivatives of a force component with respect to two different data; its diagonal is zero. For a vector
+            // v of random signs the mean square of `vᵀCv` is twice the sum of the squared entries of C.
             let mut squares = SMatrix::zeros();
             for probe in 0..PROBES {
                 let mut signs = Draw::new([probe, 0, 0]);
