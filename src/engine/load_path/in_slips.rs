@@ -206,8 +206,9 @@ impl Slips<'_> {
             }
             return Some(SlipEnd::Held);
         }
-        // The bits of `combination` are the contacts on the edge of their cones that slip. It is a continuation if no slip rate is negative and no
-        // margin `μ F_n - |F_t|` decreases. If any combination but that of all is one, a load path decides.
+        // The path may instead continue with only some of these contacts slipping. Bit i of `combination` is set if contact i on the edge of its cone
+        // slips, else it sticks. A combination continues the path if no slip rate is negative and no margin `μ F_n - |F_t|` decreases. If one may,
+        // `None` is returned, and the caller follows a load path.
         let holds = |combination: usize| {
             let slips = slid(margins, &|i| combination >> i & 1 == 1)?;
             let mut holds = slips.iter().all(|slip| *slip >= -clear);

@@ -23,11 +23,13 @@ pub(super) struct OnsetMemory {
     pub(super) change: Vec<SVector<f64, 3>>,
     polygon: Option<((Space, PolygonCone), Arc<Polygon>)>,
     pub(super) solution: SolutionMemory,
-    /// Contact forces and twist under the base load. Then `rate`, their derivatives by the load factor, and `there`, forces and twist at the onset,
-    /// with the offsets of all contacts there in `offsets`.
+    /// Contact forces and twist under the base load.
     pub(super) base: PieceState,
+    /// The derivatives of contact forces and twist with respect to the load factor.
     pub(super) rate: PieceState,
+    /// Contact forces and twist at the onset.
     pub(super) there: PieceState,
+    /// The offsets of the contacts' springs at the onset: commands minus clearances and slips.
     pub(super) offsets: Vec<SVector<f64, 3>>,
     pub(super) states: Vec<State>,
     pub(super) active_sets: Vec<ActiveSet>,
