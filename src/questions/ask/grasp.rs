@@ -312,7 +312,7 @@ impl<const C: usize> Grasp<C> {
         Statics(self)
     }
 
-    /// Questions about derivatives of answers by the data of the grasp.
+    /// Questions about derivatives of answers with respect to the data of the grasp.
     #[must_use]
     pub fn sensitivity(&self) -> Sensitivity<'_, C> {
         Sensitivity(self)

@@ -41,8 +41,8 @@ impl<const C: usize> Grasp<C> {
         self.engine.onset(&inside(&ramp.into()), &self.settings).map(outside)
     }
 
-    /// The equilibrium at a first slip: all contacts stick, those that stop sticking there on the edge of their cone. `None` for the event of a grasp
-    /// with another number of contacts.
+    /// The equilibrium at a first slip. All contacts stick, and the contacts that stop sticking at this load are on the edge of their cones. `None`
+    /// for the event of a grasp with another number of contacts.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -203,7 +203,7 @@ fn seen_from(
     let mut about = parts.with(&touches);
     about.retain(stays);
     if about.is_empty() {
-        // An object that tips on a soft fingertip turns about some points of that tip, while all other points open.
+        // An object that tips on a soft fingertip turns about some points of that fingertip, while all other points open.
         let about = parts.with(&|i| touches(i) && point_stays(i));
         let either = points.iter().all(|i| point_stays(*i) || point_opens(*i));
         if either && !about.is_empty() {

@@ -13,7 +13,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 use crate::words::{LinkKind, MOST_NAMES, Words, listed, open, opens, printable};
 
-/// Appended to the sentence where motions pass the limit of small motions.
+/// Appended to the sentence if motions pass the limit of small motions.
 const NO_LONGER_SMALL: &str = "; beyond this, results for small motions no longer apply";
 
 impl<const C: usize> fmt::Display for Verdict<C> {

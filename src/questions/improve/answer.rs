@@ -17,18 +17,18 @@ pub struct Improved<const C: usize> {
     /// The goal, whose values in the given and in the best grasp are `before` and `after`.
     #[cfg_attr(feature = "serde", serde(default))]
     pub goal: ImproveGoal,
-    /// Value of the given grasp: the least load factor of first slip, or the least reserve, N, over the loads. `None` where a contact slides under
-    /// the base load, no equilibrium under the base load is found, or, for a reserve, a contact slides under a load.
+    /// Value of the given grasp: the least load factor of first slip, or the least reserve, N, over the loads. `None` if a contact slides under the
+    /// base load, no equilibrium under the base load is found, or, for a reserve, a contact slides under a load.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub before: Option<f64>,
-    /// Value of the goal for the best grasp found. `None` where no grasp was found that sticks under the base load and, for a reserve, under the
-    /// loads. Infinite where no contact slides however large the loads are.
+    /// Value of the goal for the best grasp found. `None` if no grasp was found that sticks under the base load and, for a reserve, under the loads.
+    /// Infinite if no contact slides however large the loads are.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub after: Option<f64>,
     /// The size of the load, N, if it is a single force. The load factor of first slip times this size is the force at first slip.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub force: Option<f64>,
-    /// Place and command of every contact in the best grasp found; empty without one.
+    /// Place and command of every contact in the best grasp found; empty if no grasp was found.
     pub contacts: Vec<Placed<C>>,
     /// The active sticking conditions and limits that prevent a larger value, each with its multiplier; empty where no multipliers were found.
     pub in_the_way: Vec<InTheWay>,
@@ -166,8 +166,8 @@ pub enum SearchEnd {
     Stalled,
     /// The search used all of its steps before the gradients cancelled.
     OutOfSteps,
-    /// With some contact at another place nothing would balance the loads. For instance, two point contacts in space resist no moment about the line
-    /// that joins them.
+    /// With some contact at another place nothing would balance the loads. An example is two point contacts in space, which resist no moment about
+    /// the line that joins them.
     Unbalanced,
     /// No contact slides, however large the loads are: the load factor of first slip is infinite.
     NothingSlides,

@@ -90,7 +90,7 @@ impl Spline {
         if self.closed { t.rem_euclid(self.end()) } else { t.clamp(0.0, self.end()) }
     }
 
-    /// The point, m, and the first and second derivative by the parameter, at a parameter.
+    /// The point, m, and its first and second derivatives with respect to the parameter, at the parameter `t`.
     pub(super) fn at(&self, t: f64) -> [SVector<f64, 3>; 3] {
         let k = self.at.partition_point(|at| *at <= t).clamp(1, self.at.len() - 1) - 1;
         let (h, left, right) = (self.at[k + 1] - self.at[k], t - self.at[k], self.at[k + 1] - t);

@@ -102,7 +102,7 @@ impl Spot {
         moved
     }
 
-    /// The same point as a place on each adjacent segment or triangle. Empty unless the place is at the end or edge of its own.
+    /// The same point as a place on each adjacent segment or triangle. Empty unless the place is at the end or edge of its own segment or triangle.
     pub(super) fn adjacent(&self, surface: &Shape) -> Vec<Self> {
         let near = NEGLIGIBLE * surface.largest();
         if surface.parts() == 1 || self.rooms.iter().all(|(_, room)| *room > near) {

@@ -64,7 +64,7 @@ impl Surface<2> {
         Self(Shape::Segments(vec![[in_space(from), in_space(to)]]))
     }
 
-    /// Straight edges from point to point, m. The search moves a contact from one edge to the next where that increases the value of its goal.
+    /// Straight edges from point to point, m. The search moves a contact from one edge to the next if that increases the value of its goal.
     #[must_use]
     pub fn polyline(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
         Self(Shape::polyline(&points.into_iter().map(in_space).list()))
@@ -115,7 +115,7 @@ impl Surface<3> {
     }
 
     /// Triangles, such as those of a mesh, by their corners, m, all in the same order seen from outside. The search moves a contact from one triangle
-    /// to the next where that increases the value of its goal.
+    /// to the next if that increases the value of its goal.
     #[must_use]
     pub fn triangles(corners: impl IntoIterator<Item = [[f64; 3]; 3]>) -> Self {
         Self(Shape::Triangles(corners.into_iter().map(|corners| corners.each(SVector::from)).list()))

@@ -267,8 +267,8 @@ impl Narrowing {
         let last = self.predicted.filter(|at| is_near(*at, from) || is_near(*at, to));
         let new = (tries.rest_ends)(from, to);
         let next = new.or(last);
-        // The difference from the last prediction bounds the error. While it is large, the trial lies on the sufficient side of the prediction, and
-        // then on the insufficient side.
+        // The difference between this prediction and the last one exceeds the error. While it is large, the trial lies on the sufficient side of the
+        // prediction, afterwards on the insufficient side.
         let off = next.zip(self.predicted).map_or(0.0, |(next, last): (f64, f64)| (next - last).abs());
         let end = if off > 0.25 * AT_A_JUMP * to.abs() { from } else { to };
         let moved = |at: f64| at + off.min(0.5 * (end - at).abs()).copysign(end - at);

@@ -17,8 +17,9 @@ use crate::prelude::*;
 use crate::search::Settings;
 
 impl Engine {
-    /// The size (N) and unit direction of the least force through `point` (m) with which a motion exceeds its limit of small motions, in addition to
-    /// a base load under which everything sticks. No smaller force does in any direction as long as everything sticks. `None` if no force does.
+    /// The size (N) and unit direction of the least force through `point` (m) with which a motion exceeds its limit of small motions. The force acts
+    /// in addition to a base load under which everything sticks. As long as everything sticks, no smaller force has this effect in any direction.
+    /// `None` if no force has it.
     pub(crate) fn farthest_direction(
         &self,
         base: &Wrench<3>,
@@ -54,7 +55,7 @@ impl Engine {
     }
 }
 
-/// The size and direction of the shortest x with which a motion, changed by `by_force x`, reaches its limit; `None` if no x does.
+/// The size and direction of the shortest x with which a motion, changed by `by_force x`, reaches its limit; `None` if no x brings it to the limit.
 fn shortest_to_the_limit(
     motion: &CountedMotion,
     by_force: &SMatrix<f64, 3, 3>,

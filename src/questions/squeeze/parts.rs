@@ -9,23 +9,24 @@ use crate::grasp::{Motion, Wrench};
 use crate::numerics::{Each, Harmonic, IntoList, Vector, mapped, moved, summed};
 use crate::prelude::*;
 
-/// The condition `row·F >= 0` of a contact, with the value of `row·F` under `load`, N. `size` is the sum of the magnitudes of the forces that F is
-/// the sum of; it bounds the rounding of F.
+/// The condition `row·F >= 0` on the force F of a contact, which is a sum of several forces.
 pub(super) struct Condition {
     pub(super) row: SVector<f64, 3>,
+    /// The value of `row·F` under `load`, N.
     pub(super) value: f64,
+    /// Sum of the magnitudes of the forces whose sum is F, N; it bounds the rounding of F.
     size: f64,
     pub(super) load: Wrench<3>,
 }
 
-/// The contact forces while all contacts stick, as a sum of two shares: one by the commands at factor 1 (`squeeze`), and one without commands, by the
-/// loads and clearances.
+/// The contact forces while all contacts stick, as a sum of two shares. One is due to the commands at factor 1 (`squeeze`), the other, without
+/// commands, to the loads and clearances.
 pub(super) struct Parts<'l> {
     loads: &'l Loads<3>,
     edges: Vec<Edges>,
     squeeze: ContactForces,
-    /// Contact forces without commands, by the loads and clearances. A list of loads has an entry for each load. A turning load has three entries,
-    /// for its constant, cosine and sine terms. A force of any direction has one entry for the base load.
+    /// Contact forces without commands, due to the loads and clearances. A list of loads has an entry for each load. A turning load has three
+    /// entries, for its constant, cosine and sine terms. A force of any direction has one entry for the base load.
     base: Vec<ContactForces>,
     influences: Vec<Influence>,
 }

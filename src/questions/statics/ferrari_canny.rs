@@ -23,7 +23,7 @@ pub struct WrenchBall<const C: usize> {
     /// mostly with round cones. For a symmetric grasp with round cones, thin faces or too many faces end the search with bounds up to a percent
     /// apart. [`Settings::most_steps`] may end the search before.
     pub at_most: f64,
-    /// A load of size 1 N, measured in the scale; more than `at_most` times this load cannot be balanced.
+    /// The weakest direction, as a load of size 1 N measured in the scale: more than `at_most` times this load cannot be balanced.
     pub weakest: Wrench<C>,
 }
 

@@ -24,7 +24,8 @@ pub enum LoadLimit<const C: usize> {
     Factor {
         /// Lower bound of the largest load factor: with it the load can be balanced.
         at_least: f64,
-        /// Upper bound of the largest load factor. The two bounds differ by at most about 1e-9 of it, unless rounding ended the search before.
+        /// Upper bound of the largest load factor. The two bounds differ by at most about 1e-9 of the factor, unless rounding ended the search
+        /// before.
         at_most: f64,
         /// Forces on the object in the contact frames, N, within the budget, that balance the base load and `at_least` times the load.
         forces: Vec<SVector<f64, C>>,
@@ -66,7 +67,7 @@ impl Engine {
 }
 
 impl<const C: usize> LoadLimit<C> {
-    /// The same limit with factors on a load that is `size` times as large, so that they are divided by `size`.
+    /// This limit with factors on a load that is `size` times as large, so that the factors are divided by `size`.
     fn over(self, size: f64) -> Self {
         match self {
             Self::Factor { at_least, at_most, forces, motion } => {

@@ -1,17 +1,17 @@
-//! The probability that a contact stops sticking under one load, where data of the grasp are uncertain.
+//! The probability that a contact stops sticking under one load, if data of the grasp are uncertain.
 //!
 //! Each facet of the friction cone has a margin, and fails if the margin is negative. The distance of the given data from failure, in standard
 //! deviations, is the reliability β of the facet. The failure probability is `Φ(-β)`, which [`second_order`](super::second_order) corrects. On the
-//! round cone the facet is chosen by the angle θ of its direction. The gradient u(θ) of its margin by the data, scaled to length one, turns with θ.
-//! The probability that the contact fails at any θ (its margin is negative there) is at most
+//! round cone the facet is chosen by the angle θ of its direction. The gradient u(θ) of its margin with respect to the data, scaled to length one,
+//! turns with θ. The probability that the contact fails at any θ (its margin is negative there) is at most
 //!
 //! ```text
 //! Φ(-β(θ₀)) + ∫ φ(β) E[(X' - β')₊] dθ,      X' normal, mean 0, deviation |u'|
 //! ```
 //!
-//! by the mean number of zero crossings of the margin over θ (Rice, Mathematical analysis of random noise, 1944); φ is the normal density, Φ its
-//! distribution, and a prime the derivative by θ. The bound is nearly reached where failures are rare. θ₀ is a direction in which a failure is very
-//! unlikely.
+//! This follows from the mean number of zero crossings of the margin over θ (Rice, Mathematical analysis of random noise, 1944). Here φ is the normal
+//! density, Φ its distribution, and a prime the derivative with respect to θ. The bound is nearly reached if failures are rare. θ₀ is a direction in
+//! which a failure is very unlikely.
 
 use core::f64::consts::{PI, TAU};
 
@@ -24,8 +24,8 @@ use crate::contact::{Edges, round_rows};
 use crate::numerics::{Harmonic, normal_tail};
 use crate::prelude::*;
 
-/// Adds to `events` the possible failures of one contact under a load: its force leaves the cone. A failure rarer than `rare` counts without
-/// correlation. `margin` is scratch memory.
+/// Adds to `events` the possible failures of one contact under a load: its force leaves the cone. A failure rarer than `rare` is counted without its
+/// correlation with other failures. `margin` is scratch memory.
 pub(super) fn failures(
     (contact, edges): (usize, &Edges),
     here: &UncertainForce<'_>,

@@ -1,5 +1,5 @@
 //! The interaction of errors of several data in their effect on a contact force. It is the change of the force if all data are in error at once, less
-//! the sum of its changes by one datum each.
+//! the sum of the changes due to each datum alone.
 
 use nalgebra::{SMatrix, SVector};
 

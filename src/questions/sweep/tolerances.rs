@@ -1,6 +1,6 @@
 //! Accuracies of the load factors and failure probabilities of a reserve.
 
-/// Relative accuracy of the load factor at which the failure probability is the allowed one.
+/// Relative accuracy of the load factor at which the failure probability equals the allowed one.
 ///
 /// If smaller, the search takes more steps, each with the failure probabilities of all contacts. If larger, the load factor jumps with the data.
 pub(super) const PRECISE_FACTOR: f64 = 1e-8;
