@@ -59,7 +59,7 @@ impl<const C: usize> Grasp<C> {
     /// For each contact, whether its state (open, sticking, sliding) can be distinguished from neighbouring states in working precision.
     ///
     /// A state has conditions on gap, normal force, friction margin and slip. Each condition is a difference of two terms. It must exceed 1e-12 of
-    /// these terms, and ten times the estimated error from [`Self::accuracy`]. Where the answer is `false`, the last digits of the data decide
+    /// these terms, and ten times the estimated error from [`Self::accuracy`]. If the answer is `false`, the last digits of the data decide
     /// between, say, sticking and just sliding. Forces and displacements hardly depend on that decision. `None` for an equilibrium with another
     /// number of contacts.
     ///
@@ -81,8 +81,8 @@ impl<const C: usize> Grasp<C> {
         self.of_equilibrium(equilibrium).engine.distinct(&inside(equilibrium))
     }
 
-    /// The proof, by cases, that no equilibrium exists under a load with round friction cones. `None` where an equilibrium exists, where
-    /// [`Settings::most_states`](crate::Settings::most_states) allows too few cases, or where no cone is round, as in the plane.
+    /// The proof, by cases, that no equilibrium exists under a load with round friction cones. `None` if an equilibrium exists, if
+    /// [`Settings::most_states`](crate::Settings::most_states) allows too few cases, or if no cone is round, as in the plane.
     ///
     /// ```
     /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};

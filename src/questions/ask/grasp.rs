@@ -36,7 +36,7 @@ use crate::prelude::*;
 /// | friction, squeeze, stiffness and loads of supports, from observed slips | [`identify`](Self::identify) |
 /// | the direction in which the least force makes a contact stop sticking | [`weakest_direction`](Self::weakest_direction) |
 /// | how an answer changes with the data | [`sensitivity`](crate::ask::Sensitivity::of) |
-/// | the load at first slip where data are uncertain | [`reserve`](Self::reserve) |
+/// | the load at first slip if data are uncertain | [`reserve`](Self::reserve) |
 /// | whether any contact forces could balance a load | [`statics`](Self::statics) |
 /// | all equilibria under a load, the error of one | [`equilibria`](Self::equilibria), [`accuracy`](Self::accuracy), [`distinct`](Self::distinct) |
 /// | many loads, each on a grasp of its own; many questions on all cores | [`hold_batch`](Self::hold_batch), [`need_batch`](Self::need_batch); [`sweep`](crate::sweep) |
@@ -172,7 +172,7 @@ impl<const C: usize> Grasp<C> {
     /// slip and gross slip, up to [`Settings::most_load`].
     ///
     /// A load is a [`Wrench`], applied from zero, or a [`Ramp`] with a base load and changes of commands. The load is followed as by
-    /// [`Self::follow`], without a search for other equilibria, so the verdict is undecided only where the path is undecided. If the load is lost,
+    /// [`Self::follow`], without a search for other equilibria, so the verdict is undecided only if the path is undecided. If the load is lost,
     /// [`Lost::nothing_near`](crate::hold::Lost::nothing_near) proves that no equilibrium near the loss holds it.
     ///
     /// ```

@@ -162,7 +162,7 @@ pub struct Lost<const C: usize> {
     pub kind: LossKind,
     /// The motion with which the object leaves; [`WayOut::NotKnown`] at the end of small motions.
     pub way_out: WayOut<C>,
-    /// The rotation, slip or opening that exceeds the limit of small motions; `None` where equilibrium is lost.
+    /// The rotation, slip or opening that exceeds the limit of small motions; `None` if equilibrium is lost.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub too_far: Option<TooFar>,
     /// Contacts that slide at the loss; in a grasp of several bodies only contacts whose two surfaces move relative to each other.
@@ -206,7 +206,7 @@ pub struct Lost<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct NothingNear {
-    /// Largest displacement from the state of the loss that is covered, m; infinite where no equilibrium exists at all.
+    /// Largest displacement from the state of the loss that is covered, m; infinite if no equilibrium exists at all.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub translation: f64,
     /// Largest rotation from the state of the loss that is covered, rad.

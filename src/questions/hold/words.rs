@@ -124,7 +124,7 @@ impl<const C: usize> Verdict<C> {
         write!(f, ": {lost:.digits$}")
     }
 
-    /// The sentence where motions cease to be small. It begins with gross slip if that comes before; the motion that is too large follows in either
+    /// The sentence if motions cease to be small. It begins with gross slip if that comes before; the motion that is too large follows in either
     /// case.
     fn write_small_motion_limit(
         &self,
@@ -240,7 +240,7 @@ impl<const C: usize> Verdict<C> {
         format!("{}{beside}", size.as_deref().unwrap_or("the load"))
     }
 
-    /// A fraction of the whole load: "8 N of 10 N" where it is a force, in N m where it is a moment, else "0.8 of it".
+    /// A fraction of the whole load: "8 N of 10 N" if it is a force, in N m if it is a moment, else "0.8 of it".
     fn part(&self, factor: f64, words: Words) -> String {
         match self.load.measure() {
             Some(_) => format!("{} of {}", amount_of(self.load.measure(), factor, words), self.whole(words)),

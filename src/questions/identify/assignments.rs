@@ -1,6 +1,6 @@
 //! Searches for further fits of the unknowns to the observed slips, in which other contacts slip first.
 //!
-//! Where several contacts may slip first, the predicted load of a slip has a kink in the unknowns: on each side it depends on the data of one contact
+//! If several contacts may slip first, the predicted load of a slip has a kink in the unknowns: on each side it depends on the data of one contact
 //! alone. A search from one side usually ends there. An assignment says on which unknowns each slip depends. To find others, two unknowns exchange
 //! their values and the search starts anew.
 

@@ -30,13 +30,13 @@ pub struct Improved<const C: usize> {
     pub force: Option<f64>,
     /// Place and command of every contact in the best grasp found; empty if no grasp was found.
     pub contacts: Vec<Placed<C>>,
-    /// The active sticking conditions and limits that prevent a larger value, each with its multiplier; empty where no multipliers were found.
+    /// The active sticking conditions and limits that prevent a larger value, each with its multiplier; empty if no multipliers were found.
     pub in_the_way: Vec<InTheWay>,
     /// How the search for the best grasp found ended.
     pub search: SearchEnd,
     /// Residual of first-order optimality: the largest component of the sum of the gradients of sticking conditions and limits, weighted by their
     /// multipliers, or their complementarity if that is larger. It is relative to the load factor of first slip, or for a reserve to the greatest
-    /// force under the base load. Places are in units of the grasp's size, squeezes in units of the greatest allowed force. `None` where no
+    /// force under the base load. Places are in units of the grasp's size, squeezes in units of the greatest allowed force. `None` if no
     /// multipliers were found.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub residual: Option<f64>,

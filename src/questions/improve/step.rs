@@ -54,7 +54,7 @@ struct Solved {
 
 impl StepProgram {
     /// The solution of the quadratic program with each variable within `radius` of its present value and within `reach`. `None` without a finite
-    /// event value, or where rounding prevents a solution.
+    /// event value, or if rounding prevents a solution.
     pub(super) fn step(&self, radius: f64, curvature: &DMatrix<f64>) -> Option<TrialStep> {
         let n = self.reach.len();
         // Among several steps with equal gain, this small multiple of the identity, added to the Hessian, makes the shortest the best.

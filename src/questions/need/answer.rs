@@ -39,7 +39,7 @@ pub struct Needed {
     /// The part that exerts the sought force, or the load at rest if that is sought; `None` for other quantities.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub of: Option<PressedBy>,
-    /// Whether a squeeze was asked for where no command presses. The sought quantity is then the force of the only loaded body, or the load at rest
+    /// Whether a squeeze was asked for although no command presses. The sought quantity is then the force of the only loaded body, or the load at rest
     /// if no body is loaded.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub in_place_of_squeeze: bool,
@@ -79,10 +79,10 @@ pub struct PressedBy {
     pub part: Option<String>,
     /// Whether the part is a body, which presses by its load.
     pub is_body: bool,
-    /// Size of the given force, in `unit`: amounts are multiples of it. `None` where the load is neither one force nor one moment.
+    /// Size of the given force, in `unit`: amounts are multiples of it. `None` if the load is neither one force nor one moment.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub size: Option<f64>,
-    /// Unit of `size`, N or N m; `None` where `size` is `None`.
+    /// Unit of `size`, N or N m; `None` if `size` is `None`.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub unit: Option<String>,
 }
@@ -129,7 +129,7 @@ pub enum Amount {
         does: f64,
         /// The insufficient amount next to `does`. Either the grasp was computed with it, or a proof excludes it. As a rule the two amounts differ by
         /// a fraction of at most 1e-12; in [`Needed::sticks`] and [`Needed::safe`] of at most 1e-8. In space, and for a force of any
-        /// direction, the fraction is up to 1e-6 where the carried part of the load jumps at the bound. It is 1e-5 or more where only an
+        /// direction, the fraction is up to 1e-6 if the carried part of the load jumps at the bound. It is 1e-5 or more if only an
         /// enumeration of contact states shows that an amount is insufficient.
         does_not: f64,
         /// The verdict on the grasp with `does_not`, in a sentence.
@@ -157,7 +157,7 @@ pub enum Amount {
         /// quantities.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
         at_their_limit: Vec<String>,
-        /// The amounts that were tried. `None` where no other amount can meet the demand: a proof excludes all others, or a larger load is never
+        /// The amounts that were tried. `None` if no other amount can meet the demand: a proof excludes all others, or a larger load is never
         /// easier to carry.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         tried: Option<TriedAmounts>,
@@ -171,7 +171,7 @@ pub enum Amount {
         /// longer with a very short one. `None` if all amounts tried on that side are sufficient.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         until: Option<FarEnd>,
-        /// The amounts that were tried. `None` where no other amount can meet the demand: a proof excludes all others, or a larger load is never
+        /// The amounts that were tried. `None` if no other amount can meet the demand: a proof excludes all others, or a larger load is never
         /// easier to carry.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         tried: Option<TriedAmounts>,

@@ -15,7 +15,7 @@ use crate::prelude::*;
 use crate::squeeze::WeakestDirection;
 
 impl Loading {
-    /// Whether everything sticks at rest, under `load` alone, and with a force of any direction added to `load`. `None` where something slides and
+    /// Whether everything sticks at rest, under `load` alone, and with a force of any direction added to `load`. `None` if something slides and
     /// the demand allows sliding.
     pub(super) fn any_force(
         &self,

@@ -33,7 +33,7 @@
 //! answer therefore says how many amounts were tried ([`TriedAmounts`]), unless a proof excludes all others. If only loads and squeeze act, twice the
 //! squeeze carries twice the load. The scan is then omitted, unless a much larger squeeze moves the part too far.
 //!
-//! Where no command presses there is no squeeze to scale. Then the force of the only loaded body is sought in its place, or the load at rest, and the
+//! If no command presses there is no squeeze to scale. Then the force of the only loaded body is sought in its place, or the load at rest, and the
 //! answer says so.
 
 mod amount_words;

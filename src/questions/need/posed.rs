@@ -65,7 +65,7 @@ pub(super) struct Posed {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Sought {
     Squeeze,
-    /// The squeeze where no command presses, but contacts overlap, as in a press fit.
+    /// The squeeze if no command presses, but contacts overlap, as in a press fit.
     Overlaps,
     /// The contact points whose coefficient is sought; `None` for all contact points with friction.
     Friction {
@@ -123,8 +123,8 @@ impl Posed {
         self.loads.check_size()
     }
 
-    /// The question with the data of this grasp. The friction of a soft fingertip is set at all its points. Where no command presses, a force is
-    /// sought in place of a squeeze. It is the load of the only loaded body, or the load at rest where no body is loaded and no contacts overlap.
+    /// The question with the data of this grasp. The friction of a soft fingertip is set at all its points. If no command presses, a force is
+    /// sought in place of a squeeze. It is the load of the only loaded body, or the load at rest if no body is loaded and no contacts overlap.
     pub(super) fn on(mut self, grasp: &Grasp<3>) -> Result<Self, Error> {
         match &mut self.sought {
             Sought::Friction { contacts: Some(contacts) } => *contacts = grasp.points_of(contacts)?,
@@ -313,7 +313,7 @@ impl Need<3> {
     }
 }
 
-/// The error of a question without a load where nothing acts at rest.
+/// The error of a question without a load if nothing acts at rest.
 const NO_LOAD: Error = Error::Question {
     question: "need",
     field: "load",

@@ -148,7 +148,7 @@ pub(super) fn in_words(words: Words, presses: &[Press], times: String) -> String
     }
 }
 
-/// The multiple `times` of the given squeeze, with the force that is set, where no contact presses at rest.
+/// The multiple `times` of the given squeeze, with the force that is set, if no contact presses at rest.
 fn with_what_is_set(words: Words, presses: &[Press], times: String) -> String {
     let set: Vec<&Press> = presses.iter().filter(|press| press.is_set).collect();
     match set.first().and_then(|first| first.pressed_with) {

@@ -48,7 +48,7 @@ pub struct Need<const C: usize> {
     /// The demand that the amount has to meet: by default that the object is held. Then the answer adds the amount with which nothing slides.
     #[cfg_attr(feature = "serde", serde(default))]
     pub(super) demand: Demand,
-    /// The load at rest; none if left out. It is constant, except where a force without `of` is sought: then amounts multiply it.
+    /// The load at rest; none if left out. It is constant, except if a force without `of` is sought: then amounts multiply it.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(crate) base: Option<Wrench<C>>,
     /// One load. For an arm: the wrench of the force at displacement 0.

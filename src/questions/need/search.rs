@@ -1,7 +1,7 @@
 //! The search for a sufficient amount, and then for a neighbouring insufficient one: together a bracket of the bound, which `threshold` narrows.
 //!
-//! An amount is sufficient if the grasp meets the demand with it (its [`Trial`]). Easier amounts lie above where the least amount is sought, and
-//! below where the greatest is sought.
+//! An amount is sufficient if the grasp meets the demand with it (its [`Trial`]). Easier amounts lie above if the least amount is sought, and
+//! below if the greatest is sought.
 
 use super::between::refined;
 use super::range::Range;
@@ -77,7 +77,7 @@ pub(super) struct SearchPlan {
     pub(super) is_least: bool,
     /// How the bound is estimated from a carried part of the load.
     pub(super) guess: Guess,
-    /// Whether it is known that all easier amounts suffice if one does. Easier amounts are larger where the least amount is sought, and smaller where
+    /// Whether it is known that all easier amounts suffice if one amount does. Easier amounts are larger if the least amount is sought, and smaller if
     /// the greatest is sought.
     pub(super) is_monotone: bool,
     /// Whether the search goes in both directions and between the amounts tried. Otherwise it tries only a few easier amounts, such as more squeeze

@@ -26,10 +26,10 @@ impl Threshold {
         self.narrowed(tries, does, BESIDE_A_BOUND)
     }
 
-    /// This bracket narrowed by secants of a [measure](Trial::measures) of the distance to the bound. Where the measure is unknown, jumps, or is at
+    /// This bracket narrowed by secants of a [measure](Trial::measures) of the distance to the bound. If the measure is unknown, jumps, or is at
     /// the level of rounding, the bracket is halved. `does` contains the two measures at the sufficient amount.
     ///
-    /// The first measure is the carried part of the load. Where it jumps, the second margin of the trial is used.
+    /// The first measure is the carried part of the load. If it jumps, the second margin of the trial is used.
     pub(super) fn narrowed(
         mut self,
         tries: Tries<'_>,
@@ -338,7 +338,7 @@ fn signs_differ(sides: &[Side; 2], which: usize) -> Option<[f64; 2]> {
     (over >= 0.0 && under <= 0.0 && over > under).then_some([over, under])
 }
 
-/// Relative distances from the bound at which full trials are made where quick trials leave amounts beside the bound undecided. The next distance is
+/// Relative distances from the bound at which full trials are made if quick trials leave amounts beside the bound undecided. The next distance is
 /// used if the trial at the one before is undecided.
 ///
 /// If smaller, the enumeration of contact states takes longer, or is undecided. If larger, the insufficient amount of the answer is farther from the
@@ -356,7 +356,7 @@ const HARDLY_APART: [f64; 6] = [0.0, 1e-9, 1e-7, 1e-5, 1e-3, 1e-1];
 /// Differences of a measure between two amounts below this are due to rounding.
 const ROUNDING: f64 = 1e-11;
 
-/// The mean of two amounts, geometric where their ratio exceeds [`FAR_APART`].
+/// The mean of two amounts, geometric if their ratio exceeds [`FAR_APART`].
 fn middle(from: f64, to: f64) -> f64 {
     let is_far = from > 0.0 && to > 0.0 && (from / to).max(to / from) > FAR_APART;
     if is_far { (from * to).sqrt() } else { 0.5 * (from + to) }

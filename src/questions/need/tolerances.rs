@@ -52,7 +52,7 @@ pub(super) const EXACT: Enough = &[(0, 1e-12), (64, 5e-10)];
 /// If smaller, halvings take most of the time of an answer. If larger, the bracket shows in the answer.
 pub(super) const AT_A_JUMP: f64 = 1e-6;
 
-/// The widths at which the bracket of the sought amount is narrow enough in space, where the verdicts come from load paths with step errors.
+/// The widths at which the bracket of the sought amount is narrow enough in space, since the verdicts come from load paths with step errors.
 ///
 /// If narrower, load paths begin where equilibria vanish (a fold), with hundreds of short steps. If wider, the width shows in the answer.
 pub(super) const EXACT_IN_SPACE: Enough = &[(0, 1e-10), (64, 5e-10)];

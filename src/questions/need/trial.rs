@@ -23,7 +23,7 @@ pub(super) enum Trial {
     DoesNot {
         /// The verdict in a sentence.
         says: String,
-        /// The fraction of the load that is carried with the amount; below 0 where the load at rest is not carried in full.
+        /// The fraction of the load that is carried with the amount; below 0 if the load at rest is not carried in full.
         carried: f64,
         /// The second margin, as in `Does`. At a bound of the sufficient amounts where the carried part jumps, this margin may still fall below 0
         /// continuously.
@@ -66,7 +66,7 @@ impl Trial {
         self.carried().is_none_or(|carried| carried > NOT_AT_REST && carried < 0.0)
     }
 
-    /// The carried multiple of the load; `None` where the trial is undecided.
+    /// The carried multiple of the load; `None` if the trial is undecided.
     pub(super) fn carried(&self) -> Option<f64> {
         match self {
             Self::Does { carried, .. } | Self::DoesNot { carried, .. } => Some(*carried),

@@ -49,7 +49,7 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
         (Kernels::get().prepare)(contacts).map(|grasp| Self { grasp })
     }
 
-    /// The load factor at which the first contact stops sticking as the load grows, and the contacts that stop sticking there. Where screening cannot
+    /// The load factor at which the first contact stops sticking as the load grows, and the contacts that stop sticking there. If screening cannot
     /// decide, the verdict says why.
     #[must_use]
     pub fn onset(&self, pull: &Pull<C>) -> Screened {
@@ -97,7 +97,7 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
         (Kernels::get().gradient.one)(&self.grasp, &question, &mut gradients.numbers);
     }
 
-    /// The least common factor of all commands with which every contact touches and sticks under each of the loads. Clearances are not scaled. Where
+    /// The least common factor of all commands with which every contact touches and sticks under each of the loads. Clearances are not scaled. If
     /// screening cannot decide, the verdict says why.
     ///
     /// ```

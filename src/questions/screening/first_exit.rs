@@ -19,7 +19,7 @@ struct Exit<X: Packed> {
     margin: X,
     /// Bound of the rounding error of `margin`.
     rounding: X,
-    /// Minus infinity where a product of forces is so large or small that squares over- or underflow and the load factor is unknown; else zero.
+    /// Minus infinity if a product of forces is so large or small that squares over- or underflow and the load factor is unknown; else zero.
     lost: X,
 }
 

@@ -107,7 +107,7 @@ impl Cycle {
 
     /// Whether the object has moved from the beginning of the cycle to its end, beyond rounding, with a contact that slid.
     pub(super) fn walks(&self) -> bool {
-        // Where directions of slip turn along the load path, the error of the slips in a cycle may be a hundred times the estimated step errors.
+        // If directions of slip turn along the load path, the error of the slips in a cycle may be a hundred times the estimated step errors.
         let still = NEGLIGIBLE.max(100.0 * self.record.step_error) * self.scale.stretch;
         let slips = self.to.slips.iter().zip(&self.from.slips);
         slips.enumerate().any(|(i, (to, from))| self.slides(i) && (to - from).norm() > still)

@@ -42,7 +42,7 @@ pub struct Shaken<const C: usize> {
     /// geometry. `None` if all motions are small.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub too_far: Option<TooFar>,
-    /// The equilibrium after the last cycle that was followed, before the next one begins; `None` where the load path has ended.
+    /// The equilibrium after the last cycle that was followed, before the next one begins; `None` if the load path has ended.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub state: Option<Box<Equilibrium<C>>>,
 }

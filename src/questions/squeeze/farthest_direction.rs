@@ -85,7 +85,7 @@ fn shortest_to_length(length: f64, a: &SVector<f64, 3>, b: &SMatrix<f64, 3, 3>) 
     };
     let along_first = |part: f64| (length * length - others(part)).max(0.0).sqrt();
     let (mut low, mut high) = (0.0, 1.0);
-    // The first component at the limit, `along_first`, is at least c₁ / part where |s| is less than its limit. Sixty halvings leave rounding.
+    // The first component at the limit, `along_first`, is at least c₁ / part if |s| is less than its limit. Sixty halvings leave rounding.
     for _ in 0..60 {
         let part = 0.5 * (low + high);
         let is_within = along_first(part) * part > along[0].abs();

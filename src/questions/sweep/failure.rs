@@ -107,7 +107,7 @@ fn failure_of_round(
     let first_order = here.first_order();
     let roughly = |angle: f64| first_order.reliability(&around.at(angle));
     let narrower = 0.75;
-    // The integral extends to where the normal density has fallen to exp(-9) of its maximum. That range of angles is narrow where β grows steeply
+    // The integral extends to where the normal density has fallen to exp(-9) of its maximum. That range of angles is narrow if β grows steeply
     // with the angle.
     let enough = (least * least + 2.0 * 9.0).sqrt();
     let mut half = PI;

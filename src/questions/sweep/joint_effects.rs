@@ -32,7 +32,7 @@ pub(super) struct OffTogether {
 
 impl OffTogether {
     /// The exact force on contact or drive `i` under `load`, N, if the data and last the load factor have the errors `z`, in standard deviations.
-    /// `None` where a datum leaves its allowed range.
+    /// `None` if a datum leaves its allowed range.
     fn force(&self, i: usize, load: &Wrench<3>, z: &[f64]) -> Option<SVector<f64, 3>> {
         let grasp = with_errors(&self.grasp, &self.data, z).ok()?;
         let response = StickingResponse::in_states(&grasp, self.cone, &self.states);

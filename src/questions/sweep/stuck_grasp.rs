@@ -239,7 +239,7 @@ fn root(f: &dyn Fn(f64) -> f64, (guess, mut slope): (f64, f64), end: f64, precis
             slope = (value - before) / (at - from);
         }
         last = Some((at, value));
-        // Secant steps are slow where a function is far from linear, so from the twelfth step on every second one is a bisection.
+        // Secant steps are slow if a function is far from linear, so from the twelfth step on every second one is a bisection.
         let halves = step >= 12 && step % 2 == 0;
         let next = if halves { f64::NAN } else { at - value / slope };
         let near = 0.5 * precise * at;
