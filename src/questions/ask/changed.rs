@@ -136,8 +136,8 @@ impl<const C: usize> Grasp<C> {
         self.changed(self.engine.growing_together(&inside(load), &named.list()))
     }
 
-    /// This grasp with other coefficients of friction. `friction` gets the index of a contact and its present coefficient, and returns the new one.
-    /// Coefficients of [kinetic friction](crate::grasp::Contact::kinetic) change in proportion.
+    /// This grasp with other coefficients of friction. `friction` gets the index of a contact and its present coefficient, and returns the new
+    /// coefficient. Coefficients of [kinetic friction](crate::grasp::Contact::kinetic) change in proportion.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp};

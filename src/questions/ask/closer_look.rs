@@ -12,9 +12,9 @@ use crate::prelude::*;
 impl<const C: usize> Grasp<C> {
     /// All equilibria under a load, for few contacts, by trying every combination of contact states. The equilibrium that [`Self::solve`] returns is
     /// among them. On the round cone the list has that equilibrium, and those that Newton's method reaches from the equilibria on the polygonal cone;
-    /// others may be missing. An empty list is no proof that there is none: [`Self::solve`] returns the proof, if one is found. An equilibrium that
-    /// satisfies several combinations, such as a contact exactly on the edge of its cone, is listed once. Of a line of equilibria one point is
-    /// listed, with its [`neutral_motions`](Equilibrium::neutral_motions).
+    /// others may be missing. An empty list does not prove that no equilibrium exists: [`Self::solve`] returns a proof if it finds one. An
+    /// equilibrium that satisfies several combinations, such as a contact exactly on the edge of its cone, is listed once. Of a line of equilibria
+    /// one point is listed, with its [`neutral_motions`](Equilibrium::neutral_motions).
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

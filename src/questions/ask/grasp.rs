@@ -29,7 +29,7 @@ use crate::prelude::*;
 /// | motion of the object and contact forces under a load, or the proof that no equilibrium exists | [`solve`](Self::solve) |
 /// | the load factor at first slip | [`onset`](Self::onset) |
 /// | the angle at first slip while the load turns, such as a tilted weight | [`onset_of_turn`](Self::onset_of_turn) |
-/// | the behaviour just beyond a first slip, and the equilibrium there | [`beyond`](Self::beyond), [`state_at_onset`](Self::state_at_onset) |
+/// | the behaviour just beyond a first slip, and the equilibrium at first slip | [`beyond`](Self::beyond), [`state_at_onset`](Self::state_at_onset) |
 /// | every event of a load program, with slip memory | [`follow`](Self::follow); of thousands of contacts, in steps, [`follow_in_steps`](Self::follow_in_steps) |
 /// | squeeze, friction, load, arm or angle needed to hold | [`need`](Self::need); for squeeze in closed form [`least_squeeze`](Self::least_squeeze) |
 /// | the places of the fingers, and their squeezes, with the latest first slip | [`improve`](Self::improve) |

@@ -19,8 +19,8 @@ use crate::prelude::*;
 ///
 /// Load and commands are affine in the factor τ. So is the vector of the complementarity problem of the [quadratic program](super::MinimumEnergy),
 /// while its matrix is constant. Lemke's method with τ as the parameter goes from one set of open contacts to the next. It ends once the multiplier
-/// of a friction constraint enters the basis: from there on this multiplier pushes the object, and Coulomb's law is violated. The paper (see
-/// [`energy`](crate::energy)) predicts sliding in this way.
+/// of a friction constraint enters the basis: from this load factor on, the multiplier pushes the object, and Coulomb's law is violated. The paper
+/// (see [`energy`](crate::energy)) predicts sliding in this way.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum Agreement<const C: usize> {

@@ -22,7 +22,7 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Comparison<const C: usize> {
-    /// Answer of the complementarity problem: the equilibrium, a proof that there is none, or undecided.
+    /// Answer of the complementarity problem: the equilibrium, a proof that no equilibrium exists, or undecided.
     pub equilibrium: Outcome<C>,
     /// Answer of the quadratic program: its minimum, with the binding friction constraints and the imbalance of forces, or the reason why it has no
     /// minimum.

@@ -104,7 +104,7 @@ pub struct MinimumEnergy<const C: usize> {
     pub(super) inside: Inside,
 }
 
-/// Motion and motions without resistance of a minimum, in the engine's coordinates. The motions without resistance are orthonormal there.
+/// Motion and motions without resistance of a minimum, in the engine's coordinates, in which the motions without resistance are orthonormal.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Inside {
     pub(super) twist: Coordinates,
@@ -144,7 +144,7 @@ pub struct Binding {
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub facet: Option<usize>,
     /// Multiplier λ >= 0 of the constraint on the friction margin `μ F_n - h·F_t` at the facet h, m: energy per unit of the margin. Zero if the force
-    /// lies on the facet without being held there.
+    /// lies on the facet without being held on it.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub multiplier: f64,
 }

@@ -111,7 +111,7 @@ pub enum Holding<const C: usize> {
     Loose,
     /// Equilibrium is lost before the whole load is applied, or motions cease to be small.
     Lost,
-    /// The grasp has no equilibrium even under the base load. The variant carries the proof that there is none.
+    /// The grasp has no equilibrium even under the base load. The variant carries the proof.
     NoRest(NoEquilibrium<C>),
     /// The grasp loses the base load as this load grows from zero together with the commands. A load path shows this loss; it is no proof as in
     /// [`Self::NoRest`].

@@ -1,8 +1,8 @@
 //! Searches for further fits of the unknowns to the observed slips, in which other contacts slip first.
 //!
 //! If several contacts may slip first, the predicted load of a slip has a kink in the unknowns: on each side it depends on the data of one contact
-//! alone. A search from one side usually ends there. An assignment says on which unknowns each slip depends. To find others, two unknowns exchange
-//! their values and the search starts anew.
+//! alone. A search from one side usually ends at the kink. An assignment says on which unknowns each slip depends. To find others, two unknowns
+//! exchange their values and the search starts anew.
 
 use core::f64::consts::LN_2;
 
@@ -68,7 +68,7 @@ impl Assignments<'_> {
         Ok(true)
     }
 
-    /// Searches by bisection between two points for a third assignment, and starts a search for a fit there. As one unknown falls from one point to
+    /// Searches by bisection between two points for a third assignment, and starts a search for a fit from it. As one unknown falls from one point to
     /// the other, slips begin to depend on it one after the other.
     fn between(&mut self, mut low: Vec<f64>, mut high: Vec<f64>, ends: [&Linear; 2]) -> Result<(), Error> {
         for _ in 0..MOST_BISECTIONS {
@@ -87,7 +87,7 @@ impl Assignments<'_> {
     }
 
     /// Exchanges the values of two unknowns of the fit at index `at`, then halves the smaller one until slips depend on other unknowns, and starts
-    /// searches for fits there.
+    /// searches for fits from these points.
     fn weaken(&mut self, at: usize, pair: (usize, usize)) -> Result<(), Error> {
         let Some(mut before) = self.fits[at].linear.clone() else { return Ok(()) };
         let mut from = self.fits[at].logs.clone();

@@ -42,8 +42,8 @@ impl Model<'_> {
         Huber(self.asked.outliers())
     }
 
-    /// Relative standard deviations of the observations. For slips they are the given ones, or one for all slips is estimated from the residuals,
-    /// with `rank` combinations of unknowns fitted.
+    /// Relative standard deviations of the observations. For slips they are given, or one standard deviation common to all slips is estimated from
+    /// the residuals, with `rank` combinations of unknowns fitted.
     pub(super) fn scatter(&self, residuals: &[f64], rank: usize) -> Scatter {
         let (slips, known) = (&self.asked.slips, &self.asked.known);
         let given: Option<Vec<f64>> = slips.iter().map(|slip| slip.scatter).collect();

@@ -228,7 +228,7 @@ impl Identify<3> {
     }
 
     /// A load at rest, from which a scene decides whether anything presses on the contacts. It is the load at rest of the first slip if carried
-    /// forces are sought, or if every slip has one; else zero.
+    /// forces are sought, or if every slip has a load at rest; else zero.
     #[cfg(feature = "serde")]
     pub(crate) fn at_rest(&self) -> Wrench<3> {
         let mut all = self.slips.iter().map(Slip::at_rest);

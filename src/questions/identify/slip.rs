@@ -52,7 +52,7 @@ pub struct Slip<const C: usize> {
     /// A turn up to the angle at the slip, instead of a load.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) turn: Option<Turn<C>>,
-    /// The constant load that acts before and beside the growing one; zero if left out.
+    /// The constant load that acts before and beside the growing load; zero if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) base: Option<Wrench<C>>,
     /// Factor on the squeeze of the scene; 1 if left out.

@@ -42,7 +42,7 @@ pub struct Improved<const C: usize> {
     pub residual: Option<f64>,
     /// Number of starting grasps, of the given one and the random ones, in which all contacts stick under the base load.
     pub starts: usize,
-    /// Number of steps tried in the ascents from all starts, including refused ones.
+    /// Number of steps tried in the ascents from all starts, including refused steps.
     pub steps: usize,
 }
 
@@ -121,7 +121,7 @@ pub enum Binds {
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         share: f64,
     },
-    /// Under the base load the contact's normal force is the greatest allowed one.
+    /// Under the base load the contact's normal force is the greatest allowed force.
     Force {
         /// Gain per newton by which the greatest allowed force were larger.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]

@@ -94,7 +94,7 @@ impl<const C: usize> Improve<C> {
         self.base.unwrap_or(Wrench::ZERO)
     }
 
-    /// The load that grows, if the question has a single one; `None` for a list or a force of any direction.
+    /// The load that grows, if the question has a single load; `None` for a list or a force of any direction.
     #[must_use]
     pub fn load(&self) -> Option<Wrench<C>> {
         self.load.filter(|_| self.any_force.is_none())
@@ -171,7 +171,7 @@ impl<const C: usize> Improve<C> {
         self
     }
 
-    /// Sets the largest number of steps from each start, including refused ones (default 200).
+    /// Sets the largest number of steps from each start, including refused steps (default 200).
     #[must_use]
     pub fn with_steps(mut self, steps: usize) -> Self {
         self.steps = Some(steps);

@@ -6,7 +6,8 @@ use nalgebra::{DMatrix, SVector};
 
 use crate::prelude::*;
 
-/// A cubic spline: its points, their parameters `at` (the distance along the polygon through them, m), and its second derivatives `bends` there.
+/// A cubic spline: its points, their parameters `at` (the distance along the polygon through them, m), and its second derivatives `bends` at the
+/// points.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Spline {
     points: Vec<SVector<f64, 3>>,

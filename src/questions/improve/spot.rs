@@ -8,8 +8,8 @@ use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{Draw, IntoList, mapped, numbered};
 use crate::prelude::*;
 
-/// A place on a curve or surface. `part` is the index of its segment or triangle (0 on other shapes). `at` are its coordinates there: lengths, m, or
-/// angles, rad; on a sphere a unit direction.
+/// A place on a curve or surface. `part` is the index of its segment or triangle (0 on other shapes). `at` are its coordinates on this part: lengths,
+/// m, or angles, rad; on a sphere a unit direction.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Spot {
     part: usize,

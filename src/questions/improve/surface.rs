@@ -96,7 +96,7 @@ fn in_space(point: impl Into<[f64; 2]>) -> SVector<f64, 3> {
 }
 
 impl Surface<3> {
-    /// A plane rectangle: a corner and the two sides from there, at a right angle, m.
+    /// A plane rectangle: a corner and the two sides from this corner, at a right angle, m.
     #[must_use]
     pub fn rectangle(corner: impl Into<[f64; 3]>, sides: [[f64; 3]; 2]) -> Self {
         Self(Shape::Rectangle { corner: corner.into().into(), sides: sides.each(SVector::from) })
@@ -123,8 +123,8 @@ impl Surface<3> {
 }
 
 impl<const C: usize> Surface<C> {
-    /// The point of the surface nearest to `point`, m, and the unit normal there. Of its two signs the normal has the one at most 90° from `normal`,
-    /// whose length does not matter. A contact that may move along the surface has to be at such a point.
+    /// The point of the surface nearest to `point`, m, and the unit normal at this point. Of its two signs the normal has the one at most 90° from
+    /// `normal`, whose length does not matter. A contact that may move along the surface has to be at such a point.
     ///
     /// ```
     /// use grasp_lcp::improve::Surface;

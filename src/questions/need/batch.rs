@@ -227,7 +227,8 @@ impl Asked {
             let lost = lost_at(&grasp.hold_briefly(&ramp)?.0);
             return Ok(lost.and_then(|(multiple, _)| self.amount(multiple)));
         }
-        // Motions may be too large at the given squeeze, but small at the sought one. So the path to the loss is followed without limits on motions.
+        // Motions may be too large at the given squeeze, but small at the sought squeeze. So the path to the loss is followed without limits on
+        // motions.
         let (mut unlimited, small) = (self.settings, &self.settings.small_motions);
         let wider = ANY_MOTION.min(MOST_LIMIT / small.rotation.max(small.slip));
         unlimited.small_motions.rotation *= wider;

@@ -39,7 +39,7 @@ impl<const C: usize> Grasp<C> {
     /// # Errors
     /// As for [`Self::hold`] of its loads. [`Error::Argument`] for reductions of friction or squeeze outside `0 <= part < 1`, and for a factor of
     /// safety outside `0 < factor <= 1e50`; also for a contact that does not exist. [`Error::Question`] for repeated loads with a force of any
-    /// direction, and for the load at rest sought without one. [`Error::Part`] if no part with the given name presses.
+    /// direction, and if the load at rest is sought but not given. [`Error::Part`] if no part with the given name presses.
     #[doc(alias = "grip force")]
     #[doc(alias = "required")]
     pub fn need(&self, need: &Need<C>) -> Result<Needed, Error> {
@@ -280,8 +280,8 @@ fn by_proof(plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Amount>, Error
     Ok(Some(nothing_does(vec![(plan.start, trial)], plan.limits, Some(&plan.range))))
 }
 
-/// The answer if proofs exclude all amounts but one, and this one suffices; `None` otherwise. If the one amount is 1 up to rounding, the given
-/// multiple 1 is tried in its place.
+/// The answer if proofs exclude all amounts but one, and this one suffices; `None` otherwise. If this amount is 1 up to rounding, the given multiple
+/// 1 is tried in its place.
 fn only_amount(plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Amount>, Error> {
     let Some(only) = plan.range.point() else { return Ok(None) };
     let does = if (only - 1.0).abs() <= NEGLIGIBLE { 1.0 } else { only };

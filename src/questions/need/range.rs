@@ -97,7 +97,7 @@ impl Range {
             let (work, beyond) = (works(&here)?, works(&there)?);
             // The load does positive work along the motion at both ends of the range, so no contact forces balance it at any amount between them.
             if beyond >= 0.0 || at == end {
-                // If proofs from both sides exclude all amounts down to a single one, this last amount may be excluded due to rounding only.
+                // If proofs from both sides exclude all amounts down to a single amount, this last amount may be excluded due to rounding only.
                 let root = at + (end - at) * (work / (work - beyond));
                 self.only = (at == end || (root - end).abs() <= NEGLIGIBLE * end).then_some(end);
                 self.is_empty = true;

@@ -1,4 +1,4 @@
-//! The search for a sufficient amount, and then for a neighbouring insufficient one: together a bracket of the bound, which `threshold` narrows.
+//! The search for a sufficient amount, and then for a neighbouring insufficient amount: together a bracket of the bound, which `threshold` narrows.
 //!
 //! An amount is sufficient if the grasp meets the demand with it (its [`Trial`]). Easier amounts lie above if the least amount is sought, and
 //! below if the greatest is sought.
@@ -105,7 +105,7 @@ impl SearchPlan {
         if up { self.range.high } else { self.range.low }
     }
 
-    /// Whether a proof excludes all amounts beyond this one, to the accuracy of the proof.
+    /// Whether a proof excludes all amounts beyond this amount, to the accuracy of the proof.
     pub(super) fn is_the_end(&self, amount: f64, up: bool) -> bool {
         let [.., nearby] = NEAR_AN_END;
         self.end(up).is_some_and(|end| (amount - end).abs() <= nearby * end.abs())
@@ -178,8 +178,9 @@ impl SearchPlan {
     }
 }
 
-/// From a sufficient first amount the search goes towards harder amounts (less squeeze, more load), from an insufficient one towards easier ones. If
-/// no amount there suffices, the other direction is tried, then the intervals between the amounts tried. Trials in `known` are not repeated.
+/// From a sufficient first amount the search goes towards harder amounts (less squeeze, more load), from an insufficient first amount towards easier
+/// amounts. If no amount in that direction suffices, the other direction is tried, then the intervals between the amounts tried. Trials in `known`
+/// are not repeated.
 pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]) -> Result<Searched, Error> {
     let more = plan.is_least;
     let (does, mut vain): (Vec<_>, Vec<_>) = known.iter().cloned().partition(|(_, trial)| trial.does());
@@ -344,7 +345,7 @@ fn edge_from(
     first_insufficient(tries, plan, (does, trial))
 }
 
-/// The bracket of the bound beyond a sufficient amount if no guess of the bound has found an insufficient one.
+/// The bracket of the bound beyond a sufficient amount if no guess of the bound has found an insufficient amount.
 fn first_insufficient(
     tries: Tries<'_>,
     plan: &SearchPlan,

@@ -64,7 +64,7 @@ impl Threshold {
         }
         self.does = presumed.does;
         // In space, some amounts are shown to be insufficient only by the enumeration of contact states. This takes the longer, the nearer the amount
-        // is to the bound, and right beside the bound it does not end. So the insufficient amount of the answer keeps a distance to the bound there.
+        // is to the bound, and right beside the bound it does not end. So the insufficient amount of the answer then keeps a distance to the bound.
         let is_hard = presumed.does_not.1.needs_enumeration();
         let far = self.does_not.0;
         let at_a_distance = |part: f64| beside + (far - beside).signum() * part * beside.abs();
@@ -331,7 +331,7 @@ pub(super) fn where_it_vanishes(points: [Option<(f64, f64)>; 3]) -> Option<f64> 
     Some(x0 + (end - m0) * (slope + bend * (end - m1)))
 }
 
-/// A measure at both ends of the bracket, the sufficient end first; `None` unless its signs there differ by more than rounding.
+/// A measure at both ends of the bracket, the sufficient end first; `None` unless its signs at the two ends differ by more than rounding.
 fn signs_differ(sides: &[Side; 2], which: usize) -> Option<[f64; 2]> {
     let (over, under) = (sides[0].measures[which]?, sides[1].measures[which]?);
     let (over, under) = (if over > -ROUNDING { over.max(0.0) } else { over }, under);

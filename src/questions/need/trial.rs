@@ -75,7 +75,7 @@ impl Trial {
     }
 
     /// Two measures of the distance from the bound of the sufficient amounts: the carried part less 1, and the second margin. Each measure vanishes
-    /// at the bound, unless it jumps there. `None` if a measure is not known.
+    /// at the bound, unless it jumps at the bound. `None` if a measure is not known.
     pub(super) fn measures(&self) -> [Option<f64>; 2] {
         match self {
             Self::Does { carried, other } | Self::DoesNot { carried, other, .. } => {
@@ -131,7 +131,7 @@ impl Trials {
 /// The loads that refuted earlier amounts, i.e. were not carried with them. As a rule the same load refutes the next amount, so it is applied first.
 #[derive(Debug, Default)]
 pub(super) struct Refuting {
-    /// Index of the load that refuted the last insufficient amount, or was carried least with the last sufficient one.
+    /// Index of the load that refuted the last insufficient amount, or was carried least with the last sufficient amount.
     pub(super) first: Cell<usize>,
     /// Directions of a force of any direction that refuted an amount, or in which least was carried. Quick trials are confined to these directions.
     pub(super) directions: RefCell<Vec<[f64; 3]>>,

@@ -188,7 +188,7 @@ impl<'q> Tried<'q> {
             _ => [start / MOST_LOADS, start * MOST_LOADS],
         };
         let is_monotone = match need.sought {
-            // A load is put on from rest, so a path to a larger load has passed all smaller ones.
+            // A load is put on from rest, so a path to a larger load has passed all smaller loads.
             Sought::Load | Sought::Angle { .. } => true,
             Sought::Squeeze => grasp.is_proportional() && need.base == Wrench::ZERO,
             Sought::Friction { .. } | Sought::Arm { .. } | Sought::Force { .. } | Sought::Overlaps => false,

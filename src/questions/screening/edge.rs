@@ -45,8 +45,8 @@ impl<const C: usize, X: Packed> LeavingEdge<C, X> {
         }
     }
 
-    /// Advances `forces` to the load factor at which the first contact leaves its cone, and computes the derivatives of the margin there. The margin
-    /// is that of contact `which` if this contact leaves its cone there, else that of the first contact that leaves.
+    /// Advances `forces` to the load factor at which the first contact leaves its cone, and computes the derivatives of the margin at this factor.
+    /// The margin is that of contact `which` if this contact leaves its cone at the factor, else that of the first contact that leaves.
     #[inline(always)]
     pub(super) fn reach(
         &mut self,

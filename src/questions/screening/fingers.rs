@@ -49,8 +49,8 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
         (Kernels::get().prepare)(contacts).map(|grasp| Self { grasp })
     }
 
-    /// The load factor at which the first contact stops sticking as the load grows, and the contacts that stop sticking there. If screening cannot
-    /// decide, the verdict says why.
+    /// The load factor at which the first contact stops sticking as the load grows, and the contacts that stop sticking at this factor. If screening
+    /// cannot decide, the verdict says why.
     #[must_use]
     pub fn onset(&self, pull: &Pull<C>) -> Screened {
         Kernels::get().pull.ask(&self.grasp, pull)

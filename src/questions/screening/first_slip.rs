@@ -1,11 +1,11 @@
-//! The first slip of one grasp: a load factor, or a code for the lack of one, and its verdict.
+//! The first slip of one grasp: a load factor, or a code if there is no first slip, and its verdict.
 
 use core::fmt;
 
 use super::block::MOST_POINTS;
 use crate::prelude::*;
 
-/// The first slip of one grasp, or the lack of one, as two numbers, so that kernels can select among answers without a branch.
+/// The first slip of one grasp, or a code if there is none, as two numbers, so that kernels can select among answers without a branch.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct SlipCode {
     /// The load factor at first slip, infinite if no contact leaves, or one of the codes below.

@@ -31,7 +31,8 @@ use crate::numerics::Vectors;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GradientOf<const C: usize> {
     pub(super) pull: Pull<C>,
-    /// The contact whose margin is differentiated, if it leaves there; else, and for `None`, the first contact that leaves.
+    /// The contact whose margin is differentiated, if it leaves its cone at first slip. Otherwise, and for `None`, it is the first contact that
+    /// leaves.
     pub(super) contact: Option<usize>,
 }
 

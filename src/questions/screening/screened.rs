@@ -4,12 +4,12 @@ use core::fmt;
 
 use super::first_slip::{ScreeningVerdict, SlipCode};
 
-/// The load factor at first slip of one grasp under a growing load, or the reason why screening has none.
+/// The load factor at first slip of one grasp under a growing load, or the reason why screening has no load factor.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Screened(pub(super) SlipCode);
 
 impl Screened {
-    /// How the screening ended: with a first slip, without one, or without an answer.
+    /// How the screening ended: with a first slip, with the result that no contact ever slips, or without an answer.
     #[must_use]
     pub fn verdict(&self) -> ScreeningVerdict {
         self.0.verdict()
@@ -22,7 +22,7 @@ impl Screened {
         self.0.factor()
     }
 
-    /// Whether every contact is known to stick from load factor zero up to and including this one; `false` for negative load factors.
+    /// Whether every contact is known to stick from load factor zero up to and including `factor`; `false` for negative load factors.
     #[must_use]
     pub fn holds_up_to(&self, factor: f64) -> bool {
         self.0.holds_up_to(factor)

@@ -86,7 +86,7 @@ pub struct ScreenedGradient<'a, const C: usize> {
 
 impl<const C: usize> ScreenedGradient<'_, C> {
     /// The answer of screening, equal bit for bit to that of [`Fingers::onset`](crate::screening::Fingers::onset): the load factor, and the contacts
-    /// that leave their cones there.
+    /// that leave their cones at this factor.
     #[must_use]
     pub fn screened(&self) -> Screened {
         Screened(SlipCode {

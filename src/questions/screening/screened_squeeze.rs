@@ -5,7 +5,7 @@ use core::fmt;
 use super::first_slip::{GIVES_WAY, UNCLEAR};
 use super::least_factor::NO_FACTOR;
 
-/// The least factor of the commands with which all contacts of one grasp stick under each load of a list, or the reason why screening has none.
+/// The least factor of the commands with which all contacts of one grasp stick under each load of a list, or the reason why screening has no factor.
 #[derive(Clone, Copy, PartialEq)]
 pub struct ScreenedSqueeze {
     /// The least factor on the commands, or for the other verdicts one of the codes in `least_factor` and `first_slip`.
@@ -37,7 +37,7 @@ impl ScreenedSqueeze {
     /// Fills the memory for answers before a kernel writes them: the code for [`SqueezeVerdict::Unclear`].
     pub(super) const UNKNOWN: Self = Self { code: UNCLEAR, binding: 0.0 };
 
-    /// How the screening ended: with a factor, without one, or without an answer.
+    /// How the screening ended: with a sufficient factor, with the result that no factor suffices, or without an answer.
     #[must_use]
     pub fn verdict(&self) -> SqueezeVerdict {
         match self.code {

@@ -19,7 +19,7 @@ pub(super) struct Scale {
     pub(super) stretch: f64,
 }
 
-/// One cycle of loads, or several joined to one, with the states at its beginning and end.
+/// One cycle of loads, or several cycles joined to one, with the states at its beginning and end.
 #[derive(Debug, Clone)]
 pub(super) struct Cycle {
     pub(super) from: CycleState,

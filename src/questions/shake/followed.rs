@@ -313,7 +313,7 @@ enum Ahead<'g> {
     },
     /// The limit is not reached yet, but all cycles up to `cycle` have the same events.
     Further {
-        /// The cycle after the skipped ones, computed to confirm the extrapolation.
+        /// The cycle after the skipped cycles, computed to confirm the extrapolation.
         cycle: Box<Cycle>,
         /// The load path after `cycle`.
         cycles: Box<Cycles<'g>>,

@@ -158,8 +158,8 @@ impl CycleState {
 mod tests {
     use super::*;
 
-    /// The powers of `(a, b) → (b, a + b)` contain Fibonacci's numbers. The sum of the first n numbers is the number n + 2, less one; all are exact,
-    /// without rounding.
+    /// The powers of `(a, b) → (b, a + b)` contain Fibonacci's numbers. The sum of the first n numbers is number n + 2 of the sequence, less 1. All
+    /// these numbers are exact, without rounding.
     #[test]
     fn powers_and_their_sums_are_the_numbers_of_fibonacci() {
         let step = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 1.0, 1.0]);

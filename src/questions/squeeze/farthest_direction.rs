@@ -105,7 +105,7 @@ mod tests {
     use super::shortest_to_length;
     use crate::numerics::generic;
 
-    /// The end of the shortest x has the asked length, and no other x of 4 000 of this size, all around, has a larger one.
+    /// The end of the shortest x has the asked length, and no other x of 4 000 of this size, all around, leads to a longer end.
     #[test]
     fn no_other_direction_goes_farther() {
         let mut drawn = 0;

@@ -4,9 +4,9 @@
 //! contacts resist every motion. For several bodies the wrenches are those on all of them at once, and a motion moves each of them.
 //!
 //! Take a unit force along the normal at every contact, and seek forces in the cones that balance the sum of these unit forces (see
-//! `proofs/wrench_cone`). If there are none, the unbalanced remainder is a motion along which no contact force does negative work. Otherwise the two
-//! forces at each contact are added, and the sums are projected onto forces that balance each other to the last digit. These must lie clearly inside
-//! the cones.
+//! `proofs/wrench_cone`). If no such forces exist, the unbalanced remainder is a motion along which no contact force does negative work. Otherwise
+//! the two forces at each contact are added, and the sums are projected onto forces that balance each other to the last digit. These must lie clearly
+//! inside the cones.
 //!
 //! J. K. Salisbury and B. Roth, *Kinematic and force analysis of articulated mechanical hands*, 1983; A. Bicchi, *On the closure properties of
 //! robotic grasping*, 1995.

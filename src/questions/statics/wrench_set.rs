@@ -14,7 +14,7 @@ use crate::numerics::{Map, Vector, mapped, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The forces that one contact may exert per newton of normal force: a round cone, or the corners of a polygonal one.
+/// The forces that one contact may exert per newton of normal force: a round cone, or the corners of a polygonal cone.
 enum Cone {
     Round(Coulomb),
     Corners(Vec<SVector<f64, 3>>),

@@ -45,8 +45,8 @@ pub(super) fn failures(
         Edges::Round { limit } => {
             let around = round_rows(*limit);
             let (worst, least) = worst_around(&here.first_order(), &around);
-            // If the reliability exceeds `sigmas`, the required one, by three, failures are a thousand times rarer than allowed, and the first-order
-            // probability suffices. If it is not positive, the contact counts as sure to fail.
+            // If the reliability exceeds `sigmas`, the required reliability, by three, failures are a thousand times rarer than allowed, and the
+            // first-order probability suffices. If it is not positive, the contact counts as sure to fail.
             if least <= 0.0 || least > here.sigmas + 3.0 {
                 events.add_alone(if least <= 0.0 { 1.0 } else { normal_tail(least) });
                 return;
@@ -83,7 +83,7 @@ pub(super) fn roughly(edges: &Edges, here: &UncertainForce<'_>) -> f64 {
     }
 }
 
-/// The direction in which a contact with a round cone most probably fails to first order, rad, and the first-order reliability β there.
+/// The direction in which a contact with a round cone most probably fails to first order, rad, and the first-order reliability β in this direction.
 fn worst_around(first_order: &FirstOrder, around: &Harmonic<SVector<f64, 3>>) -> (f64, f64) {
     let mut worst = (0.0, f64::INFINITY);
     for k in 0..AROUND_A_CONE {
@@ -97,7 +97,7 @@ fn worst_around(first_order: &FirstOrder, around: &Harmonic<SVector<f64, 3>>) ->
 }
 
 /// The failure probability of a contact with a round cone under one load: Rice's bound around the angle `worst`, where it most probably fails.
-/// `least` is the first-order reliability there.
+/// `least` is the first-order reliability at this angle.
 fn failure_of_round(
     around: &Harmonic<SVector<f64, 3>>,
     here: &UncertainForce<'_>,
