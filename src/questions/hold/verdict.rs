@@ -199,8 +199,9 @@ pub struct Lost<const C: usize> {
 
 /// Proof that no equilibrium under the whole load exists near the loss, whatever contacts have slipped.
 ///
-/// From the state of the loss, the centroid of the contact points may move by up to `translation`, and the object may turn by up to `rotation`. The
-/// joints of a hand may move their contacts by up to `translation`, too. Both numbers include the rounding of the sums in the proof.
+/// The proof covers displacements of the centroid of the contact points from the state of the loss by up to `translation`, and rotations of the
+/// object by up to `rotation`. The joints of a hand may move their contacts by up to `translation`, too. Both numbers include the rounding of the
+/// sums in the proof.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -68,8 +68,8 @@ impl Assignments<'_> {
         Ok(true)
     }
 
-    /// Searches by bisection between two points for a third assignment, and starts a search for a fit from it. As one unknown falls from one point to
-    /// the other, slips begin to depend on it one after the other.
+    /// Searches by bisection between two points for a third assignment, and starts a search for a fit from the point where it finds one. As one
+    /// unknown falls from one point to the other, slips begin to depend on it one after the other.
     fn between(&mut self, mut low: Vec<f64>, mut high: Vec<f64>, ends: [&Linear; 2]) -> Result<(), Error> {
         for _ in 0..MOST_BISECTIONS {
             let middle: Vec<f64> = low.iter().zip(&high).map(|(a, b)| 0.5 * (a + b)).list();
@@ -155,7 +155,7 @@ fn weakened(model: &Model<'_>, logs: &[f64], (weak, strong): (usize, usize), hal
     begin[strong] = high;
     begin[weak] = low;
     for k in (0..begin.len()).filter(|k| *k != weak) {
-        // Another unknown of this kind that is as small as `weak` is doubled; else its contact would slip together with that of `weak`.
+        // Another unknown of this kind that is as small as `weak` is doubled; else its contact would slip together with the contact of `weak`.
         if (begin[k] - low).abs() <= INDISTINCT && unknowns[k].kind == unknowns[weak].kind {
             begin[k] = low + LN_2;
         }

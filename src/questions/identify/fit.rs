@@ -76,8 +76,8 @@ type Begun = (Vec<f64>, Result<Linear, (usize, NoSlip)>);
 
 /// The first point, in the logarithms of the unknowns, at which the model predicts all slips: the given values of the unknowns, or these values with
 /// all friction multiplied by a common factor. The factor is halved if the object holds however far the load goes, and doubled if the object is lost
-/// before the load grows. Once both have occurred, its logarithm is bisected. If no friction is unknown, squeezes and carried forces are multiplied
-/// instead.
+/// before the load grows. Once both have occurred, the logarithm of the factor is bisected. If no friction is unknown, squeezes and carried forces
+/// are multiplied instead.
 fn begun(model: &Model<'_>) -> Result<Begun, Error> {
     let unknowns = &model.asked.unknowns;
     let begin: Vec<f64> = mapped(unknowns, &|unknown| unknown.begins_at(model.layouts).ln());
@@ -163,8 +163,8 @@ pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, mut linear: Linear
                 Ok(linear) if model.loss(&linear.residuals, &fit.scatter) < loss => {
                     break Some((stepped, linear));
                 }
-                // Damping grows, so the steps that are tried become shorter. Only the last and shortest one shows whether the region with predictions
-                // ends at this point.
+                // Damping grows, so the steps that are tried become shorter. Only the last and shortest step shows whether the region in which the
+                // model predicts all slips ends at this point.
                 Ok(_) => unseen = None,
                 Err(none) => unseen = Some(none),
             }

@@ -94,7 +94,8 @@ impl<'a, 's> GrossSlip<'a, 's> {
         self.residual().norm() <= SOLVED_ROUNDING * forces
     }
 
-    /// Directions in which the object does not move as it leaves: along the normals of pressing contacts, and along the tangents of those that stick.
+    /// Directions in which the object does not move as it leaves: along the normals of pressing contacts, and along the tangents of contacts that
+    /// stick.
     fn fixed_directions(&self) -> Vec<DVector<f64>> {
         let mut fixed_directions = Vec::new();
         for contact in &self.pressing {

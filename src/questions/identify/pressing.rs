@@ -22,7 +22,7 @@ pub(super) struct Pressing {
     /// The tangential force of a sticking contact in its frame, N.
     pub(super) held: DVector<f64>,
     pub(super) sticks: bool,
-    /// Whether the normal force may pull, as at a bonded contact or one that is kept closed.
+    /// Whether the normal force may pull, as at a bonded contact or at a contact that is kept closed.
     pub(super) may_pull: bool,
 }
 

@@ -107,7 +107,7 @@ impl<const C: usize> Identify<C> {
     }
 
     /// Adds a layout in which slips were observed: the points of its contacts, m, one for each contact. The grasp for which the question is asked is
-    /// layout 0, the first one added is layout 1.
+    /// layout 0, the first layout added is layout 1.
     #[must_use]
     pub fn with_points(mut self, points: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         self.layouts.push(points.into_iter().map(|point| SVector::from(point.into())).list());

@@ -64,7 +64,7 @@ pub struct Slip<const C: usize> {
     /// Relative standard deviation of load or angle; given for every slip, or for none.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) scatter: Option<f64>,
-    /// The number of a group of slips that may share an error, such as those of one direction or one specimen; given for every slip, or for none.
+    /// The number of a group of slips that may share an error, such as slips in one direction or of one specimen; given for every slip, or for none.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) group: Option<usize>,
 }

@@ -21,8 +21,8 @@ pub(super) fn identified(model: &Model<'_>, fit: &Fitted) -> Identified {
         let (name, value) = (&names[j], fit.logs[j].exp());
         let known = spread.as_ref().and_then(|spread| spread.of_unknown(j));
         let (error, degrees) = known.unwrap_or((f64::INFINITY, None));
-        // The error is that of a logarithm. If it exceeds one, the interval spans nearly two powers of ten, over which the problem is not linear, and
-        // no error is given.
+        // The error is the standard error of a logarithm. If it exceeds one, the interval spans nearly two powers of ten, over which the problem is
+        // not linear, and no error is given.
         let is_known = error.is_finite() && error <= 1.0;
         // 0.95 is the probability with which the interval contains the true value.
         let factor = (two_sided(0.95, degrees) * error).exp();

@@ -97,7 +97,7 @@ impl Unknown {
         self
     }
 
-    /// This unknown for one layout alone, by its number from 0.
+    /// This unknown for one layout alone, given by the number of the layout, from 0.
     #[must_use]
     pub fn in_layout(mut self, layout: usize) -> Self {
         self.layout = Some(layout);
@@ -143,7 +143,7 @@ impl Unknown {
         self.layout.is_none_or(|own| own == layout)
     }
 
-    /// The name of the unknown in answers: the name that the user gave, or one such as "friction of left and right".
+    /// The name of the unknown in answers: the name that the user gave, or a name such as "friction of left and right".
     pub(super) fn called(&self, grasp: &Grasp<3>) -> String {
         if let Some(name) = &self.name {
             return crate::words::printable(name).into_owned();

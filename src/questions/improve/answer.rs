@@ -123,31 +123,31 @@ pub enum Binds {
     },
     /// Under the base load the contact's normal force is the greatest allowed force.
     Force {
-        /// Gain per newton by which the greatest allowed force were larger.
+        /// Gain of the goal for each newton added to the greatest allowed force.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
     /// The command of the contact has its greatest allowed force ([`Placed::pressed_with`]).
     Pressed {
-        /// Gain per newton by which the greatest allowed force were larger.
+        /// Gain of the goal for each newton added to the greatest allowed force.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
     /// The command of the contact has the force zero ([`Placed::pressed_with`]): it does not press at all.
     NotPressed {
-        /// Gain per newton by which the command could pull instead of pressing.
+        /// Gain of the goal for each newton with which the command could pull instead of pressing.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
     /// The contact is at the end of its curve or surface, or at an edge of its segment or triangle.
     End {
-        /// Gain per metre by which the surface, segment or triangle were longer.
+        /// Gain of the goal for each metre by which the surface, segment or triangle is made longer.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_metre: f64,
     },
     /// Under the base load the contact is at the edge of its friction cone.
     Rest {
-        /// Gain per newton by which the margin of sticking under the base load were larger.
+        /// Gain of the goal for each newton added to the margin of sticking under the base load.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },

@@ -137,7 +137,7 @@ impl Climb<'_> {
     }
 
     /// Ascent from `design` to a local optimum. Each contact stays on its part of its surface, such as one triangle of a mesh. `steps` is the number
-    /// of steps tried before from the same start, to which those of this ascent are added.
+    /// of steps tried before from the same start; the steps of this ascent are added to it.
     pub(super) fn ascend(&self, mut design: Design, mut steps: usize) -> Result<Ascent, Error> {
         let n = self.choice.variables.len();
         // Half widths of the trust region (a box), relative to the unit of each variable: the grasp's size for places, the greatest force for
@@ -256,7 +256,7 @@ fn gradient_decrease(
     let step = &old.step;
     let mut decrease = DVector::zeros(step.d.len());
     for (event, share) in old.events.iter().zip(&step.events).filter(|(_, share)| **share > 0.0) {
-        // Several events may belong to one sticking condition. The one whose value is nearest counts as the same event after the step.
+        // Several events may belong to one sticking condition. The event whose value is nearest counts as the same event after the step.
         let same = events.iter().filter(|other| other.condition == event.condition);
         let apart = |other: &&SlipEvent| (other.value - event.value).abs();
         if let Some(same) = same.min_by(|a, b| apart(a).total_cmp(&apart(b))) {

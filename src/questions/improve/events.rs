@@ -19,7 +19,7 @@ pub(super) struct ConeRow {
     /// Index of the load; `None` for a force of any direction.
     pub(super) load: Option<usize>,
     pub(super) contact: usize,
-    /// Index of the condition among those of the same contact and load.
+    /// Index of the condition among the conditions of the same contact and load.
     pub(super) number: usize,
 }
 
@@ -46,7 +46,7 @@ pub(super) struct Constraint {
 pub(super) enum ConstraintKind {
     /// A sticking condition under the base load and the commands; `left` is its margin.
     Sticks,
-    /// The greatest allowed normal force of the contact under the base load; `left` is the difference to it.
+    /// The greatest allowed normal force of the contact under the base load; `left` is this force minus the normal force.
     Force,
 }
 
@@ -139,7 +139,8 @@ impl Pressed<'_> {
             vector_of(influence.len(), &|k| row.dot(&by(k)))
         };
         let known = |k: usize| influence[k];
-        // The margin is linear in the force of any direction. The worst direction reduces it by the norm of its gradient with respect to this force.
+        // The margin is linear in the force of any direction. The worst direction reduces the margin by the norm of its gradient with respect to this
+        // force.
         let added = |row: &SVector<f64, 3>| -gradient(row, &known).norm();
         let value = |row: &SVector<f64, 3>| self.goal.counts(row.dot(&self.force), added(row));
         let rows = self.edges.least(&|row| value(row).unwrap_or(f64::INFINITY));

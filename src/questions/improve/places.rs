@@ -1,5 +1,5 @@
-//! The geometry of each curve or surface: the point at given coordinates, the coordinates nearest to a point, and uniformly random ones. A "part" of
-//! a shape is one segment of a polyline or one triangle of a mesh; other shapes have a single part.
+//! The geometry of each curve or surface: the point at given coordinates, the coordinates nearest to a point, and uniformly random coordinates. A
+//! "part" of a shape is one segment of a polyline or one triangle of a mesh; other shapes have a single part.
 
 use nalgebra::SVector;
 

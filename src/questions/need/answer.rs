@@ -46,7 +46,8 @@ pub struct Needed {
     /// For an angle in the plane: whether the grasp is tilted anticlockwise, from x to y. `None` for other quantities, and unless the load turns.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub anticlockwise: Option<bool>,
-    /// Whether the sought squeeze consists of overlaps, clearances below zero, because no command presses. Amounts are then multiples of the overlaps.
+    /// Whether the sought squeeze consists of overlaps (clearances below zero), because no command presses. Amounts are then multiples of the
+    /// overlaps.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub by_overlaps: bool,
     /// Contacts without friction, which stay frictionless if one coefficient for all other contacts is sought.

@@ -15,8 +15,8 @@ use crate::prelude::*;
 use crate::squeeze::WeakestDirection;
 
 impl Loading {
-    /// Whether everything sticks at rest, under `load` alone, and with a force of any direction added to `load`. `None` if something slides and
-    /// the demand allows sliding.
+    /// The result at rest, under `load` alone, and with a force of any direction added to `load`, from closed forms that hold while everything
+    /// sticks. `None` if something slides and the demand allows sliding.
     pub(super) fn any_force(
         &self,
         load: Wrench<3>,

@@ -21,14 +21,15 @@ pub struct Press {
     /// contacts if joints or tendons press.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub is_set: bool,
-    /// Of a suction cup: the pressure of its vacuum below that of the air around, Pa.
+    /// For a suction cup: the pressure of its vacuum below that of the air around, Pa. `None` for other contacts.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub pressure: Option<f64>,
     /// The force to set for this squeeze, N: `pressed_with`, or `force`, of the contact. The `force` at rest differs from it if the object gives way.
     /// `None` for suction cups, links, and contacts with a command across their normal.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub pressed_with: Option<f64>,
-    /// Of a contact that presses by its overlap, where overlaps are the squeeze: the overlap, m, which is its clearance below zero.
+    /// For a contact that presses because it overlaps: the overlap, m, i.e. its negative clearance without the sign. `None` unless overlaps are the
+    /// squeeze.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub overlap: Option<f64>,
 }

@@ -11,7 +11,8 @@ use crate::prelude::*;
 /// with the steps, since rounding or a jump of the carried part of the load can keep the two amounts apart.
 pub(super) type Enough = &'static [(usize, f64)];
 
-/// A bracket of the bound of the sufficient amounts: an amount that suffices, and a neighbouring one that does not, with the trial of the latter.
+/// A bracket of the bound of the sufficient amounts: an amount that suffices, and a neighbouring one that does not, with the trial of the
+/// insufficient amount.
 #[derive(Debug, Clone)]
 pub(super) struct Threshold {
     pub(super) does: f64,
@@ -105,7 +106,7 @@ impl Threshold {
         (does, enough): ([Option<f64>; 2], Enough),
     ) -> Result<Self, Error> {
         let mut bracket = Narrowing::of(self, tries.is_planar, does, enough);
-        // Halving a ratio of 4 down to [`EXACT`] takes 40 steps; those past 120 only follow rounding.
+        // Halving a ratio of 4 down to [`EXACT`] takes 40 steps; steps past 120 only follow rounding.
         for step in 0..120 {
             let close =
                 enough.iter().rev().find(|(steps, _)| *steps <= step).map_or(0.0, |(_, close)| *close);
@@ -211,7 +212,7 @@ impl Narrowing {
     /// Chooses the measure that guides the next trial. Returns whether it jumps at the bound, so that the bracket has to be halved.
     fn choose_measure(&mut self) -> bool {
         let is_known = |sides: &[Side; 2], which: usize| signs_differ(sides, which).is_some();
-        // If the present measure is not known at both ends of the bracket, the other measure is used, provided that it is.
+        // If the present measure is not known at both ends of the bracket, the other measure is used, provided that it is known at both ends.
         if !is_known(&self.sides, self.which) && is_known(&self.sides, 1 - self.which) {
             self.watch(1 - self.which);
         }
@@ -272,8 +273,8 @@ impl Narrowing {
         let off = next.zip(self.predicted).map_or(0.0, |(next, last): (f64, f64)| (next - last).abs());
         let end = if off > 0.25 * AT_A_JUMP * to.abs() { from } else { to };
         let moved = |at: f64| at + off.min(0.5 * (end - at).abs()).copysign(end - at);
-        // Predictions are exact in the plane, where margins are linear in the amount. In space a prediction is used again only once, on its other
-        // side.
+        // Predictions are exact in the plane, where margins are linear in the amount. In space an old prediction is used once more if there is no new
+        // one.
         self.predicted = if tries.is_planar { next.or(self.predicted) } else { new };
         next.map(|at| moved(at).clamp(from.min(to), from.max(to)))
     }
@@ -339,7 +340,7 @@ fn signs_differ(sides: &[Side; 2], which: usize) -> Option<[f64; 2]> {
 }
 
 /// Relative distances from the bound at which full trials are made if quick trials leave amounts beside the bound undecided. The next distance is
-/// used if the trial at the one before is undecided.
+/// used if the trial at the previous distance is undecided.
 ///
 /// If smaller, the enumeration of contact states takes longer, or is undecided. If larger, the insufficient amount of the answer is farther from the
 /// bound than necessary.

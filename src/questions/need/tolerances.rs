@@ -37,7 +37,8 @@ pub(super) const FAR_FROM_START: f64 = (1u32 << NEAR_DOUBLINGS) as f64;
 /// The small steps of the search end after this many doublings, at [`FAR_FROM_START`].
 pub(super) const NEAR_DOUBLINGS: u32 = 4;
 
-/// Two tried amounts that are nearer to each other than this relative distance count as one in the number of tried amounts that an answer contains.
+/// Two tried amounts that are nearer to each other than this relative distance count as one amount in the number of tried amounts that an answer
+/// contains.
 ///
 /// If smaller, amounts that only narrow a bracket count as well, and the scan seems denser than it was.
 pub(super) const APART_IN_A_SCAN: f64 = 1e-2;
@@ -49,7 +50,7 @@ pub(super) const EXACT: Enough = &[(0, 1e-12), (64, 5e-10)];
 
 /// In space a bracket with this relative width is narrow enough if the carried part of the load jumps at the bound of the sufficient amounts.
 ///
-/// If smaller, halvings take most of the time of an answer. If larger, the bracket shows in the answer.
+/// If smaller, halvings take most of the time of an answer. If larger, the width shows in the answer.
 pub(super) const AT_A_JUMP: f64 = 1e-6;
 
 /// The widths at which the bracket of the sought amount is narrow enough in space, since the verdicts come from load paths with step errors.

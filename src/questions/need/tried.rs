@@ -166,7 +166,7 @@ impl<'q> Tried<'q> {
         picked(&known, &|(at, trials)| Some((*at, trials.of(demand)?.clone())))
     }
 
-    /// The range and number of amounts tried. Amounts that only narrow a bracket count as one.
+    /// The range and number of amounts tried. Amounts that only narrow a bracket count as one amount.
     pub(super) fn amounts(&self, demand: Demand) -> TriedAmounts {
         let mut amounts: Vec<f64> = mapped(&self.known(demand), &|(at, _)| *at);
         amounts.sort_by(f64::total_cmp);

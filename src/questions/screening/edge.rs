@@ -31,7 +31,7 @@ pub(super) struct LeavingEdge<const C: usize, X: Packed> {
 }
 
 impl<const C: usize, X: Packed> LeavingEdge<C, X> {
-    /// A margin and derivatives that are all zero, before [`Self::reach`].
+    /// All numbers zero, before [`Self::reach`] computes them.
     pub(super) fn none() -> Self {
         let zero = X::all(0.0);
         Self {

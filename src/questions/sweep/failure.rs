@@ -120,7 +120,7 @@ fn failure_of_round(
     margin.start_over(here.changes.len());
     here.find(0, &around.at(worst - half), margin);
     let mut sum = margin.fails();
-    // The integrand falls at both ends like a normal density, so twelve midpoints make a negligible error.
+    // The integrand falls at both ends like a normal density, so the midpoint rule with twelve points has a negligible error.
     let summed = 12_u32;
     let width = 2.0 * half / f64::from(summed);
     for k in 0..summed {

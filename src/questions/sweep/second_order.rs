@@ -66,8 +66,8 @@ mod tests {
     use super::super::margin::{Effect, FacetMargin, UncertainForce};
     use crate::numerics::{normal_density, normal_tail};
 
-    /// The failure probability of the facet (1/2, -1) of a cone, then the same to first order. The polynomials `changes` count errors in units of
-    /// three standard deviations.
+    /// The failure probability of the facet (1/2, -1) of a cone, then its first-order value. The polynomials `changes` count errors in units of three
+    /// standard deviations.
     fn fails(force: [f64; 3], changes: &[Effect], friction: f64) -> (f64, f64) {
         let here = UncertainForce { force: SVector::from(force), changes, joint: &[], sigmas: 3.0, friction };
         let mut margin = FacetMargin::default();
