@@ -65,7 +65,8 @@ pub struct Difference {
 
 #[cfg(feature = "serde")]
 impl<const C: usize> Comparison<C> {
-    /// This comparison without the data that JSON does not contain (motions in the engine's coordinates), so that it equals one read back from JSON.
+    /// This comparison without the data that JSON does not contain (motions in the engine's coordinates), so that it equals a comparison read back
+    /// from JSON.
     pub(crate) fn written(mut self) -> Self {
         if let MinimumOutcome::Minimum(minimum) = &mut self.minimum {
             minimum.inside = Inside::default();

@@ -45,7 +45,7 @@ pub enum MinimumOutcome<const C: usize> {
 }
 
 impl<const C: usize> MinimumOutcome<C> {
-    /// The minimum, if the quadratic program has one and it was found; else `None`.
+    /// The minimum, if the quadratic program has a minimum that was found; else `None`.
     #[must_use]
     pub fn minimum(&self) -> Option<&MinimumEnergy<C>> {
         match self {

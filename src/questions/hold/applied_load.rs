@@ -162,7 +162,7 @@ impl Engine {
                 let then = self.carried_while_it_slides(ramp, settings);
                 lost.then_takes = then.filter(|then| *then < held_to * (1.0 - NEGLIGIBLE));
             }
-            // The proof assumes that the vacuum of every cup lasts, so it is not tried for a loss by cups whose lips are open all around.
+            // The proof assumes that the vacuum of every cup lasts, so it is not tried for a loss at which the lips of cups are open all around.
             if matches!(holding, Holding::Lost) && !matches!(lost.way_out, WayOut::LetsGo { .. }) {
                 lost.nothing_near = self.nothing_near(&lost, loss, ramp, settings);
             }

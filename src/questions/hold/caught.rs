@@ -66,7 +66,7 @@ pub struct MovesTo {
     /// Rotation of this body in the jump, rad.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub angle: f64,
-    /// Root mean square displacement of the body's contact points by the rotation, m: the angle times their root mean square distance from the
+    /// Root mean square displacement of the body's contact points due to the rotation, m: the angle times their root mean square distance from the
     /// centroid.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub turning: f64,

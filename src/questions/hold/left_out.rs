@@ -44,8 +44,8 @@ impl Engine {
                 |v: &nalgebra::SVector<f64, 3>| v.iter().zip(rotation).map(|(a, b)| a * b).sum::<f64>();
             left_out -= along(&force) * along(&arm);
         }
-        // Fractions up to a tenth are not returned. A smaller threshold would add a caution to ordinary verdicts; a larger one would hide a loss of
-        // stability until it is near.
+        // Fractions up to a tenth are not returned. A smaller threshold would add a caution to ordinary verdicts; a larger threshold would hide a
+        // loss of stability until it is near.
         (kept > 0.0).then(|| left_out / kept).filter(|part| part.abs() > 0.1)
     }
 
@@ -86,8 +86,8 @@ impl Engine {
         Some(-1.0 / unstable)
     }
 
-    /// The geometric stiffness of contact forces in the engine's coordinates: on the rotation θ of each body `Σ [(F·r) |θ|² - (F·θ)(r·θ)]`, with arms r
-    /// about the point to which the coordinates of the body refer.
+    /// The geometric stiffness of contact forces in the engine's coordinates: for the rotation θ of each body `Σ [(F·r) |θ|² - (F·θ)(r·θ)]`, with
+    /// arms r about the point to which the coordinates of the body refer.
     fn geometric_stiffness(&self, there: &Equilibrium<3>) -> Square {
         let mut stiffness = Square::zeros(size_of(self.sites()));
         let (axes, object) = (self.space().axes(), self.space().of_the_object());
@@ -117,8 +117,8 @@ impl Engine {
     }
 }
 
-/// The least fraction of the resistance to any motion that [`Engine::taken_by_forces`] returns. A smaller one would add a caution to ordinary squeezes
-/// of soft fingers; a larger one would leave too little before the grasp buckles.
+/// The least fraction of the resistance to any motion that [`Engine::taken_by_forces`] returns. A smaller fraction would add a caution to ordinary
+/// squeezes of soft fingers; a larger fraction would leave too little before the grasp buckles.
 const LEAST_TAKEN: f64 = 0.5;
 
 /// The stiffness of a contact that sticks, or of a drive that holds; without friction it resists along its normal alone.

@@ -104,7 +104,7 @@ pub enum Holding<const C: usize> {
     Sticks,
     /// The load is held, but contacts slide under it, or have slid, slipped in a jump, opened or given way before.
     Slides {
-        /// The contacts that slide under the whole load or have slid before; contacts that only opened are not in it.
+        /// The contacts that slide under the whole load or have slid before; contacts that only opened are not listed.
         contacts: Vec<WholeContact>,
     },
     /// No contact carries a force under the whole load: the object lies loose between the fingers.

@@ -198,7 +198,8 @@ impl<const C: usize> Verdict<C> {
         }
     }
 
-    /// Writes the pull of each strap or rope under the whole load: "; strap pulls with 2668 N". Nothing if there are more than [`MOST_NAMES`].
+    /// Writes the pull of each strap or rope under the whole load: "; strap pulls with 2668 N". Nothing if there are more straps and ropes than
+    /// [`MOST_NAMES`].
     fn cables(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let all = self.state.iter().flat_map(|state| &state.contacts);
         let cables: Vec<_> = all.filter(|one| one.contact.link == Some(LinkKind::Cable)).collect();

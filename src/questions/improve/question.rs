@@ -39,7 +39,7 @@ pub struct Improve<const C: usize> {
     )]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub(super) at: Option<SVector<f64, C>>,
-    /// The largest force with which a contact may press, N; if left out, commands stay.
+    /// The largest force with which a contact may press, N; if left out, commands keep their values.
     #[cfg_attr(
         feature = "serde",
         serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")

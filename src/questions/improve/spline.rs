@@ -17,7 +17,7 @@ pub(crate) struct Spline {
 }
 
 impl Spline {
-    /// The spline through these points in order; a closed one returns to the first point. With fewer than three points it is open.
+    /// The spline through these points in order; a closed spline returns to the first point. With fewer than three points it is open.
     pub(super) fn through(mut points: Vec<SVector<f64, 3>>, closed: bool) -> Self {
         let closed = closed && points.len() > 2;
         if let (true, Some(first)) = (closed, points.first().copied()) {
@@ -33,7 +33,8 @@ impl Spline {
         spline
     }
 
-    /// Computes the second derivatives at the points, such that first derivatives are continuous. They are zero at the ends of an open spline.
+    /// Computes the second derivatives at the points, such that first derivatives are continuous. The second derivatives are zero at the ends of an
+    /// open spline.
     fn bend(&mut self) {
         let n = self.points.len();
         if n < 3 {
@@ -102,7 +103,7 @@ impl Spline {
         [point, first, (a * right + b * left) / h]
     }
 
-    /// The parameter of the point of the spline that is nearest to `point`; rarely a local minimum of the distance instead.
+    /// The parameter of the point of the spline that is nearest to `point`. In rare cases it is a local minimum of the distance instead.
     pub(super) fn nearest(&self, point: &SVector<f64, 3>) -> f64 {
         // Newton's method on the distance starts from the nearest of 32 samples per piece between points.
         let pieces = (self.at.len() - 1) * 32;

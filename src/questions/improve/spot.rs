@@ -42,7 +42,8 @@ impl Spot {
             let side = if spot.normal.dot(normal) < 0.0 { -1.0 } else { 1.0 };
             if side > 0.0 { spot } else { Self::new(surface, part, spot.at, side) }
         });
-        // Where segments or triangles meet, several places are equally near; the one with the least angle between its normal and `normal` is chosen.
+        // Where segments or triangles meet, several places are equally near; the place with the least angle between its normal and `normal` is
+        // chosen.
         let distance = |spot: &Self| (spot.point - point).norm();
         let turned = |spot: &Self| 1.0 - spot.normal.dot(normal) / normal.norm();
         let edge = SOLVED_ROUNDING * surface.largest();
@@ -91,7 +92,8 @@ impl Spot {
         };
         let mut moved = Self::new(surface, self.part, at, self.side);
         if let Shape::Sphere { .. } = surface {
-            // The search has learnt a curvature of its goal along these two directions. So they are carried along to the new place, not chosen anew.
+            // The search has learnt a curvature of its goal along these two directions. So these directions are carried along to the new place, not
+            // chosen anew.
             let across = self.along[0] - moved.normal * self.along[0].dot(&moved.normal);
             if across.norm() > 0.5 {
                 let first = across.normalize();

@@ -11,8 +11,8 @@ use crate::grasp::Face;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
-/// A curve in the plane or a surface in space that a contact may move along; the normal of the contact follows it, on the side of the given normal,
-/// which points into the object. [`Grasp::improve`](crate::ask::Grasp::improve) refuses an invalid surface.
+/// A curve in the plane or a surface in space that a contact may move along. The normal of the contact is the normal of the surface on the side of
+/// the given normal, which points into the object. [`Grasp::improve`](crate::ask::Grasp::improve) refuses an invalid surface.
 ///
 /// ```
 /// use grasp_lcp::improve::Surface;
@@ -123,8 +123,8 @@ impl Surface<3> {
 }
 
 impl<const C: usize> Surface<C> {
-    /// The point of the surface nearest to `point`, m, and the unit normal at this point. Of its two signs the normal has the one at most 90° from
-    /// `normal`, whose length does not matter. A contact that may move along the surface has to be at such a point.
+    /// The point of the surface nearest to `point`, m, and the unit normal at this point. The sign of the normal is such that its angle to `normal`
+    /// is at most 90°; the length of `normal` does not matter. A contact that may move along the surface has to be at such a point.
     ///
     /// ```
     /// use grasp_lcp::improve::Surface;

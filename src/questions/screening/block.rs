@@ -22,12 +22,12 @@ pub(super) fn entries<X: Copy, const K: usize>(rows: &[&[X]; K], i: usize) -> [X
     all
 }
 
-/// Grasps with the same number of contacts, one in each lane. Each row has one number per contact; three [`Sizes`] follow. The number of contacts is
-/// known only at run time, so that kernels are compiled once for the plane and once for space.
+/// Grasps with the same number of contacts, one in each lane. Each row has one number per contact; the three numbers of [`Sizes`] follow. The number
+/// of contacts is known only at run time, so that kernels are compiled once for the plane and once for space.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Block<'a, const C: usize, X: Packed> {
     pub(super) contacts: usize,
-    /// Bit i is set if contact point i is the last point of its finger. A soft fingertip has several points, any other contact one.
+    /// Bit i is set if contact point i is the last point of its finger. A soft fingertip has several points, any other contact has one.
     pub(super) ends: u64,
     pub(super) numbers: &'a [X],
     /// Commands along the normals of all contacts, m, then their clearances, m. `numbers` has only the differences; questions that scale the commands
@@ -194,7 +194,7 @@ impl<const C: usize> AnyScene<C> {
         self.numbers[first..first + 3].copy_from_slice(&[sizes.commands, sizes.moment, sizes.force]);
     }
 
-    /// Makes this contact point belong to the same soft fingertip as the next one.
+    /// Makes this contact point belong to the same soft fingertip as the next contact point.
     pub(super) fn join_to_next(&mut self, contact: usize) {
         self.ends &= !(1 << contact);
     }

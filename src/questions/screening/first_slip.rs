@@ -29,7 +29,7 @@ pub enum ScreeningVerdict {
     Leaves,
     /// However large the load grows, no contact stops sticking.
     Never,
-    /// Not every contact sticks at load factor zero: one would slide or be open, or there may be no equilibrium.
+    /// Not every contact sticks at load factor zero: a contact would slide or be open, or there may be no equilibrium.
     /// [`Grasp::onset`](crate::ask::Grasp::onset) decides which.
     NotSticking,
     /// The base load or the growing load does positive work along a motion that no contact resists.

@@ -1,8 +1,8 @@
 //! Screening: the load at which the first contact stops sticking, for millions of grasps of two to five contacts.
 //!
-//! A planner asks this most often. Screening answers without allocating and without a branch. It computes the contact forces as if every contact
-//! stuck, at load factor zero and per unit of load factor. A ratio test on the exact friction cone then finds the first load factor at which a
-//! contact stops sticking.
+//! Planners ask for this load most often. Screening answers without allocating and without a branch. It computes the contact forces as if every
+//! contact stuck, at load factor zero and per unit of load factor. A ratio test on the exact friction cone then finds the first load factor at which
+//! a contact stops sticking.
 //!
 //! | question | type | answer | method for unclear cases |
 //! |---|---|---|---|

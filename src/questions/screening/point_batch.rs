@@ -139,7 +139,7 @@ impl<const C: usize> PointBatch<C> {
         blocks: usize,
         answers: &'a mut Vec<Q::Answer>,
     ) -> impl Iterator<Item = BatchPart<'a, C, Q>> {
-        // Kernels write every answer, so that old ones in reused memory need not be cleared.
+        // Kernels write every answer, so that old answers in reused memory need not be cleared.
         let of_grasp = questions.len() * Q::answers(self.contacts);
         answers.resize(self.len * of_grasp, Q::UNKNOWN);
         let (blocks, numbers, parted) =

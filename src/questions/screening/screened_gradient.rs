@@ -70,8 +70,8 @@ impl<const C: usize> ScreenedGradients<C> {
 /// The derivatives of the load factor at first slip of one grasp with respect to each of its data, while all other data stay fixed. They are NaN if
 /// screening has no load factor.
 ///
-/// If [`Self::is_one_sided`] is true, several contacts leave together, or one leaves through the apex of its cone: the least of their load factors
-/// has a kink. Derivatives are then those for the margin of [`Self::contact`]. For the derivatives of each of these contacts see
+/// If [`Self::is_one_sided`] is true, several contacts leave together, or a contact leaves through the apex of its cone: the least of the contacts'
+/// load factors has a kink. Derivatives are then those for the margin of [`Self::contact`]. For the derivatives of each of these contacts see
 /// [`Fingers::onset_gradients`](crate::screening::Fingers::onset_gradients). Along a change of the data, the derivative of the load factor is the
 /// least of the derivatives for these contacts.
 ///
@@ -112,7 +112,7 @@ impl<const C: usize> ScreenedGradient<'_, C> {
     /// Derivative with respect to the position of a contact along the coordinate axes, 1/m, while its normal stays the same.
     ///
     /// # Panics
-    /// If there is no such contact; the same holds for all derivatives by data of a contact.
+    /// If there is no such contact; the same holds for all derivatives with respect to data of a contact.
     #[must_use]
     pub fn point(&self, contact: usize) -> [f64; C] {
         self.vector(GradientRow::<C>::POINTS, contact)
@@ -132,8 +132,8 @@ impl<const C: usize> ScreenedGradient<'_, C> {
         self.vector(GradientRow::<C>::command(self.contacts), contact)
     }
 
-    /// Derivatives with respect to the series stiffness of a contact, normal and tangential, m/N; the tangential one changes both tangents together.
-    /// Commands stay the same, so that a stiffer finger presses more. Zero for a spring that does not exist.
+    /// Derivatives with respect to the series stiffness of a contact, normal and tangential, m/N; the tangential derivative is for a change along
+    /// both tangents together. Commands stay the same, so that a stiffer finger presses more. Zero for a spring that does not exist.
     #[must_use]
     pub fn stiffness(&self, contact: usize) -> [f64; 2] {
         let of = GradientRow::<C>::stiffness(self.contacts)..GradientRow::<C>::friction(self.contacts);

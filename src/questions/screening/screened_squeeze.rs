@@ -49,8 +49,8 @@ impl ScreenedSqueeze {
     }
 
     /// The least common factor of all commands with which every contact sticks under every load; zero if no squeeze is needed. `None` for every
-    /// verdict but [`SqueezeVerdict::Suffices`]. Larger factors need not suffice: clearances are not scaled, and a contact may be pushed open by the
-    /// others.
+    /// verdict but [`SqueezeVerdict::Suffices`]. Larger factors need not suffice: clearances are not scaled, and a contact may be pushed open by
+    /// other contacts.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         (self.verdict() == SqueezeVerdict::Suffices).then_some(self.code)

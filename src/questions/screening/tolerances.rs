@@ -15,7 +15,7 @@ pub(super) const WORKS_ON_FREE_MOTION: f64 = 1e-6;
 
 /// Contact forces whose residual exceeds this fraction of the load and forces are refined. Rounding alone leaves about 1e-15.
 ///
-/// If this were smaller, refinement would gain nothing. If larger, the force of a soft contact beside a stiff one would lose digits.
+/// If this were smaller, refinement would gain nothing. If larger, the force of a soft contact beside a stiff contact would lose digits.
 pub(super) const IMPROVABLE: f64 = 1e-14;
 
 /// The rate at which a margin falls with the load must be at least this multiple of the rounding of the rate.

@@ -15,7 +15,7 @@
 //! e·[(a - C F)_head - (a - C F)_tail] = 0,   A λ = Nᵀ (a - C P),   A = Nᵀ C N,   (N λ)_i = λ_j e_j - λ_k e_k
 //! ```
 //!
-//! This takes half the operations of [`super::balance`], and forces balance for any λ. But a small force among large ones is more accurate with
+//! This takes half the operations of [`super::balance`], and forces balance for any λ. But a small force among large forces is more accurate with
 //! `balance`; [`super::method`] chooses between the two.
 
 use super::block::{Block, Commanded, entries};

@@ -21,7 +21,7 @@ use crate::error::{ContactLabel, Error, Field};
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
 
-/// The margins of measured contact forces of one grasp, the load factor of first slip, under an expected load, and the extra squeeze that this load
+/// The margins of measured contact forces of one grasp, the load factor of first slip under an expected load, and the extra squeeze that this load
 /// needs.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Watched {
@@ -47,7 +47,7 @@ impl Watched {
         self.margin
     }
 
-    /// The contact with the least margin, counted from 0; the first of several.
+    /// The contact with the least margin, counted from 0; the first contact if several have this margin.
     #[must_use]
     pub fn tightest(&self) -> usize {
         self.tightest
@@ -80,7 +80,7 @@ impl fmt::Debug for Watched {
 }
 
 impl<const C: usize, const N: usize> Fingers<C, N> {
-    /// Margins of contact forces measured now, and first slip and extra squeeze under a load that is to come on top of the present one. Nothing is
+    /// Margins of contact forces measured now, and first slip and extra squeeze under a load that is to come on top of the present load. Nothing is
     /// allocated and no loop depends on the numbers: the steps are always the same, for a control loop with a deadline.
     ///
     /// Forces act on the object at the contacts, along the coordinate axes, N. They may differ from the forces that the springs of the fingers would
@@ -116,7 +116,7 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
     }
 }
 
-/// Measured contact forces along the coordinate axes, N, and the load that is to come on top of the present one.
+/// Measured contact forces along the coordinate axes, N, and the load that is to come on top of the present load.
 pub(super) struct Measured<'a, const C: usize> {
     forces: &'a [[f64; C]],
     to_come: &'a Wrench<C>,

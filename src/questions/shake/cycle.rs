@@ -37,8 +37,8 @@ impl Cycle {
         Some(Self { scale: scale_of(engine, &record, &to), from, to, record })
     }
 
-    /// The cycle that begins at the state `there`, and the load path for the cycles after it. `None` if no path begins there or it ends within the
-    /// cycle.
+    /// The cycle that begins at the state `there`, and the load path for the cycles after it. `None` if no path begins at this state, or if the path
+    /// ends within the cycle.
     pub(super) fn beginning_at<'g>(
         engine: &'g Engine,
         cycles: &Cycles<'g>,
@@ -69,7 +69,7 @@ impl Cycle {
         place.numbers(&self.scale, &|i| self.record.open[i].is_some())
     }
 
-    /// The numbers of the state at the end of the cycle less those at its beginning; see [`Self::numbers`].
+    /// The numbers of the state at the end of the cycle less the numbers of the state at its beginning; see [`Self::numbers`].
     pub(super) fn difference(&self) -> DVector<f64> {
         self.numbers(&self.to) - self.numbers(&self.from)
     }

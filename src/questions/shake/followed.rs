@@ -1,4 +1,4 @@
-//! Follows cycle after cycle of a repeated load until they repeat, and extrapolates.
+//! Follows cycle after cycle of a repeated load until the cycles repeat themselves, and extrapolates.
 
 use super::cycle::Cycle;
 use super::recurrence::Recurrence;
@@ -180,7 +180,7 @@ impl<'g> Shaking<'g, '_> {
         };
         let near = if last.record.step_error > 0.0 { NEAR_THE_LIMIT_ON_ARCS } else { NEAR_THE_LIMIT };
         // A state counts as next to the limit if forces and gaps change by at most `near` in a cycle. `near` is smaller for a smaller present change,
-        // so that a trial after a failed one is closer to the limit.
+        // so that a trial after a failed trial is closer to the limit.
         let near = near.min(1e-3 * last.change()).max(last.same());
         let farthest = recurrence.cycles_until(near);
         let mut passed = farthest;
@@ -206,7 +206,7 @@ impl<'g> Shaking<'g, '_> {
                     }
                     return Ahead::Further { cycle: Box::new(cycle), cycles: Box::new(cycles), passed };
                 }
-                // After a failed trial the next one extrapolates over a quarter as many cycles.
+                // After a failed trial the next trial extrapolates over a quarter as many cycles.
                 _ if passed >= 4 * fewest => passed /= 4,
                 _ => return Ahead::NotKnown,
             }
@@ -220,8 +220,8 @@ impl<'g> Shaking<'g, '_> {
         let there = recurrence.fixed_point().filter(|_| recurrence.ratio() < 1.0)?;
         let (limit, cycles) = Cycle::beginning_at(self.engine, &self.cycles, &there, self.settings)?;
         self.note_how_far(cycles.too_far());
-        // If friction falls once contacts slide, events at the limit may differ from those just before the limit. The cycle at the limit then does
-        // not show the behaviour of the grasp.
+        // If friction falls once contacts slide, events at the limit may differ from the events just before the limit. The cycle at the limit then
+        // does not show the behaviour of the grasp.
         let happens_there = limit.from.weaker.is_empty() || limit.record.is_like(&last.record);
         let is_one = limit.change() <= last.same() && limit.cycles_until_closing().is_none();
         (happens_there && is_one).then_some(limit)

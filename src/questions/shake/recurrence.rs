@@ -49,7 +49,7 @@ impl<'p> Recurrence<'p> {
     }
 
     /// The number of cycles after which the difference of successive states is at most `small`, if it shrinks by [`Self::ratio`] in each cycle. The
-    /// result is at most about a million, and just that if differences do not shrink.
+    /// result is at most about a million, and exactly this number if differences do not shrink.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to a million")]
     pub(super) fn cycles_until(&self, small: f64) -> usize {
         let last = self.changes[self.changes.len() - 1].amax();

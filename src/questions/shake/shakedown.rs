@@ -40,7 +40,8 @@ pub struct Shakedown<const C: usize> {
     pub slips: Vec<SVector<f64, C>>,
     /// The contacts at their limit of friction with these slips, which would slide if the loads grew beyond `factor`, each with its load.
     pub binding: Vec<BindingContact>,
-    /// Whether slips change normal forces. If not, the grasp comes to rest under loads up to `factor`, unless friction falls; if so, it may not.
+    /// Whether slips change normal forces. If not, the grasp comes to rest under loads up to `factor`, unless friction falls. If slips change normal
+    /// forces, it may not come to rest.
     pub slips_change_normal_forces: bool,
     /// Whether some contacts have [less friction](crate::grasp::Contact::kinetic) once they slide. Such a contact may slide past the slips with which
     /// the grasp would be at rest.

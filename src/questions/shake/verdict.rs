@@ -23,7 +23,7 @@ pub struct Shaken<const C: usize> {
     /// begin to slide.
     #[cfg_attr(feature = "serde", serde(default = "once", skip_serializing_if = "is_once"))]
     pub every: usize,
-    /// Number of load cycles up to the verdict, including those skipped by extrapolation. The last one counts even if the object is lost within it.
+    /// Number of load cycles up to the verdict, including those skipped by extrapolation. The last cycle counts even if the object is lost within it.
     pub cycles: usize,
     /// Number of cycles whose load path was computed, trials included. Of many cycles with the same events a few are enough.
     pub followed: usize,

@@ -59,8 +59,8 @@ pub(super) fn failures(
     }
 }
 
-/// The facets of a contact for which interactions of errors are computed: all of a polygonal cone; of a round cone the facet that most probably
-/// fails, to first order.
+/// The facets of a contact for which interactions of errors are computed: all facets of a polygonal cone; of a round cone only the facet that most
+/// probably fails, to first order.
 pub(super) fn facets(edges: &Edges, here: &UncertainForce<'_>) -> Vec<SVector<f64, 3>> {
     match edges {
         Edges::Rows(rows) => rows.clone(),

@@ -51,7 +51,7 @@ pub(super) struct JointEffect {
 pub(super) struct UncertainForce<'a> {
     pub(super) force: SVector<f64, 3>,
     pub(super) changes: &'a [Effect],
-    /// The interaction of the errors of all data: one entry for each facet of a polygonal cone, a single one for a round cone. An empty list means
+    /// The interaction of the errors of all data: one entry for each facet of a polygonal cone, a single entry for a round cone. An empty list means
     /// that interactions are neglected.
     pub(super) joint: &'a [JointEffect],
     /// The number of standard deviations that the user wants in reserve.
@@ -117,7 +117,7 @@ impl UncertainForce<'_> {
         margin.parts.extend(self.changes.iter().map(|change| change.each_ref().each(|c| parts(facet, c))));
         let known = parts(facet, &self.known(row));
         margin.curved = 1.0;
-        // If the reliability exceeds the required one, `sigmas`, by five, failures are too rare to count.
+        // If the reliability exceeds the required reliability, `sigmas`, by five, failures are too rare to count.
         let farthest = self.sigmas + 5.0;
         let mut value = self.linearise(known, rubs(facet), margin);
         let mut arrived = false;

@@ -1,5 +1,6 @@
 //! A grasp in which all contacts stick under a base load, and the probability that one of them stops sticking before a further load is applied in
 //! full.
+//!
 //! While all contacts stick, forces are linear in the load, and margins are concave functions of it. So if all contacts stick under the base load and
 //! with the whole further load, they stick in between. [`failure`](super::failure) gives the probability that a contact fails under one of these two
 //! loads; [`union`](super::union) bounds the probability that any contact does.
@@ -143,7 +144,7 @@ impl StuckGrasp {
         }
         let start = here.max(f64::MIN_POSITIVE) / growth;
         let roughly = |factor: f64| allowed - reliability(self.roughly(further(factor)));
-        // If no failure is found up to forces this many times those under the base load, the load factor counts as infinite.
+        // If no failure is found up to forces that are this multiple of the forces under the base load, the load factor counts as infinite.
         let far = 1e6;
         // A search with forces linearised in the data gives the starting value of the load factor.
         let guess = root(&roughly, (start, f64::NAN), far * start, 1e-3);
@@ -210,8 +211,8 @@ impl StuckGrasp {
     }
 }
 
-/// An approximate reliability β with about `Φ(-β) = fails`. Only differences of it are used, and they are nearly linear in the load factor, as those
-/// of β.
+/// An approximate reliability β with about `Φ(-β) = fails`. Only differences of it are used, and they are nearly linear in the load factor, like
+/// differences of β.
 fn reliability(fails: f64) -> f64 {
     // Smaller probabilities count as 1e-300, so that the logarithm is finite.
     (-2.0 * fails.clamp(1e-300, 1.0).ln()).sqrt()
@@ -239,7 +240,7 @@ fn root(f: &dyn Fn(f64) -> f64, (guess, mut slope): (f64, f64), end: f64, precis
             slope = (value - before) / (at - from);
         }
         last = Some((at, value));
-        // Secant steps are slow if a function is far from linear, so from the twelfth step on every second one is a bisection.
+        // Secant steps are slow if a function is far from linear, so from the twelfth step on every second step is a bisection.
         let halves = step >= 12 && step % 2 == 0;
         let next = if halves { f64::NAN } else { at - value / slope };
         let near = 0.5 * precise * at;
