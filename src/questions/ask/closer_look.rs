@@ -110,8 +110,8 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// The [kinematic form](crate::forms) of the linear complementarity problem under a load. Its unknowns are gaps and slips, added to the elastic
-    /// trial state in which everything sticks. `None` if no contact can open or slide, if the load does work on a motion that no contact resists, or
-    /// if a number overflows. If `lcp.vector() >= 0`, everything sticks and z = 0 is the answer. In the plane `cone` is ignored.
+    /// trial state in which everything sticks. `None` if no contact can open or slide, if the load does work along a motion that no contact resists,
+    /// or if a number overflows. If `lcp.vector() >= 0`, everything sticks and z = 0 is the answer. In the plane `cone` is ignored.
     ///
     /// ```
     /// use grasp_lcp::forms::Row;
@@ -171,8 +171,8 @@ impl<const C: usize> Grasp<C> {
 
 impl<const C: usize> Refutation<C> {
     /// Verifies this proof for a grasp and a load. Rounding could hide only an equilibrium with very large stretches and forces. The result is a
-    /// lower bound on their norm over all contacts (in √J), relative to that of the elastic trial state. `None` if the proof does not hold for this
-    /// grasp and this load, or if the bound is below 1e4.
+    /// lower bound on their norm over all contacts (in √J), relative to their norm in the elastic trial state. `None` if the proof does not hold for
+    /// this grasp and this load, or if the bound is below 1e4.
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.

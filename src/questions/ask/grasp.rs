@@ -200,9 +200,10 @@ impl<const C: usize> Grasp<C> {
         self.engine.hold(&inside(&load.into()), &self.settings).map(outside)
     }
 
-    /// The equilibrium under a load, or the proof that none exists, or undecided.
+    /// The equilibrium under a load, or the proof that no equilibrium exists; undecided if neither is found.
     ///
-    /// If several equilibria exist, one in which everything sticks is preferred; for the others see [`FoundBy`](crate::equilibrium::FoundBy).
+    /// If several equilibria exist, an equilibrium in which everything sticks is preferred; for other equilibria see
+    /// [`FoundBy`](crate::equilibrium::FoundBy).
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Outcome, Wrench};
@@ -248,7 +249,7 @@ impl<const C: usize> Grasp<C> {
         self.engine.is_squeezed()
     }
 
-    /// Whether contacts overlap, by clearances below zero.
+    /// Whether contacts overlap, i.e. have clearances below zero.
     pub(crate) fn overlaps(&self) -> bool {
         self.engine.overlaps()
     }
@@ -368,14 +369,15 @@ impl<const C: usize> Grasp<C> {
         self.engine.label_of(part)
     }
 
-    /// End points of the rigid links of the hand, m, in the initial posture, for pictures: from one revolute joint to the next, and from the last one
-    /// to the contacts.
+    /// End points of the rigid links of the hand, m, in the initial posture, for pictures: from one revolute joint to the next, and from the last
+    /// joint to the contacts.
     #[must_use]
     pub fn links(&self) -> &[[SVector<f64, C>; 2]] {
         &self.door().links
     }
 
-    /// Centre of each joint of the hand, m, in the initial posture, for pictures. `None` for a prismatic joint, and for one given by Jacobians alone.
+    /// Centre of each joint of the hand, m, in the initial posture, for pictures. `None` for a prismatic joint, and for a joint given by Jacobians
+    /// alone.
     #[must_use]
     pub fn joint_centres(&self) -> &[Option<SVector<f64, C>>] {
         &self.door().joint_centres

@@ -9,7 +9,7 @@ use crate::load_path::{Beyond, Onset, OnsetEvent, Ramp, Turn, TurnOnset};
 impl<const C: usize> Grasp<C> {
     /// The load factor at which the first contact stops sticking as a load grows from zero, or along a [`Ramp`]. The answer names the contacts that
     /// stop sticking, and whether they slide or open. It is exact in the plane, and in space on the round cone. It needs neither steps nor bisection:
-    /// a linear equation for each facet in the plane, a quadratic one for each contact on the round cone.
+    /// a linear equation for each facet in the plane, a quadratic equation for each contact on the round cone.
     ///
     /// One more call each gives the equilibrium at first slip, [`Self::state_at_onset`], and the behaviour beyond it, [`Self::beyond`].
     ///

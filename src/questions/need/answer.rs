@@ -39,8 +39,8 @@ pub struct Needed {
     /// The part that exerts the sought force, or the load at rest if that is sought; `None` for other quantities.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub of: Option<PressedBy>,
-    /// Whether a squeeze was asked for although no command presses. The sought quantity is then the force of the only loaded body, or the load at rest
-    /// if no body is loaded.
+    /// Whether a squeeze was asked for although no command presses. The sought quantity is then the force of the only loaded body, or the load at
+    /// rest if no body is loaded.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub in_place_of_squeeze: bool,
     /// For an angle in the plane: whether the grasp is tilted anticlockwise, from x to y. `None` for other quantities, and unless the load turns.

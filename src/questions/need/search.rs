@@ -77,8 +77,8 @@ pub(super) struct SearchPlan {
     pub(super) is_least: bool,
     /// How the bound is estimated from a carried part of the load.
     pub(super) guess: Guess,
-    /// Whether it is known that all easier amounts suffice if one amount does. Easier amounts are larger if the least amount is sought, and smaller if
-    /// the greatest is sought.
+    /// Whether it is known that all easier amounts suffice if one amount does. Easier amounts are larger if the least amount is sought, and smaller
+    /// if the greatest is sought.
     pub(super) is_monotone: bool,
     /// Whether the search goes in both directions and between the amounts tried. Otherwise it tries only a few easier amounts, such as more squeeze
     /// or less load.

@@ -59,8 +59,8 @@ impl<'l> Parts<'l> {
         Ok(Self { loads, edges: sticking.edges, squeeze, base, influences })
     }
 
-    /// Among the sticking conditions that are broken if the commands are multiplied by `factor`, the one that needs the largest factor, with its
-    /// contact. `None` if no condition is broken.
+    /// Among the sticking conditions that are broken if the commands are multiplied by `factor`, the condition that needs the largest factor, with
+    /// its contact. `None` if no condition is broken.
     pub(super) fn broken(&self, factor: f64) -> Option<(usize, Condition)> {
         let mut most: Option<(f64, usize, Condition)> = None;
         for contact in 0..self.edges.len() {
@@ -84,9 +84,9 @@ impl<'l> Parts<'l> {
         if gain.abs() > ZERO_SLACK * row.norm() * self.squeeze.sizes[contact] { gain } else { 0.0 }
     }
 
-    /// The sticking conditions of a contact that have the least margins `row·F` if the commands are multiplied by `factor`. There is one under each
-    /// load of a list, or one for each facet under the worst force of any direction. For a turning load there is one at each angle where a margin is
-    /// least.
+    /// The sticking conditions of a contact that have the least margins `row·F` if the commands are multiplied by `factor`. There is one condition
+    /// under each load of a list, or one for each facet under the worst force of any direction. For a turning load there is one condition at each
+    /// angle where a margin is least.
     fn worst(&self, contact: usize, factor: f64) -> Vec<Condition> {
         let edges = &self.edges[contact];
         let (squeeze, pressed) = (self.squeeze.of[contact] * factor, self.squeeze.sizes[contact] * factor);

@@ -19,8 +19,8 @@ use crate::search::Settings;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum WeakestDirection<const C: usize> {
-    /// A force of this size in this direction makes a contact stop sticking, or a drive of a hand reach its limit. A smaller force does not, in any
-    /// direction.
+    /// A force of this size in this direction makes a contact stop sticking, or a drive of a hand reach its limit. No smaller force has this effect,
+    /// in any direction.
     #[non_exhaustive]
     Force {
         /// Size of the least force, N, exact up to rounding.
@@ -110,7 +110,8 @@ impl Least {
             }
             self.size
         };
-        // The first planes are all facets of a polygonal cone. Those of a round cone are four facets: towards, against and across the friction force.
+        // The first planes are all facets of a polygonal cone. For a round cone the first planes are four facets: towards, against and across the
+        // friction force.
         let begin = force[2].atan2(force[1]);
         let quarters = |quarter: u8| begin + f64::from(quarter) * FRAC_PI_2;
         let mut size = cut(edges.rows(&|_| (0..4).map(quarters).list()));

@@ -82,7 +82,7 @@ impl<const C: usize> LoadLimit<C> {
 fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLimit<3> {
     set.flat = simplex(size, &|v: &Vector| set.support(v)).err().unwrap_or_default();
     // `set.flat` has directions of wrenches in which no contact force acts. The set is widened along them so that it has an interior. A load with a
-    // component in them cannot be balanced.
+    // component along them cannot be balanced.
     let unheld = |load: &Vector| {
         let mut part = Vector::zeros();
         for v in &set.flat {
@@ -125,8 +125,8 @@ fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLi
     if at_most <= SOLVED_ROUNDING * base.norm().max(support(rate).norm()) {
         return LoadLimit::Factor { at_least: 0.0, at_most: 0.0, forces: at_begin, motion };
     }
-    // The lower bound is a factor whose load was found inside the set of wrenches: the last one tried, or else the upper bound reduced by ever larger
-    // fractions.
+    // The lower bound is a factor whose load was found inside the set of wrenches: the last factor tried, or else the upper bound reduced by ever
+    // larger fractions.
     let reached = |(factor, crossing): &(f64, RayExit)| crossing.stretch <= 1.0 && *factor <= at_most;
     let nearer = [1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-6, 1e-3].iter().filter_map(|part| {
         let factor = at_most * (1.0 - part);
